@@ -1,0 +1,199 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace riffle {
+
+// The options of a case. Each enumerator has one word in the case file; the words, defaults, units and
+// meanings stand in the key table (key_table.cpp). All values are SI. Axes: x down the bed, z normal to
+// it, upward from the bed level z = 0.
+
+enum class Preset { riffle, thesis, paper };
+enum class Ends { periodic, walls };
+enum class Top { free_surface, wall, periodic };
+enum class BedKind { spheres, slip, no_slip };
+enum class Packing { hexagonal, square };
+enum class DragForm { consistent, thesis, paper };
+enum class ClosureKind { none, ramp, nezu_rodi, nikuradse, sps };
+enum class StressTerms { full, shear };
+enum class KernelKind { wendland_c2, cubic_spline };
+enum class EquationOfState { linear, tait };
+enum class PressureForm { corrected, symmetric };
+enum class VelocityGradient { corrected, plain };
+enum class DensityDiffusion { fourtakas, none };
+enum class DensityFilter { none, shepard, mls };
+enum class ViscosityForm { morris, monaghan_gingold };
+enum class EddyStress { two_point, stress_divergence };
+enum class Stepping { semi_implicit_euler, predictor_corrector };
+enum class WallKind { dummy, dynamic };
+enum class Precision { single_precision, double_precision };
+enum class StartKind { column, uniform, rest, power_law, results, standing_wave, taylor_green };
+enum class RunUntil { time, converged };
+
+/// [channel]
+struct Channel {
+    double slope = 0.0;   ///< S0 = tan(theta)
+    double depth = 0.0;   ///< h_w, measured from the zero datum, m
+    double length = 0.2;  ///< along x, m
+    double width = 0.459; ///< of the flume, m (side walls of the column's hydraulic radius; 3D later)
+    Ends ends = Ends::periodic;
+    Top top = Top::free_surface;
+};
+
+/// [bed]
+struct Bed {
+    BedKind kind = BedKind::spheres;
+    double sphere_diameter = 0.025;   ///< D, m
+    Packing packing = Packing::hexagonal;
+    double roughness_height = 0.0;    ///< d_h, bed level to crest, m; 0 for smooth beds
+    double datum_below_crest = 0.004; ///< m; 0 for smooth beds
+    double drag_coefficient = 0.8;    ///< C_d
+    DragForm drag_form = DragForm::consistent;
+};
+
+/// [turbulence]
+struct Turbulence {
+    ClosureKind closure = ClosureKind::ramp;
+    double kappa = 0.41;
+    double lambda = 0.09;               ///< plateau of the ramp, l_m = lambda H
+    double wake_strength = 0.0;         ///< Coles' Pi of Nezu & Rodi's mixing length
+    double zero = 0.0;                  ///< height above the bed level where the mixing length starts, m
+    double smagorinsky_constant = 0.12; ///< C_s of the SPS closure
+    std::optional<double> filter_width; ///< Delta of the SPS closure, m; unset: spacing / sqrt(2)
+    StressTerms stress_terms = StressTerms::full;
+};
+
+/// [fluid]
+struct Fluid {
+    double density = 1000.0;
+    double kinematic_viscosity = 1.0e-6;
+    double gravity = 9.81;
+};
+
+/// [numerics]
+struct Numerics {
+    Preset preset = Preset::riffle;
+    double spacing = 0.002;                  ///< dx, m
+    KernelKind kernel = KernelKind::wendland_c2;
+    double smoothing_ratio = 1.5;            ///< h / dx
+    std::optional<double> sound_speed;       ///< c0, m/s; unset: max(20 U_max, 10 sqrt(g H))
+    EquationOfState equation_of_state = EquationOfState::linear;
+    PressureForm pressure_form = PressureForm::corrected;
+    VelocityGradient velocity_gradient = VelocityGradient::corrected;
+    DensityDiffusion density_diffusion = DensityDiffusion::fourtakas;
+    double density_diffusion_coefficient = 0.1;
+    DensityFilter density_filter = DensityFilter::none;
+    int density_filter_interval = 30;        ///< steps
+    ViscosityForm viscosity = ViscosityForm::morris;
+    EddyStress eddy_stress = EddyStress::two_point;
+    double xsph = 0.0;
+    Stepping stepping = Stepping::semi_implicit_euler;
+    double courant_number = 0.7;
+    std::optional<double> time_step;         ///< fixed step, s; unset: from the Courant number and the forces
+    WallKind wall = WallKind::dummy;
+    int wall_layers = 3;
+    Precision precision = Precision::single_precision;
+    double skin = 0.2;                       ///< of the neighbour lists, in units of h
+};
+
+/// [start]
+struct Start {
+    StartKind kind = StartKind::column;
+    std::optional<double> velocity;     ///< uniform: U; power-law: U_max; wave and vortex: amplitude. m/s
+    double exponent = 3.0;              ///< m of U = U_max (z/H)^(1/m)
+    double amplitude = 0.0;             ///< standing wave: of the surface, m
+    std::filesystem::path file;         ///< results: the file to start from
+    double jitter = 0.0;                ///< random displacement of the lattice, in units of the spacing
+    long long seed = 1;
+};
+
+/// [stirring]: a body force of travelling vortex modes of zero mean, a test of the pressure form under disorder.
+struct Stirring {
+    double acceleration = 0.0; ///< amplitude F, m/s2
+    int modes = 3;
+    std::optional<double> celerity; ///< of the modes, m/s; unset: depth-mean velocity of the column
+};
+
+/// [run]
+struct Run {
+    RunUntil until = RunUntil::converged;
+    double time = 60.0;          ///< until = "time": simulated end time, s; "converged": the latest end
+    double tolerance = 0.005;    ///< relative half-width of the 95 % interval of the depth-mean velocity
+    std::optional<double> average_from; ///< start of the averaging window, s; unset: chosen by the test
+};
+
+/// [output]
+struct Output {
+    double series_interval = 0.02;      ///< s
+    double surface_interval = 0.02;     ///< s
+    double profile_interval = 0.01;     ///< s between samples of the time averages
+    double snapshot_interval = 1.0;     ///< s; 0: none
+    double checkpoint_interval = 60.0;  ///< s of wall-clock time
+    double progress_interval = 1.0;     ///< s of wall-clock time
+};
+
+/// [measured]: what to compare with. Unset where unknown.
+struct Measured {
+    std::optional<double> depth_mean_velocity;
+    std::optional<double> friction_velocity;
+    std::optional<double> equivalent_roughness;
+    std::optional<double> discharge;
+    std::optional<double> surface_standard_deviation;
+    std::filesystem::path velocity_profile; ///< CSV with columns z, u [, u_uncertainty]; z above the datum
+    bool uniform = true;                    ///< whether the measured flow was uniform
+    std::string source;
+};
+
+/// A case: everything that defines a run. The only source of a run's parameters.
+struct Case {
+    std::string title;
+    std::string description;
+    Channel channel;
+    Bed bed;
+    Turbulence turbulence;
+    Fluid fluid;
+    Numerics numerics;
+    Start start;
+    Stirring stirring;
+    Run run;
+    Output output;
+    Measured measured;
+
+    std::filesystem::path path; ///< file it was read from; relative file names in it are relative to its folder
+    std::string text;           ///< complete TOML text of the case, overrides applied: reading it gives this case
+
+    /// Total depth H = h_w + d_h - datum_below_crest over the bed level, m.
+    [[nodiscard]] double total_depth() const {
+        return channel.depth + bed.roughness_height - bed.datum_below_crest;
+    }
+    /// Height of the zero datum above the bed level, m.
+    [[nodiscard]] double datum() const { return bed.roughness_height - bed.datum_below_crest; }
+    /// Height of the roughness crest above the bed level, m.
+    [[nodiscard]] double crest() const { return bed.roughness_height; }
+    /// Component of gravity down the bed, g sin(theta), m/s2.
+    [[nodiscard]] double streamwise_gravity() const;
+    /// Component of gravity normal to the bed, g cos(theta), m/s2.
+    [[nodiscard]] double normal_gravity() const;
+};
+
+/// One `--set section.key=value` of the command line; value in TOML syntax, bare words taken as strings.
+struct Override {
+    std::string key;
+    std::string value;
+};
+
+/// Read and validate a case file, apply the overrides. Throws InputError naming file, line, key, what was
+/// expected and what to do (nearest known name for an unknown one); FileError if it cannot be read.
+[[nodiscard]] Case read_case(const std::filesystem::path& path, const std::vector<Override>& overrides = {});
+
+/// The same from text; `name` stands for the file in messages, `path` for its folder.
+[[nodiscard]] Case parse_case(const std::string& text, const std::string& name,
+                              const std::filesystem::path& path = {}, const std::vector<Override>& overrides = {});
+
+/// Warnings for a valid case that leaves the envelope in which the scheme was verified (docs/theory.md).
+[[nodiscard]] std::vector<std::string> case_warnings(const Case& c);
+
+}  // namespace riffle

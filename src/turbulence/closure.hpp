@@ -1,0 +1,35 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "case/case.hpp"
+
+namespace riffle {
+
+/// A turbulence closure: the eddy viscosity as a function of height and strain rate. The same object serves
+/// the particles (batch call) and the column twin (scalar calls). Registered by name, one file per closure.
+class Closure {
+  public:
+    virtual ~Closure() = default;
+
+    /// Mixing length l_m at height z above the bed level (m). For SPS: C_s Delta.
+    [[nodiscard]] virtual double mixing_length(double z) const = 0;
+
+    /// Eddy viscosity nu_t = l_m^2 |S| (m2/s), |S| = sqrt(2 S_ij S_ij) (1/s).
+    [[nodiscard]] double eddy_viscosity(double z, double strain_rate) const {
+        const double length = mixing_length(z);
+        return length * length * strain_rate;
+    }
+
+    /// Mixing length at each height; a loop over the scalar function, vectorisable in each closure.
+    virtual void mixing_lengths(std::span<const double> z, std::span<double> result) const = 0;
+};
+
+/// The closure that the case names; nullptr for `none` (laminar).
+[[nodiscard]] std::unique_ptr<const Closure> make_closure(const Case& c);
+
+}  // namespace riffle
