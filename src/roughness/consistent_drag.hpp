@@ -4,7 +4,7 @@
 
 namespace riffle {
 
-/// Consistent bed drag (model.md section 5), 1/m: beta(z) = 1/2 C_d a(z), frontal area per volume
+/// Consistent bed drag (thesis 2.16, 4.3), 1/m: beta(z) = 1/2 C_d a(z), frontal area per volume
 /// a(z) = 2 n_s l_r(z), n_s spheres per plan area, l_r the half chord (thesis 4.3). From the drag force
 /// (thesis 2.16) on n_s spheres per plan area, spread over the volume of each height; free of the spacing.
 template <class Real>
