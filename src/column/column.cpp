@@ -1,0 +1,215 @@
+#include "column/column.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+
+#include "base/error.hpp"
+#include "column/column_grid.hpp"
+#include "column/momentum_balance.hpp"
+#include "hydraulics/channel_laws.hpp"
+
+namespace riffle {
+
+namespace {
+
+double inner_product(const std::vector<double>& a, const std::vector<double>& b) {
+    return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
+}
+
+double largest(const std::vector<double>& x) {
+    double value = 0.0;
+    for (const double v : x) value = std::max(value, std::abs(v));
+    return value;
+}
+
+void check_channel(const Case& c, const MomentumBalance& balance) {
+    if (c.channel.top == Top::periodic) {
+        throw InputError(
+            "the column is a channel with a surface or a top wall: channel.top = \"periodic\" has none");
+    }
+    if (c.streamwise_gravity() == 0.0) return;  // water at rest
+    if (c.channel.ends == Ends::walls) {
+        throw InputError(
+            "a sloping channel closed by end walls (channel.ends = \"walls\") has no steady uniform flow: "
+            "use channel.ends = \"periodic\", or channel.slope = 0 for a tank");
+    }
+    if (!balance.has_friction()) {
+        throw InputError(
+            "nothing resists the flow down the slope, so it has no steady state: a slip bed, or spheres "
+            "without drag. Give bed.kind = \"spheres\" with bed.roughness_height > 0 and "
+            "bed.drag_coefficient > 0, bed.kind = \"no-slip\", or channel.slope = 0");
+    }
+}
+
+/// Newton's method on the convex functional of the balance, with step halving.
+std::vector<double> solve_balance(const MomentumBalance& balance) {
+    std::vector<double> u = balance.first_guess();
+    double value = balance.functional(u);
+    constexpr int most_iterations = 200;
+    for (int iteration = 0; iteration < most_iterations; ++iteration) {
+        const std::vector<double> force = balance.residual(u);
+        const std::vector<double> step = balance.jacobian(u).solve(force);
+        const double size = largest(step);
+        if (!std::isfinite(size)) break;
+        const bool close = size <= 1e-6 * largest(u);
+        const double decrease = inner_product(force, step);
+        std::vector<double> next(u.size());
+        for (double fraction = 1.0;; fraction *= 0.5) {
+            for (std::size_t i = 0; i < u.size(); ++i) next[i] = u[i] + fraction * step[i];
+            const double next_value = balance.functional(next);
+            // Close to the minimum the functional is flat to rounding: the full step is right.
+            if (close || fraction < 1e-10 || next_value <= value - 1e-4 * fraction * decrease) {
+                value = next_value;
+                break;
+            }
+        }
+        u.swap(next);
+        if (size <= 1e-11 * largest(u)) return u;
+    }
+    throw InputError(
+        "the steady column did not converge: check fluid.kinematic_viscosity, channel.slope, "
+        "bed.drag_coefficient and the [turbulence] constants of the case");
+}
+
+/// E-folding time of the slowest mode of small departures, by inverse power iteration on the linearised
+/// transient balance, thickness du'/dt = -J u'.
+double slowest_decay_time(const MomentumBalance& balance, const std::vector<double>& u) {
+    const Tridiagonal matrix = balance.jacobian(u);
+    const std::vector<double>& mass = balance.thickness();
+    std::vector<double> mode(u.size(), 1.0);
+    double time = 0.0;
+    constexpr int most_iterations = 500;
+    for (int iteration = 0; iteration < most_iterations; ++iteration) {
+        std::vector<double> weighted(mode.size());
+        for (std::size_t i = 0; i < mode.size(); ++i) weighted[i] = mass[i] * mode[i];
+        std::vector<double> next = matrix.solve(weighted);
+        // Rayleigh quotient <mode, M J^-1 M mode>/<mode, M mode>.
+        const double estimate = inner_product(weighted, next) / inner_product(weighted, mode);
+        const double scale = largest(next);
+        for (double& v : next) v /= scale;
+        mode.swap(next);
+        const bool converged = std::abs(estimate - time) <= 1e-10 * estimate;
+        time = estimate;
+        if (converged) break;
+    }
+    return time;
+}
+
+ColumnProfile make_profile(const Case& c, const ColumnGrid& grid, const MomentumBalance& balance,
+                           const std::vector<double>& u, const std::vector<double>& stress) {
+    const std::size_t n = u.size();
+    ColumnProfile p;
+    p.z = grid.centre;
+    p.velocity = u;
+    p.mixing_length = balance.cell_mixing_length();
+    p.velocity_gradient.resize(n);
+    p.shear_stress.resize(n);
+    p.eddy_viscosity.resize(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        // The stress is the smooth quantity; the gradient that carries it follows from the closure.
+        const double at_centre = 0.5 * (stress[i] + stress[i + 1]);
+        const double length = p.mixing_length[i];
+        p.velocity_gradient[i] = balance.gradient_from_stress(at_centre, length);
+        p.eddy_viscosity[i] = length * length * std::abs(p.velocity_gradient[i]);
+        p.shear_stress[i] = c.fluid.density * at_centre;
+    }
+    return p;
+}
+
+/// Mean over the cells whose centre lies above `from`, which is a face of the grid.
+double mean_above(const ColumnGrid& grid, const std::vector<double>& u, double from) {
+    double sum = 0.0;
+    double length = 0.0;
+    for (std::size_t i = 0; i < u.size(); ++i) {
+        if (grid.centre[i] < from) continue;
+        const double thickness = grid.face[i + 1] - grid.face[i];
+        sum += u[i] * thickness;
+        length += thickness;
+    }
+    return sum / length;
+}
+
+/// Stress at height z, linear between the faces.
+double stress_at(const ColumnGrid& grid, const std::vector<double>& stress, double z) {
+    const auto above = std::lower_bound(grid.face.begin() + 1, grid.face.end() - 1, z);
+    const auto i = static_cast<std::size_t>(above - grid.face.begin());
+    const double fraction = (z - grid.face[i - 1]) / (grid.face[i] - grid.face[i - 1]);
+    return stress[i - 1] + fraction * (stress[i] - stress[i - 1]);
+}
+
+/// Fit of the profile to the rough log law at evenly spaced heights, as an instrument would sample it.
+LogLawFit fit_profile(const Case& c, const ColumnResult& result) {
+    constexpr int points = 200;
+    const HeightRange range = log_law_range(c);
+    std::vector<double> z;
+    std::vector<double> u;
+    for (int i = 0; i < points; ++i) {
+        z.push_back(range.from + (range.to - range.from) * (i + 0.5) / points);
+        u.push_back(result.velocity_at(z.back()));
+    }
+    return fit_log_law(z, u, log_law_kappa, c.datum(), range.from, range.to);
+}
+
+}  // namespace
+
+HeightRange log_law_range(const Case& c) {
+    constexpr double share_of_depth = 0.7;
+    return {c.crest(), c.datum() + share_of_depth * c.channel.depth};
+}
+
+double ColumnResult::velocity_at(double z) const {
+    const std::vector<double>& height = profile.z;
+    const std::vector<double>& u = profile.velocity;
+    if (z <= height.front()) return u.front();
+    if (z >= height.back()) return u.back();
+    const auto above = std::upper_bound(height.begin(), height.end(), z);
+    const auto i = static_cast<std::size_t>(above - height.begin());
+    const double fraction = (z - height[i - 1]) / (height[i] - height[i - 1]);
+    return u[i - 1] + fraction * (u[i] - u[i - 1]);
+}
+
+ColumnResult solve_column(const Case& c, int cells) {
+    const ColumnGrid grid = make_column_grid(c, cells);
+    const MomentumBalance balance(c, grid);
+    check_channel(c, balance);
+    const double weight = c.streamwise_gravity() * c.total_depth();
+    const bool at_rest = weight == 0.0;
+    const std::vector<double> u =
+        at_rest ? std::vector<double>(grid.centre.size(), 0.0) : solve_balance(balance);
+    const std::vector<double> stress = balance.face_stress(u);
+
+    ColumnResult result;
+    result.profile = make_profile(c, grid, balance, u, stress);
+    const ColumnProfile& p = result.profile;
+    if (at_rest) {
+        result.relaxation_time = std::numeric_limits<double>::infinity();
+        return result;
+    }
+    result.depth_mean_velocity = mean_above(grid, u, c.datum());
+    result.total_mean_velocity = mean_above(grid, u, 0.0);
+    const bool wall_above = c.bed.kind == BedKind::no_slip && c.channel.top == Top::wall;
+    result.surface_velocity =
+        wall_above ? 0.0 : u.back() + p.velocity_gradient.back() * (grid.face.back() - grid.centre.back());
+    result.friction_velocity = std::sqrt(std::abs(stress_at(grid, stress, c.crest())));
+    result.drag_share = balance.drag(u) / weight;
+    result.wall_share = stress.front() / weight;
+    result.relaxation_time = slowest_decay_time(balance, u);
+    if (c.bed.kind == BedKind::spheres) result.log_law = fit_profile(c, result);
+
+    // A wide channel: the hydraulic radius is the depth over the datum.
+    const double radius = c.channel.depth;
+    const double mean = result.depth_mean_velocity;
+    result.friction_factor = friction_factor(c.streamwise_gravity(), radius, mean);
+    result.manning = manning_coefficient(c.channel.slope, radius, mean);
+    result.chezy = chezy_coefficient(c.channel.slope, radius, mean);
+    result.reynolds = reynolds_number(mean, c.channel.depth, c.fluid.kinematic_viscosity);
+    result.froude = froude_number(mean, c.fluid.gravity, c.channel.depth);
+    return result;
+}
+
+}  // namespace riffle

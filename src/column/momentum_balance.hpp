@@ -1,0 +1,71 @@
+#pragma once
+
+#include <vector>
+
+#include "case/case.hpp"
+#include "column/column_grid.hpp"
+
+namespace riffle {
+
+/// Symmetric tridiagonal matrix: `diagonal` of n, `off` of n - 1 entries.
+struct Tridiagonal {
+    std::vector<double> diagonal;
+    std::vector<double> off;
+
+    /// Solution of A x = b by elimination without pivoting; A must be positive definite.
+    [[nodiscard]] std::vector<double> solve(std::vector<double> b) const;
+};
+
+/// The steady momentum balance of the column in finite volumes,
+///     g S0 + d/dz[(nu0 + l_m^2 |u'|) u'] - beta(z) u |u| = 0,
+/// with the closure and the bed drag that the case names (the same objects as the particles'). No flux at
+/// z = 0 for sphere and slip beds, u(0) = 0 for no-slip beds; no flux at the surface, u(H) = 0 under a top
+/// wall over a no-slip bed. Forces are per plan area and density, m2/s2.
+class MomentumBalance {
+  public:
+    MomentumBalance(const Case& c, const ColumnGrid& grid);
+
+    /// Velocity with the friction that balances the weight: a start close enough for Newton's method.
+    [[nodiscard]] std::vector<double> first_guess() const;
+
+    /// Force on each cell: weight + stress difference - drag.
+    [[nodiscard]] std::vector<double> residual(const std::vector<double>& u) const;
+
+    /// Minus the derivative of the residual, positive definite.
+    [[nodiscard]] Tridiagonal jacobian(const std::vector<double>& u) const;
+
+    /// Convex functional whose gradient is minus the residual: the steady flow is its minimum.
+    [[nodiscard]] double functional(const std::vector<double>& u) const;
+
+    /// Kinematic stress (nu0 + l_m^2 |u'|) u' at each of the n + 1 faces, m2/s2.
+    [[nodiscard]] std::vector<double> face_stress(const std::vector<double>& u) const;
+
+    /// Drag of the whole bed.
+    [[nodiscard]] double drag(const std::vector<double>& u) const;
+
+    /// Gradient u' that carries the kinematic stress with mixing length l: the root of (nu0 + l^2 |u'|) u'.
+    [[nodiscard]] double gradient_from_stress(double stress, double mixing_length) const;
+
+    [[nodiscard]] const std::vector<double>& cell_mixing_length() const { return cell_length_; }
+    [[nodiscard]] const std::vector<double>& thickness() const { return thickness_; }
+
+    /// Whether anything resists the flow. Without it there is no steady state.
+    [[nodiscard]] bool has_friction() const;
+
+  private:
+    /// Velocity gradient at face i from the cells on its sides; walls and no-flux ends included.
+    [[nodiscard]] double face_gradient(const std::vector<double>& u, std::size_t i) const;
+
+    double weight_ = 0.0;     ///< g S0, m/s2
+    double viscosity_ = 0.0;  ///< nu0, m2/s
+    bool wall_below_ = false;
+    bool wall_above_ = false;
+    std::vector<double> thickness_;         ///< of the cells, m
+    std::vector<double> distance_;          ///< between the points on the two sides of a face, m
+    std::vector<double> length_squared_;    ///< l_m^2 at the faces, m2
+    std::vector<double> cell_length_;       ///< l_m at the centres, m
+    std::vector<double> drag_coefficient_;  ///< beta of the cells, 1/m
+    double depth_ = 0.0;
+};
+
+}  // namespace riffle
