@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "report/report_data.hpp"
+
+namespace riffle {
+
+/// Mark of a diagnostic: in its healthy range, not far out of it (up to twice), further out, or without a
+/// range.
+enum class Health { good, caution, bad, none };
+
+/// A row of the diagnostics table. Texts may carry <i>, <sub> marks.
+struct Diagnostic {
+    std::string key;
+    std::string label;
+    std::string value;
+    std::string healthy;      ///< the range, in words
+    std::string explanation;  ///< for a hydraulics engineer
+    Health mark = Health::none;
+};
+
+/// The diagnostics that the results file allows.
+[[nodiscard]] std::vector<Diagnostic> diagnose(const ReportData& data);
+
+}  // namespace riffle

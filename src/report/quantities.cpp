@@ -1,0 +1,203 @@
+#include "report/quantities.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "hydraulics/channel_laws.hpp"
+
+namespace riffle {
+
+namespace {
+
+using Value = std::optional<Estimate>;
+
+/// A value derived from another by a monotone law: its interval is the image of the other's ends.
+template <typename Law>
+Value derived(const Value& from, const Law& law) {
+    if (!from || !(from->value > 0)) return std::nullopt;
+    Estimate result{law(from->value), std::nullopt};
+    if (from->half_width && *from->half_width < from->value) {
+        const double low = law(from->value - *from->half_width);
+        const double high = law(from->value + *from->half_width);
+        result.half_width = 0.5 * std::abs(high - low);
+    }
+    return result;
+}
+
+Value plain(const std::optional<double>& value) {
+    if (!value) return std::nullopt;
+    return Estimate{*value, std::nullopt};
+}
+
+/// The three columns of a row: simulated, measured, column twin.
+struct Sources {
+    Value simulated, measured, column;
+
+    template <typename Law>
+    [[nodiscard]] Sources through(const Law& law) const {
+        return {derived(simulated, law), derived(measured, law), derived(column, law)};
+    }
+};
+
+class Table {
+  public:
+    void add(Quantity row, Sources sources) {
+        if (!sources.simulated && !sources.measured && !sources.column) return;
+        row.simulated = std::move(sources.simulated);
+        row.measured = std::move(sources.measured);
+        row.column = std::move(sources.column);
+        rows_.push_back(std::move(row));
+    }
+    [[nodiscard]] std::vector<Quantity> take() { return std::move(rows_); }
+
+  private:
+    std::vector<Quantity> rows_;
+};
+
+Sources depth_mean_velocity(const ReportData& data) {
+    Sources sources;
+    if (const auto value = find_value(data.summary, "depth_mean_velocity")) {
+        sources.simulated = Estimate{*value, find_value(data.summary, "depth_mean_velocity_half_width")};
+    }
+    sources.measured = plain(data.flow.measured.depth_mean_velocity);
+    sources.column = plain(find_value(data.column_summary, "depth_mean_velocity"));
+    return sources;
+}
+
+void add_velocities(Table& table, const ReportData& data, const Sources& mean) {
+    table.add(
+        {"depth_mean_velocity", "Depth-mean velocity above the datum", "<i>U</i>", "m/s", 1, 4, {}, {}, {}},
+        mean);
+    table.add(
+        {"surface_velocity", "Velocity at the surface", "<i>u</i><sub>s</sub>", "m/s", 1, 4, {}, {}, {}},
+        {plain(find_value(data.summary, "surface_velocity")),
+         {},
+         plain(find_value(data.column_summary, "surface_velocity"))});
+}
+
+void add_friction(Table& table, const ReportData& data) {
+    const Measured& measured = data.flow.measured;
+    table.add({"friction_velocity",
+               "Friction velocity, from the stress at the crests",
+               "<i>u</i><sub>∗</sub>",
+               "m/s",
+               1,
+               4,
+               {},
+               {},
+               {}},
+              {plain(find_value(data.summary, "friction_velocity")), plain(measured.friction_velocity),
+               plain(find_value(data.column_summary, "friction_velocity"))});
+    Value fitted_velocity;
+    Value fitted_roughness;
+    if (data.log_law.valid) {
+        fitted_velocity = Estimate{data.log_law.friction_velocity, data.log_law.friction_velocity_half_width};
+        fitted_roughness =
+            Estimate{data.log_law.equivalent_roughness, data.log_law.equivalent_roughness_half_width};
+    } else {
+        fitted_roughness = plain(find_value(data.summary, "equivalent_roughness"));
+    }
+    table.add({"log_law_friction_velocity",
+               "Friction velocity, from the log-law fit",
+               "<i>u</i><sub>∗</sub>",
+               "m/s",
+               1,
+               4,
+               {},
+               {},
+               {}},
+              {fitted_velocity, plain(measured.friction_velocity),
+               plain(find_value(data.column_summary, "log_law_friction_velocity"))});
+    table.add({"equivalent_roughness",
+               "Equivalent roughness, from the log-law fit",
+               "<i>k</i><sub>s</sub>",
+               "mm",
+               1000,
+               3,
+               {},
+               {},
+               {}},
+              {fitted_roughness, plain(measured.equivalent_roughness),
+               plain(find_value(data.column_summary, "equivalent_roughness"))});
+}
+
+/// Surface level and how much it moves.
+void add_levels(Table& table, const ReportData& data) {
+    table.add({"mean_level",
+               "Mean water level above the bed level",
+               "<i>z</i><sub>s</sub>",
+               "mm",
+               1000,
+               4,
+               {},
+               {},
+               {}},
+              {plain(find_value(data.summary, "mean_level")), {}, plain(data.flow.total_depth())});
+    Value fluctuation;
+    if (data.surface) fluctuation = Estimate{data.surface->standard_deviation, std::nullopt};
+    table.add({"surface_standard_deviation",
+               "Surface fluctuation, standard deviation",
+               "<i>σ</i><sub>η</sub>",
+               "mm",
+               1000,
+               3,
+               {},
+               {},
+               {}},
+              {fluctuation, plain(data.flow.measured.surface_standard_deviation), {}});
+}
+
+/// Numbers of hydraulics that follow from the depth-mean velocity, for a wide channel (no side walls, as the
+/// flow is computed: hydraulic radius = depth above the datum).
+void add_channel_numbers(Table& table, const ReportData& data, const Sources& mean) {
+    const Case& c = data.flow;
+    const double depth = c.channel.depth;
+    if (c.channel.slope > 0) {
+        const double component = c.streamwise_gravity();
+        const double slope = c.channel.slope;
+        table.add(
+            {"friction_factor", "Friction factor (Darcy and Weisbach)", "<i>f</i>", "1", 1, 4, {}, {}, {}},
+            mean.through([=](double u) { return friction_factor(component, depth, u); }));
+        table.add({"manning", "Manning's coefficient", "<i>n</i>", "s/m^(1/3)", 1, 4, {}, {}, {}},
+                  mean.through([=](double u) { return manning_coefficient(slope, depth, u); }));
+        table.add({"chezy", "Chezy's coefficient", "<i>C</i>", "m^(1/2)/s", 1, 4, {}, {}, {}},
+                  mean.through([=](double u) { return chezy_coefficient(slope, depth, u); }));
+    }
+    table.add({"froude", "Froude number", "Fr", "1", 1, 3, {}, {}, {}},
+              mean.through([=, g = c.fluid.gravity](double u) { return froude_number(u, g, depth); }));
+    table.add({"reynolds", "Reynolds number", "Re", "1", 1, 4, {}, {}, {}},
+              mean.through(
+                  [=, nu = c.fluid.kinematic_viscosity](double u) { return reynolds_number(u, depth, nu); }));
+}
+
+void add_forces(Table& table, const ReportData& data) {
+    table.add({"drag_over_gravity", "Drag of the bed elements / weight component", "", "1", 1, 4, {}, {}, {}},
+              {plain(find_value(data.summary, "drag_over_gravity")),
+               {},
+               plain(find_value(data.column_summary, "drag_share"))});
+    table.add({"wall_over_gravity", "Wall friction / weight component", "", "1", 1, 3, {}, {}, {}},
+              {plain(find_value(data.summary, "wall_over_gravity")),
+               {},
+               plain(find_value(data.column_summary, "wall_share"))});
+}
+
+}  // namespace
+
+std::vector<Quantity> summarize(const ReportData& data) {
+    Table table;
+    const Sources mean = depth_mean_velocity(data);
+    add_velocities(table, data, mean);
+    add_friction(table, data);
+    add_levels(table, data);
+    add_channel_numbers(table, data, mean);
+    add_forces(table, data);
+    return table.take();
+}
+
+const Quantity* find_quantity(const std::vector<Quantity>& quantities, const std::string& key) {
+    const auto found =
+        std::find_if(quantities.begin(), quantities.end(), [&](const Quantity& q) { return q.key == key; });
+    return found == quantities.end() ? nullptr : &*found;
+}
+
+}  // namespace riffle

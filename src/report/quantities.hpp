@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "report/report_data.hpp"
+
+namespace riffle {
+
+/// A value of the summary table with the half-width of its 95 % interval, where one is known. SI.
+struct Estimate {
+    double value = 0;
+    std::optional<double> half_width;
+};
+
+/// A row of the summary table. `factor` turns SI into the unit shown.
+struct Quantity {
+    std::string key;  ///< as in the JSON summary
+    std::string label;
+    std::string symbol;  ///< with <i>, <sub> marks
+    std::string unit;    ///< shown; "1" for dimensionless
+    double factor = 1;
+    int digits = 4;  ///< significant digits shown
+    std::optional<Estimate> simulated, measured, column;
+};
+
+/// The rows of the summary table, those without any value left out.
+[[nodiscard]] std::vector<Quantity> summarize(const ReportData& data);
+
+/// The row with this key; nullptr if it is not there.
+[[nodiscard]] const Quantity* find_quantity(const std::vector<Quantity>& quantities, const std::string& key);
+
+}  // namespace riffle

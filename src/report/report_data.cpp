@@ -1,0 +1,189 @@
+#include "report/report_data.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <utility>
+#include <variant>
+
+#include "base/error.hpp"
+#include "report/field_data.hpp"
+#include "report/profile_data.hpp"
+
+namespace riffle {
+
+namespace {
+
+constexpr std::array series_names = {"time",
+                                     "depth_mean_velocity",
+                                     "drag_over_gravity",
+                                     "wall_over_gravity",
+                                     "acceleration_over_gravity",
+                                     "mean_level",
+                                     "velocity_fluctuation",
+                                     "particle_order",
+                                     "density_deviation_minimum",
+                                     "density_deviation_maximum",
+                                     "kinetic_energy"};
+
+constexpr std::array summary_names = {"depth_mean_velocity",
+                                      "depth_mean_velocity_half_width",
+                                      "surface_velocity",
+                                      "friction_velocity",
+                                      "equivalent_roughness",
+                                      "zero_plane",
+                                      "drag_over_gravity",
+                                      "wall_over_gravity",
+                                      "mean_level",
+                                      "particles",
+                                      "steps",
+                                      "wall_clock_seconds",
+                                      "particle_updates_per_second",
+                                      "converged",
+                                      "window_start",
+                                      "window_end",
+                                      "spurious_stress_rms",
+                                      "stress_error_rms",
+                                      "velocity_error_above_rms",
+                                      "velocity_error_above_maximum",
+                                      "velocity_error_below_rms",
+                                      "velocity_error_below_maximum"};
+
+constexpr std::array column_value_names = {
+    "depth_mean_velocity",  "total_mean_velocity", "surface_velocity",          "friction_velocity",
+    "equivalent_roughness", "zero_plane",          "log_law_friction_velocity", "drag_share",
+    "wall_share",           "relaxation_time"};
+
+std::optional<double> number(const std::optional<AttributeValue>& value) {
+    if (!value) return std::nullopt;
+    if (const auto* real = std::get_if<double>(&*value)) return *real;
+    if (const auto* integer = std::get_if<std::int64_t>(&*value)) return static_cast<double>(*integer);
+    return std::nullopt;
+}
+
+std::string text(const std::optional<AttributeValue>& value) {
+    if (value) {
+        if (const auto* words = std::get_if<std::string>(&*value)) return *words;
+    }
+    return {};
+}
+
+template <typename Names>
+Values read_values(const ResultsReader& reader, const std::string& group, const Names& names) {
+    Values values;
+    if (!reader.has(group)) return values;
+    for (const char* name : names) {
+        if (const auto value = number(reader.attribute(group, name)); value && std::isfinite(*value)) {
+            values[name] = *value;
+        }
+    }
+    return values;
+}
+
+/// Series of a run that was stopped between two appends may differ in length: keep the common rows.
+Columns read_series(const ResultsReader& reader) {
+    Columns columns = read_columns(reader, "/time_series", series_names);
+    std::size_t rows = SIZE_MAX;
+    for (const auto& [name, values] : columns) rows = std::min(rows, values.size());
+    for (auto& [name, values] : columns) values.resize(rows);
+    if (!has_column(columns, "time")) columns.clear();
+    return columns;
+}
+
+void read_window(const ResultsReader& reader, ReportData& data) {
+    const auto of = [&](const char* name) {
+        if (reader.has("/profiles")) {
+            if (const auto value = number(reader.attribute("/profiles", name))) return *value;
+        }
+        return find_value(data.summary, name).value_or(0.0);
+    };
+    data.window_start = of("window_start");
+    data.window_end = of("window_end");
+    data.profile_samples = of("samples");
+}
+
+void note_gaps(ReportData& data) {
+    const bool profiles = has_column(data.profiles, "z");
+    if (!profiles) {
+        const std::string why =
+            data.complete
+                ? "the run ended before time averages were taken."
+                : "time averages have not started yet; make the report again when the run has gone on.";
+        for (const char* figure : {"velocity", "log-law", "gradient", "deviation", "stress", "pressure"}) {
+            data.notes[figure] = why;
+        }
+    } else if (!data.log_law.valid) {
+        data.notes["log-law"] = data.flow.bed.kind == BedKind::spheres
+                                    ? "the simulated profile could not be fitted to the rough log law."
+                                    : "the bed is smooth, so there is no roughness to scale with.";
+    }
+    if (profiles && !has_column(data.column, "z")) {
+        data.notes["deviation"] = "the results file holds no column twin to compare with.";
+    }
+    if (!has_column(data.series, "time")) {
+        data.notes["history"] = data.notes["health"] = "the results file holds no time series yet.";
+    }
+    if (!data.snapshot) {
+        data.notes["field"] =
+            "the results file holds no snapshot ([output] snapshot_interval sets how often one is kept).";
+    }
+    if (!data.surface) data.notes["surface"] = "the results file holds no record of the surface elevation.";
+}
+
+}  // namespace
+
+std::optional<double> find_value(const Values& values, const std::string& name) {
+    const auto found = values.find(name);
+    if (found == values.end()) return std::nullopt;
+    return found->second;
+}
+
+bool has_column(const Columns& columns, const std::string& name) {
+    const auto found = columns.find(name);
+    return found != columns.end() && !found->second.empty();
+}
+
+ReportData collect_report_data(const std::filesystem::path& results) {
+    const ResultsReader reader(results);
+    ReportData data;
+    data.source = results;
+    data.riffle_version = text(reader.attribute("/", "riffle_version"));
+    data.build = text(reader.attribute("/", "build"));
+    data.created = text(reader.attribute("/", "created"));
+    data.complete = number(reader.attribute("/", "complete")).value_or(0.0) != 0.0;
+    if (!reader.has("/case/text")) {
+        throw FileError(results.string() +
+                        ": the results file holds no case (/case/text); the report cannot be made from it");
+    }
+    const std::string case_text = reader.read_string("/case/text");
+    try {
+        data.flow = parse_case(case_text, results.string() + ":/case/text");
+    } catch (const InputError& error) {
+        throw FileError(results.string() +
+                        ": the case in the results file cannot be read by this version of Riffle:\n" +
+                        error.what());
+    }
+    data.flow.text = case_text;
+    data.title = text(reader.attribute("/", "title"));
+    if (data.title.empty()) data.title = data.flow.title;
+    if (data.title.empty()) data.title = "Open-channel flow";
+
+    data.summary = read_values(reader, "/summary", summary_names);
+    data.column_summary = read_values(reader, "/column", column_value_names);
+    data.series = read_series(reader);
+    data.profiles = read_profiles(reader);
+    data.column = read_column(reader);
+    complete_column(data);
+    read_window(reader, data);
+    add_hydrostatic_pressure(data);
+    add_log_law(data);
+    data.measured_profile = measured_profile(data);
+    data.surface = read_surface(reader, data);
+    data.snapshot = read_snapshot(reader);
+    note_gaps(data);
+    return data;
+}
+
+}  // namespace riffle

@@ -1,0 +1,284 @@
+#include "report/report_json.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "hydraulics/channel_laws.hpp"
+#include "report/run_facts.hpp"
+
+namespace riffle {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Six significant digits: finer than any figure, and half the size of the page.
+Json rounded(double value) {
+    if (!std::isfinite(value)) return nullptr;
+    if (value == 0) return 0.0;
+    const double scale = std::pow(10.0, 5 - std::floor(std::log10(std::abs(value))));
+    return std::isfinite(scale) && scale > 0 ? std::round(value * scale) / scale : value;
+}
+
+Json exact(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json array_of(const std::vector<double>& values, std::size_t stride = 1) {
+    Json array = Json::array();
+    for (std::size_t i = 0; i < values.size(); i += stride) array.push_back(rounded(values[i]));
+    return array;
+}
+
+Json object_of(const Columns& columns, std::size_t stride = 1) {
+    Json object = Json::object();
+    for (const auto& [name, values] : columns) object[name] = array_of(values, stride);
+    return object;
+}
+
+const char* word(Health mark) {
+    switch (mark) {
+        case Health::good:
+            return "good";
+        case Health::caution:
+            return "caution";
+        case Health::bad:
+            return "bad";
+        case Health::none:
+            break;
+    }
+    return "none";
+}
+
+Json estimate_json(const std::optional<Estimate>& estimate) {
+    if (!estimate) return nullptr;
+    Json object = {{"value", exact(estimate->value)}};
+    if (estimate->half_width) object["half_width"] = exact(*estimate->half_width);
+    return object;
+}
+
+Json diagnostics_json(const std::vector<Diagnostic>& diagnostics) {
+    Json array = Json::array();
+    for (const Diagnostic& row : diagnostics) {
+        array.push_back({{"key", row.key},
+                         {"label", row.label},
+                         {"value", row.value},
+                         {"healthy", row.healthy},
+                         {"explanation", row.explanation},
+                         {"status", word(row.mark)}});
+    }
+    return array;
+}
+
+Json verdict_json(const Verdict& verdict) {
+    return {{"status", word(verdict.mark)}, {"headline", verdict.headline}, {"sentences", verdict.sentences}};
+}
+
+Json geometry_json(const ReportData& data) {
+    const Case& c = data.flow;
+    return {{"slope", c.channel.slope},
+            {"depth", c.channel.depth},
+            {"length", c.channel.length},
+            {"datum", c.datum()},
+            {"crest", c.crest()},
+            {"total_depth", c.total_depth()},
+            {"mean_level", find_value(data.summary, "mean_level").value_or(c.total_depth())},
+            {"spacing", c.numerics.spacing},
+            {"rough", c.bed.kind == BedKind::spheres},
+            {"periodic", c.channel.ends == Ends::periodic}};
+}
+
+Json profiles_json(const ReportData& data) {
+    if (!has_column(data.profiles, "z")) return nullptr;
+    Json object = object_of(data.profiles);
+    object["window_start"] = data.window_start;
+    object["window_end"] = data.window_end;
+    object["samples"] = data.profile_samples;
+    return object;
+}
+
+Json column_json(const ReportData& data) {
+    if (data.column.empty() && data.column_summary.empty()) return nullptr;
+    Json object = object_of(data.column);
+    for (const auto& [name, value] : data.column_summary) object[name] = exact(value);
+    return object;
+}
+
+Json measured_json(const ReportData& data) {
+    const Measured& measured = data.flow.measured;
+    Json object = {{"uniform", measured.uniform}, {"source", measured.source}};
+    if (measured.depth_mean_velocity) object["depth_mean_velocity"] = *measured.depth_mean_velocity;
+    if (data.measured_profile) {
+        const MeasuredProfile& profile = *data.measured_profile;
+        object["profile"] = {{"kind", profile.from_law ? "law" : "points"},
+                             {"z", array_of(profile.z)},
+                             {"velocity", array_of(profile.velocity)},
+                             {"uncertainty", array_of(profile.uncertainty)}};
+    }
+    return object;
+}
+
+Json log_law_json(const ReportData& data) {
+    const LogLawFit& fit = data.log_law;
+    if (!fit.valid) return {{"valid", false}};
+    return {{"valid", true},
+            {"kappa", log_law_kappa},
+            {"friction_velocity", fit.friction_velocity},
+            {"friction_velocity_half_width", exact(fit.friction_velocity_half_width)},
+            {"equivalent_roughness", fit.equivalent_roughness},
+            {"equivalent_roughness_half_width", exact(fit.equivalent_roughness_half_width)},
+            {"zero_plane", fit.zero_plane},
+            {"from", fit.from},
+            {"to", fit.to},
+            {"residual_rms", exact(fit.residual_rms)},
+            {"z", array_of(data.log_law_z)},
+            {"velocity", array_of(data.log_law_velocity)}};
+}
+
+Json window_json(const ReportData& data) {
+    Json object = {{"start", data.window_start}, {"end", data.window_end}};
+    object["mean"] = exact(find_value(data.summary, "depth_mean_velocity").value_or(NAN));
+    object["half_width"] = exact(find_value(data.summary, "depth_mean_velocity_half_width").value_or(NAN));
+    return object;
+}
+
+Json series_json(const ReportData& data) {
+    if (!has_column(data.series, "time")) return nullptr;
+    // Every n-th row where a figure could not show more.
+    constexpr std::size_t most_rows = 5000;
+    const std::size_t stride = (data.series.at("time").size() + most_rows - 1) / most_rows;
+    return object_of(data.series, std::max<std::size_t>(stride, 1));
+}
+
+Json surface_json(const ReportData& data) {
+    if (!data.surface) return nullptr;
+    Json elevation = Json::array();
+    for (const auto& row : data.surface->elevation) {
+        Json line = Json::array();
+        // Waves are a thousandth of the level and less: keep nanometres, not six digits.
+        for (const double value : row)
+            line.push_back(std::isfinite(value) ? Json(std::round(value * 1e9) / 1e9) : Json(nullptr));
+        elevation.push_back(std::move(line));
+    }
+    return {{"x", array_of(data.surface->x)},
+            {"time", array_of(data.surface->time)},
+            {"elevation", std::move(elevation)},
+            {"mean_level", data.surface->mean_level},
+            {"standard_deviation", data.surface->standard_deviation},
+            {"velocity",
+             exact(find_value(data.summary, "depth_mean_velocity")
+                       .value_or(find_value(data.column_summary, "depth_mean_velocity").value_or(NAN)))}};
+}
+
+Json snapshot_json(const ReportData& data) {
+    if (!data.snapshot) return nullptr;
+    const Snapshot& snapshot = *data.snapshot;
+    return {{"time", snapshot.time},
+            {"spacing", data.flow.numerics.spacing},
+            {"x_end", snapshot.left_out ? snapshot.x_end : data.flow.channel.length},
+            {"left_out", snapshot.left_out},
+            {"x", array_of(snapshot.x)},
+            {"z", array_of(snapshot.z)},
+            {"velocity", array_of(snapshot.velocity)},
+            {"vertical_velocity", array_of(snapshot.vertical_velocity)},
+            {"pressure", array_of(snapshot.pressure)},
+            {"eddy_viscosity", array_of(snapshot.eddy_viscosity)},
+            {"surface", {{"x", array_of(snapshot.surface_x)}, {"z", array_of(snapshot.surface_z)}}}};
+}
+
+std::string kicker(const ReportData& data) {
+    const Case& c = data.flow;
+    return fmt::format("Riffle {} · water depth {:.4g} mm above the datum, slope {:.4g}{}",
+                       data.riffle_version, 1000 * c.channel.depth, c.channel.slope,
+                       c.bed.kind == BedKind::spheres
+                           ? fmt::format(", spheres of {:.3g} mm", 1000 * c.bed.sphere_diameter)
+                           : std::string{});
+}
+
+std::string summary_note(const ReportData& data) {
+    std::string note =
+        "The column twin is the steady one-dimensional solution of the same equations, closure and drag: "
+        "what the "
+        "particles would give with perfect numerics. ";
+    if (data.flow.bed.kind == BedKind::spheres) {
+        note +=
+            "The datum lies below the crests of the bed elements; depth-mean values are taken above it. "
+            "Friction velocity "
+            "and equivalent roughness from the fit: rough log law <i>u</i>/<i>u</i><sub>∗</sub> = "
+            "ln((<i>z</i> − <i>z</i><sub>0</sub>)/<i>k</i><sub>s</sub>)/0.41 + 8.5 with <i>z</i><sub>0</sub> "
+            "at the datum. ";
+    }
+    note +=
+        "Channel numbers are for a wide channel: hydraulic radius = depth above the datum; those of the "
+        "measured flow "
+        "follow from its depth-mean velocity in the same way.";
+    const auto measured = data.notes.find("measured");
+    if (measured != data.notes.end()) note += " Note: " + measured->second;
+    return note;
+}
+
+}  // namespace
+
+std::string summary_json(const ReportData& data) {
+    const std::vector<Quantity> quantities = summarize(data);
+    const std::vector<Diagnostic> diagnostics = diagnose(data);
+    Json values = Json::object();
+    for (const Quantity& row : quantities) {
+        values[row.key] = {{"simulated", estimate_json(row.simulated)},
+                           {"measured", estimate_json(row.measured)},
+                           {"column", estimate_json(row.column)}};
+    }
+    const Json object = {{"format", "riffle-report-summary"},
+                         {"title", data.title},
+                         {"riffle_version", data.riffle_version},
+                         {"build", data.build},
+                         {"results", data.source.string()},
+                         {"complete", data.complete},
+                         {"converged", find_value(data.summary, "converged").value_or(0.0) != 0.0},
+                         {"window", {{"start", data.window_start}, {"end", data.window_end}}},
+                         {"quantities", values},
+                         {"diagnostics", diagnostics_json(diagnostics)},
+                         {"verdict", verdict_json(judge(data, quantities, diagnostics))}};
+    return object.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string page_json(const ReportData& data) {
+    const std::vector<Quantity> quantities = summarize(data);
+    const std::vector<Diagnostic> diagnostics = diagnose(data);
+    Json rows = Json::array();
+    for (const Quantity& row : quantities) {
+        rows.push_back({{"key", row.key},
+                        {"label", row.label},
+                        {"symbol", row.symbol},
+                        {"unit", row.unit},
+                        {"factor", row.factor},
+                        {"digits", row.digits},
+                        {"simulated", estimate_json(row.simulated)},
+                        {"measured", estimate_json(row.measured)},
+                        {"column", estimate_json(row.column)}});
+    }
+    Json facts = Json::array();
+    for (const Fact& fact : run_facts(data)) facts.push_back({{"label", fact.label}, {"value", fact.value}});
+    const Json object = {{"kicker", kicker(data)},
+                         {"description", data.flow.description},
+                         {"verdict", verdict_json(judge(data, quantities, diagnostics))},
+                         {"quantities", std::move(rows)},
+                         {"summary_note", summary_note(data)},
+                         {"geometry", geometry_json(data)},
+                         {"profiles", profiles_json(data)},
+                         {"column", column_json(data)},
+                         {"measured", measured_json(data)},
+                         {"log_law", log_law_json(data)},
+                         {"window", window_json(data)},
+                         {"series", series_json(data)},
+                         {"surface", surface_json(data)},
+                         {"snapshot", snapshot_json(data)},
+                         {"diagnostics", diagnostics_json(diagnostics)},
+                         {"run", std::move(facts)},
+                         {"notes", data.notes},
+                         {"case_text", data.flow.text}};
+    return object.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace riffle

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "report/report_data.hpp"
+
+namespace riffle {
+
+/// A line of the report's list of run facts.
+struct Fact {
+    std::string label;
+    std::string value;
+};
+
+/// Size, cost and origin of the run.
+[[nodiscard]] std::vector<Fact> run_facts(const ReportData& data);
+
+}  // namespace riffle

@@ -1,0 +1,121 @@
+#include "report/verdict.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace riffle {
+
+namespace {
+
+/// A difference in words: "0.31 % above", "equal to (within 0.05 %)".
+std::string against(double value, double reference) {
+    const double share = 100 * (value / reference - 1);
+    if (std::abs(share) < 0.05) return "within 0.05 % of";
+    return fmt::format("{:.{}f} % {}", std::abs(share), std::abs(share) < 10 ? 1 : 0,
+                       share > 0 ? "above" : "below");
+}
+
+std::string velocity_sentence(const Quantity& mean) {
+    const Estimate& simulated = *mean.simulated;
+    std::string text = fmt::format("The depth-mean velocity above the datum is {:.4f}", simulated.value);
+    if (simulated.half_width) text += fmt::format(" ± {:.4f}", *simulated.half_width);
+    text += " m/s";
+    if (simulated.half_width) text += " (95 % interval)";
+    std::string joint = ": ";
+    if (mean.measured) {
+        text += fmt::format("{}{} the measured {:.3f} m/s", joint,
+                            against(simulated.value, mean.measured->value), mean.measured->value);
+        joint = ", ";
+    }
+    if (mean.column) {
+        text += fmt::format("{}{} the column twin's {:.4f} m/s", joint,
+                            against(simulated.value, mean.column->value), mean.column->value);
+    }
+    return text + ".";
+}
+
+void add_friction(std::vector<std::string>& sentences, const std::vector<Quantity>& quantities) {
+    const Quantity* const friction = find_quantity(quantities, "friction_velocity");
+    if (friction == nullptr || !friction->simulated) return;
+    std::string text = fmt::format("The friction velocity is {:.4f} m/s", friction->simulated->value);
+    if (friction->measured) {
+        text += fmt::format(", {} the measured {:.3f} m/s",
+                            against(friction->simulated->value, friction->measured->value),
+                            friction->measured->value);
+    }
+    const Quantity* const roughness = find_quantity(quantities, "equivalent_roughness");
+    if (roughness != nullptr && roughness->simulated) {
+        text += fmt::format("; the bed acts with an equivalent roughness of {:.1f} mm",
+                            1000 * roughness->simulated->value);
+        if (roughness->measured)
+            text += fmt::format(" (measured {:.0f} mm)", 1000 * roughness->measured->value);
+    }
+    sentences.push_back(text + ".");
+}
+
+std::string health_sentence(const std::vector<Diagnostic>& diagnostics, Health worst) {
+    const auto checks = std::count_if(diagnostics.begin(), diagnostics.end(),
+                                      [](const Diagnostic& d) { return d.mark != Health::none; });
+    if (worst == Health::good) return fmt::format("All {} health checks are in their ranges.", checks);
+    std::string list;
+    for (const Diagnostic& row : diagnostics) {
+        if (row.mark != Health::caution && row.mark != Health::bad) continue;
+        std::string label = row.label;
+        std::transform(label.begin(), label.begin() + 1, label.begin(),
+                       [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+        list +=
+            fmt::format("{}{} ({}; healthy: {})", list.empty() ? "" : "; ", label, row.value, row.healthy);
+    }
+    return "Outside the healthy range: " + list + ".";
+}
+
+}  // namespace
+
+Verdict judge(const ReportData& data, const std::vector<Quantity>& quantities,
+              const std::vector<Diagnostic>& diagnostics) {
+    Verdict verdict;
+    const Quantity* const mean = find_quantity(quantities, "depth_mean_velocity");
+    const bool averaged = mean != nullptr && mean->simulated.has_value();
+    const double time = has_column(data.series, "time") ? data.series.at("time").back() : 0.0;
+    if (!averaged) {
+        verdict.headline =
+            data.complete ? "The run ended without time averages." : "The run has no time averages yet.";
+        verdict.sentences.push_back(fmt::format(
+            "It has reached {:.2f} s of simulated time. What the results file holds so far is shown below.",
+            time));
+        return verdict;
+    }
+
+    Health worst = Health::none;
+    for (const Diagnostic& row : diagnostics) {
+        if (row.mark == Health::none) continue;
+        worst = worst == Health::none ? row.mark : std::max(worst, row.mark);
+    }
+    const bool converged = find_value(data.summary, "converged").value_or(0.0) != 0.0;
+    verdict.mark = worst;
+    if (!converged && verdict.mark == Health::good) verdict.mark = Health::caution;
+    const std::string state = converged ? "The run has converged" : "The run has not converged";
+    const std::string health = worst == Health::none ? "; it was not checked for health."
+                               : worst == Health::good
+                                   ? (converged ? " and is healthy." : ", but is healthy so far.")
+                               : worst == Health::caution ? "; something should be watched."
+                               : converged                ? ", but it is not healthy."
+                                                          : " and is not healthy.";
+    verdict.headline = state + health;
+    verdict.sentences.push_back(velocity_sentence(*mean));
+    add_friction(verdict.sentences, quantities);
+    if (worst != Health::none) verdict.sentences.push_back(health_sentence(diagnostics, worst));
+    if (!data.flow.measured.uniform) {
+        verdict.sentences.emplace_back(
+            "The measured flow was not uniform, so the comparison with it is only an indication.");
+    }
+    if (!data.complete) {
+        verdict.sentences.push_back(
+            fmt::format("The run had not ended when this report was made ({:.2f} s so far).", time));
+    }
+    return verdict;
+}
+
+}  // namespace riffle

@@ -1,0 +1,213 @@
+// Puts the page together from the data block: verdict, tables, figures, case.
+
+(() => {
+  'use strict';
+
+  const data = JSON.parse(document.getElementById('report-data').textContent);
+  const at = id => document.getElementById(id);
+  const number = figures.significant;
+  let count = 0;
+
+  function element(tag, attributes = {}, ...content) {
+    const made = document.createElement(tag);
+    for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, value);
+    made.append(...content);
+    return made;
+  }
+
+  // A few tags of our own making (italic symbols with indices) are allowed in labels; anything else is text.
+  function marked(text) {
+    const holder = document.createElement('span');
+    holder.textContent = text;
+    holder.innerHTML = holder.innerHTML.replace(/&lt;(\/?(?:i|b|sub|sup))&gt;/g, '<$1>');
+    return holder;
+  }
+
+  function verdict() {
+    const box = at('verdict');
+    box.className = `verdict ${data.verdict.status}`;
+    const headline = element('p', { class: 'headline' });
+    headline.textContent = data.verdict.headline;
+    const text = element('p');
+    text.textContent = data.verdict.sentences.join(' ');
+    box.append(headline, text);
+    at('kicker').textContent = data.kicker;
+    if (data.description) at('description').textContent = data.description;
+    else at('description').remove();
+  }
+
+  const percent = (value, reference) => value === null || reference === null || !reference ? null : 100 * (value / reference - 1);
+
+  function value(cell, digits, factor) {
+    const made = element('td', { class: 'number' });
+    if (!cell || cell.value === null || cell.value === undefined) { made.textContent = '–'; return made; }
+    const half = cell.half_width === undefined || cell.half_width === null ? null : factor * cell.half_width;
+    const shown = factor * cell.value;
+    made.append(marked(number(shown, digits)));
+    made.dataset.value = shown;
+    if (half !== null) {
+      const extra = element('span', { class: 'half' });
+      extra.append(' ± ', marked(number(half, 2)));
+      made.append(extra);
+    }
+    return made;
+  }
+
+  function difference(simulated, other) {
+    const made = element('td', { class: 'number' });
+    const share = simulated && other ? percent(simulated.value, other.value) : null;
+    made.textContent = share === null || !Number.isFinite(share) ? '–'
+      : `${share < -0.005 ? '−' : '+'}${Math.abs(share).toFixed(Math.abs(share) < 10 ? 2 : 1)} %`;
+    return made;
+  }
+
+  function summary() {
+    const table = at('summary-table');
+    const head = element('tr');
+    for (const text of ['Quantity', 'Simulated (± 95 %)', 'Measured', 'Difference', 'Column twin', 'Difference']) {
+      const cell = element('th', { scope: 'col' });
+      cell.textContent = text;
+      head.append(cell);
+    }
+    const body = element('tbody');
+    for (const row of data.quantities) {
+      const line = element('tr', { 'data-key': row.key });
+      const label = element('th', { scope: 'row' }, row.label);
+      if (row.symbol) label.append(' ', element('span', { class: 'symbol' }, marked(row.symbol)));
+      if (row.unit !== '1') label.append(element('span', { class: 'symbol' }, ` (${row.unit})`));
+      line.append(label, value(row.simulated, row.digits, row.factor), value(row.measured, row.digits, row.factor), difference(row.simulated, row.measured),
+        value(row.column, row.digits, row.factor), difference(row.simulated, row.column));
+      body.append(line);
+    }
+    table.append(element('thead', {}, head), body);
+    at('summary-note').append(marked(data.summary_note));
+  }
+
+  const marks = { good: '● healthy', caution: '▲ watch', bad: '■ out of range', none: '○ for information' };
+
+  function diagnostics() {
+    const table = at('diagnostics-table');
+    const head = element('tr');
+    for (const text of ['What is watched', 'Value', 'Healthy', 'Mark']) {
+      const cell = element('th', { scope: 'col' });
+      cell.textContent = text;
+      head.append(cell);
+    }
+    const body = element('tbody');
+    for (const row of data.diagnostics) {
+      const label = element('td', {}, element('b', {}, row.label));
+      label.append(element('span', { class: 'explain' }, row.explanation));
+      const mark = element('td', { class: `mark ${row.status}` });
+      mark.textContent = marks[row.status];
+      body.append(element('tr', { 'data-key': row.key }, label, element('td', {}, marked(row.value)), element('td', {}, marked(row.healthy)), mark));
+    }
+    if (!data.diagnostics.length) body.append(element('tr', {}, element('td', { colspan: '4' }, 'The results file holds no diagnostics yet.')));
+    table.append(element('thead', {}, head), body);
+  }
+
+  const config = {
+    responsive: false, displaylogo: false, displayModeBar: 'hover',
+    modeBarButtonsToRemove: ['select2d', 'lasso2d', 'autoScale2d', 'toImage'],
+    modeBarButtonsToAdd: ['svg', 'png'].map(format => ({
+      name: `Save as ${format.toUpperCase()}`, title: `Save as ${format.toUpperCase()}`,
+      icon: format === 'svg' ? Plotly.Icons.disk : Plotly.Icons.camera,
+      click: plot => Plotly.downloadImage(plot, { format, filename: `riffle-${plot.id}`, width: plot.clientWidth, height: plot.clientHeight,
+        scale: format === 'png' ? 3 : 1 }),
+    })),
+  };
+
+  const drawn = [];
+
+  function frame(id, where, name) {
+    const figure = element('figure', { id: `figure-${id}` });
+    at(where).append(figure);
+    figure.dataset.name = name;
+    return figure;
+  }
+
+  function missing(figure, id, name) {
+    figure.append(element('p', { class: 'note' }, `${name}: ${data.notes[id] || 'the results file does not hold the data for this figure.'}`));
+  }
+
+  function caption(figure, text) {
+    count += 1;
+    const made = element('figcaption');
+    made.append(element('b', {}, `Figure ${count}. `), marked(text));
+    figure.append(made);
+  }
+
+  function plain(id, where, name, builder) {
+    const figure = frame(id, where, name), built = builder(data);
+    if (!built) { missing(figure, id, name); return; }
+    const plot = element('div', { class: 'plot', id: `plot-${id}`, role: 'img', 'aria-label': name });
+    figure.append(plot);
+    caption(figure, built.caption);
+    const show = () => Plotly.react(plot, built.traces, { ...built.layout, width: plot.clientWidth, height: built.height }, config);
+    drawn.push({ plot, show });
+    show();
+  }
+
+  function particles() {
+    const figure = frame('field', 'field-figures', 'Flow field');
+    if (!data.snapshot || !field.available(data.snapshot).length) { missing(figure, 'field', 'Flow field'); return; }
+    const choices = element('div', { class: 'choices', role: 'group', 'aria-label': 'Quantity shown' });
+    const plot = element('div', { class: 'plot', id: 'plot-field', role: 'img', 'aria-label': 'Flow field' });
+    const readout = element('p', { class: 'readout' });
+    figure.append(choices, plot, readout);
+    caption(figure, field.caption(data));
+    drawn.push({ plot, show: field.draw(data, plot, choices, readout, config) });
+  }
+
+  function facts() {
+    for (const fact of data.run) at('run-facts').append(element('div', {}, element('dt', {}, fact.label), element('dd', {}, marked(fact.value))));
+  }
+
+  function caseText() {
+    at('case-text').textContent = data.case_text || 'The results file holds no case.';
+    const button = at('copy-case');
+    if (!data.case_text) { button.remove(); return; }
+    button.addEventListener('click', async () => {
+      let copied = false;
+      try { await navigator.clipboard.writeText(data.case_text); copied = true; } catch {
+        // Pages opened from a file may be denied the clipboard: select the text and use the old way.
+        const selection = getSelection();
+        selection.selectAllChildren(at('case-text'));
+        copied = document.execCommand('copy');
+      }
+      button.textContent = copied ? 'Copied' : 'Selected: press Ctrl+C';
+      setTimeout(() => { button.textContent = 'Copy the case'; }, 2000);
+    });
+  }
+
+  function contents() {
+    for (const section of document.querySelectorAll('main > section[id]')) {
+      const heading = section.querySelector('h2');
+      if (heading) at('contents').append(element('a', { href: `#${section.id}` }, heading.textContent));
+    }
+  }
+
+  verdict();
+  contents();
+  summary();
+  plain('velocity', 'profile-figures', 'Velocity profile', figures.velocity);
+  plain('log-law', 'profile-figures', 'Logarithmic profile', figures.logLaw);
+  plain('gradient', 'profile-figures', 'Velocity gradient', figures.gradient);
+  plain('deviation', 'profile-figures', 'Departure from the column twin', figures.deviation);
+  plain('stress', 'profile-figures', 'Shear stress', figures.stress);
+  plain('pressure', 'profile-figures', 'Pressure', figures.pressure);
+  plain('history', 'history-figures', 'History of velocity, forces and level', figures.history);
+  particles();
+  plain('surface', 'field-figures', 'Surface elevation in space and time', figures.surface);
+  diagnostics();
+  plain('health', 'diagnostic-figures', 'Signs of health over time', figures.health);
+  facts();
+  caseText();
+
+  // Refit the figures when the width changes: a resized window, or paper.
+  const refit = () => drawn.forEach(({ plot, show }) => { if (plot.clientWidth && plot._fullLayout && plot._fullLayout.width !== plot.clientWidth) show(); });
+  let waiting = 0;
+  addEventListener('resize', () => { clearTimeout(waiting); waiting = setTimeout(refit, 120); });
+  addEventListener('beforeprint', refit);
+  addEventListener('afterprint', refit);
+  matchMedia('print').addEventListener('change', refit);
+})();
