@@ -10,6 +10,12 @@
 
 namespace riffle {
 
+/// Eddy viscosity of a mixing length: nu_t = l_m^2 |S| (m2/s), |S| = sqrt(2 S_ij S_ij) (1/s). Prandtl (1925); with
+/// l_m = C_s Delta, Smagorinsky (thesis 4.1).
+[[nodiscard]] inline double mixing_length_viscosity(double mixing_length, double strain_rate) {
+    return mixing_length * mixing_length * strain_rate;
+}
+
 /// A turbulence closure: the eddy viscosity as a function of height and strain rate. The same object serves
 /// the particles (batch call) and the column twin (scalar calls). Registered by name, one file per closure.
 class Closure {
@@ -21,8 +27,7 @@ class Closure {
 
     /// Eddy viscosity nu_t = l_m^2 |S| (m2/s), |S| = sqrt(2 S_ij S_ij) (1/s).
     [[nodiscard]] double eddy_viscosity(double z, double strain_rate) const {
-        const double length = mixing_length(z);
-        return length * length * strain_rate;
+        return mixing_length_viscosity(mixing_length(z), strain_rate);
     }
 
     /// Mixing length at each height; a loop over the scalar function, vectorisable in each closure.

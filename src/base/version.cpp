@@ -1,0 +1,13 @@
+#include "base/version.hpp"
+
+#include "riffle_build.hpp"
+
+namespace riffle {
+
+std::string version() { return build::version; }
+
+std::string build_description() {
+    return std::string(build::compiler) + ", " + build::type + ", revision " + build::revision;
+}
+
+}  // namespace riffle

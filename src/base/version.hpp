@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+namespace riffle {
+
+/// Version of Riffle, e.g. "0.1.0".
+[[nodiscard]] std::string version();
+
+/// Build facts: compiler, build type, revision of the source.
+[[nodiscard]] std::string build_description();
+
+}  // namespace riffle

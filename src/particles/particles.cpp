@@ -1,0 +1,51 @@
+#include "particles/particles.hpp"
+
+#include "base/parallel.hpp"
+
+namespace riffle {
+
+namespace {
+template <class T>
+void permute_array(std::vector<T>& values, const std::vector<std::int32_t>& order, std::vector<T>& scratch) {
+    scratch.resize(values.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        scratch[i] = values[static_cast<std::size_t>(order[i])];
+    }
+    values.swap(scratch);
+}
+}  // namespace
+
+template <int D>
+void Particles<D>::permute(const std::vector<std::int32_t>& order) {
+    std::vector<double> scratch;
+    for (std::size_t k = 0; k < D; ++k) {
+        permute_array(position[k], order, scratch);
+        permute_array(velocity[k], order, scratch);
+        permute_array(listed_position[k], order, scratch);
+    }
+    permute_array(density_deviation, order, scratch);
+    permute_array(mass, order, scratch);
+    std::vector<std::int64_t> scratch_id;
+    permute_array(id, order, scratch_id);
+}
+
+template <int D>
+void WallParticles<D>::permute(const std::vector<std::int32_t>& order) {
+    std::vector<double> scratch;
+    for (std::size_t k = 0; k < D; ++k) {
+        permute_array(position[k], order, scratch);
+        permute_array(normal[k], order, scratch);
+    }
+    for (auto& component : projector) {
+        permute_array(component, order, scratch);
+    }
+    permute_array(volume, order, scratch);
+    permute_array(depth, order, scratch);
+}
+
+template struct WallParticles<2>;
+template struct WallParticles<3>;
+template struct Particles<2>;
+template struct Particles<3>;
+
+}  // namespace riffle

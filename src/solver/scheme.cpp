@@ -1,0 +1,59 @@
+#include "solver/scheme.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "particles/lattice.hpp"
+
+namespace riffle {
+
+namespace {
+
+double expected_velocity(const Case& c, const ColumnResult* column) {
+    if (c.start.kind == StartKind::standing_wave) {
+        return c.start.amplitude * std::sqrt(c.fluid.gravity / c.total_depth());
+    }
+    double velocity = c.start.velocity.value_or(0.0);
+    if (column != nullptr) {
+        for (const double u : column->profile.velocity) {
+            velocity = std::max(velocity, std::abs(u));
+        }
+    }
+    return velocity;
+}
+
+}  // namespace
+
+double Scheme::hydrostatic_deviation(double z) const { return state.deviation(normal_gravity * (depth - z)); }
+
+Scheme make_scheme(const Case& c, const ColumnResult* column) {
+    const Lattice lattice = lattice_of(c);
+    Scheme scheme;
+    scheme.spacing = lattice.dx;
+    scheme.smoothing_length = c.numerics.smoothing_ratio * c.numerics.spacing;
+    scheme.skin = c.numerics.skin * scheme.smoothing_length;
+    scheme.depth = c.total_depth();
+    scheme.density = c.fluid.density;
+    scheme.viscosity = c.fluid.kinematic_viscosity;
+    const bool fully_periodic = c.channel.top == Top::periodic;
+    scheme.streamwise_gravity = fully_periodic ? 0.0 : c.streamwise_gravity();
+    // Between two plates and in a periodic box gravity normal to the bed only adds a hydrostatic pressure.
+    scheme.normal_gravity = c.channel.top == Top::free_surface ? c.normal_gravity() : 0.0;
+    scheme.maximum_velocity = expected_velocity(c, column);
+    scheme.state.kind = c.numerics.equation_of_state;
+    scheme.state.sound_speed = c.numerics.sound_speed.value_or(
+        std::max(20.0 * scheme.maximum_velocity, 10.0 * std::sqrt(scheme.normal_gravity * scheme.depth)));
+    scheme.acoustic_step = c.numerics.courant_number * scheme.smoothing_length / scheme.state.sound_speed;
+    // Explicit diffusion of momentum, here only where the viscosity is that of a laminar case.
+    const double h = scheme.smoothing_length;
+    scheme.acoustic_step = std::min(scheme.acoustic_step, 0.125 * h * h / scheme.viscosity);
+    return scheme;
+}
+
+double force_limited_step(const Scheme& scheme, double largest_acceleration) {
+    return largest_acceleration > 0.0 ? 0.25 * std::sqrt(scheme.smoothing_length / largest_acceleration)
+                                      : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace riffle

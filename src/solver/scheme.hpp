@@ -1,0 +1,33 @@
+#pragma once
+
+#include "case/case.hpp"
+#include "column/column.hpp"
+#include "sph/equation_of_state.hpp"
+
+namespace riffle {
+
+/// Numbers of a run that follow from its case: sizes, sound speed, time step. SI.
+struct Scheme {
+    double spacing = 0.0;          ///< lattice spacing along x
+    double smoothing_length = 0.0; ///< h
+    double skin = 0.0;             ///< of the neighbour lists
+    double depth = 0.0;            ///< total depth H
+    double maximum_velocity = 0.0; ///< expected, sets the sound speed
+    StateEquation state;
+    double density = 0.0;          ///< rho0
+    double viscosity = 0.0;        ///< nu0
+    double streamwise_gravity = 0.0;
+    double normal_gravity = 0.0;
+    double acoustic_step = 0.0;    ///< Courant number * h / c0
+
+    /// Density deviation of still water at height z: the hydrostatic pressure through the equation of state.
+    [[nodiscard]] double hydrostatic_deviation(double z) const;
+};
+
+/// Derive the scheme; `column` is the twin of the case where it has one (nullptr: no steady shear flow).
+[[nodiscard]] Scheme make_scheme(const Case& c, const ColumnResult* column);
+
+/// Step by the largest acceleration: 0.25 sqrt(h/|a|) (Monaghan & Kos 1999; thesis 2.53).
+[[nodiscard]] double force_limited_step(const Scheme& scheme, double largest_acceleration);
+
+}  // namespace riffle

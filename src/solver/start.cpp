@@ -1,0 +1,114 @@
+#include "solver/start.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "base/error.hpp"
+#include "particles/lattice.hpp"
+
+namespace riffle {
+
+namespace {
+
+void start_standing_wave(const Case& c, Particles<2>& particles) {
+    // Linear wave: the lattice is displaced by the wave's potential, which keeps the volumes to first order.
+    const double depth = c.total_depth();
+    const double k = 2.0 * std::numbers::pi / c.channel.length;
+    for (std::size_t i = 0; i < particles.size(); ++i) {
+        double& x = particles.position[0][i];
+        double& z = particles.position[1][i];
+        const double scale = c.start.amplitude / std::sinh(k * depth);
+        const double dx = -scale * std::cosh(k * z) * std::sin(k * x);
+        const double dz = scale * std::sinh(k * z) * std::cos(k * x);
+        x += dx;
+        z += dz;
+    }
+}
+
+double wave_pressure(const Case& c, const Scheme& scheme, double x, double z) {
+    const double k = 2.0 * std::numbers::pi / c.channel.length;
+    return scheme.normal_gravity * c.start.amplitude * std::cosh(k * z) / std::cosh(k * scheme.depth) * std::cos(k * x);
+}
+
+void start_taylor_green(const Case& c, const Scheme& scheme, Particles<2>& particles, std::vector<double>& pressure) {
+    const double u0 = c.start.velocity.value_or(1.0);
+    const double kx = 2.0 * std::numbers::pi / c.channel.length;
+    const double kz = 2.0 * std::numbers::pi / scheme.depth;
+    for (std::size_t i = 0; i < particles.size(); ++i) {
+        const double x = kx * particles.position[0][i];
+        const double z = kz * particles.position[1][i];
+        particles.velocity[0][i] = u0 * std::sin(x) * std::cos(z);
+        particles.velocity[1][i] = -u0 * kx / kz * std::cos(x) * std::sin(z);
+        pressure[i] = 0.25 * u0 * u0 * (std::cos(2.0 * x) + kx * kx / (kz * kz) * std::cos(2.0 * z));
+    }
+}
+
+double start_velocity(const Case& c, const Scheme& scheme, const ColumnResult* column, double z) {
+    switch (c.start.kind) {
+        case StartKind::column:
+            if (column == nullptr) {
+                throw InputError("[start] kind = \"column\" needs a steady column flow, which this case does not have "
+                                 "(no slope, no friction, or closed ends); choose \"rest\" or \"uniform\"");
+            }
+            return column->velocity_at(z);
+        case StartKind::uniform:
+            if (!c.start.velocity && column == nullptr) {
+                throw InputError("[start] kind = \"uniform\" needs `velocity`: this case has no column flow to take it from");
+            }
+            return c.start.velocity.value_or(column != nullptr ? column->total_mean_velocity : 0.0);
+        case StartKind::power_law: {
+            const double top = c.start.velocity.value_or(column != nullptr ? column->surface_velocity : 0.0);
+            return top * std::pow(std::max(0.0, z / scheme.depth), 1.0 / c.start.exponent);
+        }
+        default: return 0.0;
+    }
+}
+
+}  // namespace
+
+bool has_column(const Case& c) {
+    const bool friction = c.bed.kind != BedKind::slip;
+    return c.channel.ends == Ends::periodic && c.channel.top != Top::periodic && friction && c.channel.slope > 0.0;
+}
+
+Particles<2> initial_particles(const Case& c, const Scheme& scheme, const ColumnResult* column) {
+    Particles<2> particles = lattice_particles(c);
+    const Lattice lattice = lattice_of(c);
+    const std::size_t n = particles.size();
+    std::vector<double> extra_pressure(n, 0.0);
+    std::vector<double> still_height = particles.position[1];
+    if (c.start.kind == StartKind::standing_wave) {
+        for (std::size_t i = 0; i < n; ++i) {
+            extra_pressure[i] = wave_pressure(c, scheme, particles.position[0][i], still_height[i]);
+        }
+        start_standing_wave(c, particles);
+        // A particle displaced from still_height carries the pressure of its new height and of the wave.
+        still_height = particles.position[1];
+    } else if (c.start.kind == StartKind::taylor_green) {
+        start_taylor_green(c, scheme, particles, extra_pressure);
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+        const double hydrostatic = scheme.normal_gravity * (scheme.depth - still_height[i]);
+        const double s = scheme.state.deviation(hydrostatic + extra_pressure[i]);
+        particles.density_deviation[i] = s;
+        particles.mass[i] = scheme.density * (1.0 + s) * lattice.dx * lattice.dz;
+        if (c.start.kind != StartKind::taylor_green) {
+            particles.velocity[0][i] = start_velocity(c, scheme, column, particles.position[1][i]);
+            particles.velocity[1][i] = 0.0;
+        }
+        double& x = particles.position[0][i];
+        if (c.channel.ends == Ends::periodic) {
+            x -= c.channel.length * std::floor(x / c.channel.length);
+        }
+        double& z = particles.position[1][i];
+        if (c.channel.top == Top::periodic) {
+            z -= scheme.depth * std::floor(z / scheme.depth);
+        }
+    }
+    for (std::size_t k = 0; k < 2; ++k) {
+        particles.listed_position[k] = particles.position[k];
+    }
+    return particles;
+}
+
+}  // namespace riffle

@@ -1,0 +1,104 @@
+#pragma once
+
+#include <cmath>
+
+#include "sph/pair_terms.hpp"
+
+namespace riffle {
+
+// The kernel gradient correction of a particle: small matrices on scalars or lanes. Symmetric matrices are
+// stored as their upper triangle, row by row: (xx, xz, zz) in 2D, (xx, xy, xz, yy, yz, zz) in 3D.
+
+template <class T, int D>
+using Symmetric = std::array<T, static_cast<std::size_t>(D*(D + 1) / 2)>;
+
+/// Position of element (k, l) in the upper triangle.
+template <int D>
+constexpr std::size_t symmetric_index(int k, int l) {
+    const int row = k < l ? k : l;
+    const int column = k < l ? l : k;
+    return static_cast<std::size_t>(row * D - row * (row - 1) / 2 + column - row);
+}
+
+/// Smoothstep: 0 below `low`, 1 above `high`.
+template <class T>
+RIFFLE_INLINE T smoothstep(scalar_of<T> low, scalar_of<T> high, const T& x) {
+    using R = scalar_of<T>;
+    const T t = R(1) - positive_part<T>(R(1) - positive_part<T>((x - low) * (R(1) / (high - low))));
+    return t * t * (R(3) - R(2) * t);
+}
+
+/// Determinant of a symmetric matrix.
+template <class T, int D>
+RIFFLE_INLINE T determinant(const Symmetric<T, D>& m) {
+    if constexpr (D == 2) {
+        return m[0] * m[2] - m[1] * m[1];
+    } else {
+        return m[0] * (m[3] * m[5] - m[4] * m[4]) - m[1] * (m[1] * m[5] - m[4] * m[2]) +
+               m[2] * (m[1] * m[4] - m[3] * m[2]);
+    }
+}
+
+/// Inverse of a symmetric matrix, the determinant kept away from zero (the callers blend the result out there).
+template <class T, int D>
+RIFFLE_INLINE Symmetric<T, D> inverse(const Symmetric<T, D>& m) {
+    using R = scalar_of<T>;
+    using std::max;
+    using std::experimental::max;
+    const T scale = R(1) / max(determinant<T, D>(m), T(R(0.02)));
+    if constexpr (D == 2) {
+        return {m[2] * scale, -m[1] * scale, m[0] * scale};
+    } else {
+        return {(m[3] * m[5] - m[4] * m[4]) * scale, (m[2] * m[4] - m[1] * m[5]) * scale,
+                (m[1] * m[4] - m[2] * m[3]) * scale, (m[0] * m[5] - m[2] * m[2]) * scale,
+                (m[1] * m[2] - m[0] * m[4]) * scale, (m[0] * m[3] - m[1] * m[1]) * scale};
+    }
+}
+
+/// Smallest eigenvalue of a symmetric positive matrix; in 3D by Newton steps from below on the characteristic
+/// cubic, which converge monotonically.
+template <class T, int D>
+RIFFLE_INLINE T smallest_eigenvalue(const Symmetric<T, D>& m) {
+    using R = scalar_of<T>;
+    using std::sqrt;
+    using std::experimental::sqrt;
+    if constexpr (D == 2) {
+        const T half_difference = R(0.5) * (m[0] - m[2]);
+        return R(0.5) * (m[0] + m[2]) - sqrt(half_difference * half_difference + m[1] * m[1]);
+    } else {
+        const T trace = m[0] + m[3] + m[5];
+        const T minors = m[0] * m[3] - m[1] * m[1] + m[0] * m[5] - m[2] * m[2] + m[3] * m[5] - m[4] * m[4];
+        const T det = determinant<T, D>(m);
+        T x = T(0);
+        for (int step = 0; step < 8; ++step) {
+            const T value = ((x - trace) * x + minors) * x - det;
+            const T slope = (R(3) * x - R(2) * trace) * x + minors;
+            x = x - value / (slope + R(1e-12));
+        }
+        return x;
+    }
+}
+
+/// The matrix B of the pressure form. Fluid pairs are corrected, wall pairs are not: with uniform pressure the
+/// virial B M_fluid + M_wall must be the identity, so B = (I - M_wall) M_fluid^-1. Near a free surface B fades
+/// into the identity, by the smallest eigenvalue of M_fluid + M_wall. Row-major D x D.
+template <class T, int D>
+RIFFLE_INLINE Components<T, D * D> pressure_correction(const Symmetric<T, D>& m_fluid, const Symmetric<T, D>& m_wall,
+                                                       const T& blend) {
+    using R = scalar_of<T>;
+    const Symmetric<T, D> inv = inverse<T, D>(m_fluid);
+    Components<T, D * D> b{};
+    for (int k = 0; k < D; ++k) {
+        for (int l = 0; l < D; ++l) {
+            T sum = inv[symmetric_index<D>(k, l)];
+            for (int m = 0; m < D; ++m) {
+                sum -= m_wall[symmetric_index<D>(k, m)] * inv[symmetric_index<D>(m, l)];
+            }
+            const R identity = k == l ? R(1) : R(0);
+            b[static_cast<std::size_t>(k * D + l)] = identity + blend * (sum - identity);
+        }
+    }
+    return b;
+}
+
+}  // namespace riffle

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <array>
+
+#include "sph/lanes.hpp"
+
+namespace riffle {
+
+// The terms of the equations of motion for one pair of particles i, j: small pure functions on scalars or
+// lanes. r = x_i - x_j, u = u_i - u_j; F is the kernel gradient factor, grad_i W_ij = F r (F < 0), V_j the
+// volume of j. Each returns what j adds to the sum of i.
+
+template <class T, int D>
+using Components = std::array<T, static_cast<std::size_t>(D)>;
+
+template <class T, int D>
+RIFFLE_INLINE T dot(const Components<T, D>& a, const Components<T, D>& b) {
+    T sum = a[0] * b[0];
+    for (std::size_t k = 1; k < D; ++k) {
+        sum += a[k] * b[k];
+    }
+    return sum;
+}
+
+/// Continuity: V_j u.grad W. Relative rate of density, (D rho/Dt)/rho (model.md, paper eq. 8).
+template <class T, int D>
+RIFFLE_INLINE T continuity(const T& volume_gradient, const Components<T, D>& u, const Components<T, D>& r) {
+    return volume_gradient * dot<T, D>(u, r);
+}
+
+/// Density diffusion of Fourtakas et al. (2019): 2 V_j (s_i - s_j + k r_z) F, k r_z the hydrostatic part of the
+/// difference, so that it vanishes at rest. The sum is multiplied by delta h c0.
+template <class T, class R>
+RIFFLE_INLINE T density_diffusion(const T& volume_gradient, const T& s_difference, const T& r_vertical,
+                                  R hydrostatic_gradient) {
+    return scalar_of<T>(2) * volume_gradient * (s_difference + hydrostatic_gradient * r_vertical);
+}
+
+/// Pressure and stress in conservative form: -w_j (Q_i + Q_j) grad W, Q = (p B - tau)/rho0 (row-major D x D).
+/// With B = M^-1 this is the kernel-gradient-corrected form of docs/theory.md; with Q = p/rho^2 I, thesis (2.42).
+template <class T, int D>
+RIFFLE_INLINE Components<T, D> tensor_force(const T& weight_gradient, const Components<T, D * D>& q_sum,
+                                            const Components<T, D>& r) {
+    Components<T, D> a{};
+    for (std::size_t k = 0; k < D; ++k) {
+        T sum = q_sum[k * D] * r[0];
+        for (std::size_t l = 1; l < D; ++l) {
+            sum += q_sum[k * D + l] * r[l];
+        }
+        a[k] = -weight_gradient * sum;
+    }
+    return a;
+}
+
+/// Viscosity in Morris' two-point form (Morris et al. 1997) with the arithmetic mean of nu:
+/// V_j (mu_i + mu_j) F u.  A Laplacian, nu lap(u), for constant nu.
+struct MorrisViscosity {
+    template <class T, int D>
+    RIFFLE_INLINE static Components<T, D> force(const T& volume_gradient, const T& viscosity_sum,
+                                                const Components<T, D>& u, const Components<T, D>& r,
+                                                const T& r_squared) {
+        (void)r;
+        (void)r_squared;
+        const T factor = volume_gradient * viscosity_sum;
+        Components<T, D> a{};
+        for (std::size_t k = 0; k < D; ++k) {
+            a[k] = factor * u[k];
+        }
+        return a;
+    }
+};
+
+/// Viscosity along the line of centres (Monaghan & Gingold 1983; Monaghan 2005): (D+2) V_j (mu_i + mu_j)
+/// (u.r/r^2) F r. It keeps the angular momentum, and its natural surface condition is zero traction.
+struct MonaghanGingoldViscosity {
+    template <class T, int D>
+    RIFFLE_INLINE static Components<T, D> force(const T& volume_gradient, const T& viscosity_sum,
+                                                const Components<T, D>& u, const Components<T, D>& r,
+                                                const T& r_squared) {
+        using R = scalar_of<T>;
+        const T factor =
+            R(D + 2) * volume_gradient * viscosity_sum * dot<T, D>(u, r) / (r_squared + R(1e-20));
+        Components<T, D> a{};
+        for (std::size_t k = 0; k < D; ++k) {
+            a[k] = factor * r[k];
+        }
+        return a;
+    }
+};
+
+}  // namespace riffle
