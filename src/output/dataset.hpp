@@ -13,10 +13,10 @@ namespace riffle {
 struct Dataset {
     using Values = std::variant<std::vector<double>, std::vector<float>, std::vector<std::int64_t>,
                                 std::vector<std::int32_t>, std::vector<std::uint8_t>, std::string>;
-    std::string path;                  ///< absolute path in the file, e.g. "/time_series/time"
-    std::vector<std::size_t> shape;    ///< row-major; empty: scalar; ignored for a string
+    std::string path;                ///< absolute path in the file, e.g. "/time_series/time"
+    std::vector<std::size_t> shape;  ///< row-major; empty: scalar; ignored for a string
     Values values;
-    std::string unit;                  ///< SI, "1" for dimensionless
+    std::string unit;  ///< SI, "1" for dimensionless
     std::string long_name;
     /// Rows along the first axis are added behind those already in the file; otherwise the dataset replaces.
     bool append = false;
@@ -25,7 +25,7 @@ struct Dataset {
 /// Attribute of a group or dataset.
 using AttributeValue = std::variant<double, std::int64_t, std::string>;
 struct Attribute {
-    std::string path; ///< of the group or dataset it belongs to; "/" for the file
+    std::string path;  ///< of the group or dataset it belongs to; "/" for the file
     std::string name;
     AttributeValue value;
 };

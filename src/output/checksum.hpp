@@ -1,0 +1,13 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace riffle {
+
+/// CRC-64 (ECMA-182 polynomial, reflected, as in the .xz format): finds each error of up to 64 neighbouring
+/// bits, and others but for one in 2^64.
+[[nodiscard]] std::uint64_t crc64(std::span<const std::byte> bytes);
+
+}  // namespace riffle
