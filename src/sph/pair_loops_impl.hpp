@@ -77,7 +77,7 @@ RIFFLE_INLINE void prefetch(const std::vector<Record>& records, std::span<const 
 }
 
 template <int D, class Real, class Kernel>
-void gradient_loop(PairData<D, Real>& data, std::size_t begin, std::size_t end) {
+[[gnu::flatten]] void gradient_loop(PairData<D, Real>& data, std::size_t begin, std::size_t end) {
     using T = Lanes<Real>;
     using std::experimental::sqrt;
     const PairConstants<D, Real> c = data.constants;
@@ -174,7 +174,7 @@ void gradient_loop(PairData<D, Real>& data, std::size_t begin, std::size_t end) 
 }
 
 template <int D, class Real, class Kernel, class Viscosity>
-void force_loop(PairData<D, Real>& data, std::size_t begin, std::size_t end) {
+[[gnu::flatten]] void force_loop(PairData<D, Real>& data, std::size_t begin, std::size_t end) {
     using T = Lanes<Real>;
     using std::experimental::sqrt;
     const PairConstants<D, Real> c = data.constants;
@@ -233,7 +233,7 @@ void force_loop(PairData<D, Real>& data, std::size_t begin, std::size_t end) {
 }
 
 template <int D, class Real, class Kernel>
-void wall_loop(PairData<D, Real>& data, std::size_t begin, std::size_t end) {
+[[gnu::flatten]] void wall_loop(PairData<D, Real>& data, std::size_t begin, std::size_t end) {
     using T = Lanes<Real>;
     using std::experimental::sqrt;
     const PairConstants<D, Real> c = data.constants;
@@ -271,7 +271,7 @@ void wall_loop(PairData<D, Real>& data, std::size_t begin, std::size_t end) {
 }
 
 template <int D, class Real, class Kernel>
-void filter_loop(PairData<D, Real>& data, std::size_t begin, std::size_t end) {
+[[gnu::flatten]] void filter_loop(PairData<D, Real>& data, std::size_t begin, std::size_t end) {
     using T = Lanes<Real>;
     using std::experimental::sqrt;
     const PairConstants<D, Real> c = data.constants;
