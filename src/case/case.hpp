@@ -35,35 +35,41 @@ enum class RunUntil { time, converged };
 
 /// [channel]
 struct Channel {
-    double slope = 0.0;   ///< S0 = tan(theta)
-    double depth = 0.0;   ///< h_w, measured from the zero datum, m
-    double length = 0.2;  ///< along x, m
-    double width = 0.459; ///< of the flume, m (side walls of the column's hydraulic radius; 3D later)
+    double slope = 0.0;    ///< S0 = tan(theta)
+    double depth = 0.0;    ///< h_w, measured from the zero datum, m
+    double length = 0.2;   ///< along x, m
+    double width = 0.459;  ///< of the flume, m (side walls of the column's hydraulic radius; 3D later)
     Ends ends = Ends::periodic;
     Top top = Top::free_surface;
+
+    bool operator==(const Channel&) const = default;
 };
 
 /// [bed]
 struct Bed {
     BedKind kind = BedKind::spheres;
-    double sphere_diameter = 0.025;   ///< D, m
+    double sphere_diameter = 0.025;  ///< D, m
     Packing packing = Packing::hexagonal;
-    double roughness_height = 0.0;    ///< d_h, bed level to crest, m; 0 for smooth beds
-    double datum_below_crest = 0.004; ///< m; 0 for smooth beds
-    double drag_coefficient = 0.8;    ///< C_d
+    double roughness_height = 0.0;     ///< d_h, bed level to crest, m; 0 for smooth beds
+    double datum_below_crest = 0.004;  ///< m; 0 for smooth beds
+    double drag_coefficient = 0.8;     ///< C_d
     DragForm drag_form = DragForm::consistent;
+
+    bool operator==(const Bed&) const = default;
 };
 
 /// [turbulence]
 struct Turbulence {
     ClosureKind closure = ClosureKind::ramp;
     double kappa = 0.41;
-    double lambda = 0.09;               ///< plateau of the ramp, l_m = lambda H
-    double wake_strength = 0.0;         ///< Coles' Pi of Nezu & Rodi's mixing length
-    double zero = 0.0;                  ///< height above the bed level where the mixing length starts, m
-    double smagorinsky_constant = 0.12; ///< C_s of the SPS closure
-    std::optional<double> filter_width; ///< Delta of the SPS closure, m; unset: spacing / sqrt(2)
+    double lambda = 0.09;                ///< plateau of the ramp, l_m = lambda H
+    double wake_strength = 0.0;          ///< Coles' Pi of Nezu & Rodi's mixing length
+    double zero = 0.0;                   ///< height above the bed level where the mixing length starts, m
+    double smagorinsky_constant = 0.12;  ///< C_s of the SPS closure
+    std::optional<double> filter_width;  ///< Delta of the SPS closure, m; unset: spacing / sqrt(2)
     StressTerms stress_terms = StressTerms::full;
+
+    bool operator==(const Turbulence&) const = default;
 };
 
 /// [fluid]
@@ -71,58 +77,69 @@ struct Fluid {
     double density = 1000.0;
     double kinematic_viscosity = 1.0e-6;
     double gravity = 9.81;
+
+    bool operator==(const Fluid&) const = default;
 };
 
 /// [numerics]
 struct Numerics {
     Preset preset = Preset::riffle;
-    double spacing = 0.002;                  ///< dx, m
+    double spacing = 0.002;  ///< dx, m
     KernelKind kernel = KernelKind::wendland_c2;
-    double smoothing_ratio = 1.5;            ///< h / dx
-    std::optional<double> sound_speed;       ///< c0, m/s; unset: max(20 U_max, 10 sqrt(g H))
+    double smoothing_ratio = 1.5;       ///< h / dx
+    std::optional<double> sound_speed;  ///< c0, m/s; unset: max(20 U_max, 10 sqrt(g H))
     EquationOfState equation_of_state = EquationOfState::linear;
     PressureForm pressure_form = PressureForm::corrected;
     VelocityGradient velocity_gradient = VelocityGradient::corrected;
     DensityDiffusion density_diffusion = DensityDiffusion::fourtakas;
     double density_diffusion_coefficient = 0.1;
     DensityFilter density_filter = DensityFilter::none;
-    int density_filter_interval = 30;        ///< steps
+    int density_filter_interval = 30;  ///< steps
     ViscosityForm viscosity = ViscosityForm::morris;
     EddyStress eddy_stress = EddyStress::two_point;
     double xsph = 0.0;
     Stepping stepping = Stepping::semi_implicit_euler;
     double courant_number = 0.7;
-    std::optional<double> time_step;         ///< fixed step, s; unset: from the Courant number and the forces
+    std::optional<double> time_step;  ///< fixed step, s; unset: from the Courant number and the forces
     WallKind wall = WallKind::dummy;
     int wall_layers = 3;
     Precision precision = Precision::single_precision;
-    double skin = 0.2;                       ///< of the neighbour lists, in units of h
+    double skin = 0.2;  ///< of the neighbour lists, in units of h
+
+    bool operator==(const Numerics&) const = default;
 };
 
 /// [start]
 struct Start {
     StartKind kind = StartKind::column;
-    std::optional<double> velocity;     ///< uniform: U; power-law: U_max; wave and vortex: amplitude. m/s
-    double exponent = 3.0;              ///< m of U = U_max (z/H)^(1/m)
-    double amplitude = 0.0;             ///< standing wave: of the surface, m
-    std::filesystem::path file;         ///< results: the file to start from
-    double jitter = 0.0;                ///< random displacement of the lattice, in units of the spacing
+    std::optional<double> velocity;  ///< uniform: U; power-law: U_max; wave and vortex: amplitude. m/s
+    double exponent = 3.0;           ///< m of U = U_max (z/H)^(1/m)
+    double amplitude = 0.0;          ///< standing wave: of the surface, m
+    std::filesystem::path file;      ///< results: the file to start from
+    double jitter = 0.0;             ///< random displacement of the lattice, in units of the spacing
     long long seed = 1;
+
+    bool operator==(const Start&) const = default;
 };
 
-/// [stirring]: a body force of travelling vortex modes of zero mean, a test of the pressure form under disorder.
+/// [stirring]: a body force of travelling vortex modes of zero mean, a test of the pressure form under
+/// disorder.
 struct Stirring {
-    double acceleration = 0.0; ///< amplitude F, m/s2
+    double acceleration = 0.0;  ///< amplitude F, m/s2
     int modes = 3;
-    std::optional<double> celerity; ///< of the modes, m/s; unset: depth-mean velocity of the column
+    std::optional<double> celerity;  ///< of the modes, m/s; unset: depth-mean velocity of the column
+
+    bool operator==(const Stirring&) const = default;
 };
 
 /// [run]
 struct Run {
     RunUntil until = RunUntil::converged;
-    double time = 60.0;          ///< until = "time": simulated end time, s; "converged": the latest end
-    double tolerance = 0.005;    ///< relative half-width of the 95 % interval of the depth-mean velocity
-    std::optional<double> average_from; ///< start of the averaging window, s; unset: chosen by the test
+    double time = 60.0;        ///< until = "time": simulated end time, s; "converged": the latest end
+    double tolerance = 0.005;  ///< relative half-width of the 95 % interval of the depth-mean velocity
+    std::optional<double> average_from;  ///< start of the averaging window, s; unset: chosen by the test
+
+    bool operator==(const Run&) const = default;
 };
 
 /// [output]
@@ -133,6 +150,8 @@ struct Output {
     double snapshot_interval = 1.0;     ///< s; 0: none
     double checkpoint_interval = 60.0;  ///< s of wall-clock time
     double progress_interval = 1.0;     ///< s of wall-clock time
+
+    bool operator==(const Output&) const = default;
 };
 
 /// [measured]: what to compare with. Unset where unknown.
@@ -142,9 +161,11 @@ struct Measured {
     std::optional<double> equivalent_roughness;
     std::optional<double> discharge;
     std::optional<double> surface_standard_deviation;
-    std::filesystem::path velocity_profile; ///< CSV with columns z, u [, u_uncertainty]; z above the datum
-    bool uniform = true;                    ///< whether the measured flow was uniform
+    std::filesystem::path velocity_profile;  ///< CSV with columns z, u [, u_uncertainty]; z above the datum
+    bool uniform = true;                     ///< whether the measured flow was uniform
     std::string source;
+
+    bool operator==(const Measured&) const = default;
 };
 
 /// A case: everything that defines a run. The only source of a run's parameters.
@@ -162,8 +183,13 @@ struct Case {
     Output output;
     Measured measured;
 
-    std::filesystem::path path; ///< file it was read from; relative file names in it are relative to its folder
-    std::string text;           ///< complete TOML text of the case, overrides applied: reading it gives this case
+    /// File it was read from; empty for a text without a file. Relative file names in a case are relative to
+    /// the folder of its file, and are made absolute when it is read.
+    std::filesystem::path path;
+    std::string text;  ///< complete TOML text of the case, overrides applied: reading it gives this case
+
+    /// Whether both cases define the same run: all parameters, but not where they were read from.
+    [[nodiscard]] bool same_parameters(const Case& other) const;
 
     /// Total depth H = h_w + d_h - datum_below_crest over the bed level, m.
     [[nodiscard]] double total_depth() const {
@@ -189,9 +215,12 @@ struct Override {
 /// expected and what to do (nearest known name for an unknown one); FileError if it cannot be read.
 [[nodiscard]] Case read_case(const std::filesystem::path& path, const std::vector<Override>& overrides = {});
 
-/// The same from text; `name` stands for the file in messages, `path` for its folder.
+/// The same from text; `name` stands for the file in messages. `path` is the file the text belongs to: files
+/// named in the case must then exist. Without it (the text of a results file, say) they need not, so that a
+/// results file can be analysed where the files it was made from are gone.
 [[nodiscard]] Case parse_case(const std::string& text, const std::string& name,
-                              const std::filesystem::path& path = {}, const std::vector<Override>& overrides = {});
+                              const std::filesystem::path& path = {},
+                              const std::vector<Override>& overrides = {});
 
 /// Warnings for a valid case that leaves the envelope in which the scheme was verified (docs/theory.md).
 [[nodiscard]] std::vector<std::string> case_warnings(const Case& c);

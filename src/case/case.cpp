@@ -1,0 +1,18 @@
+#include "case/case.hpp"
+
+#include <cmath>
+
+namespace riffle {
+
+double Case::streamwise_gravity() const { return fluid.gravity * std::sin(std::atan(channel.slope)); }
+
+double Case::normal_gravity() const { return fluid.gravity * std::cos(std::atan(channel.slope)); }
+
+bool Case::same_parameters(const Case& other) const {
+    return title == other.title && description == other.description && channel == other.channel &&
+           bed == other.bed && turbulence == other.turbulence && fluid == other.fluid &&
+           numerics == other.numerics && start == other.start && stirring == other.stirring &&
+           run == other.run && output == other.output && measured == other.measured;
+}
+
+}  // namespace riffle

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "case/case.hpp"
+
+namespace riffle {
+
+/// The complete normalised TOML text of a case: every key with its value in SI. Reading it gives an equal
+/// case.
+[[nodiscard]] std::string case_text(const Case& c);
+
+}  // namespace riffle

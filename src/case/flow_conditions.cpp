@@ -1,0 +1,119 @@
+#include "case/flow_conditions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "base/error.hpp"
+#include "case/case_text.hpp"
+#include "case/key.hpp"
+#include "case/nearest.hpp"
+
+namespace riffle {
+
+namespace {
+
+/// A row of Table 3.1 of the thesis, SI, with the roughness height of its 2D simulations.
+struct FlowCondition {
+    double depth;
+    double velocity;  ///< U, depth mean on the centreline
+    double friction_velocity;
+    double discharge;
+    double slope;
+    double equivalent_roughness;
+    double diameters;          ///< d_h / D
+    double surface_deviation;  ///< 0: not measured
+};
+
+constexpr std::array<FlowCondition, 8> conditions{{
+    {0.040, 0.28, 0.039, 0.008, 0.004, 0.035, 0.40, 0.00032},
+    {0.050, 0.35, 0.044, 0.011, 0.004, 0.035, 0.40, 0.00040},
+    {0.060, 0.26, 0.034, 0.010, 0.002, 0.030, 0.40, 0.0},
+    {0.070, 0.33, 0.037, 0.013, 0.002, 0.028, 0.40, 0.0},
+    {0.070, 0.36, 0.045, 0.016, 0.003, 0.030, 0.40, 0.00115},
+    {0.080, 0.42, 0.048, 0.021, 0.003, 0.028, 0.32, 0.0},
+    {0.090, 0.47, 0.051, 0.024, 0.003, 0.026, 0.32, 0.0},
+    {0.100, 0.43, 0.044, 0.023, 0.002, 0.022, 0.32, 0.00150},
+}};
+
+constexpr double longest_run = 120.0;
+constexpr std::size_t not_uniform = 4;  ///< the condition that the thesis dropped
+
+Case rough_bed() {
+    Case c;
+    c.title = "Flow over a bed of spheres";
+    c.channel.slope = 0.004;
+    c.channel.depth = 0.050;
+    c.bed.roughness_height = Diameters{0.4}.length(c.bed.sphere_diameter);
+    c.run.time = longest_run;
+    return c;
+}
+
+Case flow_condition(std::size_t number) {
+    const FlowCondition& row = conditions[number - 1];
+    Case c = rough_bed();
+    c.title =
+        fmt::format("Flow condition {}: depth {:.0f} mm, slope {}", number, row.depth * 1000, row.slope);
+    c.channel.slope = row.slope;
+    c.channel.depth = row.depth;
+    c.bed.roughness_height = Diameters{row.diameters}.length(c.bed.sphere_diameter);
+    c.measured.depth_mean_velocity = row.velocity;
+    c.measured.friction_velocity = row.friction_velocity;
+    c.measured.equivalent_roughness = row.equivalent_roughness;
+    c.measured.discharge = row.discharge;
+    if (row.surface_deviation > 0) {
+        c.measured.surface_standard_deviation = row.surface_deviation;
+    }
+    c.measured.uniform = number != not_uniform;
+    c.measured.source = "thesis, Table 3.1";
+    return c;
+}
+
+/// Geometry and closure as the paper states them, heights from its bed level at -8 mm.
+Case paper() {
+    Case c = rough_bed();
+    c.title = "The case of the 2016 paper: depth 50 mm, slope 0.004";
+    c.bed.sphere_diameter = 0.024;
+    c.bed.roughness_height = 0.012;
+    c.bed.drag_coefficient = 0.5;
+    c.bed.drag_form = DragForm::paper;
+    c.turbulence.closure = ClosureKind::nezu_rodi;
+    c.turbulence.zero = 0.0045;
+    c.turbulence.stress_terms = StressTerms::shear;
+    return c;
+}
+
+}  // namespace
+
+std::vector<std::string> builtin_case_names() {
+    std::vector<std::string> names{"rough-bed"};
+    for (std::size_t number = 1; number <= conditions.size(); ++number) {
+        names.push_back(fmt::format("condition-{}", number));
+    }
+    names.emplace_back("paper-2016");
+    return names;
+}
+
+Case builtin_case(std::string_view name) {
+    const auto names = builtin_case_names();
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end()) {
+        const auto meant = nearest_name(name, names);
+        throw InputError(
+            fmt::format("`{}` is neither a case file nor a built-in case{}; the built-in cases are {}", name,
+                        meant ? fmt::format(": did you mean {}?", *meant) : "", fmt::join(names, ", ")));
+    }
+    Case c;
+    if (name == "rough-bed") {
+        c = rough_bed();
+    } else if (name == "paper-2016") {
+        c = paper();
+    } else {
+        c = flow_condition(static_cast<std::size_t>(found - names.begin()));
+    }
+    c.text = case_text(c);
+    return c;
+}
+
+}  // namespace riffle

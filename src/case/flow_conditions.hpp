@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "case/case.hpp"
+
+namespace riffle {
+
+/// Names of the built-in cases: "rough-bed" (a plain example), "condition-1" to "condition-8" (the measured
+/// flow conditions of the thesis, Table 3.1) and "paper-2016".
+[[nodiscard]] std::vector<std::string> builtin_case_names();
+
+/// The built-in case of that name; the files of cases/ hold the same. Throws InputError for an unknown name.
+[[nodiscard]] Case builtin_case(std::string_view name);
+
+}  // namespace riffle

@@ -1,0 +1,204 @@
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "case/case.hpp"
+#include "case/units.hpp"
+#include "case/words.hpp"
+
+namespace riffle {
+
+/// A length given as a multiple of the sphere diameter: "0.4 D".
+struct Diameters {
+    double multiple = 0.0;
+
+    /// The length for a diameter, rounded to 15 digits so that "0.4 D" of 25 mm is the same as "10 mm".
+    [[nodiscard]] double length(double diameter) const;
+
+    bool operator==(const Diameters&) const = default;
+};
+
+/// A value of a key after reading: unset (the key's unset word, "auto" say), or what its type says. Numbers
+/// are SI; words and file names are strings.
+using Value = std::variant<std::monostate, bool, long long, double, std::string, Diameters>;
+
+/// What a key holds.
+enum class ValueType { number, integer, boolean, word, text, file };
+
+/// Allowed range of a number.
+struct Range {
+    double minimum = -std::numeric_limits<double>::infinity();
+    double maximum = std::numeric_limits<double>::infinity();
+    bool open_minimum = false;  ///< the minimum itself is not allowed
+
+    [[nodiscard]] bool contains(double value) const {
+        return (open_minimum ? value > minimum : value >= minimum) && value <= maximum;
+    }
+};
+
+/// The options of another key under which a key has an effect.
+struct Applies {
+    std::string id;  ///< "section.key"; empty: always
+    std::vector<std::string> words;
+    bool strictly = false;  ///< giving the key otherwise is an error, not a warning
+};
+
+/// One key of the case file. The table of all keys (key_table.hpp) is the only place that knows them:
+/// reading, validation, messages, schema, reference page, template and normalised text are all made from it.
+struct Key {
+    std::string section;  ///< empty for the keys before the first section
+    std::string name;
+    std::string meaning;
+    ValueType type = ValueType::number;
+    Dimension dimension = Dimension::none;
+    Range range;
+    std::vector<Word> words;
+    std::string unset_word;  ///< word for "not set"; empty: the key cannot be unset
+    std::string unset_meaning;
+    std::string default_note;  ///< where the default depends on other keys
+    std::string example;       ///< a right value, as written in a case file
+    bool required = false;
+    bool accepts_diameters = false;
+    Applies applies;
+    std::function<Value(const Case&)> get;
+    std::function<void(Case&, const Value&)> set;
+
+    /// "section.key", or "key" before the first section.
+    [[nodiscard]] std::string id() const { return section.empty() ? name : section + "." + name; }
+
+    /// The number of `value`, for numbers and integers.
+    [[nodiscard]] static std::optional<double> number_of(const Value& value);
+
+    // Builders, for the rows of the table.
+    Key&& measured_in(Dimension d) &&;
+    Key&& greater_than(double minimum) &&;
+    Key&& at_least(double minimum) &&;
+    Key&& at_most(double maximum) &&;
+    Key&& unset_by(std::string word_for_unset, std::string what_then) &&;
+    Key&& with_default_note(std::string note) &&;
+    Key&& with_example(std::string text) &&;
+    Key&& is_required() &&;
+    Key&& may_be_diameters() &&;
+    Key&& applies_with(std::string other, std::vector<std::string> options, bool strictly = false) &&;
+};
+
+namespace detail {
+
+/// Type and conversions of the members that a key may be bound to.
+template <class T>
+struct Binding;
+
+template <>
+struct Binding<double> {
+    static constexpr ValueType type = ValueType::number;
+    static Value to_value(double member) { return member; }
+    static double from_value(const Value& value) { return std::get<double>(value); }
+};
+
+template <>
+struct Binding<std::optional<double>> {
+    static constexpr ValueType type = ValueType::number;
+    static Value to_value(const std::optional<double>& member) { return member ? Value(*member) : Value(); }
+    static std::optional<double> from_value(const Value& value) {
+        const auto* const number = std::get_if<double>(&value);
+        return number ? std::optional(*number) : std::nullopt;
+    }
+};
+
+template <>
+struct Binding<int> {
+    static constexpr ValueType type = ValueType::integer;
+    static Value to_value(int member) { return static_cast<long long>(member); }
+    static int from_value(const Value& value) { return static_cast<int>(std::get<long long>(value)); }
+};
+
+template <>
+struct Binding<long long> {
+    static constexpr ValueType type = ValueType::integer;
+    static Value to_value(long long member) { return member; }
+    static long long from_value(const Value& value) { return std::get<long long>(value); }
+};
+
+template <>
+struct Binding<bool> {
+    static constexpr ValueType type = ValueType::boolean;
+    static Value to_value(bool member) { return member; }
+    static bool from_value(const Value& value) { return std::get<bool>(value); }
+};
+
+template <>
+struct Binding<std::string> {
+    static constexpr ValueType type = ValueType::text;
+    static Value to_value(const std::string& member) { return member; }
+    static std::string from_value(const Value& value) { return std::get<std::string>(value); }
+};
+
+template <>
+struct Binding<std::filesystem::path> {
+    static constexpr ValueType type = ValueType::file;
+    static Value to_value(const std::filesystem::path& member) { return member.string(); }
+    static std::filesystem::path from_value(const Value& value) { return std::get<std::string>(value); }
+};
+
+template <class Enum>
+requires std::is_enum_v<Enum>
+struct Binding<Enum> {
+    static constexpr ValueType type = ValueType::word;
+    static Value to_value(Enum member) { return std::string(word(member)); }
+    static Enum from_value(const Value& value) {
+        const auto& list = Words<Enum>::list;
+        for (std::size_t i = 0; i < list.size(); ++i) {
+            if (list[i].name == std::get<std::string>(value)) {
+                return static_cast<Enum>(i);
+            }
+        }
+        throw std::bad_variant_access();  // not reached: the reader has checked the word
+    }
+};
+
+template <class T>
+Key make_key(std::string section, std::string name, std::string meaning) {
+    Key key;
+    key.section = std::move(section);
+    key.name = std::move(name);
+    key.meaning = std::move(meaning);
+    key.type = Binding<T>::type;
+    if constexpr (std::is_enum_v<T>) {
+        key.words.assign(Words<T>::list.begin(), Words<T>::list.end());
+    }
+    if constexpr (std::is_same_v<T, std::optional<double>>) {
+        key.unset_word = "auto";
+    }
+    return key;
+}
+
+}  // namespace detail
+
+/// A key bound to a member of a section of the case.
+template <class Section, class T>
+Key make_key(std::string section, std::string name, Section Case::*part, T Section::*member,
+             std::string meaning) {
+    Key key = detail::make_key<T>(std::move(section), std::move(name), std::move(meaning));
+    key.get = [part, member](const Case& c) { return detail::Binding<T>::to_value(c.*part.*member); };
+    key.set = [part, member](Case& c, const Value& value) {
+        c.*part.*member = detail::Binding<T>::from_value(value);
+    };
+    return key;
+}
+
+/// A key bound to a member of the case itself.
+template <class T>
+Key make_key(std::string name, T Case::*member, std::string meaning) {
+    Key key = detail::make_key<T>("", std::move(name), std::move(meaning));
+    key.get = [member](const Case& c) { return detail::Binding<T>::to_value(c.*member); };
+    key.set = [member](Case& c, const Value& value) { c.*member = detail::Binding<T>::from_value(value); };
+    return key;
+}
+
+}  // namespace riffle

@@ -1,0 +1,400 @@
+#include "case/key_table.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "case/units.hpp"
+
+namespace riffle {
+
+namespace {
+
+using enum Dimension;
+
+SectionKeys heading() {
+    SectionKeys s{"", "Before the first section.", {}};
+    s.keys.push_back(make_key("title", &Case::title, "Title of the run, for reports."));
+    s.keys.push_back(make_key("description", &Case::description, "What the case is about, in any length."));
+    return s;
+}
+
+SectionKeys channel() {
+    SectionKeys s{"channel", "The channel and the depth of the water.", {}};
+    const auto key = [](const char* name, auto member, const char* meaning) {
+        return make_key("channel", name, &Case::channel, member, meaning);
+    };
+    s.keys.push_back(key("slope", &Channel::slope, "Bed slope S0 = tan(theta).")
+                         .at_least(0)
+                         .at_most(1)
+                         .is_required()
+                         .with_example("0.004"));
+    s.keys.push_back(key("depth", &Channel::depth,
+                         "Water depth h_w over the zero datum (`bed.datum_below_crest` below the crests; the "
+                         "bed where smooth).")
+                         .measured_in(length)
+                         .greater_than(0)
+                         .is_required()
+                         .with_example("\"50 mm\""));
+    s.keys.push_back(key("length", &Channel::length, "Length of the simulated reach along the bed.")
+                         .measured_in(length)
+                         .greater_than(0));
+    s.keys.push_back(
+        key("width", &Channel::width, "Width of the flume.").measured_in(length).greater_than(0));
+    s.keys.push_back(key("ends", &Channel::ends, "What the two ends of the reach are."));
+    s.keys.push_back(key("top", &Channel::top, "What the water ends at above."));
+    return s;
+}
+
+SectionKeys bed() {
+    SectionKeys s{"bed", "The bed and its roughness.", {}};
+    const auto key = [](const char* name, auto member, const char* meaning) {
+        return make_key("bed", name, &Case::bed, member, meaning);
+    };
+    const char* const smooth = "0 for a smooth bed";
+    s.keys.push_back(key("kind", &Bed::kind, "Kind of the bed."));
+    s.keys.push_back(key("sphere_diameter", &Bed::sphere_diameter, "Diameter D of the bed's spheres.")
+                         .measured_in(length)
+                         .greater_than(0)
+                         .applies_with("bed.kind", {"spheres"}));
+    s.keys.push_back(key("packing", &Bed::packing, "Arrangement of the spheres, seen from above.")
+                         .applies_with("bed.drag_form", {"consistent"}));
+    s.keys.push_back(
+        key("roughness_height", &Bed::roughness_height,
+            "Thickness d_h of the roughness zone, from the bed level z = 0 up to the crests; a length "
+            "or a multiple of D.")
+            .measured_in(length)
+            .at_least(0)
+            .may_be_diameters()
+            .with_default_note(std::string("required for spheres; ") + smooth)
+            .with_example("\"0.4 D\""));
+    s.keys.push_back(key("datum_below_crest", &Bed::datum_below_crest,
+                         "Distance of the zero datum, from which the depth is measured, below the crests.")
+                         .measured_in(length)
+                         .at_least(0)
+                         .with_default_note(std::string("4 mm for spheres; ") + smooth));
+    s.keys.push_back(key("drag_coefficient", &Bed::drag_coefficient, "Drag coefficient C_d of the spheres.")
+                         .at_least(0)
+                         .at_most(10)
+                         .applies_with("bed.kind", {"spheres"}));
+    s.keys.push_back(key("drag_form", &Bed::drag_form, "How the drag enters the momentum equation.")
+                         .applies_with("bed.kind", {"spheres"}));
+    return s;
+}
+
+SectionKeys turbulence() {
+    SectionKeys s{"turbulence", "The turbulence closure and its constants.", {}};
+    const auto key = [](const char* name, auto member, const char* meaning) {
+        return make_key("turbulence", name, &Case::turbulence, member, meaning);
+    };
+    const std::string closure = "turbulence.closure";
+    s.keys.push_back(key("closure", &Turbulence::closure, "Where the eddy viscosity comes from."));
+    s.keys.push_back(key("kappa", &Turbulence::kappa, "Von Karman's constant.")
+                         .greater_than(0)
+                         .at_most(1)
+                         .applies_with(closure, {"ramp", "nezu-rodi"}));
+    s.keys.push_back(key("lambda", &Turbulence::lambda, "Plateau of the ramp: l_m = lambda H.")
+                         .greater_than(0)
+                         .at_most(1)
+                         .applies_with(closure, {"ramp"}));
+    s.keys.push_back(key("wake_strength", &Turbulence::wake_strength, "Coles' wake strength Pi.")
+                         .at_least(0)
+                         .at_most(2)
+                         .applies_with(closure, {"nezu-rodi"}));
+    s.keys.push_back(key("zero", &Turbulence::zero,
+                         "Height above the bed level at which the mixing length starts from zero.")
+                         .measured_in(length)
+                         .at_least(0)
+                         .applies_with(closure, {"ramp", "nezu-rodi", "nikuradse"}));
+    s.keys.push_back(key("smagorinsky_constant", &Turbulence::smagorinsky_constant, "Constant C_s.")
+                         .greater_than(0)
+                         .at_most(1)
+                         .applies_with(closure, {"sps"}));
+    s.keys.push_back(key("filter_width", &Turbulence::filter_width, "Filter width Delta.")
+                         .measured_in(length)
+                         .greater_than(0)
+                         .unset_by("auto", "spacing / sqrt(2)")
+                         .applies_with(closure, {"sps"}));
+    s.keys.push_back(
+        key("stress_terms", &Turbulence::stress_terms, "Which components of the stress are kept.")
+            .applies_with(closure, {"ramp", "nezu-rodi", "nikuradse", "sps"}));
+    return s;
+}
+
+SectionKeys fluid() {
+    SectionKeys s{"fluid", "The water.", {}};
+    const auto key = [](const char* name, auto member, const char* meaning) {
+        return make_key("fluid", name, &Case::fluid, member, meaning);
+    };
+    s.keys.push_back(key("density", &Fluid::density, "Density rho0.").measured_in(density).greater_than(0));
+    s.keys.push_back(key("kinematic_viscosity", &Fluid::kinematic_viscosity, "Molecular viscosity nu0.")
+                         .measured_in(kinematic_viscosity)
+                         .at_least(0));
+    s.keys.push_back(
+        key("gravity", &Fluid::gravity, "Acceleration of gravity g.").measured_in(acceleration).at_least(0));
+    return s;
+}
+
+SectionKeys numerics() {
+    SectionKeys s{"numerics", "The numerical scheme. `preset` sets the defaults of the other keys.", {}};
+    const auto key = [](const char* name, auto member, const char* meaning) {
+        return make_key("numerics", name, &Case::numerics, member, meaning);
+    };
+    s.keys.push_back(
+        key("preset", &Numerics::preset, "Scheme that the other keys of this section start from."));
+    s.keys.push_back(
+        key("spacing", &Numerics::spacing, "Particle spacing dx.").measured_in(length).greater_than(0));
+    s.keys.push_back(key("kernel", &Numerics::kernel, "Smoothing kernel."));
+    s.keys.push_back(key("smoothing_ratio", &Numerics::smoothing_ratio,
+                         "Smoothing length over spacing, h / dx; the kernel reaches 2 h.")
+                         .at_least(1)
+                         .at_most(4));
+    s.keys.push_back(key("sound_speed", &Numerics::sound_speed, "Artificial speed of sound c0.")
+                         .measured_in(velocity)
+                         .greater_than(0)
+                         .unset_by("auto", "max(20 U_max, 10 sqrt(g H))"));
+    s.keys.push_back(key("equation_of_state", &Numerics::equation_of_state, "Pressure from density."));
+    s.keys.push_back(key("pressure_form", &Numerics::pressure_form, "Form of the pressure force."));
+    s.keys.push_back(key("velocity_gradient", &Numerics::velocity_gradient,
+                         "Velocity gradient that the closure is given."));
+    s.keys.push_back(key("density_diffusion", &Numerics::density_diffusion,
+                         "Diffusion in the continuity equation, against noise in the pressure."));
+    s.keys.push_back(key("density_diffusion_coefficient", &Numerics::density_diffusion_coefficient,
+                         "Its coefficient delta.")
+                         .greater_than(0)
+                         .at_most(1)
+                         .applies_with("numerics.density_diffusion", {"fourtakas"}));
+    s.keys.push_back(key("density_filter", &Numerics::density_filter, "Renormalisation of the density."));
+    s.keys.push_back(key("density_filter_interval", &Numerics::density_filter_interval,
+                         "Steps from one density filter to the next.")
+                         .at_least(1)
+                         .at_most(1000000)
+                         .applies_with("numerics.density_filter", {"shepard", "mls"}));
+    s.keys.push_back(key("viscosity", &Numerics::viscosity, "Form of the pair viscosity."));
+    s.keys.push_back(key("eddy_stress", &Numerics::eddy_stress, "How the stress of the closure acts.")
+                         .applies_with("turbulence.closure", {"ramp", "nezu-rodi", "nikuradse", "sps"}));
+    s.keys.push_back(key("xsph", &Numerics::xsph, "Smoothing of the particles' transport velocity; 0: none.")
+                         .at_least(0)
+                         .at_most(1));
+    s.keys.push_back(key("stepping", &Numerics::stepping, "Time stepping."));
+    s.keys.push_back(key("courant_number", &Numerics::courant_number, "Courant number, dt c0 / h.")
+                         .greater_than(0)
+                         .at_most(2));
+    s.keys.push_back(key("time_step", &Numerics::time_step, "Fixed time step.")
+                         .measured_in(time)
+                         .greater_than(0)
+                         .unset_by("auto", "from the Courant number, the viscosity and the forces"));
+    s.keys.push_back(key("wall", &Numerics::wall, "Kind of the wall particles."));
+    s.keys.push_back(
+        key("wall_layers", &Numerics::wall_layers, "Layers of wall particles.").at_least(1).at_most(10));
+    s.keys.push_back(key("precision", &Numerics::precision, "Precision of the pair arithmetic."));
+    s.keys.push_back(
+        key("skin", &Numerics::skin, "Reach of the neighbour lists beyond the kernel, in units of h.")
+            .greater_than(0)
+            .at_most(1));
+    return s;
+}
+
+SectionKeys start() {
+    SectionKeys s{"start", "The state at the beginning.", {}};
+    const auto key = [](const char* name, auto member, const char* meaning) {
+        return make_key("start", name, &Case::start, member, meaning);
+    };
+    const std::string kind = "start.kind";
+    s.keys.push_back(key("kind", &Start::kind, "What the run starts from."));
+    s.keys.push_back(
+        key("velocity", &Start::velocity,
+            "uniform: the velocity; power-law: U_max at the surface; standing-wave, taylor-green: the "
+            "velocity amplitude.")
+            .measured_in(velocity)
+            .unset_by("auto",
+                      "from the column twin (uniform, power-law); zero (standing-wave); an error "
+                      "(taylor-green)")
+            .applies_with(kind, {"uniform", "power-law", "standing-wave", "taylor-green"}));
+    s.keys.push_back(key("exponent", &Start::exponent, "m of the power law.")
+                         .greater_than(0)
+                         .at_most(100)
+                         .applies_with(kind, {"power-law"}));
+    s.keys.push_back(key("amplitude", &Start::amplitude, "Amplitude of the surface of the standing wave.")
+                         .measured_in(length)
+                         .at_least(0)
+                         .applies_with(kind, {"standing-wave"}));
+    s.keys.push_back(
+        key("file", &Start::file, "Results file to start from.").applies_with(kind, {"results"}));
+    s.keys.push_back(
+        key("jitter", &Start::jitter,
+            "Largest random displacement of the particles from their lattice, in units of the spacing.")
+            .at_least(0)
+            .at_most(0.5));
+    s.keys.push_back(key("seed", &Start::seed, "Seed of the random displacement.")
+                         .at_least(0)
+                         .at_most(9007199254740991.0));
+    return s;
+}
+
+SectionKeys stirring() {
+    SectionKeys s{
+        "stirring",
+        "A body force of travelling vortex modes of zero mean, which disorders the particles: a test of the "
+        "scheme, no part of the flow.",
+        {}};
+    const auto key = [](const char* name, auto member, const char* meaning) {
+        return make_key("stirring", name, &Case::stirring, member, meaning);
+    };
+    s.keys.push_back(key("acceleration", &Stirring::acceleration, "Amplitude F of the force; 0: none.")
+                         .measured_in(acceleration)
+                         .at_least(0));
+    s.keys.push_back(key("modes", &Stirring::modes, "Number of modes.").at_least(1).at_most(100));
+    s.keys.push_back(key("celerity", &Stirring::celerity, "Speed at which the modes travel downstream.")
+                         .measured_in(velocity)
+                         .unset_by("auto", "the depth-mean velocity of the column twin"));
+    return s;
+}
+
+/// `run.until` is a word or a time, and so sets two members.
+Key until_key() {
+    Key key;
+    key.section = "run";
+    key.name = "until";
+    key.meaning = "When the run ends: at a simulated time, or when the mean flow is known well enough.";
+    key.type = ValueType::number;
+    key.dimension = time;
+    key.range = {0.0, 1e9, true};
+    key.unset_word = word(RunUntil::converged);
+    key.unset_meaning =
+        "until the depth-mean velocity is known within `run.tolerance`, at most `run.maximum_time`";
+    key.example = "\"60 s\"";
+    key.get = [](const Case& c) { return c.run.until == RunUntil::converged ? Value() : Value(c.run.time); };
+    key.set = [](Case& c, const Value& value) {
+        const auto* const end = std::get_if<double>(&value);
+        c.run.until = end ? RunUntil::time : RunUntil::converged;
+        c.run.time = end ? *end : c.run.time;
+    };
+    return key;
+}
+
+SectionKeys run() {
+    SectionKeys s{"run", "How long the run lasts and what it averages over.", {}};
+    const auto key = [](const char* name, auto member, const char* meaning) {
+        return make_key("run", name, &Case::run, member, meaning);
+    };
+    const std::string until = "run.until";
+    s.keys.push_back(until_key());
+    s.keys.push_back(key("maximum_time", &Run::time, "Latest end of the run, in simulated time.")
+                         .measured_in(time)
+                         .greater_than(0)
+                         .at_most(1e9)
+                         .applies_with(until, {"converged"}, true));
+    s.keys.push_back(
+        key("tolerance", &Run::tolerance,
+            "Relative half-width of the 95 % interval of the depth-mean velocity at which the run ends.")
+            .greater_than(0)
+            .at_most(1)
+            .applies_with(until, {"converged"}));
+    s.keys.push_back(key("average_from", &Run::average_from, "Simulated time at which the averages begin.")
+                         .measured_in(time)
+                         .at_least(0)
+                         .unset_by("auto", "where the statistical test finds the start-up over"));
+    return s;
+}
+
+SectionKeys output() {
+    SectionKeys s{"output", "What is written, and how often.", {}};
+    const auto key = [](const char* name, auto member, const char* meaning) {
+        return make_key("output", name, &Case::output, member, meaning).measured_in(time);
+    };
+    s.keys.push_back(
+        key("series_interval", &Output::series_interval, "Between rows of the time series.").greater_than(0));
+    s.keys.push_back(key("surface_interval", &Output::surface_interval, "Between records of the surface.")
+                         .greater_than(0));
+    s.keys.push_back(
+        key("profile_interval", &Output::profile_interval, "Between samples of the mean profiles.")
+            .greater_than(0));
+    s.keys.push_back(
+        key("snapshot_interval", &Output::snapshot_interval, "Between snapshots of all particles; 0: none.")
+            .at_least(0));
+    s.keys.push_back(
+        key("checkpoint_interval", &Output::checkpoint_interval, "Wall-clock time between checkpoints.")
+            .greater_than(0));
+    s.keys.push_back(
+        key("progress_interval", &Output::progress_interval, "Wall-clock time between progress lines.")
+            .greater_than(0));
+    return s;
+}
+
+SectionKeys measured() {
+    SectionKeys s{"measured", "What was measured, to compare with.", {}};
+    const auto key = [](const char* name, auto member, const char* meaning) {
+        return make_key("measured", name, &Case::measured, member, meaning);
+    };
+    const auto number = [&](const char* name, auto member, Dimension dimension, const char* meaning) {
+        return key(name, member, meaning)
+            .measured_in(dimension)
+            .greater_than(0)
+            .unset_by("unknown", "nothing to compare with");
+    };
+    s.keys.push_back(number("depth_mean_velocity", &Measured::depth_mean_velocity, velocity,
+                            "Mean of u over the water above the datum."));
+    s.keys.push_back(
+        number("friction_velocity", &Measured::friction_velocity, velocity, "Friction velocity u_*."));
+    s.keys.push_back(number("equivalent_roughness", &Measured::equivalent_roughness, length,
+                            "Equivalent sand roughness k_s of the rough log law."));
+    s.keys.push_back(number("discharge", &Measured::discharge, discharge, "Discharge Q of the flume."));
+    s.keys.push_back(number("surface_standard_deviation", &Measured::surface_standard_deviation, length,
+                            "Standard deviation of the surface elevation."));
+    s.keys.push_back(
+        key("velocity_profile", &Measured::velocity_profile,
+            "CSV file with the columns z, u and if known u_uncertainty (m, m/s); z above the datum."));
+    s.keys.push_back(key("uniform", &Measured::uniform, "Whether the measured flow was uniform."));
+    s.keys.push_back(key("source", &Measured::source, "Where the values come from."));
+    return s;
+}
+
+std::vector<SectionKeys> make_table() {
+    return {heading(), channel(),  bed(), turbulence(), fluid(),   numerics(),
+            start(),   stirring(), run(), output(),     measured()};
+}
+
+}  // namespace
+
+const std::vector<SectionKeys>& key_table() {
+    static const std::vector<SectionKeys> table = make_table();
+    return table;
+}
+
+const SectionKeys* find_section(std::string_view name) {
+    const auto& table = key_table();
+    const auto found =
+        std::find_if(table.begin(), table.end(), [&](const auto& s) { return s.name == name; });
+    return found == table.end() ? nullptr : &*found;
+}
+
+const Key* find_key(std::string_view section, std::string_view name) {
+    const SectionKeys* const keys = find_section(section);
+    if (keys == nullptr) {
+        return nullptr;
+    }
+    const auto found =
+        std::find_if(keys->keys.begin(), keys->keys.end(), [&](const Key& key) { return key.name == name; });
+    return found == keys->keys.end() ? nullptr : &*found;
+}
+
+const Key* find_key(std::string_view id) {
+    const auto dot = id.find('.');
+    return dot == std::string_view::npos ? find_key("", id) : find_key(id.substr(0, dot), id.substr(dot + 1));
+}
+
+bool key_applies(const Key& key, const Case& c) {
+    if (key.applies.id.empty()) {
+        return true;
+    }
+    const Key& other = *find_key(key.applies.id);
+    const Value value = other.get(c);
+    const auto* const text = std::get_if<std::string>(&value);
+    const std::string now = text != nullptr                                 ? *text
+                            : std::holds_alternative<std::monostate>(value) ? other.unset_word
+                                                                            : std::string();
+    return std::find(key.applies.words.begin(), key.applies.words.end(), now) != key.applies.words.end() &&
+           key_applies(other, c);
+}
+
+}  // namespace riffle

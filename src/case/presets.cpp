@@ -1,0 +1,53 @@
+#include "case/presets.hpp"
+
+namespace riffle {
+
+namespace {
+
+/// The set-up of the thesis.
+Numerics thesis_numerics() {
+    Numerics n;
+    n.preset = Preset::thesis;
+    n.spacing = 0.0015;
+    n.kernel = KernelKind::cubic_spline;
+    n.smoothing_ratio = 1.5;
+    n.sound_speed = 60.0;
+    n.equation_of_state = EquationOfState::tait;
+    n.pressure_form = PressureForm::symmetric;
+    n.velocity_gradient = VelocityGradient::plain;
+    n.density_diffusion = DensityDiffusion::none;
+    n.density_filter = DensityFilter::mls;
+    n.density_filter_interval = 30;
+    n.eddy_stress = EddyStress::stress_divergence;
+    n.stepping = Stepping::predictor_corrector;
+    n.courant_number = 0.15;
+    n.wall = WallKind::dynamic;
+    n.wall_layers = 2;
+    return n;
+}
+
+/// The paper states spacing, equation of state and sound speed; the rest is taken from the thesis.
+Numerics paper_numerics() {
+    Numerics n = thesis_numerics();
+    n.preset = Preset::paper;
+    n.spacing = 0.002;
+    n.equation_of_state = EquationOfState::linear;
+    n.sound_speed = 16.0;
+    return n;
+}
+
+}  // namespace
+
+Numerics preset_numerics(Preset preset) {
+    switch (preset) {
+        case Preset::riffle:
+            return {};
+        case Preset::thesis:
+            return thesis_numerics();
+        case Preset::paper:
+            return paper_numerics();
+    }
+    return {};
+}
+
+}  // namespace riffle

@@ -1,0 +1,34 @@
+#include "case/problems.hpp"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+#include "base/error.hpp"
+
+namespace riffle {
+
+void Problems::add(Place place, std::string message) {
+    list_.push_back({std::move(place), std::move(message)});
+}
+
+void Problems::raise() const {
+    std::vector<Problem> sorted = list_;
+    std::stable_sort(sorted.begin(), sorted.end(), [](const Problem& a, const Problem& b) {
+        return std::tie(a.place.option, a.place.line, a.place.column) <
+               std::tie(b.place.option, b.place.line, b.place.column);
+    });
+    std::string text;
+    for (const Problem& problem : sorted) {
+        text += text.empty() ? "" : "\n";
+        text += problem.place.text() + ": " + problem.message;
+    }
+    throw InputError(text);
+}
+
+const Place& Places::of_first(const std::vector<std::string>& ids) const {
+    const auto found = std::find_if(ids.begin(), ids.end(), [&](const auto& id) { return given(id); });
+    return found == ids.end() ? whole_ : of(*found);
+}
+
+}  // namespace riffle

@@ -1,0 +1,249 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <system_error>
+#include <utility>
+
+#include "base/error.hpp"
+#include "case/case.hpp"
+#include "case/case_text.hpp"
+#include "case/conversion.hpp"
+#include "case/key_table.hpp"
+#include "case/nearest.hpp"
+#include "case/presets.hpp"
+#include "case/problems.hpp"
+#include "case/toml_entries.hpp"
+#include "case/validation.hpp"
+
+namespace riffle {
+
+namespace {
+
+std::vector<std::string> section_names() {
+    std::vector<std::string> names;
+    for (const SectionKeys& section : key_table()) {
+        if (!section.name.empty()) {
+            names.push_back(section.name);
+        }
+    }
+    return names;
+}
+
+std::string joined(const std::vector<std::string>& names) {
+    std::string list;
+    for (const std::string& name : names) {
+        list += list.empty() ? name : ", " + name;
+    }
+    return list;
+}
+
+/// Other sections that know the key.
+std::optional<std::string> section_with(const std::string& name) {
+    for (const SectionKeys& section : key_table()) {
+        if (find_key(section.name, name) != nullptr) {
+            return section.name;
+        }
+    }
+    return std::nullopt;
+}
+
+std::string unknown_section(const std::string& name) {
+    const auto names = section_names();
+    const auto meant = nearest_name(name, names);
+    return fmt::format("unknown section [{}]{}; the sections are {}", name,
+                       meant ? fmt::format(": did you mean [{}]?", *meant) : "", joined(names));
+}
+
+std::string unknown_key(const std::string& section, const std::string& name) {
+    std::vector<std::string> names;
+    for (const Key& key : find_section(section)->keys) {
+        names.push_back(key.name);
+    }
+    const std::string where = section.empty() ? "before the first section" : fmt::format("in [{}]", section);
+    const auto meant = nearest_name(name, names);
+    const auto home = section_with(name);
+    std::string advice;
+    if (home && home->empty()) {
+        advice = ": it stands before the first section";
+    } else if (home) {
+        advice = fmt::format(": it belongs in [{}]", *home);
+    } else if (meant) {
+        advice = fmt::format(": did you mean `{}`?", *meant);
+    }
+    return fmt::format("unknown key `{}` {}{}; the keys there are {}", name, where, advice, joined(names));
+}
+
+/// Replace or add the entries that the options give.
+void apply_overrides(Document& document, const std::vector<Override>& overrides, Problems& problems) {
+    for (const Override& option : overrides) {
+        const Place place{fmt::format("--set {}={}", option.key, option.value), 0, 0, true};
+        const auto dot = option.key.find('.');
+        const std::string section = dot == std::string::npos ? "" : option.key.substr(0, dot);
+        const std::string name = dot == std::string::npos ? option.key : option.key.substr(dot + 1);
+        if (find_section(section) == nullptr) {
+            problems.add(place, unknown_section(section));
+            continue;
+        }
+        std::erase_if(document.entries,
+                      [&](const Entry& entry) { return entry.section == section && entry.key == name; });
+        const Key* const key = find_key(section, name);
+        const bool text = key != nullptr && (key->type == ValueType::text || key->type == ValueType::file);
+        RawValue value = read_option_value(option.value);
+        if (text && !std::holds_alternative<std::string>(value)) {
+            value = option.value;  // a title such as 2026 needs no quotes on the command line
+        }
+        document.entries.push_back({section, name, std::move(value), place, place});
+    }
+}
+
+/// The values of all right entries by key, and where they stand.
+std::map<const Key*, Value> collect_values(const Document& document, Places& places, Problems& problems) {
+    for (const SectionMention& section : document.sections) {
+        if (find_section(section.name) == nullptr) {
+            problems.add(section.place, unknown_section(section.name));
+        }
+    }
+    std::map<const Key*, Value> values;
+    for (const Entry& entry : document.entries) {
+        if (find_section(entry.section) == nullptr) {
+            continue;  // reported with its section
+        }
+        if (entry.section.empty() && find_section(entry.key) != nullptr && !entry.key.empty()) {
+            problems.add(entry.key_place,
+                         fmt::format("`{0}` is a section: write [{0}] on a line of its own and its "
+                                     "keys below",
+                                     entry.key));
+            continue;
+        }
+        const Key* const key = find_key(entry.section, entry.key);
+        if (key == nullptr) {
+            problems.add(entry.key_place, unknown_key(entry.section, entry.key));
+            continue;
+        }
+        places.set(key->id(), entry.value_place);
+        auto converted = convert(*key, entry.value);
+        if (auto* const message = std::get_if<std::string>(&converted)) {
+            problems.add(entry.value_place, std::move(*message));
+        } else {
+            values[key] = std::get<Value>(std::move(converted));
+        }
+    }
+    return values;
+}
+
+void require_key(const Key& key, const Places& places, Problems& problems) {
+    if (!places.given(key.id())) {
+        problems.add(places.of(""), fmt::format("{} is missing: {} Give {}, for example {} = {}",
+                                                shown_name(key.section, key.name), key.meaning,
+                                                expectation(key), key.name, key.example));
+    }
+}
+
+/// Defaults that follow from other keys.
+void set_dependent_defaults(Case& c, const std::map<const Key*, Value>& values) {
+    const auto preset = values.find(find_key("numerics.preset"));
+    if (preset != values.end()) {
+        preset->first->set(c, preset->second);
+        c.numerics = preset_numerics(c.numerics.preset);
+    }
+    const auto kind = values.find(find_key("bed.kind"));
+    if (kind != values.end()) {
+        kind->first->set(c, kind->second);
+        if (c.bed.kind != BedKind::spheres) {
+            c.bed.roughness_height = 0.0;
+            c.bed.datum_below_crest = 0.0;
+        }
+    }
+}
+
+Case assemble(const std::map<const Key*, Value>& values, Places& places, Problems& problems) {
+    Case c;
+    set_dependent_defaults(c, values);
+    for (const SectionKeys& section : key_table()) {
+        for (const Key& key : section.keys) {
+            const auto given = values.find(&key);
+            if (given == values.end()) {
+                continue;
+            }
+            if (key.applies.strictly && !key_applies(key, c)) {
+                // An option such as --set run.until=1s supersedes what the file says for the other choice.
+                const bool superseded = !places.of(key.id()).option && places.of(key.applies.id).option;
+                if (!superseded) {
+                    problems.add(places.of(key.id()),
+                                 fmt::format("{} goes only with {} = \"{}\": remove one of the two",
+                                             shown_name(key.section, key.name), key.applies.id,
+                                             key.applies.words.front()));
+                }
+                continue;
+            }
+            const auto* const diameters = std::get_if<Diameters>(&given->second);
+            key.set(c,
+                    diameters != nullptr ? Value(diameters->length(c.bed.sphere_diameter)) : given->second);
+        }
+    }
+    return c;
+}
+
+std::filesystem::path resolved(const std::filesystem::path& file, const std::filesystem::path& case_file) {
+    if (file.empty() || case_file.empty()) {
+        return file;
+    }
+    return (std::filesystem::absolute(case_file).parent_path() / file).lexically_normal();
+}
+
+}  // namespace
+
+Case parse_case(const std::string& text, const std::string& name, const std::filesystem::path& path,
+                const std::vector<Override>& overrides) {
+    Problems problems;
+    Document document = read_toml(text, name);
+    apply_overrides(document, overrides, problems);
+    Places places(Place{name, 0, 0, false});
+    const auto values = collect_values(document, places, problems);
+    Case c = assemble(values, places, problems);
+    for (const SectionKeys& section : key_table()) {
+        for (const Key& key : section.keys) {
+            if (key.required) {
+                require_key(key, places, problems);
+            }
+        }
+    }
+    if (c.bed.kind == BedKind::spheres) {
+        require_key(*find_key("bed.roughness_height"), places, problems);
+    }
+    c.path = path;
+    c.start.file = resolved(c.start.file, path);
+    c.measured.velocity_profile = resolved(c.measured.velocity_profile, path);
+    // What the keys demand of each other can only be judged when each of them is right.
+    if (problems.empty()) {
+        validate(c, places, !path.empty(), problems);
+    }
+    if (!problems.empty()) {
+        problems.raise();
+    }
+    c.text = case_text(c);
+    return c;
+}
+
+Case read_case(const std::filesystem::path& path, const std::vector<Override>& overrides) {
+    std::error_code error;
+    if (!std::filesystem::exists(path, error)) {
+        throw FileError(fmt::format("{}: there is no such case file; `riffle new {}` writes one",
+                                    path.string(), path.string()));
+    }
+    if (!std::filesystem::is_regular_file(path, error)) {
+        throw FileError(fmt::format("{}: not a file; give the name of a case file (TOML)", path.string()));
+    }
+    std::ifstream stream(path, std::ios::binary);
+    std::ostringstream text;
+    text << stream.rdbuf();
+    if (!stream) {
+        throw FileError(fmt::format("{}: cannot be read; check its permissions", path.string()));
+    }
+    return parse_case(text.str(), path.string(), path, overrides);
+}
+
+}  // namespace riffle

@@ -1,0 +1,139 @@
+#include <fmt/format.h>
+
+#include "case/case_documents.hpp"
+#include "case/conversion.hpp"
+#include "case/key_table.hpp"
+#include "case/presets.hpp"
+
+namespace riffle {
+
+namespace {
+
+/// Text for a cell of a Markdown table.
+std::string cell(const std::string& text) {
+    std::string escaped;
+    for (const char letter : text) {
+        if (letter == '|') {
+            escaped += '\\';
+        }
+        escaped += letter;
+    }
+    return escaped;
+}
+
+std::string type_text(const Key& key) {
+    switch (key.type) {
+        case ValueType::number: {
+            const std::string_view name =
+                key.dimension == Dimension::none ? "a number" : dimension_name(key.dimension);
+            return std::string(name.substr(name.find(' ') + 1));  // without its article
+        }
+        case ValueType::integer:
+            return "whole number";
+        case ValueType::boolean:
+            return "true, false";
+        case ValueType::word:
+            return "word";
+        case ValueType::text:
+            return "text";
+        case ValueType::file:
+            return "file";
+    }
+    return "";
+}
+
+std::string default_text(const Key& key) {
+    if (key.required) {
+        return "required";
+    }
+    return key.default_note.empty() ? fmt::format("`{}`", handy_value_text(key, key.get(Case{})))
+                                    : key.default_note;
+}
+
+std::string meaning_text(const Key& key) {
+    std::string text = key.meaning;
+    for (const Word& option : key.words) {
+        text += fmt::format("<br>`\"{}\"`: {}", option.name, option.meaning);
+    }
+    if (!key.unset_word.empty() && !key.unset_meaning.empty()) {
+        text += fmt::format("<br>`\"{}\"`: {}", key.unset_word, key.unset_meaning);
+    }
+    if (!key.applies.id.empty()) {
+        text +=
+            fmt::format("<br>Used with `{}` = `{}`.", key.applies.id, fmt::join(key.applies.words, "`, `"));
+    }
+    return cell(text);
+}
+
+std::string section_page(const SectionKeys& section) {
+    std::string page = section.name.empty() ? "\n## Heading\n\n" : fmt::format("\n## [{}]\n\n", section.name);
+    page += section.meaning +
+            "\n\n| key | type | unit | default | range | meaning |\n|---|---|---|---|---|---|\n";
+    for (const Key& key : section.keys) {
+        page += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", key.name, type_text(key),
+                            si_unit(key.dimension), default_text(key), range_text(key), meaning_text(key));
+    }
+    return page;
+}
+
+std::string preset_page() {
+    std::string page =
+        "\n## Presets of [numerics]\n\n`preset` sets the defaults of the section; keys that the case gives "
+        "win.\n\n"
+        "| key |";
+    std::string rule = "\n|---|";
+    for (const Word& preset : Words<Preset>::list) {
+        page += fmt::format(" {} |", preset.name);
+        rule += "---|";
+    }
+    page += rule + "\n";
+    for (const Key& key : find_section("numerics")->keys) {
+        if (key.name == "preset") {
+            continue;
+        }
+        page += fmt::format("| `{}` |", key.name);
+        for (std::size_t i = 0; i < Words<Preset>::list.size(); ++i) {
+            Case c;
+            c.numerics = preset_numerics(static_cast<Preset>(i));
+            page += fmt::format(" `{}` |", handy_value_text(key, key.get(c)));
+        }
+        page += "\n";
+    }
+    return page;
+}
+
+std::string unit_page() {
+    std::string page =
+        "\n## Units\n\nA number without quotes is in the SI unit of its key. A text in quotes is a number "
+        "and a unit: "
+        "`\"50 mm\"`, `\"2.5cm\"`, `\"1e-6 m2/s\"`.\n\n| | units |\n|---|---|\n";
+    for (const Dimension dimension :
+         {Dimension::length, Dimension::time, Dimension::velocity, Dimension::acceleration,
+          Dimension::kinematic_viscosity, Dimension::density, Dimension::discharge}) {
+        page += fmt::format("| {} | {} |\n", dimension_name(dimension), unit_list(dimension));
+    }
+    return page;
+}
+
+}  // namespace
+
+std::string case_reference_markdown() {
+    std::string page =
+        "# Case file reference\n\n"
+        "<!-- Made by `riffle schema --markdown -o docs/case-reference.md` from the key table in src/case. "
+        "-->\n\n"
+        "A case file is [TOML](https://toml.io) and defines a run completely. Every key has a default unless "
+        "it says "
+        "`required`. Axes: x down the bed, z normal to it and upward from the bed level z = 0.\n\n"
+        "Options of the command line change single keys: `--set channel.depth=\"60 mm\"`. `riffle new "
+        "case.toml` "
+        "writes a commented case, `riffle schema -o case.schema.json` a JSON schema with which an editor "
+        "completes "
+        "and checks case files, and `riffle check case.toml` says what a case will cost.\n";
+    for (const SectionKeys& section : key_table()) {
+        page += section_page(section);
+    }
+    return page + preset_page() + unit_page();
+}
+
+}  // namespace riffle

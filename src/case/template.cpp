@@ -1,0 +1,103 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <sstream>
+#include <vector>
+
+#include "case/case_documents.hpp"
+#include "case/conversion.hpp"
+#include "case/key_table.hpp"
+#include "case/presets.hpp"
+
+namespace riffle {
+
+namespace {
+
+constexpr std::size_t line_width = 100;
+
+/// A comment, broken at blanks.
+std::string comment(const std::string& text, const std::string& indent = "") {
+    std::istringstream words(text);
+    std::string lines;
+    std::string line;
+    for (std::string next; words >> next;) {
+        if (!line.empty() && indent.size() + line.size() + next.size() + 3 > line_width) {
+            lines += "# " + indent + line + "\n";
+            line.clear();
+        }
+        line += line.empty() ? next : " " + next;
+    }
+    return lines + "# " + indent + line + "\n";
+}
+
+std::string without_ticks(std::string text) {
+    std::erase(text, '`');
+    return text;
+}
+
+std::string key_comment(const Key& key) {
+    std::vector<std::string> rules;
+    if (key.required) {
+        rules.emplace_back("required");
+    }
+    if (!si_unit(key.dimension).empty()) {
+        rules.push_back(fmt::format("in {}", si_unit(key.dimension)));
+    }
+    if (const std::string range = range_text(key); !range.empty()) {
+        rules.push_back(range);
+    }
+    std::string about = without_ticks(key.meaning);
+    if (!rules.empty()) {
+        about += fmt::format(" [{}]", fmt::join(rules, ", "));
+    }
+    std::string text = comment(about);
+    for (const Word& option : key.words) {
+        text += comment(fmt::format("\"{}\": {}", option.name, option.meaning), "  ");
+    }
+    if (!key.unset_meaning.empty()) {
+        text += comment(fmt::format("\"{}\": {}", key.unset_word, without_ticks(key.unset_meaning)), "  ");
+    }
+    return text;
+}
+
+/// The case that a file with nothing but the preset and the kind of bed would give.
+Case defaults_of(const Case& c) {
+    Case defaults;
+    defaults.numerics = preset_numerics(c.numerics.preset);
+    defaults.bed.kind = c.bed.kind;
+    if (c.bed.kind != BedKind::spheres) {
+        defaults.bed.datum_below_crest = 0.0;
+    }
+    return defaults;
+}
+
+}  // namespace
+
+std::string case_template(const Case& c) {
+    const Case defaults = defaults_of(c);
+    const Case plain;
+    std::string text =
+        "# A case of Riffle. Lines with `#key = value` show defaults: remove the # to change them.\n"
+        "# Numbers are SI; a text in quotes may carry a unit: \"50 mm\", \"0.3 m/s\", \"2 min\".\n\n";
+    for (const SectionKeys& section : key_table()) {
+        if (!section.name.empty()) {
+            text += fmt::format("\n[{}]\n", section.name) + comment(without_ticks(section.meaning)) + "\n";
+        }
+        for (const Key& key : section.keys) {
+            if (key.applies.strictly && !key_applies(key, c)) {
+                continue;
+            }
+            const Value value = key.get(c);
+            // Preset and kind of bed are defaults of `defaults`, not of the file.
+            const bool differs =
+                value != key.get(defaults) ||
+                ((key.id() == "numerics.preset" || key.id() == "bed.kind") && value != key.get(plain));
+            text += key_comment(key);
+            text += fmt::format("{}{} = {}\n", key.required || differs ? "" : "#", key.name,
+                                handy_value_text(key, value));
+        }
+    }
+    return text;
+}
+
+}  // namespace riffle

@@ -1,0 +1,177 @@
+#include "case/units.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <system_error>
+#include <utility>
+
+namespace riffle {
+
+namespace {
+
+constexpr std::array<Unit, 6> length_units{
+    {{"m", 1, 1}, {"dm", 1, 10}, {"cm", 1, 100}, {"mm", 1, 1000}, {"um", 1, 1e6}, {"km", 1000, 1}}};
+constexpr std::array<Unit, 5> time_units{
+    {{"s", 1, 1}, {"ms", 1, 1000}, {"us", 1, 1e6}, {"min", 60, 1}, {"h", 3600, 1}}};
+constexpr std::array<Unit, 3> velocity_units{{{"m/s", 1, 1}, {"cm/s", 1, 100}, {"mm/s", 1, 1000}}};
+constexpr std::array<Unit, 3> acceleration_units{{{"m/s2", 1, 1}, {"cm/s2", 1, 100}, {"mm/s2", 1, 1000}}};
+constexpr std::array<Unit, 3> viscosity_units{{{"m2/s", 1, 1}, {"cm2/s", 1, 1e4}, {"mm2/s", 1, 1e6}}};
+constexpr std::array<Unit, 2> density_units{{{"kg/m3", 1, 1}, {"g/cm3", 1000, 1}}};
+constexpr std::array<Unit, 2> discharge_units{{{"m3/s", 1, 1}, {"l/s", 1, 1000}}};
+
+constexpr std::array dimensions{Dimension::length,       Dimension::time,    Dimension::velocity,
+                                Dimension::acceleration, Dimension::density, Dimension::kinematic_viscosity,
+                                Dimension::discharge};
+
+void replace_all(std::string& text, std::string_view from, std::string_view to) {
+    for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) {
+        text.replace(at, from.size(), to);
+    }
+}
+
+std::string_view trimmed(std::string_view text) {
+    const auto first = text.find_first_not_of(" \t");
+    if (first == std::string_view::npos) {
+        return {};
+    }
+    return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+}  // namespace
+
+std::span<const Unit> units_of(Dimension dimension) {
+    switch (dimension) {
+        case Dimension::none:
+            return {};
+        case Dimension::length:
+            return length_units;
+        case Dimension::time:
+            return time_units;
+        case Dimension::velocity:
+            return velocity_units;
+        case Dimension::acceleration:
+            return acceleration_units;
+        case Dimension::kinematic_viscosity:
+            return viscosity_units;
+        case Dimension::density:
+            return density_units;
+        case Dimension::discharge:
+            return discharge_units;
+    }
+    return {};
+}
+
+std::string_view dimension_name(Dimension dimension) {
+    switch (dimension) {
+        case Dimension::none:
+            return "a number without unit";
+        case Dimension::length:
+            return "a length";
+        case Dimension::time:
+            return "a time";
+        case Dimension::velocity:
+            return "a velocity";
+        case Dimension::acceleration:
+            return "an acceleration";
+        case Dimension::kinematic_viscosity:
+            return "a kinematic viscosity";
+        case Dimension::density:
+            return "a density";
+        case Dimension::discharge:
+            return "a discharge";
+    }
+    return "";
+}
+
+std::string_view si_unit(Dimension dimension) {
+    const auto units = units_of(dimension);
+    return units.empty() ? std::string_view{} : units.front().symbol;
+}
+
+std::string unit_list(Dimension dimension) {
+    std::string list;
+    for (const Unit& unit : units_of(dimension)) {
+        list += list.empty() ? "" : ", ";
+        list += unit.symbol;
+    }
+    return list;
+}
+
+std::optional<Dimension> dimension_of_unit(std::string_view symbol) {
+    for (const Dimension dimension : dimensions) {
+        for (const Unit& unit : units_of(dimension)) {
+            if (unit.symbol == symbol) {
+                return dimension;
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+std::optional<Quantity> split_quantity(std::string_view text) {
+    text = trimmed(text);
+    if (!text.empty() && text.front() == '+') {
+        text.remove_prefix(1);
+    }
+    Quantity quantity;
+    const char* const last = text.data() + text.size();
+    const auto [end, status] = std::from_chars(text.data(), last, quantity.value);
+    if (status != std::errc{} || !std::isfinite(quantity.value)) {
+        return std::nullopt;
+    }
+    quantity.unit = trimmed(std::string_view(end, static_cast<std::size_t>(last - end)));
+    replace_all(quantity.unit, "^", "");
+    replace_all(quantity.unit, "\u00b2", "2");  // superscript two and three, micro sign
+    replace_all(quantity.unit, "\u00b3", "3");
+    replace_all(quantity.unit, "\u00b5", "u");
+    return quantity;
+}
+
+std::optional<double> to_si(const Quantity& quantity, Dimension dimension) {
+    if (quantity.unit.empty()) {
+        return quantity.value;
+    }
+    for (const Unit& unit : units_of(dimension)) {
+        if (unit.symbol == quantity.unit) {
+            return quantity.value * unit.multiplier / unit.divisor;
+        }
+    }
+    return std::nullopt;
+}
+
+std::string number_text(double value) {
+    std::array<char, 40> buffer{};
+    const auto [end, status] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+    std::string text(buffer.data(), end);
+    if (status == std::errc{} && text.find_first_of(".en") == std::string::npos) {
+        text += ".0";  // TOML: a float has a point or an exponent
+    }
+    return text;
+}
+
+std::string quantity_text(double value, Dimension dimension) {
+    std::string_view symbol = si_unit(dimension);
+    double scaled = value;
+    const bool small_length = dimension == Dimension::length && value != 0.0 && std::abs(value) < 1.0;
+    if (small_length) {
+        const std::string_view handy = std::abs(value) < 1e-4 ? "um" : "mm";
+        const double factor = handy == "um" ? 1e6 : 1e3;
+        // Round away the noise of the multiplication, but only when the exact value survives.
+        const double rounded = std::round(value * factor * 1e6) / 1e6;
+        if (rounded / factor == value) {
+            scaled = rounded;
+            symbol = handy;
+        }
+    }
+    std::array<char, 40> buffer{};
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), scaled).ptr;
+    std::string text(buffer.data(), end);
+    if (!symbol.empty()) {
+        text += " ";
+        text += symbol;
+    }
+    return text;
+}
+
+}  // namespace riffle

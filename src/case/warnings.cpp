@@ -1,0 +1,226 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "case/case.hpp"
+#include "case/conversion.hpp"
+#include "case/key_table.hpp"
+#include "case/presets.hpp"
+#include "case/units.hpp"
+
+namespace riffle {
+
+namespace {
+
+constexpr double rows_over_depth = 20.0;   ///< verified at 2 mm over a total depth of 46 mm and more
+constexpr double rows_in_roughness = 4.0;  ///< verified at 2 mm in a roughness zone of 8 mm
+constexpr double velocity_to_maximum =
+    1.4;                        ///< surface velocity over depth mean, at most, in the verified cases
+constexpr double small = 1e-9;  ///< for the comparison of ratios given as decimals
+
+std::string length_text(double value) { return quantity_text(value, Dimension::length); }
+
+bool near(double a, double b) { return std::abs(a - b) < small; }
+
+/// One list of warnings over a valid case. The measurements behind each bound stand in docs/theory.md.
+class Warnings {
+  public:
+    explicit Warnings(const Case& c) : c_(c) {}
+
+    [[nodiscard]] std::vector<std::string> collect() && {
+        resolution();
+        kernel();
+        pressure();
+        sound_speed();
+        viscosity_and_closure();
+        stepping_and_walls();
+        bed();
+        beginning();
+        without_effect();
+        return std::move(list_);
+    }
+
+  private:
+    template <class... Args>
+    void add(fmt::format_string<Args...> format, Args&&... args) {
+        list_.push_back(fmt::format(format, std::forward<Args>(args)...));
+    }
+
+    void resolution() {
+        const double spacing = c_.numerics.spacing;
+        if (c_.bed.kind != BedKind::spheres) {
+            return;
+        }
+        if (spacing > c_.bed.roughness_height / rows_in_roughness * (1 + small)) {
+            add("numerics.spacing: {} leaves only {:.1f} rows in the roughness zone of {}; verified with 4 "
+                "and more "
+                "({} here)",
+                length_text(spacing), c_.bed.roughness_height / spacing, length_text(c_.bed.roughness_height),
+                length_text(c_.bed.roughness_height / rows_in_roughness));
+        }
+        if (spacing > c_.total_depth() / rows_over_depth * (1 + small)) {
+            add("numerics.spacing: {} leaves only {:.0f} rows over the depth; verified with more than {:.0f} "
+                "(2 mm at "
+                "depths from 40 mm), at 3 mm and 50 mm the layers of the flow broke up",
+                length_text(spacing), c_.total_depth() / spacing, rows_over_depth);
+        }
+    }
+
+    void kernel() {
+        const Numerics& n = c_.numerics;
+        if (n.kernel == KernelKind::cubic_spline) {
+            add("numerics.kernel: the cubic spline does not keep the particles in order, and the flow brakes "
+                "(by a "
+                "third within 6 s in condition 2 with the thesis' scheme); verified with \"wendland-c2\"");
+        }
+        if (!near(n.smoothing_ratio, 1.5) && !near(n.smoothing_ratio, 2.0)) {
+            add("numerics.smoothing_ratio: verified with 1.5 and 2.0, not with {}", n.smoothing_ratio);
+        }
+    }
+
+    void pressure() {
+        const Numerics& n = c_.numerics;
+        if (n.pressure_form == PressureForm::symmetric) {
+            add("numerics.pressure_form: in the symmetric form any disorder of the particles turns 0.2-0.4 % "
+                "of the "
+                "pressure into a shear stress as large as the flow's own friction, which refinement does not "
+                "cure; "
+                "the mean velocity is then 4-30 % low. Use \"corrected\" unless this is what you study");
+        }
+        if (n.density_diffusion == DensityDiffusion::none && n.density_filter == DensityFilter::none) {
+            add("numerics.density_diffusion: neither diffusion nor filter keeps the density free of noise");
+        }
+        const double delta = n.density_diffusion_coefficient;
+        if (n.density_diffusion == DensityDiffusion::fourtakas &&
+            (delta < 0.02 - small || delta > 0.1 + small)) {
+            add("numerics.density_diffusion_coefficient: verified from 0.02 to 0.1, not with {}", delta);
+        }
+        if (n.density_diffusion == DensityDiffusion::fourtakas && delta < 0.1 - small &&
+            n.smoothing_ratio < 2.0) {
+            add("numerics.density_diffusion_coefficient: with h = {} dx use 0.1; {} lets density and spacing "
+                "drift "
+                "apart in a disordered flow",
+                n.smoothing_ratio, delta);
+        }
+        if (n.xsph > 0) {
+            add("numerics.xsph: not verified with the other defaults; the verified value is 0");
+        }
+    }
+
+    void sound_speed() {
+        if (!c_.numerics.sound_speed) {
+            return;  // chosen to fit
+        }
+        const double speed = *c_.numerics.sound_speed;
+        const double compression = c_.normal_gravity() * c_.total_depth() / (speed * speed);
+        constexpr double allowed_compression = 0.02;
+        if (compression > allowed_compression) {
+            add("numerics.sound_speed: at {} m/s the water's own weight compresses it by {:.1f} % at the "
+                "bed; take at "
+                "least {:.2g} m/s (10 sqrt(g H))",
+                speed, 100 * compression, 10 * std::sqrt(c_.normal_gravity() * c_.total_depth()));
+        }
+        const double from_measured = c_.measured.depth_mean_velocity.value_or(0.0) * velocity_to_maximum;
+        const double velocity = std::max(from_measured, std::abs(c_.start.velocity.value_or(0.0)));
+        if (speed < 10 * velocity) {
+            add("numerics.sound_speed: {} m/s is less than 10 times the largest velocity of about {:.2g} "
+                "m/s; the "
+                "density would vary by more than 1 %",
+                speed, velocity);
+        }
+    }
+
+    void viscosity_and_closure() {
+        const Numerics& n = c_.numerics;
+        if (n.viscosity == ViscosityForm::monaghan_gingold) {
+            add("numerics.viscosity: \"monaghan-gingold\" is 3-8 % too weak in shear at these resolutions; "
+                "\"morris\" is within 0.3 %");
+        }
+        if (c_.turbulence.closure == ClosureKind::none) {
+            if (c_.bed.kind == BedKind::spheres) {
+                add("turbulence.closure: a rough bed without a closure gives velocities far above any real "
+                    "flow");
+            }
+            return;
+        }
+        if (n.eddy_stress == EddyStress::stress_divergence) {
+            add("numerics.eddy_stress: with \"stress-divergence\" the velocity zigzags from row to row; "
+                "verified with "
+                "\"two-point\"");
+        }
+        if (c_.turbulence.closure == ClosureKind::sps) {
+            add("turbulence.closure: the constant-C_s model at this resolution gives a stress far below the "
+                "weight of "
+                "the water above, so the velocity does not settle at a real value; it is offered to show "
+                "this. Use a "
+                "mixing length (\"ramp\", \"nezu-rodi\", \"nikuradse\")");
+        }
+        if (c_.bed.kind == BedKind::no_slip) {
+            add("bed.kind: a no-slip bed with a mixing length is under-resolved at this kind of spacing (2 % "
+                "in the "
+                "mean velocity at 2 mm)");
+        }
+    }
+
+    void stepping_and_walls() {
+        const Numerics& n = c_.numerics;
+        const bool euler = n.stepping == Stepping::semi_implicit_euler;
+        const double verified = euler ? 0.8 : 0.4;
+        if (!n.time_step && n.courant_number > verified + small) {
+            add("numerics.courant_number: {} is more than {} gives quiet results with \"{}\"",
+                n.courant_number, verified, word(n.stepping));
+        }
+        if (n.wall == WallKind::dummy &&
+            n.wall_layers * n.spacing < 2 * n.smoothing_ratio * n.spacing * (1 - small)) {
+            add("numerics.wall_layers: {} layers do not fill the kernel (2 h = {} dx); take {}",
+                n.wall_layers, 2 * n.smoothing_ratio, std::ceil(2 * n.smoothing_ratio));
+        }
+        if (n.wall == WallKind::dynamic && n.preset == Preset::riffle) {
+            add("numerics.wall: verified with \"dummy\" walls, which act by their pressure only");
+        }
+    }
+
+    void bed() {
+        if (c_.bed.kind == BedKind::spheres && c_.bed.drag_form == DragForm::thesis) {
+            add("bed.drag_form: the form printed in the thesis scales as 1 / spacing, so the flow changes "
+                "with the "
+                "resolution; \"consistent\" does not");
+        }
+        if (!c_.measured.uniform) {
+            add("measured.uniform: the measured flow was not uniform; a uniform simulation need not agree "
+                "with it");
+        }
+    }
+
+    void beginning() {
+        constexpr double verified_jitter = 0.25;
+        if (c_.start.jitter > verified_jitter) {
+            add("start.jitter: verified up to {} spacings; a start at 0.4 failed", verified_jitter);
+        }
+    }
+
+    /// Keys that differ from their default though nothing uses them.
+    void without_effect() {
+        Case defaults;
+        defaults.numerics = preset_numerics(c_.numerics.preset);
+        for (const SectionKeys& section : key_table()) {
+            for (const Key& key : section.keys) {
+                if (!key.applies.strictly && !key_applies(key, c_) && key.get(c_) != key.get(defaults)) {
+                    add("{} = {} has no effect: it is used only with {} = \"{}\"", key.id(),
+                        value_text(key, key.get(c_)), key.applies.id, fmt::join(key.applies.words, "\", \""));
+                }
+            }
+        }
+    }
+
+    const Case& c_;
+    std::vector<std::string> list_;
+};
+
+}  // namespace
+
+std::vector<std::string> case_warnings(const Case& c) { return Warnings(c).collect(); }
+
+}  // namespace riffle

@@ -1,0 +1,211 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+#include <type_traits>
+
+#include "case/case.hpp"
+
+namespace riffle {
+
+/// A word of the case file that names an option, and what the option is.
+struct Word {
+    std::string_view name;
+    std::string_view meaning;
+};
+
+/// The words of an enumeration, in the order of its enumerators.
+template <class Enum>
+struct Words;
+
+template <>
+struct Words<Preset> {
+    static constexpr std::array<Word, 3> list{{
+        {"riffle", "the verified scheme of this program"},
+        {"thesis", "the numerics of the thesis (cubic spline, symmetric pressure form), for study"},
+        {"paper", "the numerics of the 2016 paper (as the thesis, linear equation of state), for study"},
+    }};
+};
+
+template <>
+struct Words<Ends> {
+    static constexpr std::array<Word, 2> list{{
+        {"periodic", "what leaves at one end enters at the other"},
+        {"walls", "upright frictionless walls at both ends"},
+    }};
+};
+
+template <>
+struct Words<Top> {
+    static constexpr std::array<Word, 3> list{{
+        {"free-surface", "open to the air"},
+        {"wall", "a resting no-slip plate at the top (flow between plates)"},
+        {"periodic", "the top joins the bottom (no bed, no gravity: tests)"},
+    }};
+};
+
+template <>
+struct Words<BedKind> {
+    static constexpr std::array<Word, 3> list{{
+        {"spheres", "a layer of spheres that acts by its drag in the roughness zone"},
+        {"slip", "a smooth frictionless plane"},
+        {"no-slip", "a smooth plane at which the water rests"},
+    }};
+};
+
+template <>
+struct Words<Packing> {
+    static constexpr std::array<Word, 2> list{{
+        {"hexagonal", "2 / (sqrt(3) D^2) spheres per plan area"},
+        {"square", "1 / D^2 spheres per plan area"},
+    }};
+};
+
+template <>
+struct Words<DragForm> {
+    static constexpr std::array<Word, 3> list{{
+        {"consistent", "frontal area of the packed spheres per volume; does not depend on the spacing"},
+        {"thesis", "as printed in the thesis; scales as 1 / spacing"},
+        {"paper", "as printed in the paper: C_d / (2 D) over the roughness zone"},
+    }};
+};
+
+template <>
+struct Words<ClosureKind> {
+    static constexpr std::array<Word, 5> list{{
+        {"none", "laminar"},
+        {"ramp", "mixing length kappa z, at most lambda H (thesis 4.2)"},
+        {"nezu-rodi", "mixing length of Nezu & Rodi with Coles' wake (thesis 2.21)"},
+        {"nikuradse", "mixing length of Nikuradse (thesis 2.20)"},
+        {"sps", "sub-particle scale model with a constant C_s (thesis 4.1)"},
+    }};
+};
+
+template <>
+struct Words<StressTerms> {
+    static constexpr std::array<Word, 2> list{{
+        {"full", "the whole stress tensor, |S| = sqrt(2 S_ij S_ij)"},
+        {"shear", "only tau_xz, |S| = |du/dz| (the paper)"},
+    }};
+};
+
+template <>
+struct Words<KernelKind> {
+    static constexpr std::array<Word, 2> list{{
+        {"wendland-c2", "Wendland's quintic C2 kernel"},
+        {"cubic-spline", "cubic B-spline"},
+    }};
+};
+
+template <>
+struct Words<EquationOfState> {
+    static constexpr std::array<Word, 2> list{{
+        {"linear", "p = c0^2 (rho - rho0)"},
+        {"tait", "p = (c0^2 rho0 / 7) [(rho / rho0)^7 - 1]"},
+    }};
+};
+
+template <>
+struct Words<PressureForm> {
+    static constexpr std::array<Word, 2> list{{
+        {"corrected", "conservative form with the corrected kernel gradient: no spurious friction"},
+        {"symmetric", "the usual p_i + p_j form: spurious friction where the particles are disordered"},
+    }};
+};
+
+template <>
+struct Words<VelocityGradient> {
+    static constexpr std::array<Word, 2> list{{
+        {"corrected", "exact for linear velocity fields"},
+        {"plain", "plain kernel sum"},
+    }};
+};
+
+template <>
+struct Words<DensityDiffusion> {
+    static constexpr std::array<Word, 2> list{{
+        {"fourtakas", "diffusion of the density less its hydrostatic part"},
+        {"none", "no diffusion"},
+    }};
+};
+
+template <>
+struct Words<DensityFilter> {
+    static constexpr std::array<Word, 3> list{{
+        {"none", "no filter"},
+        {"shepard", "zeroth-order renormalisation of the density"},
+        {"mls", "first-order moving least squares renormalisation of the density"},
+    }};
+};
+
+template <>
+struct Words<ViscosityForm> {
+    static constexpr std::array<Word, 2> list{{
+        {"morris", "acts along the velocity difference"},
+        {"monaghan-gingold",
+         "acts along the line of centres; conserves angular momentum, 3-8 % too weak here"},
+    }};
+};
+
+template <>
+struct Words<EddyStress> {
+    static constexpr std::array<Word, 2> list{{
+        {"two-point", "the eddy viscosity enters the pair viscosity"},
+        {"stress-divergence", "kernel divergence of the stress at the particles (the thesis)"},
+    }};
+};
+
+template <>
+struct Words<Stepping> {
+    static constexpr std::array<Word, 2> list{{
+        {"semi-implicit-euler", "one force evaluation per step"},
+        {"predictor-corrector", "two force evaluations per step (the thesis)"},
+    }};
+};
+
+template <>
+struct Words<WallKind> {
+    static constexpr std::array<Word, 2> list{{
+        {"dummy", "layers of particles that carry the pressure of the fluid before them"},
+        {"dynamic", "staggered layers whose density follows the continuity equation (the thesis)"},
+    }};
+};
+
+template <>
+struct Words<Precision> {
+    static constexpr std::array<Word, 2> list{{
+        {"single", "pair arithmetic in single precision, state in double"},
+        {"double", "everything in double precision; 1.5-1.8 times slower"},
+    }};
+};
+
+template <>
+struct Words<StartKind> {
+    static constexpr std::array<Word, 7> list{{
+        {"column", "the steady velocity profile of the column twin"},
+        {"uniform", "one velocity everywhere"},
+        {"rest", "still water"},
+        {"power-law", "u = U_max (z / H)^(1 / m)"},
+        {"results", "the last state of a results file"},
+        {"standing-wave", "a standing gravity wave, one wave length over the channel length"},
+        {"taylor-green", "Taylor-Green vortices (periodic in both directions)"},
+    }};
+};
+
+template <>
+struct Words<RunUntil> {
+    static constexpr std::array<Word, 2> list{{
+        {"time", "until a simulated time"},
+        {"converged", "until the depth-mean velocity is known within the tolerance"},
+    }};
+};
+
+/// The word of the case file for an option.
+template <class Enum>
+requires std::is_enum_v<Enum>
+[[nodiscard]] constexpr std::string_view word(Enum option) {
+    return Words<Enum>::list[static_cast<std::size_t>(option)].name;
+}
+
+}  // namespace riffle

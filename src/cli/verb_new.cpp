@@ -1,0 +1,59 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <string>
+
+#include "base/error.hpp"
+#include "case/case.hpp"
+#include "case/case_documents.hpp"
+#include "case/flow_conditions.hpp"
+#include "cli/verbs.hpp"
+
+namespace riffle {
+
+namespace {
+
+struct NewOptions {
+    std::string file;
+    std::string from = "rough-bed";
+    bool force = false;
+};
+
+void write_new_case(const NewOptions& options) {
+    const std::filesystem::path file(options.file);
+    if (std::filesystem::exists(file) && !options.force) {
+        throw InputError(fmt::format(
+            "{}: the file exists already; give another name, or --force to overwrite it", options.file));
+    }
+    const bool from_file = std::filesystem::is_regular_file(options.from);
+    const Case c = from_file ? read_case(options.from) : builtin_case(options.from);
+    std::ofstream stream(file);
+    stream << case_template(c);
+    stream.close();
+    if (!stream) {
+        throw FileError(fmt::format(
+            "{}: cannot be written; check the folder, its permissions and the space left", options.file));
+    }
+    fmt::print("{} written; `riffle check {}` says what it will cost, `riffle run {}` runs it\n",
+               options.file, options.file, options.file);
+}
+
+}  // namespace
+
+void add_verb_new(CLI::App& app) {
+    auto* const verb = app.add_subcommand("new", "Write a commented case file");
+    const auto options = std::make_shared<NewOptions>();
+    verb->add_option("file", options->file, "Case file to write")->required();
+    verb->add_option(
+            "--from", options->from,
+            "Case file to take the values from, or a built-in case: rough-bed, condition-1 to condition-8, "
+            "paper-2016")
+        ->capture_default_str();
+    verb->add_flag("--force", options->force, "Overwrite an existing file");
+    verb->callback([options] { write_new_case(*options); });
+}
+
+}  // namespace riffle

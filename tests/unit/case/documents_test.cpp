@@ -1,0 +1,230 @@
+// The documents made from the key table, the shipped cases, and the warnings.
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <sstream>
+
+#include "case/case_documents.hpp"
+#include "case/flow_conditions.hpp"
+#include "case/key_table.hpp"
+#include "case_test.hpp"
+
+namespace riffle {
+namespace {
+
+using test::smallest;
+using testing::Contains;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+const std::filesystem::path source_folder = RIFFLE_SOURCE_DIR;
+
+std::string content(const std::filesystem::path& file) {
+    std::ostringstream text;
+    text << std::ifstream(file).rdbuf();
+    return text.str();
+}
+
+TEST(Documents, ReferencePageIsUpToDate) {
+    EXPECT_EQ(content(source_folder / "docs/case-reference.md"), case_reference_markdown())
+        << "docs/case-reference.md is stale: run `riffle schema --markdown -o docs/case-reference.md`";
+}
+
+TEST(Documents, SchemaKnowsEveryKey) {
+    const auto schema = nlohmann::json::parse(case_schema_json());
+    EXPECT_EQ(schema["$schema"], "https://json-schema.org/draft/2020-12/schema");
+    EXPECT_EQ(schema["required"], nlohmann::json::array({"channel"}));
+    for (const SectionKeys& section : key_table()) {
+        const auto& properties =
+            section.name.empty() ? schema["properties"] : schema["properties"][section.name]["properties"];
+        for (const Key& key : section.keys) {
+            ASSERT_TRUE(properties.contains(key.name)) << key.id();
+            EXPECT_EQ(properties[key.name]["description"], key.meaning);
+        }
+        if (!section.name.empty()) {
+            EXPECT_EQ(schema["properties"][section.name]["additionalProperties"], false);
+            EXPECT_EQ(properties.size(), section.keys.size());
+        }
+    }
+}
+
+TEST(Documents, SchemaPatternTakesWhatTheReaderTakes) {
+    const auto schema = nlohmann::json::parse(case_schema_json());
+    const auto& viscosity = schema["properties"]["fluid"]["properties"]["kinematic_viscosity"]["oneOf"];
+    const auto& height = schema["properties"]["bed"]["properties"]["roughness_height"]["oneOf"];
+    const auto matches = [](const nlohmann::json& choices, const std::string& text) {
+        return std::regex_search(text, std::regex(choices[1]["pattern"].get<std::string>()));
+    };
+    for (const char* const text : {"1e-6 m2/s", "1e-6m^2/s", "1 m\u00b2/s", " 1.0 mm2/s ", "1 cm2/s"}) {
+        EXPECT_TRUE(matches(viscosity, text)) << text;
+    }
+    for (const char* const text : {"0.4 D", "10 mm", ".01 m", "1e-2m"}) {
+        EXPECT_TRUE(matches(height, text)) << text;
+    }
+    for (const char* const text : {"10", "mm", "10 m/s", "10 mm m", "1e m"}) {
+        EXPECT_FALSE(matches(height, text)) << text;
+    }
+}
+
+TEST(Documents, EveryKeyHasAMeaningAndRequiredKeysAnExample) {
+    for (const SectionKeys& section : key_table()) {
+        for (const Key& key : section.keys) {
+            EXPECT_THAT(key.meaning, Not(IsEmpty())) << key.id();
+            if (key.required) {
+                EXPECT_THAT(key.example, Not(IsEmpty())) << key.id();
+            }
+            if (!key.applies.id.empty()) {
+                EXPECT_NE(find_key(key.applies.id), nullptr) << key.id();
+            }
+        }
+    }
+}
+
+class Builtin : public testing::TestWithParam<std::string> {};
+
+TEST_P(Builtin, TemplateGivesTheCase) {
+    const Case c = builtin_case(GetParam());
+    EXPECT_TRUE(parse_case(case_template(c), "new.toml").same_parameters(c));
+    EXPECT_TRUE(parse_case(c.text, "text").same_parameters(c));
+}
+
+TEST_P(Builtin, CommentedDefaultsOfTheTemplateAreTheDefaults) {
+    const Case c = builtin_case(GetParam());
+    const std::string all = std::regex_replace(case_template(c), std::regex("(^|\n)#([a-z_]+ = )"), "$1$2");
+    EXPECT_NE(all, case_template(c));
+    EXPECT_TRUE(parse_case(all, "new.toml").same_parameters(c));
+}
+
+TEST_P(Builtin, ShippedFileHoldsTheSame) {
+    const std::string name = GetParam();
+    if (name == "rough-bed") {
+        return;  // the plain example has no file
+    }
+    const auto file =
+        source_folder / "cases" / (name == "paper-2016" ? "" : "rough-bed-2d") / (name + ".toml");
+    EXPECT_TRUE(read_case(file).same_parameters(builtin_case(name)));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Builtin, testing::ValuesIn(builtin_case_names()), [](const auto& instance) {
+    return std::regex_replace(instance.param, std::regex("-"), "_");
+});
+
+TEST(Builtin, UnknownNameIsRefused) {
+    try {
+        (void)builtin_case("conditon-2");
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("did you mean condition-2?"));
+    }
+}
+
+TEST(ShippedCases, AllParse) {
+    int count = 0;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(source_folder / "cases")) {
+        if (entry.path().extension() != ".toml") {
+            continue;
+        }
+        ++count;
+        EXPECT_NO_THROW({
+            const Case c = read_case(entry.path());
+            EXPECT_THAT(c.title, Not(IsEmpty())) << entry.path();
+            EXPECT_TRUE(parse_case(c.text, "text").same_parameters(c)) << entry.path();
+        }) << entry.path();
+    }
+    EXPECT_GE(count, 15);  // eight conditions, the paper's case, six checks
+}
+
+TEST(ShippedCases, StayWithinTheVerifiedEnvelope) {
+    for (const std::string& name : builtin_case_names()) {
+        const auto warnings = case_warnings(builtin_case(name));
+        if (name == "condition-4") {
+            ASSERT_EQ(warnings.size(), 1);
+            EXPECT_THAT(warnings.front(), HasSubstr("not uniform"));
+        } else {
+            EXPECT_THAT(warnings, IsEmpty()) << name;
+        }
+    }
+    for (const auto& entry : std::filesystem::directory_iterator(source_folder / "cases/checks")) {
+        EXPECT_THAT(case_warnings(read_case(entry.path())), IsEmpty()) << entry.path();
+    }
+}
+
+TEST(ShippedCases, ConditionsAgreeWithUniformFlow) {
+    // u_* = sqrt(g h S0) holds in Table 3.1 within its rounding: a check of what was typed in.
+    for (int number = 1; number <= 8; ++number) {
+        const Case c = builtin_case(fmt::format("condition-{}", number));
+        const double expected = std::sqrt(c.fluid.gravity * c.channel.depth * c.channel.slope);
+        EXPECT_NEAR(*c.measured.friction_velocity, expected, 0.0011) << number;
+    }
+}
+
+TEST(ShippedCases, PoiseuilleDrivesWithMorrisAcceleration) {
+    const Case c = read_case(source_folder / "cases/checks/poiseuille.toml");
+    const double nu = c.fluid.kinematic_viscosity;
+    const double width = c.channel.depth;
+    EXPECT_NEAR(c.streamwise_gravity(), 8 * nu * 1.25e-5 / (width * width), 1e-16);
+}
+
+std::vector<std::string> warnings_with(const std::vector<Override>& overrides) {
+    return case_warnings(parse_case(smallest, "case.toml", {}, overrides));
+}
+
+TEST(Warnings, NoneForTheDefaults) { EXPECT_THAT(warnings_with({}), IsEmpty()); }
+
+struct Warned {
+    const char* key;
+    const char* value;
+    const char* about;
+};
+
+class WarnsOf : public testing::TestWithParam<Warned> {};
+
+TEST_P(WarnsOf, TheKey) {
+    const auto warnings = warnings_with({{GetParam().key, GetParam().value}});
+    EXPECT_THAT(warnings, Contains(HasSubstr(GetParam().about))) << GetParam().key;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Choices, WarnsOf,
+    testing::Values(
+        Warned{"numerics.spacing", "3 mm", "rows in the roughness zone"},
+        Warned{"numerics.spacing", "3 mm", "rows over the depth"},
+        Warned{"numerics.kernel", "cubic-spline", "numerics.kernel"},
+        Warned{"numerics.smoothing_ratio", "1.3", "verified with 1.5 and 2.0"},
+        Warned{"numerics.smoothing_ratio", "2.0", "do not fill the kernel"},
+        Warned{"numerics.pressure_form", "symmetric", "shear stress as large as the flow's own friction"},
+        Warned{"numerics.density_diffusion", "none", "free of noise"},
+        Warned{"numerics.density_diffusion_coefficient", "0.02", "with h = 1.5 dx use 0.1"},
+        Warned{"numerics.density_diffusion_coefficient", "0.5", "from 0.02 to 0.1"},
+        Warned{"numerics.xsph", "0.5", "numerics.xsph"},
+        Warned{"numerics.sound_speed", "2", "compresses it by 13.7 %"},
+        Warned{"numerics.viscosity", "monaghan-gingold", "too weak"},
+        Warned{"numerics.eddy_stress", "stress-divergence", "zigzags"},
+        Warned{"numerics.courant_number", "1.2", "numerics.courant_number"},
+        Warned{"numerics.stepping", "predictor-corrector", "more than 0.4"},
+        Warned{"numerics.wall", "dynamic", "numerics.wall"}, Warned{"turbulence.closure", "sps", "far below"},
+        Warned{"turbulence.closure", "none", "without a closure"},
+        Warned{"bed.drag_form", "thesis", "scales as 1 / spacing"},
+        Warned{"start.jitter", "0.4", "start.jitter"},
+        Warned{"start.exponent", "4", "has no effect: it is used only with start.kind = \"power-law\""},
+        Warned{"turbulence.filter_width", "1 mm", "has no effect"}));
+
+TEST(Warnings, SoundSpeedAgainstTheMeasuredVelocity) {
+    EXPECT_THAT(warnings_with({{"numerics.sound_speed", "7.5"}}), IsEmpty());
+    EXPECT_THAT(warnings_with({{"numerics.sound_speed", "7.5"}, {"measured.depth_mean_velocity", "0.9"}}),
+                Contains(HasSubstr("less than 10 times the largest velocity")));
+}
+
+TEST(Warnings, PresetsOfTheLiteratureAreForStudy) {
+    for (const char* const preset : {"thesis", "paper"}) {
+        EXPECT_THAT(warnings_with({{"numerics.preset", preset}}),
+                    Contains(HasSubstr("numerics.pressure_form")));
+    }
+}
+
+}  // namespace
+}  // namespace riffle
