@@ -1,8 +1,11 @@
 #include "output/results_file.hpp"
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <hdf5.h>
+#include <sys/file.h>
+#include <unistd.h>
 
 #include <random>
 #include <stdexcept>
@@ -204,6 +207,17 @@ TEST(ResultsFile, AReaderKeepsWhatItOpenedWhileTheFileIsUpdated) {
     ResultsFile::update(folder / "r.h5", {{series("/t", wave(7))}, {}});
     EXPECT_EQ(before.read_doubles("/t").size(), 5U);
     EXPECT_EQ(ResultsReader(folder / "r.h5").read_doubles("/t").size(), 12U);
+}
+
+TEST(ResultsFile, IsUpdatedAndReadWhileAnotherProgramHoldsALockOnIt) {
+    const TemporaryFolder folder;
+    ResultsFile::create(folder / "r.h5", {{series("/t", wave(5))}, {}}, false);
+    const int other = ::open((folder / "r.h5").c_str(), O_RDONLY | O_CLOEXEC);
+    ASSERT_EQ(::flock(other, LOCK_EX | LOCK_NB), 0);
+    EXPECT_EQ(ResultsReader(folder / "r.h5").read_doubles("/t").size(), 5U);
+    ResultsFile::update(folder / "r.h5", {{series("/t", wave(7))}, {}});
+    EXPECT_EQ(ResultsReader(folder / "r.h5").read_doubles("/t").size(), 12U);
+    ::close(other);
 }
 
 TEST(ResultsFile, EqualContentMakesEqualFiles) {
