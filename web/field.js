@@ -4,8 +4,8 @@
 const field = (() => {
   'use strict';
 
-  // Cividis (Nuñez, Anderton and Renslow 2018), read alike with and without colour blindness, and a diverging map.
-  const sequential = ['#00224e', '#123570', '#3b496c', '#575d6d', '#707173', '#8a8678', '#a59c74', '#c3b369', '#e1cc55', '#fee838'];
+  // Viridis (van der Walt and Smith 2015), read alike with and without colour blindness, and a diverging map.
+  const sequential = ['#440154', '#482878', '#3e4989', '#31688e', '#26828e', '#1f9e89', '#35b779', '#6ece58', '#b5de2b', '#fde725'];
   const diverging = ['#053061', '#2f79b5', '#a5cee3', '#f7f7f7', '#f7b799', '#ca4741', '#67001f'];
   const quantities = [
     { key: 'velocity', button: 'velocity u', title: '<i>u</i> (m/s)', factor: 1, unit: 'm/s', name: 'u', map: sequential },
@@ -42,7 +42,7 @@ const field = (() => {
     canvas.height = height;
     const pen = canvas.getContext('2d'), stops = channels(map);
     const sx = width / (view.x1 - view.x0), sz = height / (view.z1 - view.z0);
-    const rx = Math.max(1, 0.52 * snapshot.spacing * 1000 * sx), rz = Math.max(1, 0.52 * snapshot.spacing * 1000 * sz);
+    const rx = Math.max(1, 0.7 * snapshot.spacing * 1000 * sx), rz = Math.max(1, 0.7 * snapshot.spacing * 1000 * sz);
     for (let i = 0; i < values.length; ++i) {
       const x = (1000 * snapshot.x[i] - view.x0) * sx, y = height - (1000 * snapshot.z[i] - view.z0) * sz;
       if (x < -rx || x > width + rx || y < -rz || y > height + rz || values[i] === null) continue;
@@ -102,7 +102,7 @@ const field = (() => {
         shapes, margin: { l: 56, r: 10, t: 10, b: 48 },
         images: [{ source, xref: 'x', yref: 'y', x: view.x0, y: view.z1, sizex: view.x1 - view.x0, sizey: view.z1 - view.z0,
           sizing: 'stretch', layer: 'below' }],
-        height: Math.round(tall + (narrow ? 180 : 110)),
+        width, height: Math.round(tall + (narrow ? 170 : 92)),
       });
       return { traces, layout };
     }

@@ -35,6 +35,12 @@ const figures = (() => {
     return value.toFixed(Math.max(0, digits - 1 - size)).replace(/^-/, '−');
   }
 
+  // Value and half-width of its interval to the same decimals, two digits of the half-width.
+  function interval(value, half) {
+    const decimals = Math.max(0, Math.min(7, 1 - Math.floor(Math.log10(half))));
+    return [value.toFixed(decimals).replace(/^-/, '−'), half.toFixed(decimals)];
+  }
+
   function axis(title, extra = {}) {
     return {
       title: { text: title, standoff: 8 }, automargin: true, showline: true, mirror: true, linecolor: '#4a535d',
@@ -55,7 +61,7 @@ const figures = (() => {
   }
 
   const line = (name, x, y, color, extra = {}) => ({
-    type: 'scatter', mode: 'lines', name, x, y, line: { color, width: 2, ...(extra.line || {}) },
+    type: 'scatter', mode: 'lines', name, x, y, line: { color, width: 2, simplify: false, ...(extra.line || {}) },
     ...Object.fromEntries(Object.entries(extra).filter(([key]) => key !== 'line')),
   });
   const points = (name, x, y, color, extra = {}) => ({
@@ -64,19 +70,21 @@ const figures = (() => {
     ...Object.fromEntries(Object.entries(extra).filter(([key]) => key !== 'marker')),
   });
 
-  // Horizontal lines at the datum, the crest and the mean level, with their names at the right edge.
-  function heights(data, names = true) {
+  // Horizontal lines at the datum, the crest and the mean level, with their names at the right edge; `bed` moves
+  // those of the bed to where the curves leave room.
+  function heights(data, names = true, bed = 0.995) {
     const g = data.geometry;
     const marks = [];
     if (g.rough) marks.push([g.crest, 'crests', 'bottom'], [g.datum, 'datum', 'top']);
     if (g.mean_level) marks.push([g.mean_level, 'mean level', 'bottom']);
     return {
       shapes: marks.map(([height]) => ({
-        type: 'line', xref: 'paper', x0: 0, x1: 1, y0: 1000 * height, y1: 1000 * height, layer: 'below',
+        type: 'line', xref: 'paper', x0: 0, x1: 1, y0: 1000 * height, y1: 1000 * height, layer: 'between',
         line: { color: colour.reference, width: 1, dash: 'dot' },
       })),
       annotations: names ? marks.map(([height, text, anchor]) => ({
-        xref: 'paper', x: 0.995, xanchor: 'right', y: 1000 * height, yanchor: anchor, text, showarrow: false,
+        xref: 'paper', x: text === 'mean level' ? 0.995 : bed, xanchor: text !== 'mean level' && bed < 0.5 ? 'left' : 'right',
+        y: 1000 * height, yanchor: bed < 0.5 ? 'bottom' : anchor, text, showarrow: false,
         font: { size: 11, color: '#56606b' }, borderpad: 1,
       })) : [],
     };
@@ -147,7 +155,7 @@ const figures = (() => {
     return {
       traces, height: 460,
       layout: layout({
-        xaxis: axis(`(${z} − <i>z</i><sub>0</sub>) / ${ks}  (–)`, { type: 'log', dtick: 'D2', exponentformat: 'none' }),
+        xaxis: axis(`(${z} − <i>z</i><sub>0</sub>) / ${ks}  (–)`, { type: 'log', tickvals: [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100] }),
         yaxis: axis(`${u} / ${ustar}  (–)`, { rangemode: 'tozero' }), shapes, annotations }),
       caption: `The same profile in semi-logarithmic form. Every curve is scaled with the simulated friction velocity ` +
         `${ustar} = ${significant(law.friction_velocity)} m/s, equivalent roughness ${ks} = ${significant(1000 * law.equivalent_roughness)} mm and ` +
@@ -166,8 +174,8 @@ const figures = (() => {
     return {
       traces, height: 420,
       layout: layout({ xaxis: axis(`velocity gradient d${u}/d${z} (1/s)`, { rangemode: 'tozero' }), yaxis: heightAxis(data), ...heights(data) }),
-      caption: `Gradient of the mean velocity, as the closure sees it at the particles. It is largest at the crests, where ` +
-        `the drag of the bed elements ends.`,
+      caption: `Gradient of the mean velocity, as the closure sees it at the particles, against that of the column twin. ` +
+        `Times the viscosity and eddy viscosity it gives the shear stress.`,
     };
   }
 
@@ -182,13 +190,13 @@ const figures = (() => {
       ? { error_x: { type: 'data', array: p.velocity_half_width.map(value => value === null ? 0 : 100 * value / scale), thickness: 1, width: 0, color: colour.simulated } } : {};
     const largest = 1.25 * Math.max(1, ...percent.filter(value => value !== null).map(Math.abs));
     const base = heights(data);
-    base.shapes.push({ type: 'line', yref: 'paper', y0: 0, y1: 1, x0: 0, x1: 0, line: { color: colour.column, width: 2 }, layer: 'below' });
+    base.shapes.push({ type: 'line', yref: 'paper', y0: 0, y1: 1, x0: 0, x1: 0, line: { color: colour.column, width: 2 }, layer: 'between' });
     return {
       traces: [points('simulated − column twin', percent, millimetres(p.z), colour.simulated, bars)], height: 420,
       layout: layout({ showlegend: false, xaxis: axis(`(${u} − ${u}<sub>column</sub>) / <i>U</i><sub>column</sub> (%)`, { range: [-largest, largest] }),
         yaxis: heightAxis(data), ...base }),
       caption: `Departure of the simulated velocity from the column twin at the particles' own heights, in percent of the ` +
-        `column's depth-mean velocity; bars are 95 % intervals. What remains is the error of the discretisation, the largest part at the crests.`,
+        `column's depth-mean velocity; bars are 95 % intervals. What remains is the error of the discretisation.`,
     };
   }
 
@@ -205,7 +213,7 @@ const figures = (() => {
     if (has(p, 'total_stress')) traces.push(points('total', p.total_stress, at, colour.simulated));
     return {
       traces, height: 460,
-      layout: layout({ xaxis: axis('shear stress <i>τ</i> (Pa)'), yaxis: heightAxis(data), ...heights(data) }),
+      layout: layout({ xaxis: axis('shear stress <i>τ</i> (Pa)'), yaxis: heightAxis(data), ...heights(data, true, 0.2) }),
       caption: `Shear stress over the depth. Above the crests uniform flow must carry <i>τ</i> = <i>ρ g</i> sin<i>θ</i> (<i>H</i> − ${z}) ` +
         `(analytic line; below the crests less the drag on the bed elements). The total is the sum of the viscous and closure stress, the ` +
         `resolved Reynolds stress, and the shear that the pressure forces carry between unevenly placed particles, which should be nil. ` +
@@ -230,7 +238,7 @@ const figures = (() => {
       traces.push(points('difference', percent, height, colour.simulated, { xaxis: 'x2', yaxis: 'y2', showlegend: false, marker: { symbol: 'circle-open' } }));
       extra.xaxis2 = axis('difference (% of bed)', { domain: [0.66, 1], anchor: 'y2', range: [-largest, largest], nticks: 5 });
       extra.yaxis2 = axis('', { matches: 'y', anchor: 'x2', showticklabels: false });
-      base.shapes.push({ type: 'line', xref: 'x2', yref: 'paper', y0: 0, y1: 1, x0: 0, x1: 0, line: { color: colour.reference, width: 2 }, layer: 'below' });
+      base.shapes.push({ type: 'line', xref: 'x2', yref: 'paper', y0: 0, y1: 1, x0: 0, x1: 0, line: { color: colour.reference, width: 2 }, layer: 'between' });
     }
     return {
       traces, height: 460, layout: layout({ ...extra, yaxis: heightAxis(data), ...base }),
@@ -239,22 +247,29 @@ const figures = (() => {
     };
   }
 
-  // Stacked panels over one time axis: rows of { title, traces, shapes, range }.
+  // Stacked panels over one time axis, each with its own legend: rows of { title, traces, shapes, range }.
   function panels(rows, height) {
-    const gap = 0.075, share = (1 - gap * (rows.length - 1)) / rows.length;
+    const gap = 0.11, share = (1 - gap * (rows.length - 1)) / rows.length;
     const traces = [], shapes = [], annotations = [], extra = {};
     rows.forEach((row, i) => {
-      const suffix = i === 0 ? '' : String(i + 1), top = 1 - i * (share + gap);
-      row.traces.forEach(trace => traces.push({ ...trace, xaxis: 'x', yaxis: `y${suffix}` }));
-      (row.shapes || []).forEach(shape => shapes.push({ ...shape, xref: 'x', yref: shape.whole ? `y${suffix} domain` : `y${suffix}` }));
-      extra[`yaxis${suffix}`] = axis(row.title, { domain: [Math.max(0, top - share), top], nticks: 5, ...(row.range ? { range: row.range } : {}) });
-      annotations.push({ xref: 'paper', yref: 'paper', x: 0.006, y: top - 0.012, xanchor: 'left', yanchor: 'top', showarrow: false,
-        text: `(${String.fromCharCode(97 + i)})`, font: { size: 12, color: '#56606b' } });
-      (row.annotations || []).forEach(note => annotations.push({ ...note, xref: 'x', yref: `y${suffix} domain` }));
+      const suffix = i === 0 ? '' : String(i + 1), top = 1 - i * (share + gap), last = i === rows.length - 1;
+      row.traces.forEach(trace => traces.push({ ...trace, xaxis: `x${suffix}`, yaxis: `y${suffix}`, legend: `legend${suffix}`, showlegend: true }));
+      (row.shapes || []).forEach(({ whole, ...shape }) => shapes.push({ ...shape, xref: `x${suffix}`, yref: whole ? `y${suffix} domain` : `y${suffix}` }));
+      extra[`xaxis${suffix}`] = axis(last ? 'time <i>t</i> (s)' : '', { anchor: `y${suffix}`, showticklabels: last, ...(i ? { matches: 'x' } : {}) });
+      extra[`yaxis${suffix}`] = axis(row.title, { anchor: `x${suffix}`, domain: [Math.max(0, top - share), top], nticks: 5, ...(row.range ? { range: row.range } : {}) });
+      extra[`legend${suffix}`] = { orientation: 'h', x: 0.035, xanchor: 'left', y: top + 0.004, yanchor: 'bottom', font: { size: 12 }, bgcolor: 'rgba(255,255,255,0)' };
+      annotations.push({ xref: 'paper', yref: 'paper', x: 0, y: top + 0.008, xanchor: 'left', yanchor: 'bottom', showarrow: false,
+        text: `<b>(${String.fromCharCode(97 + i)})</b>`, font: { size: 13 } });
+      (row.annotations || []).forEach(note => annotations.push({ ...note, xref: `x${suffix}`, yref: `y${suffix} domain` }));
     });
-    shapes.forEach(shape => delete shape.whole);
-    extra.xaxis = axis('time <i>t</i> (s)', { anchor: rows.length > 1 ? `y${rows.length}` : 'y' });
-    return { traces, height, layout: layout({ ...extra, shapes, annotations, margin: { l: 70, r: 14, t: 10, b: 48 } }) };
+    return { traces, height, layout: layout({ ...extra, shapes, annotations, margin: { l: 70, r: 14, t: 30, b: 48 } }) };
+  }
+
+  // Range that holds all the values, with room at the top for a line of text.
+  function roomy(values, headroom = 0.25) {
+    const finite = values.filter(value => value !== null);
+    const low = Math.min(...finite), high = Math.max(...finite), size = high - low || 0.01 * Math.abs(high) || 1;
+    return [low - 0.08 * size, high + headroom * size];
   }
 
   const windowShape = data => data.window && data.window.end > data.window.start ? [{
@@ -267,34 +282,37 @@ const figures = (() => {
     if (!has(s, 'time', 'depth_mean_velocity') || s.time.length < 2) return null;
     const rows = [], thin = { line: { width: 1.4 } }, ends = span(s);
     const level = (name, value, color, dash) => line(name, ends, [value, value], color, { line: { dash, width: 1.8 } });
-    const first = { title: '<i>U</i> (m/s)', traces: [line('simulated', s.time, s.depth_mean_velocity, colour.simulated, thin)], shapes: windowShape(data) };
+    const note = (text, x, xanchor) => ({ x, xanchor, xshift: xanchor === 'left' ? 5 : 0, y: 0.97, yanchor: 'top', text, showarrow: false, font: { size: 11, color: '#56606b' } });
     const twin = data.column && data.column.depth_mean_velocity;
+    const first = { title: '<i>U</i> (m/s)', shapes: windowShape(data), annotations: [],
+      range: roomy(twin ? [...s.depth_mean_velocity, twin] : s.depth_mean_velocity),
+      traces: [line('simulated', s.time, s.depth_mean_velocity, colour.simulated, thin)] };
     if (twin) first.traces.push(level('column twin', twin, colour.column));
+    // A measured value far from the simulated ones would flatten the curve: it is then only named.
     const measured = data.measured && data.measured.depth_mean_velocity;
-    const near = measured && data.window.mean && Math.abs(measured / data.window.mean - 1) < 0.08;
-    if (near) first.traces.push(level('measured', measured, colour.measured, 'dash'));
-    if (first.shapes.length) {
-      first.annotations = [{ x: (data.window.start + data.window.end) / 2, y: 0.03, yanchor: 'bottom', text: 'averaging window', showarrow: false,
-        font: { size: 11, color: '#56606b' } }];
-    }
+    if (measured > first.range[0] && measured < first.range[1]) first.traces.push(level('measured', measured, colour.measured, 'dash'));
+    else if (measured) first.annotations.push(note(`measured: ${significant(measured)} m/s ${measured > first.range[1] ? '↑' : '↓'} outside the frame`, ends[0], 'left'));
+    if (first.shapes.length) first.annotations.push(note('averaging window', (data.window.start + data.window.end) / 2, 'center'));
     rows.push(first);
     if (has(s, 'drag_over_gravity')) {
       const wall = has(s, 'wall_over_gravity') ? s.wall_over_gravity : null;
       const resisting = wall ? s.drag_over_gravity.map((value, i) => value + wall[i]) : s.drag_over_gravity;
-      const row = { title: 'force / weight (–)', traces: [line('drag + wall', s.time, resisting, colour.resolved, thin)], shapes: windowShape(data) };
-      if (has(s, 'acceleration_over_gravity')) row.traces.push(line('acceleration', s.time, s.acceleration_over_gravity, colour.pair, thin));
+      const row = { title: 'force / weight (–)', shapes: windowShape(data), traces: [line('drag + wall', s.time, resisting, colour.simulated, thin)] };
+      if (has(s, 'acceleration_over_gravity')) {
+        row.traces.push(line('drag + wall + acceleration', s.time, resisting.map((value, i) => value + s.acceleration_over_gravity[i]), colour.pair, thin));
+      }
       row.traces.push(level('balance', 1, colour.reference, 'dot'));
       rows.push(row);
     }
     if (has(s, 'mean_level')) {
       rows.push({ title: 'level (mm)', traces: [line('mean level', s.time, millimetres(s.mean_level), colour.measured, thin)], shapes: windowShape(data) });
     }
-    const made = panels(rows, 150 + 165 * rows.length);
-    const estimate = data.window.mean ? ` Over the window <i>U</i> = ${significant(data.window.mean, 4)} ± ${significant(data.window.half_width, 2)} m/s (95 %, correlation in time taken into account).` : '';
-    const far = measured && !near ? ` The measured ${significant(measured)} m/s lies outside the frame.` : '';
-    made.caption = `(a) Depth-mean velocity above the datum; shaded: the averaging window.${estimate}${far} ` +
-      `(b) Streamwise forces over the weight component of the water: drag of the bed elements and wall friction must come to balance it, ` +
-      `the rest accelerates the flow. (c) Mean water level above the bed level.`;
+    const made = panels(rows, 120 + 175 * rows.length);
+    const estimate = data.window.mean && data.window.half_width
+      ? ` Over the window <i>U</i> = ${interval(data.window.mean, data.window.half_width).join(' ± ')} m/s (95 %, correlation in time taken into account).` : '';
+    made.caption = `(a) Depth-mean velocity above the datum; shaded: the averaging window.${estimate} ` +
+      `(b) Streamwise forces over the weight component of the water: drag of the bed elements and wall friction must come to balance it; ` +
+      `with the acceleration they must do so at every instant. (c) Mean water level above the bed level.`;
     if (rows.length < 3) made.caption = made.caption.split(' (b)')[0];
     return made;
   }
@@ -312,7 +330,7 @@ const figures = (() => {
       traces: [line('largest density', s.time, scaled(s.density_deviation_maximum, 100), colour.measured, thin),
         line('smallest density', s.time, scaled(s.density_deviation_minimum, 100), colour.resolved, { line: { width: 1.4, dash: 'dash' } })] });
     if (!rows.length) return null;
-    const made = panels(rows, 130 + 130 * rows.length);
+    const made = panels(rows, 110 + 140 * rows.length);
     made.caption = `Signs of health over time: rms departure of the particle velocities from the mean of their layer; order of the particles ` +
       `(1: perfect layers, 0: none); largest and smallest density of a particle, relative to that of water at rest under no load.`;
     return made;
@@ -350,5 +368,5 @@ const figures = (() => {
     };
   }
 
-  return { velocity, logLaw, gradient, deviation, stress, pressure, history, health, surface, axis, layout, line, significant, colour, has, some };
+  return { velocity, logLaw, gradient, deviation, stress, pressure, history, health, surface, axis, layout, line, significant, interval, colour, has, some };
 })();

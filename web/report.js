@@ -18,7 +18,8 @@
   // A few tags of our own making (italic symbols with indices) are allowed in labels; anything else is text.
   function marked(text) {
     const holder = document.createElement('span');
-    holder.textContent = text;
+    // Numbers stay on one line with their signs and units.
+    holder.textContent = text.replace(/ %/g, '\u00a0%').replace(/± /g, '±\u00a0');
     holder.innerHTML = holder.innerHTML.replace(/&lt;(\/?(?:i|b|sub|sup))&gt;/g, '<$1>');
     return holder;
   }
@@ -38,17 +39,19 @@
 
   const percent = (value, reference) => value === null || reference === null || !reference ? null : 100 * (value / reference - 1);
 
+  // A value; with an interval, value and half-width to the same decimals, two digits of the half-width.
   function value(cell, digits, factor) {
     const made = element('td', { class: 'number' });
     if (!cell || cell.value === null || cell.value === undefined) { made.textContent = '–'; return made; }
-    const half = cell.half_width === undefined || cell.half_width === null ? null : factor * cell.half_width;
-    const shown = factor * cell.value;
-    made.append(marked(number(shown, digits)));
+    const shown = factor * cell.value, half = cell.half_width ? factor * cell.half_width : 0;
     made.dataset.value = shown;
-    if (half !== null) {
+    if (half > 0 && half < Math.abs(shown)) {
+      const [middle, width] = figures.interval(shown, half);
       const extra = element('span', { class: 'half' });
-      extra.append(' ± ', marked(number(half, 2)));
-      made.append(extra);
+      extra.textContent = ` ± ${width}`;
+      made.append(middle, extra);
+    } else {
+      made.append(marked(number(shown, digits)));
     }
     return made;
   }
@@ -74,7 +77,7 @@
       const line = element('tr', { 'data-key': row.key });
       const label = element('th', { scope: 'row' }, row.label);
       if (row.symbol) label.append(' ', element('span', { class: 'symbol' }, marked(row.symbol)));
-      if (row.unit !== '1') label.append(element('span', { class: 'symbol' }, ` (${row.unit})`));
+      if (row.unit !== '1') label.append(element('span', { class: 'symbol' }, ' (', marked(row.unit), ')'));
       line.append(label, value(row.simulated, row.digits, row.factor), value(row.measured, row.digits, row.factor), difference(row.simulated, row.measured),
         value(row.column, row.digits, row.factor), difference(row.simulated, row.column));
       body.append(line);

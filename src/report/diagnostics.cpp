@@ -113,8 +113,13 @@ class Rows {
 
     void depth_drift() {
         if (!has_column(data_.series, "mean_level") || !has_column(data_.series, "time")) return;
-        const auto levels = in_window(data_, "mean_level");
-        const auto times = in_window(data_, "time");
+        auto levels = in_window(data_, "mean_level");
+        auto times = in_window(data_, "time");
+        // A run's first rows may precede the first sample of the surface.
+        while (!levels.empty() && !std::isfinite(levels.front())) {
+            levels = levels.subspan(1);
+            times = times.subspan(1);
+        }
         constexpr std::size_t fewest = 20;
         if (levels.size() < fewest) return;
         const double interval = (times.back() - times.front()) / static_cast<double>(times.size() - 1);

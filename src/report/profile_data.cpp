@@ -4,12 +4,14 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <filesystem>
 #include <numeric>
+#include <system_error>
 
 #include "base/error.hpp"
 #include "column/column.hpp"
+#include "column/velocity_measurements.hpp"
 #include "hydraulics/channel_laws.hpp"
-#include "report/measured_file.hpp"
 
 namespace riffle {
 
@@ -65,6 +67,23 @@ std::vector<double> law_heights(double zero_plane, double lowest, double top) {
     for (int i = 0; i < count; ++i)
         heights.push_back(zero_plane + std::exp(low + (high - low) * i / (count - 1)));
     return heights;
+}
+
+/// Whether the measured profile's file exists, at the place that the case names or beside the results file
+/// (results are moved to other machines); the case then names the place where it is. Else a note says so.
+bool find_measured_file(ReportData& data) {
+    std::filesystem::path& path = data.flow.measured.velocity_profile;
+    if (path.empty()) return false;
+    std::error_code error;
+    for (const auto& candidate :
+         {path, data.source.parent_path() / path, data.source.parent_path() / path.filename()}) {
+        if (!std::filesystem::is_regular_file(candidate, error)) continue;
+        path = candidate;
+        return true;
+    }
+    data.notes["measured"] = "the file of the measured profile, " + path.string() +
+                             ", was found neither there nor beside the results file, so it is not drawn.";
+    return false;
 }
 
 /// Height of the surface above the bed level: the run's mean level, before there is one the case's depth.
@@ -149,25 +168,16 @@ void complete_column(ReportData& data) {
 }
 
 std::optional<MeasuredProfile> measured_profile(ReportData& data) {
-    const Measured& measured = data.flow.measured;
-    if (!measured.velocity_profile.empty()) {
-        if (auto profile = read_measured_profile(data.flow, data.source.parent_path())) return profile;
-        data.notes["measured"] =
-            "the measured profile " + measured.velocity_profile.string() +
-            " was not found beside the results file or at its place, so it is not drawn.";
+    VelocityMeasurements measurements;
+    const bool from_file = find_measured_file(data);
+    if (from_file) {
+        measurements = read_velocity_measurements(data.flow);
+    } else {
+        constexpr int points = 60;
+        measurements = measured_log_law(data.flow, points);
     }
-    if (!measured.friction_velocity || !measured.equivalent_roughness) return std::nullopt;
-    MeasuredProfile profile;
-    profile.from_law = true;
-    const double datum = data.flow.datum();
-    for (const double z : law_heights(datum, datum, surface_height(data))) {
-        const double velocity =
-            rough_log_law(z - datum, *measured.friction_velocity, *measured.equivalent_roughness);
-        if (velocity < 0) continue;
-        profile.z.push_back(z);
-        profile.velocity.push_back(velocity);
-    }
-    return profile;
+    if (measurements.height.empty()) return std::nullopt;
+    return MeasuredProfile{!from_file, measurements.height, measurements.velocity, measurements.uncertainty};
 }
 
 }  // namespace riffle

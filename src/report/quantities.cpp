@@ -78,7 +78,8 @@ void add_velocities(Table& table, const ReportData& data, const Sources& mean) {
 void add_friction(Table& table, const ReportData& data) {
     const Measured& measured = data.flow.measured;
     table.add({"friction_velocity",
-               "Friction velocity, from the stress at the crests",
+               data.flow.bed.kind == BedKind::spheres ? "Friction velocity, from the stress at the crests"
+                                                      : "Friction velocity, from the stress at the bed",
                "<i>u</i><sub>∗</sub>",
                "m/s",
                1,
@@ -158,9 +159,9 @@ void add_channel_numbers(Table& table, const ReportData& data, const Sources& me
         table.add(
             {"friction_factor", "Friction factor (Darcy and Weisbach)", "<i>f</i>", "1", 1, 4, {}, {}, {}},
             mean.through([=](double u) { return friction_factor(component, depth, u); }));
-        table.add({"manning", "Manning's coefficient", "<i>n</i>", "s/m^(1/3)", 1, 4, {}, {}, {}},
+        table.add({"manning", "Manning's coefficient", "<i>n</i>", "s/m<sup>1/3</sup>", 1, 4, {}, {}, {}},
                   mean.through([=](double u) { return manning_coefficient(slope, depth, u); }));
-        table.add({"chezy", "Chezy's coefficient", "<i>C</i>", "m^(1/2)/s", 1, 4, {}, {}, {}},
+        table.add({"chezy", "Chezy's coefficient", "<i>C</i>", "m<sup>1/2</sup>/s", 1, 4, {}, {}, {}},
                   mean.through([=](double u) { return chezy_coefficient(slope, depth, u); }));
     }
     table.add({"froude", "Froude number", "Fr", "1", 1, 3, {}, {}, {}},
@@ -175,10 +176,12 @@ void add_forces(Table& table, const ReportData& data) {
               {plain(find_value(data.summary, "drag_over_gravity")),
                {},
                plain(find_value(data.column_summary, "drag_share"))});
+    // A bed that acts by its elements alone has no wall friction to report.
+    const auto wall = find_value(data.summary, "wall_over_gravity");
+    const auto column_wall = find_value(data.column_summary, "wall_share");
+    if (wall.value_or(0.0) == 0.0 && column_wall.value_or(0.0) == 0.0) return;
     table.add({"wall_over_gravity", "Wall friction / weight component", "", "1", 1, 3, {}, {}, {}},
-              {plain(find_value(data.summary, "wall_over_gravity")),
-               {},
-               plain(find_value(data.column_summary, "wall_share"))});
+              {plain(wall), {}, plain(column_wall)});
 }
 
 }  // namespace

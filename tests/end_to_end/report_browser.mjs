@@ -1,0 +1,181 @@
+// Looks at a report in a real browser, without a network:
+//   node tests/end_to_end/report_browser.mjs REPORT.html [SCREENSHOT-DIR] [--partial]
+// Checks what a reader relies on: no errors, no request leaves the page, each figure has axes with titles and a
+// visible trace of finite data, the tables hold numbers, the field picture is painted, the page fits a desk and
+// a telephone, it prints. --partial allows notes in place of figures (a run that has only just started).
+// Needs the browser named by CHROMIUM (default /usr/bin/chromium) and web/node_modules (npm ci --prefix web).
+
+import { existsSync, mkdirSync, statSync, writeFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { dirname, join, resolve } from 'node:path';
+import { fileURLToPath, pathToFileURL } from 'node:url';
+
+const here = dirname(fileURLToPath(import.meta.url));
+const { chromium } = createRequire(join(here, '../../web/package.json'))('playwright-core');
+
+const options = process.argv.slice(2);
+const partial = options.includes('--partial');
+const [page_file, folder] = options.filter(option => !option.startsWith('--'));
+if (!page_file) {
+  console.error('usage: node report_browser.mjs REPORT.html [SCREENSHOT-DIR] [--partial]');
+  process.exit(2);
+}
+const file = resolve(page_file);
+if (folder) mkdirSync(folder, { recursive: true });
+
+const expected = ['velocity', 'log-law', 'gradient', 'deviation', 'stress', 'pressure', 'history', 'field', 'surface', 'health'];
+const failures = [];
+const check = (ok, what) => { if (!ok) failures.push(what); };
+
+// What stands in one figure, read inside the browser.
+const inspect = id => {
+  const figure = document.getElementById(`figure-${id}`);
+  if (!figure) return { present: false };
+  const note = figure.querySelector('.note'), plot = figure.querySelector('.js-plotly-plot');
+  if (note) return { present: true, note: note.textContent };
+  if (!plot) return { present: true };
+  const axes = Object.keys(plot._fullLayout).filter(key => /^[xy]axis\d*$/.test(key)).map(key => plot._fullLayout[key]);
+  // An axis may leave its title to the one that it is tied to.
+  const untitled = axes.filter(axis => axis.showticklabels !== false && !(axis.title && axis.title.text)).length;
+  const drawn = [...plot.querySelectorAll('.xtitle, .ytitle, .x2title, .y2title, .y3title')].filter(text => text.textContent.trim()).length;
+  const finite = values => values && [...values].flat().some(value => Number.isFinite(value));
+  const traces = plot._fullData.filter(trace => trace.visible === true && (trace.z ? finite(trace.z) : finite(trace.x) && finite(trace.y)));
+  const marks = plot.querySelectorAll('.scatterlayer path, .imagelayer image, .heatmaplayer image').length;
+  const box = plot.querySelector('.main-svg').getBoundingClientRect();
+  const ranges = axes.every(axis => axis.range.every(Number.isFinite));
+  const caption = figure.querySelector('figcaption');
+  return { present: true, untitled, drawn, traces: traces.length, marks, width: box.width, height: box.height, ranges,
+    caption: caption ? caption.textContent : '' };
+};
+
+// Share of painted pixels in the field's picture, and its number of distinct colours.
+const painted = async () => {
+  const image = document.querySelector('#figure-field .imagelayer image');
+  if (!image) return null;
+  const picture = new Image();
+  picture.src = image.getAttribute('href') || image.getAttribute('xlink:href');
+  await picture.decode();
+  const canvas = document.createElement('canvas');
+  canvas.width = picture.width;
+  canvas.height = picture.height;
+  const pen = canvas.getContext('2d');
+  pen.drawImage(picture, 0, 0);
+  const { data } = pen.getImageData(0, 0, canvas.width, canvas.height);
+  let count = 0;
+  const colours = new Set();
+  for (let i = 0; i < data.length; i += 4) {
+    if (data[i + 3] < 200) continue;
+    ++count;
+    colours.add((data[i] << 16) | (data[i + 1] << 8) | data[i + 2]);
+  }
+  return { share: count / (data.length / 4), colours: colours.size };
+};
+
+const browser = await chromium.launch({
+  executablePath: process.env.CHROMIUM || '/usr/bin/chromium',
+  args: ['--no-sandbox', '--disable-gpu', '--disable-dev-shm-usage', '--disable-background-networking',
+    '--disable-component-update', '--no-first-run', '--disable-sync', '--disable-extensions'],
+});
+
+async function open(width, height, scheme) {
+  const context = await browser.newContext({ viewport: { width, height }, colorScheme: scheme, offline: true, deviceScaleFactor: 1 });
+  const page = await context.newPage();
+  const where = `at ${width} px, ${scheme}`;
+  page.on('console', message => { if (['error', 'warning'].includes(message.type())) failures.push(`${where}: console ${message.type()}: ${message.text()}`); });
+  page.on('pageerror', error => failures.push(`${where}: script error: ${error.message}`));
+  page.on('request', request => {
+    const url = request.url();
+    if (url !== pathToFileURL(file).href && !/^(data|blob):/.test(url)) failures.push(`${where}: the page asked for ${url}`);
+  });
+  await page.goto(pathToFileURL(file).href, { waitUntil: 'load' });
+  await page.waitForTimeout(300);
+  return { context, page, where };
+}
+
+async function check_page(width, height, scheme) {
+  const { context, page, where } = await open(width, height, scheme);
+  for (const id of expected) {
+    const state = await page.evaluate(inspect, id);
+    check(state.present, `${where}: figure ${id} is missing`);
+    if (!state.present) continue;
+    if (state.note) {
+      check(partial, `${where}: figure ${id} was not drawn: ${state.note}`);
+      check(state.note.length > 20, `${where}: the note in place of figure ${id} says nothing`);
+      continue;
+    }
+    check(state.untitled === 0 && state.drawn >= 2, `${where}: figure ${id} has an axis without a title`);
+    check(state.traces >= 1 && state.marks >= 1, `${where}: figure ${id} shows no data`);
+    check(state.width > 200 && state.height > 120, `${where}: figure ${id} is ${state.width} x ${state.height} px`);
+    check(state.ranges, `${where}: figure ${id} has an axis without a range`);
+    check(/^Figure \d+\. .{40}/.test(state.caption), `${where}: figure ${id} has no caption`);
+  }
+  const overflow = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
+  check(overflow <= 0, `${where}: the page is ${overflow} px wider than the window`);
+  if (folder) await page.screenshot({ path: join(folder, `report-${width}-${scheme}.png`), fullPage: true });
+  return { context, page, where };
+}
+
+try {
+  // A desk: everything, and the ways to use the page.
+  const { context, page, where } = await check_page(1280, 900, 'light');
+  const rows = await page.$$eval('#summary-table tbody tr', lines => lines.map(line => ({ key: line.dataset.key,
+    numbers: [...line.querySelectorAll('td')].map(cell => cell.dataset.value).filter(value => value !== undefined).map(Number) })));
+  check(rows.length >= 5, `${where}: the summary table has ${rows.length} rows`);
+  const mean = rows.find(row => row.key === 'depth_mean_velocity');
+  check(mean && mean.numbers.length >= (partial ? 1 : 2) && mean.numbers.every(value => value > 0),
+    `${where}: the summary table lacks the depth-mean velocity`);
+  check(rows.every(row => row.numbers.length >= 1 && row.numbers.every(Number.isFinite)), `${where}: a row of the summary table has no number`);
+  const marks = await page.$$eval('#diagnostics-table .mark', cells => cells.map(cell => cell.textContent));
+  check(partial || marks.length >= 5, `${where}: the diagnostics table has ${marks.length} rows`);
+  check((await page.textContent('#verdict')).length > 80, `${where}: no verdict`);
+  check((await page.textContent('#case-text')).includes('[channel]'), `${where}: the case is not on the page`);
+
+  if (await page.$('#figure-field .js-plotly-plot')) {
+    const seen = new Set();
+    for (const button of await page.$$('#figure-field .choices button')) {
+      await button.click();
+      const picture = await page.evaluate(painted);
+      check(picture && picture.share > 0.5 && picture.colours > 20, `${where}: the field picture is empty (${JSON.stringify(picture)})`);
+      seen.add(await page.$eval('#figure-field .imagelayer image', image => (image.getAttribute('href') || image.getAttribute('xlink:href')).slice(-400)));
+    }
+    const buttons = (await page.$$('#figure-field .choices button')).length;
+    check(buttons >= 3 && seen.size === buttons, `${where}: ${seen.size} different field pictures from ${buttons} buttons`);
+    await (await page.$('#figure-field .choices button')).click();
+    const plot = await page.$('#plot-field .nsewdrag');
+    await plot.scrollIntoViewIfNeeded();
+    const box = await plot.boundingBox();
+    await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+    await page.waitForTimeout(50);
+    check(/Particle at x = .* u = /.test(await page.textContent('#figure-field .readout')), `${where}: no value under the pointer in the field picture`);
+  }
+  await page.click('#copy-case');
+  check(/Copied|Selected/.test(await page.textContent('#copy-case')), `${where}: the case cannot be copied`);
+  if (await page.$('#plot-velocity')) {
+    const svg = await page.evaluate(() => Plotly.toImage(document.getElementById('plot-velocity'), { format: 'svg', width: 600, height: 460 }));
+    check(svg.startsWith('data:image/svg+xml') && svg.length > 5000, `${where}: a figure cannot be saved as SVG`);
+  }
+  const paper = await page.pdf({ format: 'A4', preferCSSPageSize: true });
+  check(paper.length > 50_000 && paper.subarray(0, 5).toString() === '%PDF-', `${where}: printing gave no PDF`);
+  if (folder) writeFileSync(join(folder, 'report.pdf'), paper);
+  // On paper each figure must fit the width of its column.
+  await page.setViewportSize({ width: 688, height: 980 });
+  await page.emulateMedia({ media: 'print' });
+  await page.waitForTimeout(300);
+  const wide = await page.$$eval('.js-plotly-plot', plots => plots.filter(plot => plot.querySelector('.main-svg').getBoundingClientRect().width > plot.parentElement.clientWidth + 1).map(plot => plot.id));
+  check(wide.length === 0, `on paper: ${wide.join(', ')} wider than the column`);
+  await context.close();
+
+  for (const [width, height, scheme] of [[420, 900, 'light'], [1280, 900, 'dark']]) {
+    const seen = await check_page(width, height, scheme);
+    await seen.context.close();
+  }
+} finally {
+  await browser.close();
+}
+
+check(existsSync(file) && statSync(file).size < 12e6, 'the report is larger than 12 MB');
+if (failures.length) {
+  console.error(failures.map(failure => `FAIL ${failure}`).join('\n'));
+  process.exit(1);
+}
+console.log(`report looks right: ${file}`);
