@@ -30,6 +30,12 @@ struct CalibrateOptions {
 
 std::string number(double value) { return fmt::format("{:.4g}", value); }
 
+/// A line of a table without the blanks of its empty last columns.
+void print_line(std::string line) {
+    line.erase(line.find_last_not_of(' ') + 1);
+    fmt::print("{}\n", line);
+}
+
 void print_summary(const Case& c, const CalibrationResult& r) {
     fmt::print("{}\n\n", c.title.empty() ? "Calibration of the case" : c.title);
     fmt::print("  {:<20} {:>10} {:>10}   {:<12} {:<18} {}\n", "parameter", "start", "fitted", "+- standard",
@@ -38,15 +44,17 @@ void print_summary(const Case& c, const CalibrationResult& r) {
         const std::string uncertainty =
             std::isfinite(p.standard_uncertainty) ? number(p.standard_uncertainty) : "undetermined";
         const std::string range = fmt::format("{} to {}", number(p.lower), number(p.upper));
-        fmt::print("  {:<20} {:>10} {:>10}   {:<12} {:<18} {}\n", p.name, number(p.start), number(p.value),
-                   uncertainty, range, p.unit);
+        print_line(fmt::format("  {:<20} {:>10} {:>10}   {:<12} {:<18} {}", p.name, number(p.start),
+                               number(p.value), uncertainty, range, p.unit));
     }
     if (r.parameters.size() > 1) {
         fmt::print("\n  correlation         ");
         for (const FittedParameter& p : r.parameters) fmt::print(" {:>16}", p.name);
         for (std::size_t i = 0; i < r.parameters.size(); ++i) {
             fmt::print("\n  {:<18}  ", r.parameters[i].name);
-            for (const double value : r.correlation[i]) fmt::print(" {:>16.3f}", value);
+            for (const double value : r.correlation[i]) {
+                fmt::print(" {:>16}", std::isfinite(value) ? fmt::format("{:.3f}", value) : "-");
+            }
         }
         fmt::print("\n");
     }

@@ -35,7 +35,9 @@ void print_row(const std::string& name, const std::string& unit, double value,
     } else {
         line += fmt::format("{:>23}", "");
     }
-    fmt::print("{}{}\n", line, unit);
+    line += unit;
+    line.erase(line.find_last_not_of(' ') + 1);
+    fmt::print("{}\n", line);
 }
 
 /// A quantity that follows from the measured depth-mean velocity, where that is known.

@@ -11,7 +11,7 @@ namespace riffle {
 /// What to fit, and how much to trust each measured value. Uncertainties are relative standard uncertainties.
 struct CalibrationOptions {
     /// Any of "roughness_height", "drag_coefficient", "lambda".
-    std::vector<std::string> parameters{"roughness_height", "drag_coefficient"};
+    std::vector<std::string> parameters{"drag_coefficient", "lambda"};
     double depth_mean_uncertainty = 0.03;
     double friction_velocity_uncertainty = 0.05;
     double profile_uncertainty = 0.05;  ///< of each velocity without its own uncertainty

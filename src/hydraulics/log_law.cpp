@@ -130,13 +130,14 @@ LogLawFit fit_log_law_with_zero_plane(std::span<const double> z, std::span<const
     const Points points = points_between(z, velocity, from, to);
     constexpr std::size_t fewest = 4;
     if (points.z.size() < fewest) return no_fit(from, to, from);
-    const auto [lowest, highest] = std::minmax_element(points.z.begin(), points.z.end());
-    const double range = *highest - *lowest;
+    const auto extremes = std::minmax_element(points.z.begin(), points.z.end());
+    const double lowest = *extremes.first;
+    const double range = *extremes.second - lowest;
 
     // The misfit as a function of the distance of the plane below the lowest point, on a logarithmic scale:
     // scanned, because it may have more than one minimum, then refined.
     const auto misfit = [&](double log_distance) {
-        return fit_line(points, *lowest - std::exp(log_distance)).sum_of_squares;
+        return fit_line(points, lowest - std::exp(log_distance)).sum_of_squares;
     };
     const double nearest = std::log(1e-3 * range);
     const double farthest = std::log(3.0 * range);
@@ -159,7 +160,7 @@ LogLawFit fit_log_law_with_zero_plane(std::span<const double> z, std::span<const
             boost::math::tools::brent_find_minima(misfit, log_distance - step, log_distance + step, bits)
                 .first;
     }
-    const double zero_plane = *lowest - std::exp(log_distance);
+    const double zero_plane = lowest - std::exp(log_distance);
     LogLawFit fit = describe(points, fit_line(points, zero_plane), zero_plane, kappa, from, to, 3);
     // A plane at the edge of the search is no minimum: the points do not lie on a log law.
     if (at_the_edge) fit.valid = false;
