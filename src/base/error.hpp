@@ -8,9 +8,9 @@ namespace riffle {
 /// Exit status of the `riffle` command; documented in docs/user-guide.md.
 enum class ExitCode : int {
     success = 0,
-    run_failed = 1,   ///< the simulation stopped on a fault (a NaN, a particle outside the domain ...)
-    bad_input = 2,    ///< command line or case file is wrong
-    file_error = 3,   ///< a file is missing, unreadable, damaged, of another version, or the disk is full
+    run_failed = 1,  ///< the simulation stopped on a fault (a NaN, a particle outside the domain ...)
+    bad_input = 2,   ///< command line or case file is wrong
+    file_error = 3,  ///< a file is missing, unreadable, damaged, of another version, or the disk is full
 };
 
 /// An error with a message for the user: what is wrong, where, what was expected, what to do.

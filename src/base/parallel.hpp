@@ -39,9 +39,11 @@ void parallel_blocks(std::size_t n, std::size_t block, const F& f) {
 
 /// Deterministic reduction: map(begin, end) -> T on fixed blocks, the results combined in order.
 template <class T, class Map, class Combine>
-[[nodiscard]] T reduce_blocks(std::size_t n, std::size_t block, T identity, const Map& map, const Combine& combine) {
+[[nodiscard]] T reduce_blocks(std::size_t n, std::size_t block, T identity, const Map& map,
+                              const Combine& combine) {
     std::vector<T> partial((n + block - 1) / block, identity);
-    parallel_blocks(n, block, [&](std::size_t begin, std::size_t end) { partial[begin / block] = map(begin, end); });
+    parallel_blocks(n, block,
+                    [&](std::size_t begin, std::size_t end) { partial[begin / block] = map(begin, end); });
     T result = identity;
     for (const T& p : partial) {
         result = combine(result, p);

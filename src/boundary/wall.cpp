@@ -60,7 +60,8 @@ WallParticles<2> wall_particles(const Case& c) {
             const double wrapped = closed ? x : std::fmod(x, c.channel.length);
             add_particle(wall, wrapped, -behind, volume, corner ? Normal{} : Normal{0.0, 1.0}, behind);
             if (c.channel.top == Top::wall) {
-                add_particle(wall, wrapped, depth + behind, volume, corner ? Normal{} : Normal{0.0, -1.0}, behind);
+                add_particle(wall, wrapped, depth + behind, volume, corner ? Normal{} : Normal{0.0, -1.0},
+                             behind);
             }
         }
     }

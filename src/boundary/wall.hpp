@@ -7,14 +7,14 @@ namespace riffle {
 
 /// How the walls of a case act on the fluid.
 struct WallLaw {
-    bool dynamic = false; ///< density from the continuity equation (Dalrymple & Knio 2001), not extrapolated
-    bool no_slip = false; ///< viscous friction with the wall
+    bool dynamic = false;  ///< density from the continuity equation (Dalrymple & Knio 2001), not extrapolated
+    bool no_slip = false;  ///< viscous friction with the wall
 };
 [[nodiscard]] WallLaw wall_law(const Case& c);
 
-/// Wall particles of a 2D case: layers of dummy particles (Adami et al. 2012) below a bed, above a top wall and
-/// behind end walls, on the continuation of the fluid's lattice; or two staggered layers of dynamic particles.
-/// Empty for a fully periodic case.
+/// Wall particles of a 2D case: layers of dummy particles (Adami et al. 2012) below a bed, above a top wall
+/// and behind end walls, on the continuation of the fluid's lattice; or two staggered layers of dynamic
+/// particles. Empty for a fully periodic case.
 [[nodiscard]] WallParticles<2> wall_particles(const Case& c);
 
 }  // namespace riffle

@@ -50,7 +50,8 @@ std::vector<std::int32_t> spatial_order(const Domain<D>& domain, const PositionV
     const std::size_t n = height.size();
 
     std::vector<std::int32_t> key(n);
-    std::vector<std::int32_t> begin(static_cast<std::size_t>(grid.total()) * static_cast<std::size_t>(bins) + 1, 0);
+    std::vector<std::int32_t> begin(
+        static_cast<std::size_t>(grid.total()) * static_cast<std::size_t>(bins) + 1, 0);
     for (std::size_t i = 0; i < n; ++i) {
         const int bin = std::clamp(static_cast<int>((height[i] - bottom) / bin_height), 0, bins - 1);
         key[i] = grid.column_of(position, i) * bins + bin;
@@ -59,7 +60,8 @@ std::vector<std::int32_t> spatial_order(const Domain<D>& domain, const PositionV
     std::partial_sum(begin.begin(), begin.end(), begin.begin());
     std::vector<std::int32_t> order(n);
     for (std::size_t i = 0; i < n; ++i) {
-        order[static_cast<std::size_t>(begin[static_cast<std::size_t>(key[i])]++)] = static_cast<std::int32_t>(i);
+        order[static_cast<std::size_t>(begin[static_cast<std::size_t>(key[i])]++)] =
+            static_cast<std::int32_t>(i);
     }
     return order;
 }
@@ -79,7 +81,8 @@ Clusters<D> build_clusters(const Domain<D>& domain, const FixedPoint<D>& fixed_p
 
     std::size_t i = 0;
     for (int column = 0; column < grid.total(); ++column) {
-        clusters.column_begin.push_back(static_cast<std::int32_t>(clusters.particle_of_slot.size() / cluster_size));
+        clusters.column_begin.push_back(
+            static_cast<std::int32_t>(clusters.particle_of_slot.size() / cluster_size));
         while (i < n && grid.column_of(position, i) == column) {
             clusters.slot_of_particle[i] = static_cast<std::int32_t>(clusters.particle_of_slot.size());
             clusters.particle_of_slot.push_back(static_cast<std::int32_t>(i));
@@ -99,7 +102,8 @@ Clusters<D> build_clusters(const Domain<D>& domain, const FixedPoint<D>& fixed_p
         for (std::size_t c = 0; c < clusters.size(); ++c) {
             const std::size_t first = c * cluster_size;
             const auto code = [&](std::size_t slot) {
-                return fixed_point.encode(position[k][static_cast<std::size_t>(clusters.particle_of_slot[slot])], k);
+                return fixed_point.encode(
+                    position[k][static_cast<std::size_t>(clusters.particle_of_slot[slot])], k);
             };
             const std::int32_t reference = code(first);
             std::int32_t low = 0;
@@ -111,11 +115,12 @@ Clusters<D> build_clusters(const Domain<D>& domain, const FixedPoint<D>& fixed_p
                 high = std::max(high, offset);
             }
             const std::int32_t middle = low + (high - low) / 2;
-            clusters.centre[k][c] =
-                static_cast<std::int32_t>(static_cast<std::uint32_t>(reference) + static_cast<std::uint32_t>(middle));
+            clusters.centre[k][c] = static_cast<std::int32_t>(static_cast<std::uint32_t>(reference) +
+                                                              static_cast<std::uint32_t>(middle));
             // Half a unit of rounding on each side is covered by the margin.
             const double half = (0.5 * (static_cast<double>(high) - low) + 2.0) * fixed_point.unit(k);
-            clusters.half_extent[k][c] = std::nextafter(static_cast<float>(half), std::numeric_limits<float>::max());
+            clusters.half_extent[k][c] =
+                std::nextafter(static_cast<float>(half), std::numeric_limits<float>::max());
         }
     }
     return clusters;
@@ -123,7 +128,9 @@ Clusters<D> build_clusters(const Domain<D>& domain, const FixedPoint<D>& fixed_p
 
 template std::vector<std::int32_t> spatial_order<2>(const Domain<2>&, const PositionView<2>&, double, double);
 template std::vector<std::int32_t> spatial_order<3>(const Domain<3>&, const PositionView<3>&, double, double);
-template Clusters<2> build_clusters<2>(const Domain<2>&, const FixedPoint<2>&, const PositionView<2>&, double);
-template Clusters<3> build_clusters<3>(const Domain<3>&, const FixedPoint<3>&, const PositionView<3>&, double);
+template Clusters<2> build_clusters<2>(const Domain<2>&, const FixedPoint<2>&, const PositionView<2>&,
+                                       double);
+template Clusters<3> build_clusters<3>(const Domain<3>&, const FixedPoint<3>&, const PositionView<3>&,
+                                       double);
 
 }  // namespace riffle

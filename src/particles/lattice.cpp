@@ -23,7 +23,8 @@ Domain<2> domain_of(const Case& c) {
     Domain<2> domain;
     domain.periodic = {c.channel.ends == Ends::periodic, c.channel.top == Top::periodic};
     domain.lower = {domain.periodic[0] ? 0.0 : -margin, domain.periodic[1] ? 0.0 : -margin};
-    domain.upper = {c.channel.length + (domain.periodic[0] ? 0.0 : margin), depth + (domain.periodic[1] ? 0.0 : margin)};
+    domain.upper = {c.channel.length + (domain.periodic[0] ? 0.0 : margin),
+                    depth + (domain.periodic[1] ? 0.0 : margin)};
     return domain;
 }
 

@@ -8,10 +8,10 @@ namespace riffle {
 
 /// The square lattice that a case starts from: rows along the bed, spacing H/round(H/dx) normal to it.
 struct Lattice {
-    int columns = 0;      ///< particles along x
-    int rows = 0;         ///< particles along z
-    double dx = 0.0;      ///< spacing along x, m
-    double dz = 0.0;      ///< spacing along z, m
+    int columns = 0;  ///< particles along x
+    int rows = 0;     ///< particles along z
+    double dx = 0.0;  ///< spacing along x, m
+    double dz = 0.0;  ///< spacing along z, m
 };
 [[nodiscard]] Lattice lattice_of(const Case& c);
 

@@ -45,7 +45,8 @@ struct Search {
     [[nodiscard]] bool near(std::size_t ci, std::size_t cj) const {
         float squared = 0;
         for (std::size_t k = 0; k < D; ++k) {
-            const float gap = box_gap(i.centre[k][ci], i.half_extent[k][ci], j.centre[k][cj], j.half_extent[k][cj], unit[k]);
+            const float gap = box_gap(i.centre[k][ci], i.half_extent[k][ci], j.centre[k][cj],
+                                      j.half_extent[k][cj], unit[k]);
             squared += gap * gap;
         }
         return squared <= range_squared;
@@ -57,8 +58,9 @@ struct Search {
         for (std::size_t lane = ci * cluster_size; lane < (ci + 1) * cluster_size; ++lane) {
             float squared = 0;
             for (std::size_t k = 0; k < D; ++k) {
-                const float d =
-                    static_cast<float>(wrapped_difference(i.slot_position[k][lane], j.slot_position[k][slot])) * unit[k];
+                const float d = static_cast<float>(
+                                    wrapped_difference(i.slot_position[k][lane], j.slot_position[k][slot])) *
+                                unit[k];
                 squared += d * d;
             }
             least = std::min(least, squared);
@@ -162,7 +164,9 @@ NeighbourList build_neighbour_list(const Clusters<D>& i_clusters, const Clusters
     return list;
 }
 
-template NeighbourList build_neighbour_list<2>(const Clusters<2>&, const Clusters<2>&, const FixedPoint<2>&, double);
-template NeighbourList build_neighbour_list<3>(const Clusters<3>&, const Clusters<3>&, const FixedPoint<3>&, double);
+template NeighbourList build_neighbour_list<2>(const Clusters<2>&, const Clusters<2>&, const FixedPoint<2>&,
+                                               double);
+template NeighbourList build_neighbour_list<3>(const Clusters<3>&, const Clusters<3>&, const FixedPoint<3>&,
+                                               double);
 
 }  // namespace riffle

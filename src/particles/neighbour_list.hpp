@@ -21,12 +21,14 @@ struct NeighbourList {
         return {slots.data() + begin[cluster], begin[cluster + 1] - begin[cluster]};
     }
     [[nodiscard]] std::span<const std::int32_t> clusters_of(std::size_t cluster) const {
-        return {clusters.data() + cluster_begin[cluster], cluster_begin[cluster + 1] - cluster_begin[cluster]};
+        return {clusters.data() + cluster_begin[cluster],
+                cluster_begin[cluster + 1] - cluster_begin[cluster]};
     }
 };
 
-/// Build the list of j-slots within `range` (m) of each i-cluster. i and j may be the same clusters; a particle is
-/// then its own neighbour (all pair terms vanish at zero distance). Both were built on the same domain.
+/// Build the list of j-slots within `range` (m) of each i-cluster. i and j may be the same clusters; a
+/// particle is then its own neighbour (all pair terms vanish at zero distance). Both were built on the same
+/// domain.
 template <int D>
 [[nodiscard]] NeighbourList build_neighbour_list(const Clusters<D>& i_clusters, const Clusters<D>& j_clusters,
                                                  const FixedPoint<D>& fixed_point, double range);

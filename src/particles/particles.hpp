@@ -13,9 +13,9 @@ template <int D>
 struct Particles {
     std::array<std::vector<double>, static_cast<std::size_t>(D)> position;
     std::array<std::vector<double>, static_cast<std::size_t>(D)> velocity;
-    std::vector<double> density_deviation; ///< s = rho/rho0 - 1: no rounding against rho0
+    std::vector<double> density_deviation;  ///< s = rho/rho0 - 1: no rounding against rho0
     std::vector<double> mass;
-    std::vector<std::int64_t> id;          ///< number at creation, kept through sorting
+    std::vector<std::int64_t> id;  ///< number at creation, kept through sorting
     /// Position at the last build of the neighbour lists. Part of the state, so that a resumed run has the
     /// same lists in the same order, and the same bits, as an uninterrupted one.
     std::array<std::vector<double>, static_cast<std::size_t>(D)> listed_position;
@@ -42,10 +42,11 @@ template <int D>
 struct WallParticles {
     std::array<std::vector<double>, static_cast<std::size_t>(D)> position;
     std::vector<double> volume;
-    /// Symmetric matrix P per particle (row-major, D x D): the part of the fluid's velocity relative to the wall
-    /// that counts in the continuity equation; n n^T on a flat wall, the identity in a corner.
+    /// Symmetric matrix P per particle (row-major, D x D): the part of the fluid's velocity relative to the
+    /// wall that counts in the continuity equation; n n^T on a flat wall, the identity in a corner.
     std::array<std::vector<double>, static_cast<std::size_t>(D* D)> projector;
-    std::array<std::vector<double>, static_cast<std::size_t>(D)> normal; ///< into the fluid; zero in a corner
+    std::array<std::vector<double>, static_cast<std::size_t>(D)>
+        normal;                 ///< into the fluid; zero in a corner
     std::vector<double> depth;  ///< distance behind the wall's surface, m
 
     [[nodiscard]] std::size_t size() const { return volume.size(); }

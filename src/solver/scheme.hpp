@@ -8,17 +8,17 @@ namespace riffle {
 
 /// Numbers of a run that follow from its case: sizes, sound speed, time step. SI.
 struct Scheme {
-    double spacing = 0.0;          ///< lattice spacing along x
-    double smoothing_length = 0.0; ///< h
-    double skin = 0.0;             ///< of the neighbour lists
-    double depth = 0.0;            ///< total depth H
-    double maximum_velocity = 0.0; ///< expected, sets the sound speed
+    double spacing = 0.0;           ///< lattice spacing along x
+    double smoothing_length = 0.0;  ///< h
+    double skin = 0.0;              ///< of the neighbour lists
+    double depth = 0.0;             ///< total depth H
+    double maximum_velocity = 0.0;  ///< expected, sets the sound speed
     StateEquation state;
-    double density = 0.0;          ///< rho0
-    double viscosity = 0.0;        ///< nu0
+    double density = 0.0;    ///< rho0
+    double viscosity = 0.0;  ///< nu0
     double streamwise_gravity = 0.0;
     double normal_gravity = 0.0;
-    double acoustic_step = 0.0;    ///< Courant number * h / c0
+    double acoustic_step = 0.0;  ///< Courant number * h / c0
 
     /// Density deviation of still water at height z: the hydrostatic pressure through the equation of state.
     [[nodiscard]] double hydrostatic_deviation(double z) const;

@@ -14,16 +14,17 @@
 
 namespace riffle {
 
-/// Quantities of the particles at the last evaluation of the forces, for sampling and output. By particle, SI.
+/// Quantities of the particles at the last evaluation of the forces, for sampling and output. By particle,
+/// SI.
 struct ParticleFields {
-    std::vector<double> pressure;         ///< p, Pa
-    std::vector<double> eddy_viscosity;   ///< nu_t
-    std::vector<double> shear;            ///< du/dz
-    std::vector<double> regularity;       ///< smallest eigenvalue of M
-    std::vector<double> pair_acceleration_x;    ///< of the pressure pairs
-    std::vector<double> viscous_acceleration_x; ///< of viscosity and closure
-    std::vector<double> wall_acceleration_x;    ///< part of both from walls
-    std::vector<double> drag_acceleration_x;    ///< of the bed drag (negative for u > 0)
+    std::vector<double> pressure;                ///< p, Pa
+    std::vector<double> eddy_viscosity;          ///< nu_t
+    std::vector<double> shear;                   ///< du/dz
+    std::vector<double> regularity;              ///< smallest eigenvalue of M
+    std::vector<double> pair_acceleration_x;     ///< of the pressure pairs
+    std::vector<double> viscous_acceleration_x;  ///< of viscosity and closure
+    std::vector<double> wall_acceleration_x;     ///< part of both from walls
+    std::vector<double> drag_acceleration_x;     ///< of the bed drag (negative for u > 0)
 
     void resize(std::size_t n);
 };
@@ -33,8 +34,8 @@ struct SimulationClock {
     double time = 0.0;
     std::int64_t steps = 0;
     std::int64_t list_builds = 0;
-    double time_step = 0.0;            ///< last step
-    double largest_acceleration = 0.0; ///< of the last evaluation
+    double time_step = 0.0;             ///< last step
+    double largest_acceleration = 0.0;  ///< of the last evaluation
 };
 
 /// A 2D simulation: the particles of a case and the method that advances them.
@@ -49,7 +50,8 @@ class Simulation {
     /// Force evaluations per step (1, or 2 with the predictor-corrector).
     [[nodiscard]] virtual int evaluations_per_step() const = 0;
 
-    /// Mean number of neighbours of a particle within the kernel's support and in the lists, for the benchmark.
+    /// Mean number of neighbours of a particle within the kernel's support and in the lists, for the
+    /// benchmark.
     [[nodiscard]] virtual double mean_listed_neighbours() const = 0;
 
     [[nodiscard]] const Particles<2>& particles() const { return particles_; }
@@ -60,7 +62,8 @@ class Simulation {
     [[nodiscard]] const WallParticles<2>& walls() const { return walls_; }
 
     /// Put back a saved state (particles in their saved order, listed positions included).
-    virtual void restore(Particles<2> particles, const SimulationClock& clock, std::vector<double> wall_deviation) = 0;
+    virtual void restore(Particles<2> particles, const SimulationClock& clock,
+                         std::vector<double> wall_deviation) = 0;
 
   protected:
     Particles<2> particles_;
@@ -68,7 +71,7 @@ class Simulation {
     SimulationClock clock_;
     Scheme scheme_;
     WallParticles<2> walls_;
-    std::vector<double> wall_deviation_; ///< by wall particle
+    std::vector<double> wall_deviation_;  ///< by wall particle
 };
 
 /// Build the simulation of a case from its initial particles. `column` as in make_scheme, also the default

@@ -10,7 +10,9 @@ namespace riffle {
 
 namespace {
 
-PositionView<2> view(const std::array<std::vector<double>, 2>& position) { return {position[0], position[1]}; }
+PositionView<2> view(const std::array<std::vector<double>, 2>& position) {
+    return {position[0], position[1]};
+}
 
 /// Width of a column of clusters, in spacings: 8 particles then fill a nearly square box.
 constexpr double cluster_width = 2.67;
@@ -22,7 +24,8 @@ void SimulationOf<Real>::build_lists(bool sort) {
     const double spacing = case_.numerics.spacing;
     column_width_ = cluster_width * spacing;
     if (sort) {
-        particles_.permute(spatial_order<2>(domain_, view(particles_.position), column_width_, 0.5 * spacing));
+        particles_.permute(
+            spatial_order<2>(domain_, view(particles_.position), column_width_, 0.5 * spacing));
         particles_.listed_position = particles_.position;
         ++clock_.list_builds;
     }

@@ -10,8 +10,9 @@
 
 namespace riffle {
 
-/// The simulation with pair arithmetic in `Real`. A step is a few parallel sweeps over the clusters: gradients
-/// (then density, pressure, closure and packing of the same clusters), walls, forces (then motion and packing).
+/// The simulation with pair arithmetic in `Real`. A step is a few parallel sweeps over the clusters:
+/// gradients (then density, pressure, closure and packing of the same clusters), walls, forces (then motion
+/// and packing).
 template <class Real>
 class SimulationOf final : public Simulation {
   public:
@@ -20,7 +21,8 @@ class SimulationOf final : public Simulation {
     void step() override;
     [[nodiscard]] int evaluations_per_step() const override;
     [[nodiscard]] double mean_listed_neighbours() const override;
-    void restore(Particles<2> particles, const SimulationClock& clock, std::vector<double> wall_deviation) override;
+    void restore(Particles<2> particles, const SimulationClock& clock,
+                 std::vector<double> wall_deviation) override;
 
   private:
     // Lists and packing (simulation_lists.cpp).
@@ -35,7 +37,9 @@ class SimulationOf final : public Simulation {
 
     // Sweeps (simulation_sweeps.cpp).
     void sweep_gradients(double density_step);
+    [[nodiscard]] double second_moment_factor(std::size_t slot) const;
     void sweep_walls(double step);
+    void wet_wall(std::size_t slot, std::size_t particle, double pressure);
     /// Forces, then `move(first, last)` for the particles of each cluster once their accelerations are known.
     void sweep_forces(const std::function<void(std::size_t, std::size_t)>& move);
     void filter_density();
@@ -74,13 +78,14 @@ class SimulationOf final : public Simulation {
     std::array<std::vector<double>, 2> displacement_low_;
     std::array<std::vector<double>, 2> displacement_high_;
 
-    std::array<std::vector<double>, 2> acceleration_;  ///< pairs and viscosity, with the factor of the pressure form
+    std::array<std::vector<double>, 2>
+        acceleration_;  ///< pairs and viscosity, with the factor of the pressure form
     std::vector<double> mixing_length_;
     std::vector<double> drag_coefficient_;
-    std::vector<double> cluster_largest_; ///< largest |a|^2 by cluster
-    std::vector<double> density_rate_;    ///< ds/dt by particle
+    std::vector<double> cluster_largest_;  ///< largest |a|^2 by cluster
+    std::vector<double> density_rate_;     ///< ds/dt by particle
     std::vector<std::uint8_t> cluster_fault_;
-    Particles<2> saved_;                  ///< state at the start of the step (predictor-corrector)
+    Particles<2> saved_;  ///< state at the start of the step (predictor-corrector)
 };
 
 }  // namespace riffle

@@ -45,7 +45,8 @@ SimulationOf<Real>::SimulationOf(const Case& c, const ColumnResult* column, Part
     constants.gradient_scale = static_cast<Real>(1.0 / (h * h * h * h));
     const double c0 = scheme_.state.sound_speed;
     const bool diffusion = c.numerics.density_diffusion == DensityDiffusion::fourtakas;
-    constants.diffusion = static_cast<Real>(diffusion ? c.numerics.density_diffusion_coefficient * h * c0 : 0.0);
+    constants.diffusion =
+        static_cast<Real>(diffusion ? c.numerics.density_diffusion_coefficient * h * c0 : 0.0);
     constants.hydrostatic_gradient = static_cast<Real>(scheme_.normal_gravity / (c0 * c0));
     constants.correct_pressure = c.numerics.pressure_form == PressureForm::corrected;
     constants.correct_gradient = c.numerics.velocity_gradient == VelocityGradient::corrected;
@@ -56,7 +57,8 @@ SimulationOf<Real>::SimulationOf(const Case& c, const ColumnResult* column, Part
         const PositionView<2> unsorted = {walls_.position[0], walls_.position[1]};
         const auto order = spatial_order<2>(domain_, unsorted, width, 0.5 * c.numerics.spacing);
         walls_.permute(order);
-        wall_clusters_ = build_clusters<2>(domain_, fixed_point_, {walls_.position[0], walls_.position[1]}, width);
+        wall_clusters_ =
+            build_clusters<2>(domain_, fixed_point_, {walls_.position[0], walls_.position[1]}, width);
         pack_wall_records();
     }
     build_lists(true);
@@ -90,17 +92,19 @@ void SimulationOf<Real>::check_state() const {
     for (std::size_t i = 0; i < particles_.size(); ++i) {
         const double x = particles_.position[0][i];
         const double z = particles_.position[1][i];
-        const bool finite = std::isfinite(particles_.velocity[0][i]) && std::isfinite(particles_.velocity[1][i]) &&
-                            std::isfinite(particles_.density_deviation[i]) && std::isfinite(x) && std::isfinite(z);
+        const bool finite =
+            std::isfinite(particles_.velocity[0][i]) && std::isfinite(particles_.velocity[1][i]) &&
+            std::isfinite(particles_.density_deviation[i]) && std::isfinite(x) && std::isfinite(z);
         if (finite && fixed_point_.in_range(x, 0) && fixed_point_.in_range(z, 1)) {
             continue;
         }
-        throw RunError(fmt::format(
-            "{}: particle {} at x = {:.6g} m, z = {:.6g} m, velocity ({:.4g}, {:.4g}) m/s, density deviation {:.4g}, "
-            "at t = {:.6g} s (step {})",
-            finite ? "a particle left the domain" : "the state is no longer finite", particles_.id[i], x, z,
-            particles_.velocity[0][i], particles_.velocity[1][i], particles_.density_deviation[i], clock_.time,
-            clock_.steps));
+        throw RunError(
+            fmt::format("{}: particle {} at x = {:.6g} m, z = {:.6g} m, velocity ({:.4g}, {:.4g}) m/s, "
+                        "density deviation {:.4g}, "
+                        "at t = {:.6g} s (step {})",
+                        finite ? "a particle left the domain" : "the state is no longer finite",
+                        particles_.id[i], x, z, particles_.velocity[0][i], particles_.velocity[1][i],
+                        particles_.density_deviation[i], clock_.time, clock_.steps));
     }
 }
 
@@ -171,10 +175,12 @@ void SimulationOf<Real>::step() {
     } else {
         step_semi_implicit_euler(dt);
     }
-    if (std::any_of(cluster_fault_.begin(), cluster_fault_.end(), [](std::uint8_t fault) { return fault != 0; })) {
+    if (std::any_of(cluster_fault_.begin(), cluster_fault_.end(),
+                    [](std::uint8_t fault) { return fault != 0; })) {
         check_state();
     }
-    clock_.largest_acceleration = std::sqrt(*std::max_element(cluster_largest_.begin(), cluster_largest_.end()));
+    clock_.largest_acceleration =
+        std::sqrt(*std::max_element(cluster_largest_.begin(), cluster_largest_.end()));
     clock_.time_step = dt;
     clock_.time += dt;
     ++clock_.steps;
@@ -214,10 +220,12 @@ void SimulationOf<Real>::step_predictor_corrector(double dt) {
         sweep_walls(0.5 * dt);
         sweep_forces([&](std::size_t first, std::size_t last) {
             for (std::size_t i = first; i < last; ++i) {
-                const double drag = -drag_coefficient_[i] * particles_.velocity[0][i] * std::abs(particles_.velocity[0][i]);
+                const double drag =
+                    -drag_coefficient_[i] * particles_.velocity[0][i] * std::abs(particles_.velocity[0][i]);
                 fields_.drag_acceleration_x[i] = drag;
                 const std::array<double, 2> rate = {acceleration_[0][i] + drag, acceleration_[1][i]};
-                // With the second stage, 2 q^(n+1/2) - q^n is q^n plus a full step at the rates of the middle.
+                // With the second stage, 2 q^(n+1/2) - q^n is q^n plus a full step at the rates of the
+                // middle.
                 const double part = stage == 0 ? 0.5 * dt : dt;
                 particles_.density_deviation[i] = saved_.density_deviation[i] + part * density_rate_[i];
                 for (std::size_t k = 0; k < 2; ++k) {
@@ -237,7 +245,8 @@ void SimulationOf<Real>::step_predictor_corrector(double dt) {
 template class SimulationOf<float>;
 template class SimulationOf<double>;
 
-std::unique_ptr<Simulation> make_simulation(const Case& c, const ColumnResult* column, Particles<2> particles) {
+std::unique_ptr<Simulation> make_simulation(const Case& c, const ColumnResult* column,
+                                            Particles<2> particles) {
     if (c.numerics.precision == Precision::double_precision) {
         return std::make_unique<SimulationOf<double>>(c, column, std::move(particles));
     }

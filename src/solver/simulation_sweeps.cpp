@@ -51,9 +51,10 @@ void SimulationOf<Real>::evaluate_closure(std::size_t first, std::size_t last, s
         if (closure_) {
             // |S| = sqrt(2 S_ij S_ij); the paper keeps only du/dz.
             const double shear_rate = g(1) + g(2);
-            const double strain = case_.turbulence.stress_terms == StressTerms::shear
-                                      ? std::abs(g(1))
-                                      : std::sqrt(2.0 * (g(0) * g(0) + g(3) * g(3)) + shear_rate * shear_rate);
+            const double strain =
+                case_.turbulence.stress_terms == StressTerms::shear
+                    ? std::abs(g(1))
+                    : std::sqrt(2.0 * (g(0) * g(0) + g(3) * g(3)) + shear_rate * shear_rate);
             nu_t = mixing_length_viscosity(mixing_length_[i], strain);
         }
         fields_.eddy_viscosity[i] = nu_t;
@@ -73,20 +74,24 @@ void SimulationOf<Real>::pack_force(std::size_t i, std::size_t slot) {
     fields_.pressure[i] = scheme_.density * pressure;
 
     const bool corrected = case_.numerics.pressure_form == PressureForm::corrected;
-    // Symmetric form (thesis 2.42): Q = p/rho^2 with weight m_j. Corrected: Q = p B with weight V_j/(1 + s_i).
+    // Symmetric form (thesis 2.42): Q = p/rho^2 with weight m_j. Corrected: Q = p B with weight V_j/(1 +
+    // s_i).
     const double tensor_scale = corrected ? 1.0 : 1.0 / ((1.0 + s) * (1.0 + s));
     record.weight = static_cast<Real>(corrected ? volume : volume * (1.0 + s));
     const double scalar = pressure * tensor_scale;
     data_.fluid_pressure[slot] = static_cast<Real>(scalar);
     for (std::size_t k = 0; k < 4; ++k) {
-        record.stress[k] = static_cast<Real>(scalar * static_cast<double>(data_.gradient.correction[k][slot]));
+        record.stress[k] =
+            static_cast<Real>(scalar * static_cast<double>(data_.gradient.correction[k][slot]));
     }
     double nu = scheme_.viscosity;
     if (case_.numerics.eddy_stress == EddyStress::two_point) {
         nu += fields_.eddy_viscosity[i];
     } else if (closure_) {
         // tau_ij = rho nu_t 2 S_ij, in the stress-divergence form of the thesis (4.1) part of the tensor.
-        const auto g = [&](std::size_t k) { return static_cast<double>(data_.gradient.velocity_gradient[k][slot]); };
+        const auto g = [&](std::size_t k) {
+            return static_cast<double>(data_.gradient.velocity_gradient[k][slot]);
+        };
         const double nu_t = fields_.eddy_viscosity[i] * (1.0 + s) * tensor_scale;
         const bool shear_only = case_.turbulence.stress_terms == StressTerms::shear;
         const double shear = nu_t * (shear_only ? g(1) : g(1) + g(2));
@@ -97,7 +102,16 @@ void SimulationOf<Real>::pack_force(std::size_t i, std::size_t slot) {
             record.stress[3] -= static_cast<Real>(2.0 * nu_t * g(3));
         }
     }
-    record.viscosity = static_cast<Real>((1.0 + s) * nu);
+    record.viscosity = static_cast<Real>((1.0 + s) * nu * second_moment_factor(slot));
+}
+
+// The two-point viscosity is nu M_kl d2u/dx_k dx_l: where the arrangement is disordered, tr(M)/2 falls below one
+// (liquid-like disorder at h = 1.5 dx: VALUE) and the fluid is too thin by as much. The factor 2/tr(M) puts
+// it right; it comes from B, which is M^-1 inside and the identity at a free surface.
+template <class Real>
+double SimulationOf<Real>::second_moment_factor(std::size_t slot) const {
+    const auto b = [&](std::size_t k) { return static_cast<double>(data_.gradient.correction[k][slot]); };
+    return 2.0 * (b(0) * b(3) - b(1) * b(2)) / (b(0) + b(3));
 }
 
 template <class Real>
@@ -126,6 +140,7 @@ void SimulationOf<Real>::sweep_walls(double step) {
                             scheme_.normal_gravity * static_cast<double>(data_.wall.offset[1][slot])) /
                            weight;
                 wall_deviation_[i] = scheme_.state.deviation(pressure);
+                wet_wall(slot, i, pressure);
             }
             record.stress = {static_cast<Real>(pressure), Real(0), Real(0), static_cast<Real>(pressure)};
             record.u = {};
@@ -146,6 +161,22 @@ void SimulationOf<Real>::sweep_walls(double step) {
             }
         }
     });
+}
+
+// An end wall stands higher than the water. Its particles above the surface, where the extrapolated pressure is
+// negative, must be as empty as the space over the rest of the surface, or they pull at the water below: their
+// volume fades out over one spacing.
+template <class Real>
+void SimulationOf<Real>::wet_wall(std::size_t slot, std::size_t particle, double pressure) {
+    if (walls_.normal[1][particle] != 0.0 || scheme_.normal_gravity <= 0.0) {
+        return;
+    }
+    const double wetness =
+        std::clamp(0.5 + pressure / (scheme_.normal_gravity * case_.numerics.spacing), 0.0, 1.0);
+    const auto volume = static_cast<Real>(wetness * walls_.volume[particle]);
+    data_.wall_gradient[slot].volume = volume;
+    data_.wall_force[slot].weight = volume;
+    data_.wall_force[slot].volume = wall_law_.no_slip ? volume : Real(0);
 }
 
 template <class Real>
@@ -233,7 +264,9 @@ void SimulationOf<Real>::filter_density() {
             if (particle < 0) {
                 continue;
             }
-            const auto get = [&](const std::vector<Real>& values) { return static_cast<double>(values[slot]); };
+            const auto get = [&](const std::vector<Real>& values) {
+                return static_cast<double>(values[slot]);
+            };
             const double zeroth = get(filter.zeroth);
             // Shepard: rho = sum m W / sum V W.
             double density = get(filter.mass) / zeroth;

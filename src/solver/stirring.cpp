@@ -13,8 +13,8 @@ Stirring2D::Stirring2D(const Case& c, double celerity) : celerity_(celerity) {
         Mode mode;
         mode.kx = 2.0 * std::numbers::pi * m / c.channel.length;
         mode.kz = std::numbers::pi * m / c.total_depth();
-        mode.amplitude =
-            c.stirring.acceleration / std::sqrt(static_cast<double>(c.stirring.modes)) / std::hypot(mode.kx, mode.kz);
+        mode.amplitude = c.stirring.acceleration / std::sqrt(static_cast<double>(c.stirring.modes)) /
+                         std::hypot(mode.kx, mode.kz);
         // Golden-angle phases: no two modes peak at the same place.
         mode.phase = std::numbers::pi * (3.0 - std::sqrt(5.0)) * m;
         modes_.push_back(mode);

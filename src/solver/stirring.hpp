@@ -23,7 +23,7 @@ class Stirring2D {
 
   private:
     struct Mode {
-        double amplitude = 0.0; ///< of the stream function, m2/s2
+        double amplitude = 0.0;  ///< of the stream function, m2/s2
         double kx = 0.0;
         double kz = 0.0;
         double phase = 0.0;

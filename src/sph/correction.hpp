@@ -39,7 +39,8 @@ RIFFLE_INLINE T determinant(const Symmetric<T, D>& m) {
     }
 }
 
-/// Inverse of a symmetric matrix, the determinant kept away from zero (the callers blend the result out there).
+/// Inverse of a symmetric matrix, the determinant kept away from zero (the callers blend the result out
+/// there).
 template <class T, int D>
 RIFFLE_INLINE Symmetric<T, D> inverse(const Symmetric<T, D>& m) {
     using R = scalar_of<T>;
@@ -79,12 +80,12 @@ RIFFLE_INLINE T smallest_eigenvalue(const Symmetric<T, D>& m) {
     }
 }
 
-/// The matrix B of the pressure form. Fluid pairs are corrected, wall pairs are not: with uniform pressure the
-/// virial B M_fluid + M_wall must be the identity, so B = (I - M_wall) M_fluid^-1. Near a free surface B fades
-/// into the identity, by the smallest eigenvalue of M_fluid + M_wall. Row-major D x D.
+/// The matrix B of the pressure form. Fluid pairs are corrected, wall pairs are not: with uniform pressure
+/// the virial B M_fluid + M_wall must be the identity, so B = (I - M_wall) M_fluid^-1. Near a free surface B
+/// fades into the identity, by the smallest eigenvalue of M_fluid + M_wall. Row-major D x D.
 template <class T, int D>
-RIFFLE_INLINE Components<T, D * D> pressure_correction(const Symmetric<T, D>& m_fluid, const Symmetric<T, D>& m_wall,
-                                                       const T& blend) {
+RIFFLE_INLINE Components<T, D * D> pressure_correction(const Symmetric<T, D>& m_fluid,
+                                                       const Symmetric<T, D>& m_wall, const T& blend) {
     using R = scalar_of<T>;
     const Symmetric<T, D> inv = inverse<T, D>(m_fluid);
     Components<T, D * D> b{};

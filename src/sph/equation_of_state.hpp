@@ -6,10 +6,11 @@
 
 namespace riffle {
 
-/// Equation of state in terms of the density deviation s = rho/rho0 - 1. Pressures are divided by rho0 (m2/s2).
+/// Equation of state in terms of the density deviation s = rho/rho0 - 1. Pressures are divided by rho0
+/// (m2/s2).
 struct StateEquation {
     EquationOfState kind = EquationOfState::linear;
-    double sound_speed = 0.0; ///< c0, m/s
+    double sound_speed = 0.0;  ///< c0, m/s
 
     static constexpr double tait_exponent = 7.0;
 

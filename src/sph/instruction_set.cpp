@@ -25,8 +25,10 @@ namespace {
 bool processor_offers(InstructionSet set) {
     __builtin_cpu_init();
     switch (set) {
-        case InstructionSet::baseline: return true;
-        case InstructionSet::avx2: return __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0;
+        case InstructionSet::baseline:
+            return true;
+        case InstructionSet::avx2:
+            return __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0;
         case InstructionSet::avx512:
             return __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512vl") != 0 &&
                    __builtin_cpu_supports("avx512dq") != 0 && __builtin_cpu_supports("avx512bw") != 0;
@@ -43,8 +45,9 @@ InstructionSet choose() {
     for (const InstructionSet set : all_sets) {
         if (wish == nullptr ? processor_offers(set) : instruction_set_name(set) == wish) {
             if (!processor_offers(set)) {
-                throw InputError("RIFFLE_INSTRUCTION_SET=" + std::string(wish) +
-                                 ": this processor does not offer it; choose a smaller one or unset the variable");
+                throw InputError(
+                    "RIFFLE_INSTRUCTION_SET=" + std::string(wish) +
+                    ": this processor does not offer it; choose a smaller one or unset the variable");
             }
             return set;
         }
@@ -56,9 +59,12 @@ InstructionSet choose() {
 
 std::string instruction_set_name(InstructionSet set) {
     switch (set) {
-        case InstructionSet::baseline: return "baseline";
-        case InstructionSet::avx2: return "avx2";
-        case InstructionSet::avx512: return "avx512";
+        case InstructionSet::baseline:
+            return "baseline";
+        case InstructionSet::avx2:
+            return "avx2";
+        case InstructionSet::avx512:
+            return "avx512";
     }
     return "unknown";
 }
@@ -71,9 +77,12 @@ InstructionSet active_instruction_set() {
 template <>
 PairLoops<2, float> pair_loops<2, float>(KernelKind kernel, ViscosityForm viscosity) {
     switch (active_instruction_set()) {
-        case InstructionSet::avx512: return avx512::loops_2d_single(kernel, viscosity);
-        case InstructionSet::avx2: return avx2::loops_2d_single(kernel, viscosity);
-        case InstructionSet::baseline: break;
+        case InstructionSet::avx512:
+            return avx512::loops_2d_single(kernel, viscosity);
+        case InstructionSet::avx2:
+            return avx2::loops_2d_single(kernel, viscosity);
+        case InstructionSet::baseline:
+            break;
     }
     return baseline::loops_2d_single(kernel, viscosity);
 }
@@ -81,9 +90,12 @@ PairLoops<2, float> pair_loops<2, float>(KernelKind kernel, ViscosityForm viscos
 template <>
 PairLoops<2, double> pair_loops<2, double>(KernelKind kernel, ViscosityForm viscosity) {
     switch (active_instruction_set()) {
-        case InstructionSet::avx512: return avx512::loops_2d_double(kernel, viscosity);
-        case InstructionSet::avx2: return avx2::loops_2d_double(kernel, viscosity);
-        case InstructionSet::baseline: break;
+        case InstructionSet::avx512:
+            return avx512::loops_2d_double(kernel, viscosity);
+        case InstructionSet::avx2:
+            return avx2::loops_2d_double(kernel, viscosity);
+        case InstructionSet::baseline:
+            break;
     }
     return baseline::loops_2d_double(kernel, viscosity);
 }

@@ -25,8 +25,9 @@ struct LanePositions {
 
     /// Distances r = x_i - x_j in metres to one record.
     template <class Real>
-    RIFFLE_INLINE Components<Lanes<Real>, D> to(const std::array<std::int32_t, static_cast<std::size_t>(D)>& xj,
-                                                const std::array<Real, static_cast<std::size_t>(D)>& unit) const {
+    RIFFLE_INLINE Components<Lanes<Real>, D> to(
+        const std::array<std::int32_t, static_cast<std::size_t>(D)>& xj,
+        const std::array<Real, static_cast<std::size_t>(D)>& unit) const {
         Components<Lanes<Real>, D> r{};
         for (std::size_t k = 0; k < D; ++k) {
             r[k] = stdx::static_simd_cast<Lanes<Real>>(x[k] - IntLanes(xj[k])) * unit[k];
@@ -71,7 +72,8 @@ RIFFLE_INLINE void add(std::array<T, N>& sum, const std::array<T, N>& term) {
 }
 
 template <class Record>
-RIFFLE_INLINE void prefetch(const std::vector<Record>& records, std::span<const std::int32_t> list, std::size_t k) {
+RIFFLE_INLINE void prefetch(const std::vector<Record>& records, std::span<const std::int32_t> list,
+                            std::size_t k) {
     const std::size_t ahead = k + prefetch_distance < list.size() ? k + prefetch_distance : list.size() - 1;
     __builtin_prefetch(&records[static_cast<std::size_t>(list[ahead])]);
 }
@@ -112,7 +114,8 @@ template <int D, class Real, class Kernel>
                     gradient[k * D + l] -= u[k] * gradient_l;
                 }
                 for (std::size_t k = 0; k <= l; ++k) {
-                    m_fluid[symmetric_index<D>(static_cast<int>(k), static_cast<int>(l))] -= r[k] * gradient_l;
+                    m_fluid[symmetric_index<D>(static_cast<int>(k), static_cast<int>(l))] -=
+                        r[k] * gradient_l;
                 }
             }
         }
@@ -148,14 +151,15 @@ template <int D, class Real, class Kernel>
         Symmetric<T, D> m_total = m_fluid;
         add(m_total, m_wall);
         const T regularity = smallest_eigenvalue<T, D>(m_total);
-        const T pressure_blend =
-            c.correct_pressure ? smoothstep<T>(Real(0.6), Real(0.9), regularity) : T(0);
-        const Components<T, D * D> b = pressure_correction<T, D>(m_fluid, m_wall, pressure_blend);
+        const T pressure_blend = c.correct_pressure ? smoothstep<T>(Real(0.6), Real(0.9), regularity) : T(0);
+        const Components<T, D* D> b = pressure_correction<T, D>(m_fluid, m_wall, pressure_blend);
 
         // The corrected gradient G M_fluid^-1 is exact for linear fields as long as M_fluid can be inverted.
-        const T gradient_blend =
-            c.correct_gradient ? smoothstep<T>(Real(0.1), Real(0.3), smallest_eigenvalue<T, D>(m_fluid)) : T(0);
-        const Components<T, D * D> gradient_matrix = pressure_correction<T, D>(m_fluid, Symmetric<T, D>{}, gradient_blend);
+        const T gradient_blend = c.correct_gradient
+                                     ? smoothstep<T>(Real(0.1), Real(0.3), smallest_eigenvalue<T, D>(m_fluid))
+                                     : T(0);
+        const Components<T, D* D> gradient_matrix =
+            pressure_correction<T, D>(m_fluid, Symmetric<T, D>{}, gradient_blend);
 
         for (std::size_t k = 0; k < D; ++k) {
             for (std::size_t l = 0; l < D; ++l) {
@@ -202,7 +206,8 @@ template <int D, class Real, class Kernel, class Viscosity>
             for (std::size_t k = 0; k < D; ++k) {
                 u[k] = velocity[k] - j.u[k];
             }
-            add(viscous, Viscosity::template force<T, D>(gradient * j.volume, viscosity + j.viscosity, u, r, r_squared));
+            add(viscous, Viscosity::template force<T, D>(gradient * j.volume, viscosity + j.viscosity, u, r,
+                                                         r_squared));
         };
 
         Components<T, D> tensor{};
@@ -258,7 +263,8 @@ template <int D, class Real, class Kernel>
                 velocity[k] += w * j.u[k];
                 u[k] = T(-j.u[k]);
             }
-            density_rate += continuity<T, D>(Kernel::gradient_factor(q) * (c.gradient_scale * j.volume), u, r);
+            density_rate +=
+                continuity<T, D>(Kernel::gradient_factor(q) * (c.gradient_scale * j.volume), u, r);
         }
         store_lanes(weight, &data.wall.weight[slot]);
         store_lanes(pressure, &data.wall.pressure[slot]);

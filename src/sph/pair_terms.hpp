@@ -28,8 +28,8 @@ RIFFLE_INLINE T continuity(const T& volume_gradient, const Components<T, D>& u, 
     return volume_gradient * dot<T, D>(u, r);
 }
 
-/// Density diffusion of Fourtakas et al. (2019): 2 V_j (s_i - s_j + k r_z) F, k r_z the hydrostatic part of the
-/// difference, so that it vanishes at rest. The sum is multiplied by delta h c0.
+/// Density diffusion of Fourtakas et al. (2019): 2 V_j (s_i - s_j + k r_z) F, k r_z the hydrostatic part of
+/// the difference, so that it vanishes at rest. The sum is multiplied by delta h c0.
 template <class T, class R>
 RIFFLE_INLINE T density_diffusion(const T& volume_gradient, const T& s_difference, const T& r_vertical,
                                   R hydrostatic_gradient) {
@@ -37,7 +37,8 @@ RIFFLE_INLINE T density_diffusion(const T& volume_gradient, const T& s_differenc
 }
 
 /// Pressure and stress in conservative form: -w_j (Q_i + Q_j) grad W, Q = (p B - tau)/rho0 (row-major D x D).
-/// With B = M^-1 this is the kernel-gradient-corrected form of docs/theory.md; with Q = p/rho^2 I, thesis (2.42).
+/// With B = M^-1 this is the kernel-gradient-corrected form of docs/theory.md; with Q = p/rho^2 I, thesis
+/// (2.42).
 template <class T, int D>
 RIFFLE_INLINE Components<T, D> tensor_force(const T& weight_gradient, const Components<T, D * D>& q_sum,
                                             const Components<T, D>& r) {

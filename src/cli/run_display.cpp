@@ -1,0 +1,118 @@
+#include "cli/run_display.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+
+#include "cli/terminal.hpp"
+#include "cli/verbs.hpp"
+
+namespace riffle {
+
+namespace {
+
+std::atomic<int> stop_signal{0};
+static_assert(std::atomic<int>::is_always_lock_free, "set from a signal handler");
+
+extern "C" void riffle_note_signal(int number) { stop_signal.store(number); }
+
+std::string progress_text(const RunProgress& p) {
+    return fmt::format(
+        "t = {:.2f} of {:.4g} s | {:.0f} steps/s | {:.2f} M updates/s | {} left | U {:.4f} m/s | "
+        "drag/gravity "
+        "{:.3f} | order {:.2f} | u' {:.1f} mm/s | level {:.2f} mm",
+        p.time, p.end_time, p.steps_per_second, p.updates_per_second * 1e-6, duration_text(p.seconds_left),
+        p.depth_mean_velocity, p.drag_over_gravity, p.particle_order, 1e3 * p.velocity_fluctuation,
+        1e3 * p.mean_level);
+}
+
+void print_value(const char* label, double value, double half_width, std::optional<double> measured) {
+    if (!std::isfinite(value)) {
+        return;
+    }
+    std::string line = fmt::format("  {:<34} {:>9.4g}", label, value);
+    if (std::isfinite(half_width)) {
+        line += fmt::format(" +- {:.2g}", half_width);
+    }
+    if (measured) {
+        line += fmt::format("   measured {:.4g} ({:+.1f} %)", *measured, 100.0 * (value / *measured - 1.0));
+    }
+    fmt::print("{}\n", line);
+}
+
+}  // namespace
+
+RunDisplay::RunDisplay(bool quiet) : quiet_(quiet), terminal_(error_stream_is_terminal()) {}
+
+void RunDisplay::show(const RunProgress& progress) {
+    if (quiet_) {
+        return;
+    }
+    if (terminal_) {
+        fmt::print(stderr, "\r\x1b[K{}", progress_text(progress));
+        std::fflush(stderr);
+        open_line_ = true;
+        return;
+    }
+    const auto now = std::chrono::steady_clock::now();
+    if (now - last_line_ >= std::chrono::seconds(10)) {
+        last_line_ = now;
+        fmt::print(stderr, "{}\n", progress_text(progress));
+    }
+}
+
+void RunDisplay::finish() {
+    if (open_line_) {
+        fmt::print(stderr, "\n");
+        open_line_ = false;
+    }
+}
+
+const std::atomic<int>& catch_stop_signals() {
+    // The default action comes back after the first signal: a second Ctrl-C ends the program at once.
+    struct sigaction action {};
+    action.sa_handler = riffle_note_signal;
+    action.sa_flags = static_cast<int>(SA_RESETHAND);
+    sigaction(SIGINT, &action, nullptr);
+    sigaction(SIGTERM, &action, nullptr);
+    return stop_signal;
+}
+
+void print_outcome(const RunOutcome& outcome, const Case& c, const RunFiles& files, bool quiet) {
+    if (outcome.end == RunEnd::stopped) {
+        verb_exit_status() = 128 + stop_signal.load();
+    }
+    if (quiet) {
+        return;
+    }
+    const char* end = outcome.end == RunEnd::converged
+                          ? "converged"
+                          : (outcome.end == RunEnd::stopped ? "stopped" : "ended");
+    fmt::print("{} at t = {:.4g} s after {} steps, {} ({:.2f} M particle updates/s)\n{}\n", end, outcome.time,
+               outcome.steps, duration_text(outcome.wall_seconds), outcome.updates_per_second * 1e-6,
+               outcome.convergence);
+    const RunSummary& s = outcome.summary;
+    const double none = std::nan("");
+    print_value("depth-mean velocity, m/s", s.value("depth_mean_velocity"),
+                s.value("depth_mean_velocity_half_width"), c.measured.depth_mean_velocity);
+    print_value("friction velocity (stress), m/s", s.value("friction_velocity"), none,
+                c.measured.friction_velocity);
+    print_value("friction velocity (log law), m/s", s.value("log_law_friction_velocity"),
+                s.value("log_law_friction_velocity_half_width"), c.measured.friction_velocity);
+    print_value("equivalent roughness k_s, mm", 1e3 * s.value("equivalent_roughness"),
+                1e3 * s.value("equivalent_roughness_half_width"),
+                c.measured.equivalent_roughness ? std::optional(1e3 * *c.measured.equivalent_roughness)
+                                                : std::nullopt);
+    print_value("drag over gravity", s.value("drag_over_gravity"), none, std::nullopt);
+    print_value("spurious pressure stress, %", 100.0 * s.value("spurious_stress_rms"), none, std::nullopt);
+    fmt::print("results: {}\n", files.results().string());
+    if (outcome.end == RunEnd::stopped) {
+        fmt::print("go on with: riffle resume {}\n", files.folder.string());
+    } else {
+        fmt::print("report:  riffle report {}\n", files.folder.string());
+    }
+}
+
+}  // namespace riffle

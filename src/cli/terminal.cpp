@@ -1,0 +1,60 @@
+#include "cli/terminal.hpp"
+
+#include <fmt/color.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <string_view>
+
+namespace riffle {
+
+namespace {
+
+void print_labelled(const char* label, fmt::color colour, const std::string& message) {
+    if (error_stream_has_colours()) {
+        fmt::print(stderr, "riffle: {}: {}\n", fmt::styled(label, fmt::emphasis::bold | fmt::fg(colour)),
+                   message);
+    } else {
+        fmt::print(stderr, "riffle: {}: {}\n", label, message);
+    }
+}
+
+}  // namespace
+
+bool error_stream_is_terminal() { return isatty(STDERR_FILENO) != 0; }
+
+bool error_stream_has_colours() {
+    // Read before any thread starts.
+    const char* no_colour = std::getenv("NO_COLOR");  // NOLINT(concurrency-mt-unsafe)
+    const char* terminal = std::getenv("TERM");       // NOLINT(concurrency-mt-unsafe)
+    const bool dumb = terminal == nullptr || std::string_view(terminal) == "dumb";
+    return error_stream_is_terminal() && !dumb && (no_colour == nullptr || *no_colour == '\0');
+}
+
+void print_error(const std::string& message) { print_labelled("error", fmt::color::crimson, message); }
+
+void print_warning(const std::string& message) {
+    print_labelled("warning", fmt::color::dark_orange, message);
+}
+
+std::string duration_text(double seconds) {
+    if (seconds < 90.0) {
+        return fmt::format("{:.0f} s", seconds);
+    }
+    if (seconds < 90.0 * 60.0) {
+        return fmt::format("{:.0f} min", seconds / 60.0);
+    }
+    return seconds < 48.0 * 3600.0 ? fmt::format("{:.1f} h", seconds / 3600.0)
+                                   : fmt::format("{:.1f} days", seconds / 86400.0);
+}
+
+std::string size_text(double bytes) {
+    if (bytes < 1e6) {
+        return fmt::format("{:.0f} kB", bytes / 1e3);
+    }
+    return bytes < 1e9 ? fmt::format("{:.1f} MB", bytes / 1e6) : fmt::format("{:.2f} GB", bytes / 1e9);
+}
+
+}  // namespace riffle

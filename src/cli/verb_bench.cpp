@@ -1,0 +1,99 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "base/error.hpp"
+#include "base/version.hpp"
+#include "cli/verbs.hpp"
+#include "solver/benchmark.hpp"
+#include "sph/pair_loops.hpp"
+
+namespace riffle {
+
+namespace {
+
+struct BenchVerb {
+    std::vector<std::string> names;
+    int threads = 1;
+    int repetitions = 5;
+    double seconds = 1.0;
+    bool json = false;
+};
+
+void bench(const BenchVerb& verb) {
+    std::vector<Workload> chosen;
+    std::string known;
+    for (const Workload& w : standard_workloads()) {
+        const std::string full = w.name + "/" + w.scheme;
+        known += "\n  " + full;
+        const bool wanted = verb.names.empty() ||
+                            std::any_of(verb.names.begin(), verb.names.end(), [&](const std::string& name) {
+                                return name == w.name || name == full;
+                            });
+        if (wanted) {
+            chosen.push_back(w);
+        }
+    }
+    if (chosen.empty()) {
+        throw InputError("no workload of this name; the workloads are:" + known);
+    }
+    nlohmann::ordered_json array = nlohmann::ordered_json::array();
+    if (!verb.json) {
+        fmt::print("riffle {}, {} instructions, {}\n", version(),
+                   instruction_set_name(active_instruction_set()), build_description());
+        fmt::print("{:<26} {:>9} {:>7} {:>11} {:>14} {:>14} {:>12}\n", "workload/scheme", "particles",
+                   "threads", "neighbours", "ns/update*core", "M updates/s", "steps/build");
+    }
+    for (const Workload& w : chosen) {
+        const BenchmarkResult r = run_benchmark(w, verb.threads, verb.repetitions, verb.seconds);
+        const double pairs = r.neighbours * r.updates_per_second / r.threads;
+        if (verb.json) {
+            array.push_back({{"name", w.name},
+                             {"scheme", w.scheme},
+                             {"particles", r.particles},
+                             {"neighbours", r.neighbours},
+                             {"threads", r.threads},
+                             {"nanoseconds_per_update", r.nanoseconds_per_update},
+                             {"updates_per_second", r.updates_per_second},
+                             {"directed_pairs_per_second_per_core", pairs},
+                             {"steps_per_list_build", r.steps_per_list_build}});
+        } else {
+            fmt::print("{:<26} {:>9} {:>7} {:>11.1f} {:>14.1f} {:>14.2f} {:>12.1f}\n",
+                       w.name + "/" + w.scheme, r.particles, r.threads, r.neighbours,
+                       r.nanoseconds_per_update, r.updates_per_second * 1e-6, r.steps_per_list_build);
+        }
+    }
+    if (verb.json) {
+        const nlohmann::ordered_json json = {
+            {"version", version()},
+            {"build", build_description()},
+            {"instruction_set", instruction_set_name(active_instruction_set())},
+            {"workloads", array}};
+        fmt::print("{}\n", json.dump(2));
+    }
+}
+
+}  // namespace
+
+void add_verb_bench(CLI::App& app) {
+    const auto verb = std::make_shared<BenchVerb>();
+    CLI::App* const command =
+        app.add_subcommand("bench", "Measure the speed of standard workloads on this machine");
+    command->add_option("workloads", verb->names,
+                        "Names, e.g. channel-2d-5k or channel-2d-5k/default (default: all)");
+    command->add_option("-j,--threads", verb->threads, "Threads (0: all cores)")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
+    command->add_option("--repetitions", verb->repetitions, "Timed parts; the median counts")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
+    command->add_option("--seconds", verb->seconds, "Length of a part, s")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
+    command->add_flag("--json", verb->json, "Print JSON");
+    command->callback([verb] { bench(*verb); });
+}
+
+}  // namespace riffle

@@ -1,0 +1,89 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "cli/case_argument.hpp"
+#include "cli/terminal.hpp"
+#include "cli/verbs.hpp"
+#include "solver/forecast.hpp"
+
+namespace riffle {
+
+namespace {
+
+struct CheckVerb {
+    CaseArgument argument;
+    int threads = 0;
+    bool json = false;
+};
+
+void print_forecast(const Case& c, const Forecast& f) {
+    const auto row = [](const char* label, const std::string& text) {
+        fmt::print("  {:<22} {}\n", label, text);
+    };
+    fmt::print("{}\nvalid\n", c.title.empty() ? c.path.string() : c.title);
+    row("particles", fmt::format("{} fluid, {} wall", f.particles, f.wall_particles));
+    row("spacing, h", fmt::format("{:.4g} mm, {:.4g} mm", 1e3 * f.spacing, 1e3 * f.smoothing_length));
+    row("sound speed", fmt::format("{:.4g} m/s ({:.3g} times the largest velocity)", f.sound_speed,
+                                   f.sound_speed / std::max(1e-12, f.maximum_velocity)));
+    row("time step", fmt::format("{:.3g} s", f.time_step));
+    if (f.relaxation_time) {
+        row("relaxation time", fmt::format("{:.3g} s", *f.relaxation_time));
+    }
+    row("simulated time",
+        c.run.until == RunUntil::converged
+            ? fmt::format("about {:.3g} s until converged, at most {:.3g} s", f.end_time, f.latest_end)
+            : fmt::format("{:.4g} s", f.end_time));
+    row("steps", fmt::format("{:.3g}", f.steps));
+    row("time", fmt::format("about {} here ({:.2f} M particle updates/s measured)",
+                            duration_text(f.wall_seconds), f.updates_per_second * 1e-6));
+    row("memory", size_text(f.memory_bytes));
+    row("disk", fmt::format("at most {}", size_text(f.disk_bytes)));
+}
+
+void print_json(const Forecast& f, const std::vector<std::string>& warnings) {
+    const nlohmann::ordered_json json = {{"particles", f.particles},
+                                         {"wall_particles", f.wall_particles},
+                                         {"sound_speed", f.sound_speed},
+                                         {"time_step", f.time_step},
+                                         {"end_time", f.end_time},
+                                         {"latest_end", f.latest_end},
+                                         {"steps", f.steps},
+                                         {"particle_updates_per_second", f.updates_per_second},
+                                         {"wall_seconds", f.wall_seconds},
+                                         {"memory_bytes", f.memory_bytes},
+                                         {"disk_bytes", f.disk_bytes},
+                                         {"warnings", warnings}};
+    fmt::print("{}\n", json.dump(2));
+}
+
+void check(const CheckVerb& verb) {
+    const Case c = verb.argument.read();
+    const std::vector<std::string> warnings = case_warnings(c);
+    for (const std::string& warning : warnings) {
+        print_warning(warning);
+    }
+    const Forecast f = forecast_run(c, verb.threads);
+    if (verb.json) {
+        print_json(f, warnings);
+    } else {
+        print_forecast(c, f);
+    }
+}
+
+}  // namespace
+
+void add_verb_check(CLI::App& app) {
+    const auto verb = std::make_shared<CheckVerb>();
+    CLI::App* const command =
+        app.add_subcommand("check", "Validate a case; particles, steps, time, memory and disk of its run");
+    verb->argument.add_to(*command);
+    command->add_option("-j,--threads", verb->threads, "Threads of the forecast (default: all cores)")
+        ->check(CLI::NonNegativeNumber);
+    command->add_flag("--json", verb->json, "Print the forecast as JSON (SI units)");
+    command->callback([verb] { check(*verb); });
+}
+
+}  // namespace riffle

@@ -1,0 +1,64 @@
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+
+#include "cli/case_argument.hpp"
+#include "cli/run_display.hpp"
+#include "cli/verbs.hpp"
+#include "output/results_file.hpp"
+#include "solver/run.hpp"
+
+namespace riffle {
+
+namespace {
+
+struct ResumeVerb {
+    std::string folder;
+    std::string checkpoint;
+    std::vector<std::string> settings;
+    int threads = 0;
+    bool quiet = false;
+};
+
+void resume(const ResumeVerb& verb) {
+    RunOptions options;
+    options.folder = verb.folder;
+    options.threads = verb.threads;
+    RunDisplay display(verb.quiet);
+    options.progress = [&](const RunProgress& progress) { display.show(progress); };
+    options.stop_signal = &catch_stop_signals();
+    std::filesystem::path checkpoint = verb.checkpoint;
+    if (!checkpoint.empty() && checkpoint.is_relative() && !std::filesystem::exists(checkpoint)) {
+        checkpoint = options.folder / checkpoint;
+    }
+    CaseArgument argument;
+    argument.settings = verb.settings;
+    const RunOutcome outcome = resume_run(options, checkpoint, argument.overrides());
+    display.finish();
+    const RunFiles files{options.folder};
+    const Case c =
+        parse_case(ResultsReader(files.results()).read_string("/case/text"), files.results().string());
+    print_outcome(outcome, c, files, verb.quiet);
+}
+
+}  // namespace
+
+void add_verb_resume(CLI::App& app) {
+    const auto verb = std::make_shared<ResumeVerb>();
+    CLI::App* const command =
+        app.add_subcommand("resume", "Go on with a run from its last checkpoint, bit for bit");
+    command->add_option("folder", verb->folder, "Folder of the run")->required()->type_name("DIR");
+    command->add_option("--from", verb->checkpoint, "Another checkpoint, e.g. checkpoint-previous.h5")
+        ->type_name("FILE");
+    command
+        ->add_option("--set", verb->settings, "Change a key of [run] or [output], e.g. run.until='\"130 s\"'")
+        ->type_name("section.key=value");
+    command
+        ->add_option("-j,--threads", verb->threads,
+                     "Threads (default: all cores); the results do not depend on it")
+        ->check(CLI::NonNegativeNumber);
+    command->add_flag("-q,--quiet", verb->quiet, "No progress and no summary on the terminal");
+    command->callback([verb] { resume(*verb); });
+}
+
+}  // namespace riffle

@@ -1,0 +1,23 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "base/parallel.hpp"
+#include "base/version.hpp"
+#include "cli/verbs.hpp"
+#include "sph/pair_loops.hpp"
+
+namespace riffle {
+
+void add_verb_version(CLI::App& app) {
+    app.add_subcommand("version", "Version, build, instruction set and threads")->callback([] {
+        set_thread_count(0);
+        fmt::print(
+            "riffle {}\nbuild: {}\ninstruction set: {} (RIFFLE_INSTRUCTION_SET=baseline|avx2|avx512 forces "
+            "one)\n"
+            "threads: {}\n",
+            version(), build_description(), instruction_set_name(active_instruction_set()), thread_count());
+    });
+}
+
+}  // namespace riffle

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace riffle {
+
+// Each verb of the command line adds its subcommand; its callback does the work and throws riffle::Error.
+// One file per verb; a new verb is a new file, a line here and a line in main.cpp.
+
+void add_verb_new(CLI::App& app);
+void add_verb_check(CLI::App& app);
+void add_verb_column(CLI::App& app);
+void add_verb_calibrate(CLI::App& app);
+void add_verb_run(CLI::App& app);
+void add_verb_resume(CLI::App& app);
+void add_verb_report(CLI::App& app);
+void add_verb_bench(CLI::App& app);
+void add_verb_schema(CLI::App& app);
+void add_verb_version(CLI::App& app);
+
+/// Exit status that a verb asks for after its callback (a run stopped by a signal); 0 unless set.
+[[nodiscard]] int& verb_exit_status();
+
+}  // namespace riffle

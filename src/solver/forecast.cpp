@@ -1,0 +1,103 @@
+#include "solver/forecast.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "base/parallel.hpp"
+#include "output/results_file.hpp"
+#include "particles/lattice.hpp"
+#include "solver/profile_blocks.hpp"
+#include "solver/series.hpp"
+#include "solver/simulation.hpp"
+#include "solver/start.hpp"
+#include "solver/state_content.hpp"
+#include "sph/pair_loops.hpp"
+
+namespace riffle {
+
+namespace {
+
+/// Bytes that a particle needs in memory: master state and fields in double, records and results of the
+/// passes, its share of the lists.
+double bytes_per_particle(double listed_neighbours) {
+    constexpr double state = 13.0 * sizeof(double);
+    constexpr double fields = 14.0 * sizeof(double);
+    constexpr double records =
+        sizeof(GradientRecord<2, float>) + sizeof(ForceRecord<2, float>) + 19.0 * sizeof(float);
+    // The lists are built beside the old ones.
+    return state + fields + records + 2.0 * listed_neighbours / cluster_size * sizeof(std::int32_t);
+}
+
+double disk_bytes(const Case& c, double particles, double time) {
+    const auto count = [&](double interval) { return interval > 0.0 ? time / interval : 0.0; };
+    const Lattice lattice = lattice_of(c);
+    const double series = count(c.output.series_interval) * 14.0 * sizeof(double);
+    const double surface =
+        c.channel.top == Top::free_surface
+            ? count(c.output.surface_interval) * (lattice.columns * 4.0 + 8.0)
+            : 0.0;
+    const double blocks = time / profile_block_duration * lattice.rows * profile_quantities * sizeof(double);
+    const double snapshots = (count(c.output.snapshot_interval) + 1.0) * particles * 10.0 * sizeof(float);
+    const double state = particles * 9.0 * sizeof(double);
+    return series + surface + blocks + snapshots + 3.0 * state;
+}
+
+}  // namespace
+
+Forecast forecast_run(const Case& c, int threads) {
+    set_thread_count(threads);
+    std::optional<ColumnResult> column;
+    if (has_column(c)) {
+        column = solve_column(c);
+    }
+    const ColumnResult* twin = column ? &*column : nullptr;
+    const Scheme scheme = make_scheme(c, twin);
+    Particles<2> particles =
+        c.start.kind == StartKind::results
+            ? particles_from_results(c, scheme, ResultsReader(c.start.file), c.start.file.string())
+            : initial_particles(c, scheme, twin);
+    const auto simulation = make_simulation(c, twin, std::move(particles));
+
+    Forecast f;
+    f.particles = simulation->particles().size();
+    f.wall_particles = simulation->walls().size();
+    f.spacing = scheme.spacing;
+    f.smoothing_length = scheme.smoothing_length;
+    f.sound_speed = scheme.state.sound_speed;
+    f.maximum_velocity = scheme.maximum_velocity;
+    f.latest_end = c.run.time;
+    f.end_time = c.run.time;
+    if (column && std::isfinite(column->relaxation_time)) {
+        f.relaxation_time = column->relaxation_time;
+        if (c.run.until == RunUntil::converged) {
+            // The convergence test needs three relaxation times and one more of record.
+            f.end_time = std::min(c.run.time, 4.0 * column->relaxation_time);
+        }
+    }
+
+    // A few steps of the case itself, the first (cold) ones left out.
+    using Clock = std::chrono::steady_clock;
+    for (int i = 0; i < 5; ++i) {
+        simulation->step();
+    }
+    int steps = 0;
+    const auto start = Clock::now();
+    double seconds = 0.0;
+    while (seconds < 0.2 && steps < 400) {
+        simulation->step();
+        ++steps;
+        seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    }
+    f.time_step = simulation->clock().time_step;
+    f.steps = f.end_time / f.time_step;
+    f.updates_per_second =
+        static_cast<double>(f.particles) * simulation->evaluations_per_step() * steps / seconds;
+    f.wall_seconds = f.steps * seconds / steps;
+    f.memory_bytes =
+        static_cast<double>(f.particles) * bytes_per_particle(simulation->mean_listed_neighbours());
+    f.disk_bytes = disk_bytes(c, static_cast<double>(f.particles), f.end_time);
+    return f;
+}
+
+}  // namespace riffle

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "case/case.hpp"
+
+namespace riffle {
+
+/// What a run will need, for `riffle check`. The speed is measured by a few steps of the case itself.
+struct Forecast {
+    std::size_t particles = 0;
+    std::size_t wall_particles = 0;
+    double spacing = 0.0;           ///< m
+    double smoothing_length = 0.0;  ///< m
+    double sound_speed = 0.0;       ///< m/s
+    double maximum_velocity = 0.0;  ///< m/s
+    double time_step = 0.0;         ///< s
+    double end_time = 0.0;          ///< simulated: the given time, or the earliest end of a converged run, s
+    double latest_end = 0.0;        ///< s
+    double steps = 0.0;             ///< to end_time
+    double updates_per_second = 0.0;  ///< measured, all threads
+    double wall_seconds = 0.0;        ///< to end_time
+    double memory_bytes = 0.0;
+    double disk_bytes = 0.0;  ///< results and two checkpoints, before compression
+    std::optional<double> relaxation_time;
+};
+
+/// Forecast a run on this machine (takes a fraction of a second for small cases).
+[[nodiscard]] Forecast forecast_run(const Case& c, int threads);
+
+}  // namespace riffle

@@ -1,0 +1,190 @@
+#include "solver/profile_blocks.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "particles/lattice.hpp"
+#include "statistics/confidence.hpp"
+
+namespace riffle {
+
+namespace {
+
+constexpr std::size_t index(ProfileQuantity q) { return static_cast<std::size_t>(q); }
+
+/// Stress of the column twin at height z, Pa: rho g S0 (H - z) less the drag carried by the roughness above
+/// z.
+double column_stress(const ColumnResult& column, double z) {
+    const auto& height = column.profile.z;
+    const auto& stress = column.profile.shear_stress;
+    const auto above = std::upper_bound(height.begin(), height.end(), z);
+    if (above == height.begin()) {
+        return stress.front();
+    }
+    if (above == height.end()) {
+        // Above the last cell centre the stress goes to zero at the surface on its straight line.
+        const double dz = height[height.size() - 1] - height[height.size() - 2];
+        const double slope = (stress[stress.size() - 1] - stress[stress.size() - 2]) / dz;
+        return stress.back() + slope * (z - height.back());
+    }
+    const auto i = static_cast<std::size_t>(above - height.begin());
+    const double fraction = (z - height[i - 1]) / (height[i] - height[i - 1]);
+    return stress[i - 1] + fraction * (stress[i] - stress[i - 1]);
+}
+
+}  // namespace
+
+const std::array<std::string, profile_quantities>& profile_quantity_names() {
+    static const std::array<std::string, profile_quantities> names = {
+        "count",     "height",  "u",        "w",          "uu",
+        "ww",        "uw",      "column_u", "shear",      "eddy_viscosity",
+        "pressure",  "density", "mass",     "pair_force", "viscous_force",
+        "drag_force"};
+    return names;
+}
+
+ProfileSampler::ProfileSampler(const Case& c, const ColumnResult* column) : case_(c), column_(column) {
+    const Lattice lattice = lattice_of(c);
+    layers_ = static_cast<std::size_t>(lattice.rows);
+    thickness_ = lattice.dz;
+    current_.end = profile_block_duration;
+    current_.sums.assign(layers_ * profile_quantities, 0.0);
+}
+
+void ProfileSampler::sample(const Simulation& simulation) {
+    const Particles<2>& p = simulation.particles();
+    const ParticleFields& f = simulation.fields();
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        const double z = p.position[1][i];
+        const double u = p.velocity[0][i];
+        const double w = p.velocity[1][i];
+        const double mass = p.mass[i];
+        // A particle above the last layer or below the first belongs to it: none is dropped.
+        const auto layer =
+            static_cast<std::size_t>(std::clamp(z / thickness_, 0.0, static_cast<double>(layers_) - 0.5));
+        double* sums = &current_.sums[layer * profile_quantities];
+        const auto add = [&](ProfileQuantity q, double value) { sums[index(q)] += value; };
+        add(ProfileQuantity::count, 1.0);
+        add(ProfileQuantity::height, z);
+        add(ProfileQuantity::u, u);
+        add(ProfileQuantity::w, w);
+        add(ProfileQuantity::uu, u * u);
+        add(ProfileQuantity::ww, w * w);
+        add(ProfileQuantity::uw, u * w);
+        add(ProfileQuantity::column_u, column_ != nullptr ? column_->velocity_at(z) : 0.0);
+        add(ProfileQuantity::shear, f.shear[i]);
+        add(ProfileQuantity::eddy_viscosity, f.eddy_viscosity[i]);
+        add(ProfileQuantity::pressure, f.pressure[i]);
+        add(ProfileQuantity::density, p.density_deviation[i]);
+        add(ProfileQuantity::mass, mass);
+        add(ProfileQuantity::pair_force, mass * f.pair_acceleration_x[i]);
+        add(ProfileQuantity::viscous_force, mass * f.viscous_acceleration_x[i]);
+        add(ProfileQuantity::drag_force, mass * f.drag_acceleration_x[i]);
+    }
+    current_.samples += 1.0;
+    if (simulation.clock().time >= current_.end) {
+        blocks_.push_back(current_);
+        // Blocks end on multiples of their duration; a long step may pass several.
+        const double blocks_passed = std::floor(simulation.clock().time / profile_block_duration + 1e-9);
+        current_.end = (blocks_passed + 1.0) * profile_block_duration;
+        current_.samples = 0.0;
+        std::fill(current_.sums.begin(), current_.sums.end(), 0.0);
+    }
+}
+
+void ProfileSampler::restore(std::vector<ProfileBlock> blocks, ProfileBlock current) {
+    blocks_ = std::move(blocks);
+    current_ = std::move(current);
+}
+
+Profiles ProfileSampler::average(double from, double to) const {
+    Profiles result;
+    std::vector<double> sums(layers_ * profile_quantities, 0.0);
+    std::vector<std::vector<double>> layer_velocity(layers_);
+    const double tolerance = 1e-6;
+    for (const ProfileBlock& block : blocks_) {
+        if (block.end > to + tolerance || block.end - profile_block_duration < from - tolerance ||
+            block.samples == 0.0) {
+            continue;
+        }
+        result.window_start =
+            result.samples == 0.0 ? block.end - profile_block_duration : result.window_start;
+        result.window_end = block.end;
+        result.samples += block.samples;
+        for (std::size_t k = 0; k < sums.size(); ++k) {
+            sums[k] += block.sums[k];
+        }
+        for (std::size_t layer = 0; layer < layers_; ++layer) {
+            const double* s = &block.sums[layer * profile_quantities];
+            if (s[index(ProfileQuantity::count)] > 0.0) {
+                layer_velocity[layer].push_back(s[index(ProfileQuantity::u)] /
+                                                s[index(ProfileQuantity::count)]);
+            }
+        }
+    }
+    if (result.samples == 0.0) {
+        return result;
+    }
+    const double rho = case_.fluid.density;
+    const double length = case_.channel.length;
+    double pair_flux = 0.0;
+    double viscous_flux = 0.0;
+    std::vector<double> pair_upper(layers_, 0.0);
+    std::vector<double> viscous_upper(layers_, 0.0);
+    for (std::size_t layer = layers_; layer-- > 0;) {
+        // The momentum that the layers above a plane lose to it is the stress on the plane.
+        pair_upper[layer] = -pair_flux;
+        viscous_upper[layer] = -viscous_flux;
+        const double* s = &sums[layer * profile_quantities];
+        pair_flux += s[index(ProfileQuantity::pair_force)] / (result.samples * length);
+        viscous_flux += s[index(ProfileQuantity::viscous_force)] / (result.samples * length);
+    }
+    std::vector<double> reynolds(layers_, 0.0);
+    for (std::size_t layer = 0; layer < layers_; ++layer) {
+        const double* s = &sums[layer * profile_quantities];
+        const double n = s[index(ProfileQuantity::count)];
+        reynolds[layer] = n > 0.0
+                              ? -rho * (s[index(ProfileQuantity::uw)] / n -
+                                        s[index(ProfileQuantity::u)] * s[index(ProfileQuantity::w)] / (n * n))
+                              : 0.0;
+    }
+    for (std::size_t layer = 0; layer < layers_; ++layer) {
+        const double* s = &sums[layer * profile_quantities];
+        const double n = s[index(ProfileQuantity::count)];
+        if (n == 0.0) {
+            continue;  // no particle was ever here: the profile has no value at this height
+        }
+        const auto mean = [&](ProfileQuantity q) { return s[index(q)] / n; };
+        const double upper = static_cast<double>(layer + 1) * thickness_;
+        const double u = mean(ProfileQuantity::u);
+        const double w = mean(ProfileQuantity::w);
+        result.bin_lower.push_back(static_cast<double>(layer) * thickness_);
+        result.bin_upper.push_back(upper);
+        result.z.push_back(mean(ProfileQuantity::height));
+        result.velocity.push_back(u);
+        result.velocity_half_width.push_back(mean_with_confidence(layer_velocity[layer]).half_width);
+        result.vertical_velocity.push_back(w);
+        result.column_velocity.push_back(mean(ProfileQuantity::column_u));
+        result.velocity_deviation.push_back(u - mean(ProfileQuantity::column_u));
+        result.velocity_gradient.push_back(mean(ProfileQuantity::shear));
+        result.eddy_viscosity.push_back(mean(ProfileQuantity::eddy_viscosity));
+        result.pressure.push_back(mean(ProfileQuantity::pressure));
+        result.density.push_back(rho * (1.0 + mean(ProfileQuantity::density)));
+        result.velocity_rms.push_back(std::sqrt(std::max(0.0, mean(ProfileQuantity::uu) - u * u)));
+        result.vertical_velocity_rms.push_back(std::sqrt(std::max(0.0, mean(ProfileQuantity::ww) - w * w)));
+        const double reynolds_upper =
+            layer + 1 < layers_ ? 0.5 * (reynolds[layer] + reynolds[layer + 1]) : 0.0;
+        result.reynolds_stress.push_back(reynolds_upper);
+        result.pair_stress.push_back(pair_upper[layer]);
+        result.viscous_stress.push_back(viscous_upper[layer]);
+        result.total_stress.push_back(reynolds_upper + pair_upper[layer] + viscous_upper[layer]);
+        const double line = rho * case_.streamwise_gravity() * (case_.total_depth() - upper);
+        result.analytic_stress.push_back(column_ != nullptr && upper < case_.total_depth() - 0.5 * thickness_
+                                             ? column_stress(*column_, upper)
+                                             : line);
+        result.drag.push_back(s[index(ProfileQuantity::drag_force)] / (result.samples * length * thickness_));
+    }
+    return result;
+}
+
+}  // namespace riffle

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "case/case.hpp"
+#include "column/column.hpp"
+#include "solver/simulation.hpp"
+
+namespace riffle {
+
+/// Sums over the particles of a layer that the profiles are made of. Order of the last axis of
+/// `/profile_blocks/sums`; `profile_quantity_names` has the names.
+enum class ProfileQuantity : std::size_t {
+    count,
+    height,
+    u,
+    w,
+    uu,
+    ww,
+    uw,
+    column_u,
+    shear,
+    eddy_viscosity,
+    pressure,
+    density,
+    mass,
+    pair_force,
+    viscous_force,
+    drag_force,
+    quantities
+};
+inline constexpr std::size_t profile_quantities = static_cast<std::size_t>(ProfileQuantity::quantities);
+[[nodiscard]] const std::array<std::string, profile_quantities>& profile_quantity_names();
+
+/// Layer sums of one block of time (profile_block_duration), over its samples.
+struct ProfileBlock {
+    double end = 0.0;  ///< end of the block, s
+    double samples = 0.0;
+    std::vector<double> sums;  ///< layers x profile_quantities
+};
+
+/// Length of a block, s. Averages over any window of whole blocks can be made afterwards.
+inline constexpr double profile_block_duration = 0.1;
+
+/// Time averages of the layers over a window, with the stresses that follow from them. One value per layer.
+struct Profiles {
+    double window_start = 0.0;
+    double window_end = 0.0;
+    double samples = 0.0;
+    std::vector<double> bin_lower, bin_upper, z, velocity, velocity_half_width, vertical_velocity,
+        velocity_deviation, column_velocity, velocity_gradient, eddy_viscosity, pressure, density,
+        viscous_stress, pair_stress, reynolds_stress, total_stress, analytic_stress, velocity_rms,
+        vertical_velocity_rms, drag;
+
+    [[nodiscard]] bool empty() const { return z.empty(); }
+};
+
+/// Collects layer sums. Layers are H/round(H/dx) thick, so that each row of a layered flow has its own.
+class ProfileSampler {
+  public:
+    ProfileSampler(const Case& c, const ColumnResult* column);
+
+    /// Add the particles of one instant to the current block; closes blocks whose end has passed.
+    void sample(const Simulation& simulation);
+
+    [[nodiscard]] const std::vector<ProfileBlock>& blocks() const { return blocks_; }
+    [[nodiscard]] const ProfileBlock& current() const { return current_; }
+    [[nodiscard]] std::size_t layers() const { return layers_; }
+
+    /// Put back saved blocks.
+    void restore(std::vector<ProfileBlock> blocks, ProfileBlock current);
+
+    /// Averages over the blocks that lie in [from, to]. Empty if there are none.
+    [[nodiscard]] Profiles average(double from, double to) const;
+
+  private:
+    Case case_;
+    const ColumnResult* column_;
+    std::size_t layers_ = 0;
+    double thickness_ = 0.0;
+    std::vector<ProfileBlock> blocks_;
+    ProfileBlock current_;
+};
+
+}  // namespace riffle

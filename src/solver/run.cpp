@@ -1,0 +1,81 @@
+#include "solver/run.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "base/error.hpp"
+#include "output/checkpoint_file.hpp"
+#include "solver/recorder.hpp"
+#include "solver/run_session.hpp"
+
+namespace riffle {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+void make_folder(const fs::path& folder) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error) {
+        throw FileError(fmt::format("cannot create the folder {}: {}; choose another with -o",
+                                    folder.string(), error.message()));
+    }
+}
+
+/// Keys that a resumed run may change: they leave the state valid.
+bool may_change(const std::string& key) {
+    constexpr std::array<const char*, 2> steps = {"numerics.courant_number", "numerics.time_step"};
+    return key.rfind("run.", 0) == 0 || key.rfind("output.", 0) == 0 || key == steps[0] || key == steps[1];
+}
+
+}  // namespace
+
+RunOutcome run_case(const Case& c, const RunOptions& options) {
+    make_folder(options.folder);
+    const RunFiles files{options.folder};
+    if (!options.overwrite && (fs::exists(files.results()) || fs::exists(files.checkpoint()))) {
+        throw FileError(
+            fmt::format("{} already holds results. Go on with `riffle resume {}`, give another folder with "
+                        "-o, or replace them with "
+                        "--force",
+                        options.folder.string(), options.folder.string()));
+    }
+    if (options.overwrite) {
+        // An old checkpoint must not outlive the results it belongs to.
+        fs::remove(files.checkpoint());
+        fs::remove(CheckpointFile::previous(files.checkpoint()));
+    }
+    RunSession session(c, options);
+    session.start();
+    return session.advance();
+}
+
+RunOutcome resume_run(const RunOptions& options, const fs::path& checkpoint,
+                      const std::vector<Override>& overrides) {
+    const RunFiles files{options.folder};
+    const fs::path from = checkpoint.empty() ? files.checkpoint() : checkpoint;
+    if (!fs::exists(files.results()) && !fs::exists(from)) {
+        throw FileError(
+            fmt::format("{} holds no run to resume (no results.h5, no checkpoint.h5); start one with "
+                        "`riffle run CASE -o {}`",
+                        options.folder.string(), options.folder.string()));
+    }
+    for (const Override& o : overrides) {
+        if (!may_change(o.key)) {
+            throw InputError(
+                fmt::format("--set {}: a resumed run may change only the keys of [run] and [output], "
+                            "numerics.courant_number and numerics.time_step; start a new run for this",
+                            o.key));
+        }
+    }
+    const Content saved = CheckpointFile::read(from);
+    const std::string text = std::get<std::string>(checkpoint_dataset(saved, "/case/text").values);
+    const Case c = parse_case(text, from.string(), {}, overrides);
+    RunSession session(c, options);
+    session.resume(from);
+    return session.advance();
+}
+
+}  // namespace riffle

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "case/case.hpp"
+#include "solver/summary.hpp"
+
+namespace riffle {
+
+/// Files of a run in its folder.
+struct RunFiles {
+    std::filesystem::path folder;
+    [[nodiscard]] std::filesystem::path results() const { return folder / "results.h5"; }
+    [[nodiscard]] std::filesystem::path xdmf() const { return folder / "results.xdmf"; }
+    [[nodiscard]] std::filesystem::path checkpoint() const { return folder / "checkpoint.h5"; }
+    [[nodiscard]] std::filesystem::path log() const { return folder / "run.log"; }
+};
+
+/// What a running simulation tells about itself.
+struct RunProgress {
+    double time = 0.0;      ///< simulated, s
+    double end_time = 0.0;  ///< latest end, s
+    std::int64_t steps = 0;
+    double steps_per_second = 0.0;
+    double updates_per_second = 0.0;  ///< particle force evaluations per second
+    double seconds_left = 0.0;        ///< wall clock, to the latest end
+    double depth_mean_velocity = 0.0;
+    double drag_over_gravity = 0.0;
+    double particle_order = 0.0;
+    double velocity_fluctuation = 0.0;
+    double density_deviation_maximum = 0.0;
+    double mean_level = 0.0;
+    std::string convergence;  ///< outcome of the newest convergence test, in words
+};
+
+/// How a run is to be carried out.
+struct RunOptions {
+    std::filesystem::path folder;
+    bool overwrite = false;          ///< replace results that the folder holds
+    int threads = 0;                 ///< 0: all cores
+    std::vector<std::string> notes;  ///< lines for the head of the log (warnings of the case)
+    std::function<void(const RunProgress&)> progress;  ///< called about every output.progress_interval
+    const std::atomic<int>* stop_signal = nullptr;     ///< non-zero: stop with a checkpoint
+};
+
+enum class RunEnd { converged, time_reached, stopped };
+
+/// Outcome of a run.
+struct RunOutcome {
+    RunEnd end = RunEnd::time_reached;
+    double time = 0.0;
+    std::int64_t steps = 0;
+    double wall_seconds = 0.0;
+    double updates_per_second = 0.0;
+    RunSummary summary;
+    std::string convergence;
+};
+
+/// Run a case from its start. Throws FileError when the folder already holds results (unless overwrite) or
+/// cannot be written, RunError when the simulation fails; the last good checkpoint then stays.
+RunOutcome run_case(const Case& c, const RunOptions& options);
+
+/// Go on from a checkpoint in the folder (the newest, or `checkpoint`), bit-identical to a run without the
+/// stop. `overrides` may change [run], [output] and the step of [numerics].
+RunOutcome resume_run(const RunOptions& options, const std::filesystem::path& checkpoint,
+                      const std::vector<Override>& overrides);
+
+}  // namespace riffle

@@ -1,0 +1,156 @@
+#include "solver/run_content.hpp"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <cmath>
+#include <ctime>
+
+#include "base/version.hpp"
+#include "output/xdmf.hpp"
+
+namespace riffle {
+
+namespace {
+
+void add_array(Content& content, const std::string& path, const std::vector<double>& values, const char* unit,
+               const char* long_name) {
+    content.datasets.push_back(
+        {.path = path, .shape = {values.size()}, .values = values, .unit = unit, .long_name = long_name});
+}
+
+void add_column(Content& content, const ColumnResult& column) {
+    const ColumnProfile& p = column.profile;
+    add_array(content, "/column/z", p.z, "m", "height above the bed level");
+    add_array(content, "/column/velocity", p.velocity, "m/s", "streamwise velocity of the column");
+    add_array(content, "/column/velocity_gradient", p.velocity_gradient, "1/s",
+              "velocity gradient of the column");
+    add_array(content, "/column/shear_stress", p.shear_stress, "Pa", "shear stress of the column");
+    add_array(content, "/column/mixing_length", p.mixing_length, "m", "mixing length");
+    add_array(content, "/column/eddy_viscosity", p.eddy_viscosity, "m2/s", "eddy viscosity of the column");
+    const auto attribute = [&](const char* name, double value) {
+        content.attributes.push_back({.path = "/column", .name = name, .value = value});
+    };
+    attribute("depth_mean_velocity", column.depth_mean_velocity);
+    attribute("total_mean_velocity", column.total_mean_velocity);
+    attribute("surface_velocity", column.surface_velocity);
+    attribute("friction_velocity", column.friction_velocity);
+    attribute("log_law_friction_velocity", column.log_law.friction_velocity);
+    attribute("equivalent_roughness", column.log_law.equivalent_roughness);
+    attribute("zero_plane", column.log_law.zero_plane);
+    attribute("drag_share", column.drag_share);
+    attribute("wall_share", column.wall_share);
+    attribute("friction_factor", column.friction_factor);
+    attribute("manning", column.manning);
+    attribute("chezy", column.chezy);
+    attribute("reynolds", column.reynolds);
+    attribute("froude", column.froude);
+    attribute("relaxation_time", column.relaxation_time);
+}
+
+/// Averaging window so far: the tested one, or the second half while it is still too short.
+std::pair<double, double> window(const Recorder& recorder, const Convergence& convergence) {
+    const double end = recorder.series().last("time");
+    const bool usable = convergence.window_start < end - 2.0 * profile_block_duration;
+    return {usable ? convergence.window_start : 0.5 * end, end};
+}
+
+}  // namespace
+
+Content run_head(const Case& c, const std::optional<ColumnResult>& column) {
+    Content content;
+    const auto attribute = [&](const char* name, AttributeValue value) {
+        content.attributes.push_back({.path = "/", .name = name, .value = std::move(value)});
+    };
+    attribute("riffle_version", version());
+    attribute("build", build_description());
+    attribute("title", c.title);
+    attribute("dimension", std::int64_t{2});
+    attribute("created", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))));
+    content.datasets.push_back({.path = "/case/text",
+                                .shape = {},
+                                .values = c.text,
+                                .unit = "1",
+                                .long_name = "complete case (TOML)"});
+    if (column) {
+        add_column(content, *column);
+    }
+    return content;
+}
+
+RunSummary current_summary(const Case& c, const std::optional<ColumnResult>& column, const Recorder& recorder,
+                           const Convergence& convergence) {
+    const auto [from, to] = window(recorder, convergence);
+    Convergence shown = convergence;
+    shown.window_start = from;
+    return summarise(c, column ? &*column : nullptr, recorder.series(), recorder.profiles().average(from, to),
+                     shown);
+}
+
+void add_profiles_content(Content& content, const Case& c, const std::optional<ColumnResult>& column,
+                          const Recorder& recorder, const Convergence& convergence) {
+    (void)c;
+    const auto [from, to] = window(recorder, convergence);
+    const Profiles p = recorder.profiles().average(from, to);
+    if (p.empty()) {
+        return;
+    }
+    const auto add = [&](const char* name, const std::vector<double>& values, const char* unit,
+                         const char* long_name) {
+        add_array(content, std::string("/profiles/") + name, values, unit, long_name);
+    };
+    add("z", p.z, "m", "mean height of the particles in the layer above the bed level");
+    add("bin_lower", p.bin_lower, "m", "lower edge of the layer");
+    add("bin_upper", p.bin_upper, "m", "upper edge of the layer");
+    add("velocity", p.velocity, "m/s", "time-mean streamwise velocity");
+    add("velocity_half_width", p.velocity_half_width, "m/s", "half-width of its 95 % interval");
+    add("vertical_velocity", p.vertical_velocity, "m/s", "time-mean vertical velocity");
+    if (column) {
+        add("column_velocity", p.column_velocity, "m/s", "column velocity at the particles' heights");
+        add("velocity_deviation", p.velocity_deviation, "m/s",
+            "departure from the column at the particles' heights");
+    }
+    add("velocity_gradient", p.velocity_gradient, "1/s", "time-mean du/dz");
+    add("eddy_viscosity", p.eddy_viscosity, "m2/s", "time-mean eddy viscosity");
+    add("pressure", p.pressure, "Pa", "time-mean pressure");
+    add("density", p.density, "kg/m3", "time-mean density");
+    add("viscous_stress", p.viscous_stress, "Pa", "viscous and closure shear stress at the upper edge");
+    add("pair_stress", p.pair_stress, "Pa", "shear stress carried by pressure forces at the upper edge");
+    add("reynolds_stress", p.reynolds_stress, "Pa", "resolved Reynolds stress at the upper edge");
+    add("total_stress", p.total_stress, "Pa", "total shear stress at the upper edge");
+    add("analytic_stress", p.analytic_stress, "Pa", "shear stress of the momentum balance at the upper edge");
+    add("velocity_rms", p.velocity_rms, "m/s", "rms fluctuation of u");
+    add("vertical_velocity_rms", p.vertical_velocity_rms, "m/s", "rms fluctuation of w");
+    add("drag", p.drag, "N/m3", "bed drag per unit volume");
+    const auto attribute = [&](const char* name, double value) {
+        content.attributes.push_back({.path = "/profiles", .name = name, .value = value});
+    };
+    attribute("window_start", p.window_start);
+    attribute("window_end", p.window_end);
+    attribute("samples", p.samples);
+    std::string quantities;
+    for (const std::string& name : profile_quantity_names()) {
+        quantities += (quantities.empty() ? "" : " ") + name;
+    }
+    content.attributes.push_back({.path = "/profile_blocks", .name = "quantities", .value = quantities});
+}
+
+void write_snapshot_index(const std::filesystem::path& path, const Recorder& recorder,
+                          std::size_t particles) {
+    if (recorder.snapshots() == 0) {
+        return;
+    }
+    std::vector<SnapshotEntry> entries;
+    for (std::size_t i = 0; i < recorder.snapshots(); ++i) {
+        entries.push_back({.index = i, .time = recorder.snapshot_times()[i], .particles = particles});
+    }
+    const std::vector<SnapshotField> fields = {{.name = "position", .components = 3},
+                                               {.name = "velocity", .components = 3},
+                                               {.name = "pressure"},
+                                               {.name = "density"},
+                                               {.name = "eddy_viscosity"},
+                                               {.name = "id", .components = 1, .type = ElementType::int32}};
+    write_xdmf(path, "results.h5", entries, fields);
+}
+
+}  // namespace riffle

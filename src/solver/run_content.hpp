@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "case/case.hpp"
+#include "column/column.hpp"
+#include "output/dataset.hpp"
+#include "solver/convergence.hpp"
+#include "solver/recorder.hpp"
+#include "solver/summary.hpp"
+
+namespace riffle {
+
+// What a run writes into its results file beside the recorded rows (docs/results-format.md).
+
+/// Head of a new results file: case, versions, column twin.
+[[nodiscard]] Content run_head(const Case& c, const std::optional<ColumnResult>& column);
+
+/// Summary of what is recorded so far.
+[[nodiscard]] RunSummary current_summary(const Case& c, const std::optional<ColumnResult>& column,
+                                         const Recorder& recorder, const Convergence& convergence);
+
+/// Time-averaged profiles over the window so far; nothing when no block is complete yet.
+void add_profiles_content(Content& content, const Case& c, const std::optional<ColumnResult>& column,
+                          const Recorder& recorder, const Convergence& convergence);
+
+/// The XDMF index of the snapshots.
+void write_snapshot_index(const std::filesystem::path& path, const Recorder& recorder, std::size_t particles);
+
+}  // namespace riffle

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "case/case.hpp"
+#include "solver/simulation.hpp"
+
+namespace riffle {
+
+/// One column of the time series of a run.
+struct SeriesColumn {
+    std::string name;
+    std::string unit;
+    std::string long_name;
+    std::vector<double> values;
+};
+
+/// Whole-flow quantities against time, the rows of `/time_series`.
+class TimeSeries {
+  public:
+    explicit TimeSeries(const Case& c);
+
+    /// Add the row of the present state. `mean_level`: of the newest surface sample, m.
+    void sample(const Simulation& simulation, double mean_level);
+
+    [[nodiscard]] const std::vector<SeriesColumn>& columns() const { return columns_; }
+    [[nodiscard]] std::vector<SeriesColumn>& columns() { return columns_; }
+    [[nodiscard]] std::size_t rows() const { return columns_.front().values.size(); }
+    [[nodiscard]] const std::vector<double>& column(const std::string& name) const;
+    [[nodiscard]] double last(const std::string& name) const;
+
+  private:
+    Case case_;
+    std::vector<SeriesColumn> columns_;
+};
+
+}  // namespace riffle

@@ -1,0 +1,136 @@
+#include "solver/state_content.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "base/error.hpp"
+#include "solver/recorder.hpp"
+
+namespace riffle {
+
+namespace {
+
+constexpr std::array<const char*, 2> axis_names = {"x", "z"};
+
+void add_array(Content& content, const std::string& path, const std::vector<double>& values,
+               const std::string& unit, const std::string& long_name) {
+    content.datasets.push_back(
+        {.path = path, .shape = {values.size()}, .values = values, .unit = unit, .long_name = long_name});
+}
+
+std::vector<double> doubles(const Content& content, const std::string& path) {
+    return std::get<std::vector<double>>(checkpoint_dataset(content, path).values);
+}
+
+double group_number(const Content& content, const std::string& group, const std::string& name) {
+    for (const Attribute& attribute : content.attributes) {
+        if (attribute.path == group && attribute.name == name) {
+            if (const auto* number = std::get_if<double>(&attribute.value)) {
+                return *number;
+            }
+            return static_cast<double>(std::get<std::int64_t>(attribute.value));
+        }
+    }
+    throw FileError(
+        fmt::format("the checkpoint lacks `{}` of {}: it was written by another build", name, group));
+}
+
+}  // namespace
+
+void add_state(Content& content, const std::string& group, const Simulation& simulation) {
+    const Particles<2>& p = simulation.particles();
+    for (std::size_t k = 0; k < 2; ++k) {
+        const std::string axis = axis_names[k];
+        add_array(content, group + "/position_" + axis, p.position[k], "m", "position " + axis);
+        add_array(content, group + "/velocity_" + axis, p.velocity[k], "m/s", "velocity along " + axis);
+        add_array(content, group + "/listed_position_" + axis, p.listed_position[k], "m",
+                  "position at the last build of the neighbour lists, " + axis);
+    }
+    add_array(content, group + "/density_deviation", p.density_deviation, "1", "rho/rho0 - 1");
+    add_array(content, group + "/mass", p.mass, "kg/m", "mass per unit width");
+    add_array(content, group + "/wall_density_deviation", simulation.wall_density_deviation(), "1",
+              "rho/rho0 - 1 of the wall particles");
+    content.datasets.push_back({.path = group + "/id",
+                                .shape = {p.size()},
+                                .values = p.id,
+                                .unit = "1",
+                                .long_name = "particle number"});
+    const SimulationClock& clock = simulation.clock();
+    const auto attribute = [&](const char* name, AttributeValue value) {
+        content.attributes.push_back({.path = group, .name = name, .value = std::move(value)});
+    };
+    attribute("time", clock.time);
+    attribute("steps", clock.steps);
+    attribute("list_builds", clock.list_builds);
+    attribute("time_step", clock.time_step);
+    attribute("largest_acceleration", clock.largest_acceleration);
+    attribute("sound_speed", simulation.scheme().state.sound_speed);
+}
+
+void restore_state(const Content& content, const std::string& group, Simulation& simulation) {
+    Particles<2> p;
+    for (std::size_t k = 0; k < 2; ++k) {
+        const std::string axis = axis_names[k];
+        p.position[k] = doubles(content, group + "/position_" + axis);
+        p.velocity[k] = doubles(content, group + "/velocity_" + axis);
+        p.listed_position[k] = doubles(content, group + "/listed_position_" + axis);
+    }
+    p.density_deviation = doubles(content, group + "/density_deviation");
+    p.mass = doubles(content, group + "/mass");
+    p.id = std::get<std::vector<std::int64_t>>(checkpoint_dataset(content, group + "/id").values);
+    SimulationClock clock;
+    clock.time = group_number(content, group, "time");
+    clock.steps = static_cast<std::int64_t>(group_number(content, group, "steps"));
+    clock.list_builds = static_cast<std::int64_t>(group_number(content, group, "list_builds"));
+    clock.time_step = group_number(content, group, "time_step");
+    clock.largest_acceleration = group_number(content, group, "largest_acceleration");
+    simulation.restore(std::move(p), clock, doubles(content, group + "/wall_density_deviation"));
+}
+
+Particles<2> particles_from_results(const Case& c, const Scheme& scheme, const ResultsReader& results,
+                                    const std::string& file_name) {
+    if (!results.has("/state/position_x")) {
+        throw InputError(
+            fmt::format("[start] file = \"{}\" holds no state to start from; give the results file of a run "
+                        "of `riffle run`",
+                        file_name));
+    }
+    const Case other = parse_case(results.read_string("/case/text"), file_name);
+    const auto differs = [](double a, double b) { return std::abs(a - b) > 1e-9 * std::abs(b); };
+    if (differs(other.channel.length, c.channel.length) || differs(other.total_depth(), c.total_depth()) ||
+        differs(other.numerics.spacing, c.numerics.spacing)) {
+        throw InputError(
+            fmt::format("[start] file = \"{}\" was run with channel.length {} m, total depth {} m and "
+                        "numerics.spacing {} m, this "
+                        "case has {} m, {} m and {} m: start from a run of the same water and spacing, or "
+                        "from the column",
+                        file_name, other.channel.length, other.total_depth(), other.numerics.spacing,
+                        c.channel.length, c.total_depth(), c.numerics.spacing));
+    }
+    Particles<2> p;
+    for (std::size_t k = 0; k < 2; ++k) {
+        const std::string axis = axis_names[k];
+        p.position[k] = results.read_doubles("/state/position_" + axis);
+        p.velocity[k] = results.read_doubles("/state/velocity_" + axis);
+    }
+    p.listed_position = p.position;
+    p.density_deviation = results.read_doubles("/state/density_deviation");
+    p.mass = results.read_doubles("/state/mass");
+    for (const double id : results.read_doubles("/state/id")) {
+        p.id.push_back(static_cast<std::int64_t>(id));
+    }
+    const auto sound_speed = results.attribute("/state", "sound_speed");
+    const StateEquation old{
+        .kind = other.numerics.equation_of_state,
+        .sound_speed = sound_speed ? std::get<double>(*sound_speed) : scheme.state.sound_speed};
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        // Same volume and pressure under the new equation of state.
+        const double volume_density = p.mass[i] / (1.0 + p.density_deviation[i]);
+        p.density_deviation[i] = scheme.state.deviation(old.pressure(p.density_deviation[i]));
+        p.mass[i] = volume_density * (1.0 + p.density_deviation[i]);
+    }
+    return p;
+}
+
+}  // namespace riffle

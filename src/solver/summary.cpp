@@ -1,0 +1,166 @@
+#include "solver/summary.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "hydraulics/channel_laws.hpp"
+#include "hydraulics/log_law.hpp"
+
+namespace riffle {
+
+namespace {
+
+/// Root mean square and largest magnitude of a sequence.
+struct Norms {
+    double sum = 0.0;
+    double largest = 0.0;
+    int count = 0;
+    void add(double x) {
+        sum += x * x;
+        largest = std::max(largest, std::abs(x));
+        ++count;
+    }
+    [[nodiscard]] double rms() const { return count > 0 ? std::sqrt(sum / count) : 0.0; }
+};
+
+double window_mean(const TimeSeries& series, const std::string& name, double from, double to) {
+    const auto& time = series.column("time");
+    const auto& values = series.column(name);
+    double sum = 0.0;
+    double count = 0.0;
+    for (std::size_t i = 0; i < time.size(); ++i) {
+        if (time[i] >= from && time[i] <= to && std::isfinite(values[i])) {
+            sum += values[i];
+            count += 1.0;
+        }
+    }
+    return count > 0.0 ? sum / count : std::numeric_limits<double>::quiet_NaN();
+}
+
+void add_column_departures(const Case& c, const Profiles& p, RunSummary& summary) {
+    Norms above;
+    Norms below;
+    for (std::size_t k = 0; k < p.z.size(); ++k) {
+        const double relative = p.velocity_deviation[k] / p.column_velocity[k];
+        (p.z[k] > c.crest() ? above : below).add(relative);
+    }
+    summary.set("velocity_error_above_rms", above.rms());
+    summary.set("velocity_error_above_maximum", above.largest);
+    summary.set("velocity_error_below_rms", below.rms());
+    summary.set("velocity_error_below_maximum", below.largest);
+}
+
+void add_stresses(const Case& c, const Profiles& p, RunSummary& summary) {
+    const double crest_stress = c.fluid.density * c.streamwise_gravity() * (c.total_depth() - c.crest());
+    if (crest_stress <= 0.0 || p.z.size() < 6) {
+        return;
+    }
+    Norms spurious;
+    Norms error;
+    double stress_at_crest = 0.0;
+    double weight = 0.0;
+    for (std::size_t k = 0; k + 4 < p.z.size(); ++k) {
+        if (p.bin_upper[k] < c.crest()) {
+            continue;
+        }
+        spurious.add(p.pair_stress[k] / crest_stress);
+        error.add((p.total_stress[k] - p.analytic_stress[k]) / crest_stress);
+        // tau / (1 - (z - d_h)/(H - d_h)) is the crest stress of the line through this point.
+        const double line = (c.total_depth() - p.bin_upper[k]) / (c.total_depth() - c.crest());
+        stress_at_crest += p.total_stress[k] * line;
+        weight += line * line;
+    }
+    summary.set("spurious_stress_rms", spurious.rms());
+    summary.set("spurious_stress_maximum", spurious.largest);
+    summary.set("stress_error_rms", error.rms());
+    summary.set("friction_velocity", std::sqrt(std::max(0.0, stress_at_crest / weight / c.fluid.density)));
+}
+
+void add_log_law(const Case& c, const Profiles& p, RunSummary& summary) {
+    if (c.bed.kind != BedKind::spheres) {
+        return;
+    }
+    const HeightRange range = log_law_range(c);
+    const LogLawFit fit = fit_log_law(p.z, p.velocity, log_law_kappa, c.datum(), range.from, range.to);
+    if (fit.valid) {
+        summary.set("log_law_friction_velocity", fit.friction_velocity);
+        summary.set("log_law_friction_velocity_half_width", fit.friction_velocity_half_width);
+        summary.set("equivalent_roughness", fit.equivalent_roughness);
+        summary.set("equivalent_roughness_half_width", fit.equivalent_roughness_half_width);
+        summary.set("zero_plane", fit.zero_plane);
+    }
+}
+
+}  // namespace
+
+double RunSummary::value(const std::string& name) const {
+    for (const auto& [key, number] : values) {
+        if (key == name) {
+            return number;
+        }
+    }
+    return std::numeric_limits<double>::quiet_NaN();
+}
+
+void RunSummary::set(const std::string& name, double number) {
+    for (auto& [key, old] : values) {
+        if (key == name) {
+            old = number;
+            return;
+        }
+    }
+    values.emplace_back(name, number);
+}
+
+RunSummary summarise(const Case& c, const ColumnResult* column, const TimeSeries& series,
+                     const Profiles& profiles, const Convergence& convergence) {
+    RunSummary summary;
+    const auto& time = series.column("time");
+    if (time.empty()) {
+        return summary;
+    }
+    const double from = profiles.empty() ? convergence.window_start : profiles.window_start;
+    const double to = time.back();
+    summary.set("converged", convergence.converged ? 1.0 : 0.0);
+    summary.set("window_start", from);
+    summary.set("window_end", to);
+    const auto first =
+        static_cast<std::size_t>(std::lower_bound(time.begin(), time.end(), from) - time.begin());
+    const auto estimate =
+        mean_with_confidence(std::span(series.column("depth_mean_velocity")).subspan(first));
+    summary.set("depth_mean_velocity", estimate.mean);
+    summary.set("depth_mean_velocity_half_width", estimate.half_width);
+    summary.set("depth_mean_velocity_integral_time",
+                estimate.integral_time * (to - time[first]) /
+                    std::max<double>(1.0, static_cast<double>(time.size() - first - 1)));
+    summary.set("remaining_drift", convergence.remaining_drift);
+    for (const char* name : {"total_mean_velocity", "drag_over_gravity", "wall_over_gravity", "mean_level",
+                             "velocity_fluctuation", "particle_order", "density_deviation_minimum",
+                             "density_deviation_maximum"}) {
+        summary.set(name, window_mean(series, name, from, to));
+    }
+    // The level's drift over the whole run, from the means of its first and last seconds.
+    summary.set("level_drift", window_mean(series, "mean_level", to - 1.0, to) -
+                                   window_mean(series, "mean_level", 0.0, std::min(1.0, to)));
+    if (profiles.empty()) {
+        return summary;
+    }
+    summary.set("surface_velocity", profiles.velocity.back());
+    if (column != nullptr) {
+        add_column_departures(c, profiles, summary);
+        const double reference = column->depth_mean_velocity;
+        if (reference != 0.0) {
+            summary.set("depth_mean_velocity_error", estimate.mean / reference - 1.0);
+        }
+        if (column->total_mean_velocity != 0.0) {
+            summary.set("total_mean_velocity_error",
+                        summary.value("total_mean_velocity") / column->total_mean_velocity - 1.0);
+        }
+    }
+    add_stresses(c, profiles, summary);
+    add_log_law(c, profiles, summary);
+    return summary;
+}
+
+}  // namespace riffle
