@@ -161,7 +161,8 @@ std::string expectation(const Key& key) {
     std::string text;
     switch (key.type) {
         case ValueType::number:
-            text = dimension_name(key.dimension);
+            text =
+                key.dimension == Dimension::none ? "a number (without unit)" : dimension_name(key.dimension);
             break;
         case ValueType::integer:
             text = "a whole number";

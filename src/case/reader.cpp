@@ -93,7 +93,8 @@ void apply_overrides(Document& document, const std::vector<Override>& overrides,
         const bool text = key != nullptr && (key->type == ValueType::text || key->type == ValueType::file);
         RawValue value = read_option_value(option.value);
         if (text && !std::holds_alternative<std::string>(value)) {
-            value = option.value;  // a title such as 2026 needs no quotes on the command line
+            value =
+                read_option_text(option.value);  // a title such as 2026 needs no quotes on the command line
         }
         document.entries.push_back({section, name, std::move(value), place, place});
     }

@@ -22,12 +22,13 @@ std::string comment(const std::string& text, const std::string& indent = "") {
     std::string line;
     for (std::string next; words >> next;) {
         if (!line.empty() && indent.size() + line.size() + next.size() + 3 > line_width) {
-            lines += "# " + indent + line + "\n";
+            lines += fmt::format("# {}{}\n", indent, line);
             line.clear();
         }
-        line += line.empty() ? next : " " + next;
+        line += line.empty() ? "" : " ";
+        line += next;
     }
-    return lines + "# " + indent + line + "\n";
+    return fmt::format("{}# {}{}\n", lines, indent, line);
 }
 
 std::string without_ticks(std::string text) {

@@ -114,6 +114,15 @@ Document read_toml(const std::string& text, const std::string& name) {
     return document;
 }
 
+RawValue read_option_text(const std::string& text) {
+    try {
+        (void)toml::parse("value = " + toml_string(text));
+    } catch (const toml::parse_error&) {
+        return OtherValue{"a text that is not UTF-8"};  // would make the case unreadable
+    }
+    return text;
+}
+
 RawValue read_option_value(const std::string& text) {
     try {
         const toml::table table = toml::parse("value = " + text);
@@ -125,7 +134,7 @@ RawValue read_option_value(const std::string& text) {
     if (const auto number = bare_number(text)) {
         return *number;
     }
-    return text;
+    return read_option_text(text);
 }
 
 std::string toml_string(std::string_view text) {

@@ -53,6 +53,9 @@ struct Document {
 /// The value of a `--set` option: TOML, or else the bare text.
 [[nodiscard]] RawValue read_option_value(const std::string& text);
 
+/// The same for a key that takes any text: the bare text, if it is UTF-8.
+[[nodiscard]] RawValue read_option_text(const std::string& text);
+
 /// A basic TOML string with its quotes.
 [[nodiscard]] std::string toml_string(std::string_view text);
 

@@ -126,14 +126,14 @@ class Validation {
         if (c_.bed.kind == BedKind::spheres) {
             add({"channel.top"},
                 fmt::format("[channel] top = \"{}\" goes with a smooth bed: set [bed] kind = {}", top,
-                            c_.channel.top == Top::wall ? "\"no-slip\" or \"slip\"" : "\"slip\""));
+                            c_.channel.top == Top::wall ? R"("no-slip" or "slip")" : R"("slip")"));
         }
         if (c_.channel.top != Top::periodic) {
             return;
         }
         if (c_.channel.ends != Ends::periodic) {
             add({"channel.ends", "channel.top"},
-                "[channel] top = \"periodic\" needs ends = \"periodic\" as well: set it");
+                R"([channel] top = "periodic" needs ends = "periodic" as well: set it)");
         }
         if (c_.bed.kind == BedKind::no_slip) {
             add({"bed.kind", "channel.top"},
@@ -194,7 +194,7 @@ class Validation {
                 }
                 if (c_.channel.top != Top::periodic) {
                     add({"start.kind"},
-                        "[start] kind = \"taylor-green\" needs [channel] top = \"periodic\": set it");
+                        R"([start] kind = "taylor-green" needs [channel] top = "periodic": set it)");
                 }
                 break;
             case StartKind::uniform:
@@ -214,7 +214,7 @@ class Validation {
     void check_column_start() {
         if (!has_column()) {
             add({"start.kind"},
-                fmt::format("[start] kind = \"column\": {}; choose kind = \"rest\" or \"uniform\"",
+                fmt::format(R"([start] kind = "column": {}; choose kind = "rest" or "uniform")",
                             c_.bed.kind == BedKind::slip ? "a frictionless bed has no steady velocity profile"
                                                          : "the column twin needs a free surface"));
         }

@@ -64,7 +64,7 @@ TEST(BadInput, WrongUnitListsTheAcceptedOnes) {
             "of a time; write a number in m or a text with one of the units m, dm, cm, mm, um, km"));
     EXPECT_THAT(error_of(changed("\"50 mm\"", "\"50 inch\"")), HasSubstr("`inch` is no known unit"));
     EXPECT_THAT(error_of(changed("0.004", "\"0.004 m\"")),
-                AllOf(HasSubstr("2:9: [channel] slope"), HasSubstr("expected a number without unit"),
+                AllOf(HasSubstr("2:9: [channel] slope"), HasSubstr("expected a number (without unit)"),
                       HasSubstr("write a number without quotes")));
 }
 

@@ -242,6 +242,35 @@ RC_GTEST_PROP(RoundTrip, NormalisedTextGivesTheSameCase, ()) {
     RC_ASSERT(again.text == from_template.text);
 }
 
+/// Whether a text is read, or refused by an InputError that names the file or the option.
+bool read_or_refused(const std::string& text, const std::vector<Override>& overrides = {}) {
+    try {
+        const Case c = parse_case(text, "case.toml", {}, overrides);
+        return parse(c.text).same_parameters(c);
+    } catch (const InputError& error) {
+        const std::string message = error.what();
+        return message.rfind("case.toml", 0) == 0 || message.rfind("--set ", 0) == 0;
+    }
+}
+
+RC_GTEST_PROP(Robustness, DamagedTextIsReadOrRefused, ()) {
+    std::string text = case_template(any_case());
+    const int damages = *rc::gen::inRange(1, 4);
+    for (int i = 0; i < damages; ++i) {
+        const auto at = *rc::gen::inRange<std::size_t>(0, text.size());
+        const auto length = *rc::gen::inRange<std::size_t>(0, 4);
+        text.replace(at, length, *rc::gen::arbitrary<std::string>());
+    }
+    RC_ASSERT(read_or_refused(text));
+}
+
+RC_GTEST_PROP(Robustness, AnyOptionIsReadOrRefused, (const std::string& value)) {
+    const SectionKeys& section = *rc::gen::elementOf(key_table());
+    const Key& key = *rc::gen::elementOf(section.keys);
+    RC_ASSERT(read_or_refused(smallest, {{key.id(), value}}));
+    RC_ASSERT(read_or_refused(smallest, {{value, "1"}}));
+}
+
 RC_GTEST_PROP(RoundTrip, HandyQuantitiesReadBackTheSame, ()) {
     const double value =
         *rc::gen::map(rc::gen::pair(number_between(1.0, 10.0), rc::gen::inRange(-9, 6)),
