@@ -15,13 +15,13 @@ Hdf5Handle access_properties() {
     // Objects with checksummed metadata; readable by HDF5 1.8 and later.
     hdf5_check(H5Pset_libver_bounds(access.get(), H5F_LIBVER_V18, H5F_LIBVER_V18), "set the HDF5 version");
     // A results file is only ever replaced as a whole, so that readers and the writer need no locks.
-    hdf5_check(H5Pset_file_locking(access.get(), 0, 1), "switch off file locking");
+    hdf5_check(H5Pset_file_locking(access.get(), false, true), "switch off file locking");
     return access;
 }
 
 Hdf5Handle memory_properties() {
     Hdf5Handle access = access_properties();
-    hdf5_check(H5Pset_fapl_core(access.get(), growth_step, 0), "set up a file in memory");
+    hdf5_check(H5Pset_fapl_core(access.get(), growth_step, false), "set up a file in memory");
     return access;
 }
 

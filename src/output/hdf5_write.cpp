@@ -14,9 +14,12 @@
 namespace riffle {
 namespace {
 
-constexpr std::size_t compress_from_bytes = 16 * 1024;  // below it, compression saves less than it costs
-constexpr std::size_t series_chunk_bytes = 16 * 1024;   // 2048 rows of double: rewritten with each update
-constexpr std::size_t array_chunk_bytes = 256 * 1024;   // within the library's chunk cache of 1 MiB
+constexpr std::size_t compress_from_bytes = std::size_t{16}
+                                            << 10U;  // below it, compression saves less than it costs
+constexpr std::size_t series_chunk_bytes = std::size_t{16}
+                                           << 10U;  // 2048 rows of double: rewritten with each update
+constexpr std::size_t array_chunk_bytes = std::size_t{256}
+                                          << 10U;  // within the library's chunk cache of 1 MiB
 constexpr unsigned compression_level = 4;
 
 std::vector<hsize_t> extents(const std::vector<std::size_t>& shape) { return {shape.begin(), shape.end()}; }

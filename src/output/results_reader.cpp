@@ -11,6 +11,9 @@
 namespace riffle {
 
 struct ResultsReader::Impl {
+    Impl(std::filesystem::path file_path, Hdf5Handle open_file)
+        : path(std::move(file_path)), file(std::move(open_file)) {}
+
     std::filesystem::path path;
     Hdf5Handle file;
 
