@@ -36,7 +36,8 @@ const field = (() => {
   const available = snapshot => quantities.filter(item => figures.has(snapshot, item.key) &&
     (item.key !== 'eddy_viscosity' || figures.some(snapshot[item.key])));
 
-  function paint(snapshot, values, limits, map, view, width, height) {
+  // `period`: length after which the channel repeats, mm; particles near its ends are drawn at both. 0: none.
+  function paint(snapshot, values, limits, map, view, width, height, period) {
     const canvas = document.createElement('canvas');
     canvas.width = width;
     canvas.height = height;
@@ -44,12 +45,16 @@ const field = (() => {
     const sx = width / (view.x1 - view.x0), sz = height / (view.z1 - view.z0);
     const rx = Math.max(1, 0.7 * snapshot.spacing * 1000 * sx), rz = Math.max(1, 0.7 * snapshot.spacing * 1000 * sz);
     for (let i = 0; i < values.length; ++i) {
-      const x = (1000 * snapshot.x[i] - view.x0) * sx, y = height - (1000 * snapshot.z[i] - view.z0) * sz;
-      if (x < -rx || x > width + rx || y < -rz || y > height + rz || values[i] === null) continue;
+      if (values[i] === null) continue;
+      const at = 1000 * snapshot.x[i], y = height - (1000 * snapshot.z[i] - view.z0) * sz;
       pen.fillStyle = colourAt(stops, (values[i] - limits[0]) / (limits[1] - limits[0]));
-      pen.beginPath();
-      pen.ellipse(x, y, rx, rz, 0, 0, 2 * Math.PI);
-      pen.fill();
+      for (const along of period ? [at - period, at, at + period] : [at]) {
+        const x = (along - view.x0) * sx;
+        if (x < -rx || x > width + rx || y < -rz || y > height + rz) continue;
+        pen.beginPath();
+        pen.ellipse(x, y, rx, rz, 0, 0, 2 * Math.PI);
+        pen.fill();
+      }
     }
     return canvas;
   }
@@ -64,7 +69,7 @@ const field = (() => {
   }
 
   // Draw into `plot`; the buttons go into `choices`, what lies under the pointer into `readout`.
-  function draw(data, plot, choices, readout, config) {
+  function draw(data, plot, choices, readout, config, width_now) {
     const snapshot = data.snapshot, items = available(snapshot), g = data.geometry;
     const whole = { x0: 0, x1: 1000 * snapshot.x_end, z0: 0, z1: 1100 * (g.mean_level || g.total_depth) };
     let view = { ...whole }, current = items[0];
@@ -72,14 +77,15 @@ const field = (() => {
     function picture() {
       const values = snapshot[current.key].map(value => value === null ? null : current.factor * value);
       const limits = range(values, current.symmetric);
-      const density = Math.min(2600, 2 * Math.max(600, plot.clientWidth));
+      const density = Math.min(2600, 2 * Math.max(600, width_now()));
       const height = Math.max(60, Math.round(density * (view.z1 - view.z0) / (view.x1 - view.x0)));
-      const canvas = paint(snapshot, values, limits, current.map, view, density, Math.min(2000, height));
+      const canvas = paint(snapshot, values, limits, current.map, view, density, Math.min(2000, height),
+        g.periodic && !snapshot.left_out ? 1000 * g.length : 0);
       return { limits, source: canvas.toDataURL('image/png') };
     }
 
     function build() {
-      const { limits, source } = picture(), width = Math.max(280, plot.clientWidth);
+      const { limits, source } = picture(), width = Math.max(280, width_now());
       const narrow = width < 620;
       // Equal scales along both axes, unless the picture would become too flat to read.
       const inner = width - (narrow ? 70 : 165);

@@ -91,7 +91,7 @@ const figures = (() => {
   }
 
   const heightAxis = (data, extra = {}) =>
-    axis(`height above the bed level ${z} (mm)`, { range: [0, 1080 * (data.geometry.mean_level || data.geometry.total_depth)], ...extra });
+    axis(`${z} above the bed level (mm)`, { range: [0, 1080 * (data.geometry.mean_level || data.geometry.total_depth)], ...extra });
 
   const windowText = data => data.profiles && data.profiles.window_end
     ? `Averages over ${significant(data.profiles.window_start)}–${significant(data.profiles.window_end)} s.` : '';
@@ -188,7 +188,10 @@ const figures = (() => {
     const percent = p.velocity_deviation.map(value => value === null ? null : 100 * value / scale);
     const bars = has(p, 'velocity_half_width')
       ? { error_x: { type: 'data', array: p.velocity_half_width.map(value => value === null ? 0 : 100 * value / scale), thickness: 1, width: 0, color: colour.simulated } } : {};
-    const largest = 1.25 * Math.max(1, ...percent.filter(value => value !== null).map(Math.abs));
+    // Room for the bars too, but not so much that one poorly known layer flattens the others.
+    const size = Math.max(1, ...percent.filter(value => value !== null).map(Math.abs));
+    const ends = percent.map((value, i) => value === null ? 0 : Math.abs(value) + (bars.error_x ? bars.error_x.array[i] : 0));
+    const largest = 1.1 * Math.min(3 * size, Math.max(1.1 * size, ...ends));
     const base = heights(data);
     base.shapes.push({ type: 'line', yref: 'paper', y0: 0, y1: 1, x0: 0, x1: 0, line: { color: colour.column, width: 2 }, layer: 'between' });
     return {
@@ -236,7 +239,7 @@ const figures = (() => {
       const percent = p.pressure.map((value, i) => value === null ? null : 100 * (value - p.hydrostatic_pressure[i]) / bottom);
       const largest = 1.25 * Math.max(1, ...percent.filter(value => value !== null).map(Math.abs));
       traces.push(points('difference', percent, height, colour.simulated, { xaxis: 'x2', yaxis: 'y2', showlegend: false, marker: { symbol: 'circle-open' } }));
-      extra.xaxis2 = axis('difference (% of bed)', { domain: [0.66, 1], anchor: 'y2', range: [-largest, largest], nticks: 5 });
+      extra.xaxis2 = axis('difference (%)', { domain: [0.66, 1], anchor: 'y2', range: [-largest, largest], nticks: 5 });
       extra.yaxis2 = axis('', { matches: 'y', anchor: 'x2', showticklabels: false });
       base.shapes.push({ type: 'line', xref: 'x2', yref: 'paper', y0: 0, y1: 1, x0: 0, x1: 0, line: { color: colour.reference, width: 2 }, layer: 'between' });
     }
@@ -255,14 +258,12 @@ const figures = (() => {
       const suffix = i === 0 ? '' : String(i + 1), top = 1 - i * (share + gap), last = i === rows.length - 1;
       row.traces.forEach(trace => traces.push({ ...trace, xaxis: `x${suffix}`, yaxis: `y${suffix}`, legend: `legend${suffix}`, showlegend: true }));
       (row.shapes || []).forEach(({ whole, ...shape }) => shapes.push({ ...shape, xref: `x${suffix}`, yref: whole ? `y${suffix} domain` : `y${suffix}` }));
-      extra[`xaxis${suffix}`] = axis(last ? 'time <i>t</i> (s)' : '', { anchor: `y${suffix}`, showticklabels: last, ...(i ? { matches: 'x' } : {}) });
-      extra[`yaxis${suffix}`] = axis(row.title, { anchor: `x${suffix}`, domain: [Math.max(0, top - share), top], nticks: 5, ...(row.range ? { range: row.range } : {}) });
-      extra[`legend${suffix}`] = { orientation: 'h', x: 0.035, xanchor: 'left', y: top + 0.004, yanchor: 'bottom', font: { size: 12 }, bgcolor: 'rgba(255,255,255,0)' };
-      annotations.push({ xref: 'paper', yref: 'paper', x: 0, y: top + 0.008, xanchor: 'left', yanchor: 'bottom', showarrow: false,
-        text: `<b>(${String.fromCharCode(97 + i)})</b>`, font: { size: 13 } });
+      extra[`xaxis${suffix}`] = axis(last ? 'time <i>t</i> (s)' : '', { anchor: `y${suffix}`, showticklabels: last, rangemode: 'tozero', ...(i ? { matches: 'x' } : {}) });
+      extra[`yaxis${suffix}`] = axis(`<b>(${String.fromCharCode(97 + i)})</b> ${row.title}`, { anchor: `x${suffix}`, domain: [Math.max(0, top - share), top], nticks: 5, ...(row.range ? { range: row.range } : {}) });
+      extra[`legend${suffix}`] = { orientation: 'h', x: 0, xanchor: 'left', y: top + 0.004, yanchor: 'bottom', font: { size: 12 }, bgcolor: 'rgba(255,255,255,0)' };
       (row.annotations || []).forEach(note => annotations.push({ ...note, xref: `x${suffix}`, yref: `y${suffix} domain` }));
     });
-    return { traces, height, layout: layout({ ...extra, shapes, annotations, margin: { l: 70, r: 14, t: 30, b: 48 } }) };
+    return { traces, height, paper_share: 0.92, layout: layout({ ...extra, shapes, annotations, margin: { l: 70, r: 14, t: 30, b: 48 } }) };
   }
 
   // Range that holds all the values, with room at the top for a line of text.
@@ -291,15 +292,15 @@ const figures = (() => {
     // A measured value far from the simulated ones would flatten the curve: it is then only named.
     const measured = data.measured && data.measured.depth_mean_velocity;
     if (measured > first.range[0] && measured < first.range[1]) first.traces.push(level('measured', measured, colour.measured, 'dash'));
-    else if (measured) first.annotations.push(note(`measured: ${significant(measured)} m/s ${measured > first.range[1] ? '↑' : '↓'} outside the frame`, ends[0], 'left'));
+    else if (measured) first.annotations.push(note(`measured: ${significant(measured)} m/s ${measured > first.range[1] ? '↑' : '↓'}`, ends[0], 'left'));
     if (first.shapes.length) first.annotations.push(note('averaging window', (data.window.start + data.window.end) / 2, 'center'));
     rows.push(first);
     if (has(s, 'drag_over_gravity')) {
       const wall = has(s, 'wall_over_gravity') ? s.wall_over_gravity : null;
       const resisting = wall ? s.drag_over_gravity.map((value, i) => value + wall[i]) : s.drag_over_gravity;
-      const row = { title: 'force / weight (–)', shapes: windowShape(data), traces: [line('drag + wall', s.time, resisting, colour.simulated, thin)] };
+      const row = { title: 'force/weight (–)', shapes: windowShape(data), traces: [line('drag + wall', s.time, resisting, colour.simulated, thin)] };
       if (has(s, 'acceleration_over_gravity')) {
-        row.traces.push(line('drag + wall + acceleration', s.time, resisting.map((value, i) => value + s.acceleration_over_gravity[i]), colour.pair, thin));
+        row.traces.push(line('+ acceleration', s.time, resisting.map((value, i) => value + s.acceleration_over_gravity[i]), colour.pair, thin));
       }
       row.traces.push(level('balance', 1, colour.reference, 'dot'));
       rows.push(row);

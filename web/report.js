@@ -139,13 +139,29 @@
     figure.append(made);
   }
 
+  // On paper the column's width is known (A4 with the style's margins, at 96 px per inch) before the browser has
+  // laid out the printed page.
+  let on_paper = false;
+  const paper = { whole: 686, half: 334 };
+  function width_of(plot) {
+    if (!on_paper) return plot.clientWidth;
+    return plot.closest('.pair') ? paper.half : paper.whole;
+  }
+
   function plain(id, where, name, builder) {
     const figure = frame(id, where, name), built = builder(data);
     if (!built) { missing(figure, id, name); return; }
     const plot = element('div', { class: 'plot', id: `plot-${id}`, role: 'img', 'aria-label': name });
     figure.append(plot);
     caption(figure, built.caption);
-    const show = () => Plotly.react(plot, built.traces, { ...built.layout, width: plot.clientWidth, height: built.height }, config);
+    // Paper and telephones get smaller letters; paper lower figures too, so that two rows share a page.
+    const show = () => {
+      const width = width_of(plot), small = width < 400, font = { ...built.layout.font, size: small ? 11.5 : 13 };
+      const legends = Object.fromEntries(Object.entries(built.layout).filter(([key]) => key.startsWith('legend'))
+        .map(([key, legend]) => [key, { ...legend, font: { size: small ? 10.5 : 12 } }]));
+      const height = Math.round(on_paper ? (built.paper_share || 0.76) * built.height : built.height);
+      return Plotly.react(plot, built.traces, { ...built.layout, ...legends, font, width, height }, config);
+    };
     drawn.push({ plot, show });
     show();
   }
@@ -158,7 +174,7 @@
     const readout = element('p', { class: 'readout' });
     figure.append(choices, plot, readout);
     caption(figure, field.caption(data));
-    drawn.push({ plot, show: field.draw(data, plot, choices, readout, config) });
+    drawn.push({ plot, show: field.draw(data, plot, choices, readout, config, () => width_of(plot)) });
   }
 
   function facts() {
@@ -207,10 +223,9 @@
   caseText();
 
   // Refit the figures when the width changes: a resized window, or paper.
-  const refit = () => drawn.forEach(({ plot, show }) => { if (plot.clientWidth && plot._fullLayout && plot._fullLayout.width !== plot.clientWidth) show(); });
+  const refit = () => drawn.forEach(({ plot, show }) => { if (plot._fullLayout && plot._fullLayout.width !== width_of(plot)) show(); });
   let waiting = 0;
   addEventListener('resize', () => { clearTimeout(waiting); waiting = setTimeout(refit, 120); });
-  addEventListener('beforeprint', refit);
-  addEventListener('afterprint', refit);
-  matchMedia('print').addEventListener('change', refit);
+  addEventListener('beforeprint', () => { on_paper = true; refit(); });
+  addEventListener('afterprint', () => { on_paper = false; refit(); });
 })();

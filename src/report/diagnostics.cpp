@@ -26,6 +26,8 @@ std::string percent(double share, int digits = 2) {
     return text;
 }
 
+std::string signed_percent(double share) { return (share < 0 ? "" : "+") + percent(share, 3); }
+
 /// The part of a series inside the averaging window; all of it before there is a window.
 std::span<const double> in_window(const ReportData& data, const std::string& name) {
     const auto& time = data.series.at("time");
@@ -130,7 +132,7 @@ class Rows {
         add({"depth_drift", "Drift of the water level",
              fmt::format("{:+.3f} ± {:.3f} mm per minute", 1000 * trend.slope * minute,
                          1000 * trend.half_width * minute),
-             fmt::format("at most {:.2f} mm per minute (0.5 % of the depth)", 1000 * 0.005 * depth),
+             fmt::format("at most {:.2f} mm per minute, 0.5 % of the depth", 1000 * 0.005 * depth),
              "Water is neither lost nor added, so the level must stay. A drift means that the particles' "
              "volume changes.",
              drift_mark(std::abs(trend.slope) * minute / depth, trend.half_width * minute / depth)});
@@ -146,7 +148,7 @@ class Rows {
         if (low.empty() || high.empty()) return;
         const double least = *std::min_element(low.begin(), low.end());
         const double most = *std::max_element(high.begin(), high.end());
-        add({"density_range", "Range of the density", percent(least, 3) + " to +" + percent(most, 3),
+        add({"density_range", "Range of the density", signed_percent(least) + " to " + signed_percent(most),
              "within ± 1 %",
              "The water is treated as slightly compressible. Up to 1 % does not change the flow.",
              mark_of(std::max(std::abs(least), std::abs(most)), 0.01)});

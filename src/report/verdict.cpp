@@ -82,9 +82,9 @@ Verdict judge(const ReportData& data, const std::vector<Quantity>& quantities,
     if (!averaged) {
         verdict.headline =
             data.complete ? "The run ended without time averages." : "The run has no time averages yet.";
-        verdict.sentences.push_back(fmt::format(
-            "It has reached {:.2f} s of simulated time. What the results file holds so far is shown below.",
-            time));
+        if (time > 0)
+            verdict.sentences.push_back(fmt::format("It has reached {:.2f} s of simulated time.", time));
+        verdict.sentences.emplace_back("What the results file holds so far is shown below.");
         return verdict;
     }
 
