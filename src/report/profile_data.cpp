@@ -62,6 +62,7 @@ std::vector<double> law_heights(double zero_plane, double lowest, double top) {
     // Equal steps of ln(z - z_0), which the semi-logarithmic figure shows as equal steps.
     constexpr int count = 80;
     std::vector<double> heights;
+    heights.reserve(count);
     const double low = std::log(std::max(lowest - zero_plane, 1e-3 * (top - zero_plane)));
     const double high = std::log(top - zero_plane);
     for (int i = 0; i < count; ++i)

@@ -41,11 +41,11 @@ struct Sources {
 
 class Table {
   public:
-    void add(Quantity row, Sources sources) {
+    void add(Quantity row, const Sources& sources) {
         if (!sources.simulated && !sources.measured && !sources.column) return;
-        row.simulated = std::move(sources.simulated);
-        row.measured = std::move(sources.measured);
-        row.column = std::move(sources.column);
+        row.simulated = sources.simulated;
+        row.measured = sources.measured;
+        row.column = sources.column;
         rows_.push_back(std::move(row));
     }
     [[nodiscard]] std::vector<Quantity> take() { return std::move(rows_); }

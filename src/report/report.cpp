@@ -40,7 +40,7 @@ std::string report_summary_json(const std::filesystem::path& results) {
 std::filesystem::path find_results_file(const std::filesystem::path& path) {
     std::error_code error;
     if (std::filesystem::is_directory(path, error)) {
-        const std::filesystem::path inside = path / "results.h5";
+        std::filesystem::path inside = path / "results.h5";
         if (std::filesystem::exists(inside, error)) return inside;
         throw FileError(path.string() +
                         ": no results.h5 in this folder; expected the folder that `riffle run -o` filled");
