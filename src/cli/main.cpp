@@ -3,9 +3,11 @@
 #include <CLI/CLI.hpp>
 #include <exception>
 #include <string>
+#include <vector>
 
 #include "base/error.hpp"
 #include "base/version.hpp"
+#include "case/nearest.hpp"
 #include "cli/terminal.hpp"
 #include "cli/verbs.hpp"
 
@@ -29,6 +31,26 @@ constexpr const char* examples = R"(Examples:
 Exit status: 0 success, 1 the simulation failed, 2 wrong command line or case, 3 a file cannot be
 read or written, 128 + n stopped by signal n with a checkpoint.)";
 
+/// Tell what is wrong with the command line, and where its help is.
+void print_usage_error(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
+    const std::vector<CLI::App*> used = app.get_subcommands();
+    const std::string first = argc > 1 ? argv[1] : "";
+    std::string message = error.what();
+    if (used.empty() && (first.empty() || first.front() != '-')) {
+        std::vector<std::string> verbs;
+        for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; })) {
+            verbs.push_back(verb->get_name());
+        }
+        const auto meant = nearest_name(first, verbs);
+        message =
+            fmt::format("{}{}; the verbs are {}",
+                        first.empty() ? "a verb is missing" : fmt::format("unknown verb `{}`", first),
+                        meant ? fmt::format(": did you mean `{}`?", *meant) : "", fmt::join(verbs, ", "));
+    }
+    print_error(fmt::format("{}\nriffle {}--help explains the command line.", message,
+                            used.empty() ? "" : used.front()->get_name() + " "));
+}
+
 int parse_and_run(int argc, char** argv) {
     CLI::App app{
         "Riffle simulates turbulent flow in rivers and flumes over rough beds, with its free surface"};
@@ -48,7 +70,11 @@ int parse_and_run(int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& e) {
-        return app.exit(e) == 0 ? 0 : static_cast<int>(ExitCode::bad_input);
+        if (e.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
+            return app.exit(e);
+        }
+        print_usage_error(app, e, argc, argv);
+        return static_cast<int>(ExitCode::bad_input);
     }
     return verb_exit_status();
 }

@@ -84,7 +84,7 @@ void add_verb_bench(CLI::App& app) {
     command->add_option("workloads", verb->names,
                         "Names, e.g. channel-2d-5k or channel-2d-5k/default (default: all)");
     command->add_option("-j,--threads", verb->threads, "Threads (0: all cores)")
-        ->check(CLI::NonNegativeNumber)
+        ->check(CLI::Range(0, maximum_threads))
         ->capture_default_str();
     command->add_option("--repetitions", verb->repetitions, "Timed parts; the median counts")
         ->check(CLI::PositiveNumber)

@@ -81,7 +81,7 @@ void add_verb_check(CLI::App& app) {
         app.add_subcommand("check", "Validate a case; particles, steps, time, memory and disk of its run");
     verb->argument.add_to(*command);
     command->add_option("-j,--threads", verb->threads, "Threads of the forecast (default: all cores)")
-        ->check(CLI::NonNegativeNumber);
+        ->check(CLI::Range(0, maximum_threads));
     command->add_flag("--json", verb->json, "Print the forecast as JSON (SI units)");
     command->callback([verb] { check(*verb); });
 }

@@ -52,12 +52,18 @@ void add_verb_resume(CLI::App& app) {
         ->type_name("FILE");
     command
         ->add_option("--set", verb->settings, "Change a key of [run] or [output], e.g. run.until='\"130 s\"'")
-        ->type_name("section.key=value");
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
     command
         ->add_option("-j,--threads", verb->threads,
                      "Threads (default: all cores); the results do not depend on it")
-        ->check(CLI::NonNegativeNumber);
-    command->add_flag("-q,--quiet", verb->quiet, "No progress and no summary on the terminal");
+        ->check(CLI::Range(0, maximum_threads));
+    command->add_flag("-q,--quiet", verb->quiet, "No progress and no summary on the terminal; errors only");
+    command->footer(
+        "Examples:\n"
+        "  riffle resume results/condition-2\n"
+        "  riffle resume results/condition-2 --set run.until='\"130 s\"'\n"
+        "  riffle resume results/condition-2 --from checkpoint-previous.h5");
     command->callback([verb] { resume(*verb); });
 }
 

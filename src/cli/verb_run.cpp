@@ -31,8 +31,10 @@ void run(const RunVerb& verb) {
     options.threads = verb.threads;
     options.overwrite = verb.force;
     options.notes = case_warnings(c);
-    for (const std::string& warning : options.notes) {
-        print_warning(warning);
+    if (!verb.quiet) {  // the log has them in any case
+        for (const std::string& warning : options.notes) {
+            print_warning(warning);
+        }
     }
     RunDisplay display(verb.quiet);
     options.progress = [&](const RunProgress& progress) { display.show(progress); };
@@ -56,8 +58,9 @@ void add_verb_run(CLI::App& app) {
     command
         ->add_option("-j,--threads", verb->threads,
                      "Threads (default: all cores); the results do not depend on it")
-        ->check(CLI::NonNegativeNumber);
-    command->add_flag("-q,--quiet", verb->quiet, "No progress and no summary on the terminal");
+        ->check(CLI::Range(0, maximum_threads));
+    command->add_flag("-q,--quiet", verb->quiet,
+                      "No warnings, progress and summary on the terminal; errors only");
     command->add_flag("--force", verb->force, "Replace results that the folder already holds");
     command->footer(
         "Examples:\n"

@@ -18,6 +18,9 @@ void add_verb_bench(CLI::App& app);
 void add_verb_schema(CLI::App& app);
 void add_verb_version(CLI::App& app);
 
+/// Most threads that may be asked for; 0 stands for all cores.
+inline constexpr int maximum_threads = 4096;
+
 /// Exit status that a verb asks for after its callback (a run stopped by a signal); 0 unless set.
 [[nodiscard]] int& verb_exit_status();
 

@@ -34,6 +34,12 @@ double relaxation_time(const std::optional<ColumnResult>& column) {
     return column && std::isfinite(column->relaxation_time) ? column->relaxation_time : 0.0;
 }
 
+/// The setting of half the step: the fixed step rules out the Courant number.
+std::string smaller_step(const Numerics& numerics) {
+    return numerics.time_step ? fmt::format("numerics.time_step={:.3g}", 0.5 * *numerics.time_step)
+                              : fmt::format("numerics.courant_number={:.2g}", 0.5 * numerics.courant_number);
+}
+
 }  // namespace
 
 RunSession::RunSession(const Case& c, const RunOptions& options)
@@ -141,10 +147,9 @@ RunOutcome RunSession::advance() {
             const Content saved = CheckpointFile::read(files_.checkpoint());
             throw RunError(
                 fmt::format("{}\nThe last good checkpoint is at t = {:.6g} s ({}). To go on with a smaller "
-                            "step: riffle resume {} "
-                            "--set numerics.courant_number={:.2g}",
+                            "step: riffle resume {} --set {}",
                             e.what(), checkpoint_number(saved, "time"), files_.checkpoint().string(),
-                            files_.folder.string(), 0.5 * case_.numerics.courant_number));
+                            files_.folder.string(), smaller_step(case_.numerics)));
         }
         recorder_->record(*simulation_);
         if (simulation_->clock().time >= next_test_) {
