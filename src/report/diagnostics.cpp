@@ -47,7 +47,8 @@ class Rows {
     void interval() {
         const auto mean = value("depth_mean_velocity");
         const auto half = value("depth_mean_velocity_half_width");
-        if (!mean || !half || *mean == 0) return;
+        // Without a slope there is no mean flow whose certainty could be given in percent.
+        if (!mean || !half || *mean == 0 || data_.flow.channel.slope <= 0) return;
         const double share = *half / std::abs(*mean);
         const double bar = data_.flow.run.tolerance;
         add({"velocity_interval", "Certainty of the depth-mean velocity", "± " + percent(share),
@@ -149,9 +150,11 @@ class Rows {
         const double least = *std::min_element(low.begin(), low.end());
         const double most = *std::max_element(high.begin(), high.end());
         add({"density_range", "Range of the density", signed_percent(least) + " to " + signed_percent(most),
-             "within ± 1 %",
-             "The water is treated as slightly compressible. Up to 1 % does not change the flow.",
-             mark_of(std::max(std::abs(least), std::abs(most)), 0.01)});
+             "within ± 1.5 %",
+             "The water is treated as slightly compressible: its own weight alone may compress it by up to 1 "
+             "% at the bed. "
+             "More tells of pressure noise.",
+             mark_of(std::max(std::abs(least), std::abs(most)), 0.015)});
     }
 
     void order() {

@@ -153,17 +153,15 @@ void add_levels(Table& table, const ReportData& data) {
 void add_channel_numbers(Table& table, const ReportData& data, const Sources& mean) {
     const Case& c = data.flow;
     const double depth = c.channel.depth;
-    if (c.channel.slope > 0) {
-        const double component = c.streamwise_gravity();
-        const double slope = c.channel.slope;
-        table.add(
-            {"friction_factor", "Friction factor (Darcy and Weisbach)", "<i>f</i>", "1", 1, 4, {}, {}, {}},
-            mean.through([=](double u) { return friction_factor(component, depth, u); }));
-        table.add({"manning", "Manning's coefficient", "<i>n</i>", "s/m<sup>1/3</sup>", 1, 4, {}, {}, {}},
-                  mean.through([=](double u) { return manning_coefficient(slope, depth, u); }));
-        table.add({"chezy", "Chezy's coefficient", "<i>C</i>", "m<sup>1/2</sup>/s", 1, 4, {}, {}, {}},
-                  mean.through([=](double u) { return chezy_coefficient(slope, depth, u); }));
-    }
+    if (c.channel.slope <= 0) return;  // no mean flow to characterise
+    const double component = c.streamwise_gravity();
+    const double slope = c.channel.slope;
+    table.add({"friction_factor", "Friction factor (Darcy and Weisbach)", "<i>f</i>", "1", 1, 4, {}, {}, {}},
+              mean.through([=](double u) { return friction_factor(component, depth, u); }));
+    table.add({"manning", "Manning's coefficient", "<i>n</i>", "s/m<sup>1/3</sup>", 1, 4, {}, {}, {}},
+              mean.through([=](double u) { return manning_coefficient(slope, depth, u); }));
+    table.add({"chezy", "Chezy's coefficient", "<i>C</i>", "m<sup>1/2</sup>/s", 1, 4, {}, {}, {}},
+              mean.through([=](double u) { return chezy_coefficient(slope, depth, u); }));
     table.add({"froude", "Froude number", "Fr", "1", 1, 3, {}, {}, {}},
               mean.through([=, g = c.fluid.gravity](double u) { return froude_number(u, g, depth); }));
     table.add({"reynolds", "Reynolds number", "Re", "1", 1, 4, {}, {}, {}},
@@ -172,6 +170,7 @@ void add_channel_numbers(Table& table, const ReportData& data, const Sources& me
 }
 
 void add_forces(Table& table, const ReportData& data) {
+    if (data.flow.channel.slope <= 0) return;
     table.add({"drag_over_gravity", "Drag of the bed elements / weight component", "", "1", 1, 4, {}, {}, {}},
               {plain(find_value(data.summary, "drag_over_gravity")),
                {},

@@ -19,18 +19,18 @@ std::string against(double value, double reference) {
 
 std::string velocity_sentence(const Quantity& mean) {
     const Estimate& simulated = *mean.simulated;
-    std::string text = fmt::format("The depth-mean velocity above the datum is {:.4f}", simulated.value);
-    if (simulated.half_width) text += fmt::format(" ± {:.4f}", *simulated.half_width);
+    std::string text = fmt::format("The depth-mean velocity above the datum is {:.4g}", simulated.value);
+    if (simulated.half_width) text += fmt::format(" ± {:.2g}", *simulated.half_width);
     text += " m/s";
     if (simulated.half_width) text += " (95 % interval)";
     std::string joint = ": ";
-    if (mean.measured) {
-        text += fmt::format("{}{} the measured {:.3f} m/s", joint,
+    if (mean.measured && mean.measured->value != 0) {
+        text += fmt::format("{}{} the measured {:.3g} m/s", joint,
                             against(simulated.value, mean.measured->value), mean.measured->value);
         joint = ", ";
     }
-    if (mean.column) {
-        text += fmt::format("{}{} the column twin's {:.4f} m/s", joint,
+    if (mean.column && mean.column->value != 0) {
+        text += fmt::format("{}{} the column twin's {:.4g} m/s", joint,
                             against(simulated.value, mean.column->value), mean.column->value);
     }
     return text + ".";
@@ -39,9 +39,9 @@ std::string velocity_sentence(const Quantity& mean) {
 void add_friction(std::vector<std::string>& sentences, const std::vector<Quantity>& quantities) {
     const Quantity* const friction = find_quantity(quantities, "friction_velocity");
     if (friction == nullptr || !friction->simulated) return;
-    std::string text = fmt::format("The friction velocity is {:.4f} m/s", friction->simulated->value);
+    std::string text = fmt::format("The friction velocity is {:.3g} m/s", friction->simulated->value);
     if (friction->measured) {
-        text += fmt::format(", {} the measured {:.3f} m/s",
+        text += fmt::format(", {} the measured {:.3g} m/s",
                             against(friction->simulated->value, friction->measured->value),
                             friction->measured->value);
     }
@@ -58,7 +58,7 @@ void add_friction(std::vector<std::string>& sentences, const std::vector<Quantit
 std::string health_sentence(const std::vector<Diagnostic>& diagnostics, Health worst) {
     const auto checks = std::count_if(diagnostics.begin(), diagnostics.end(),
                                       [](const Diagnostic& d) { return d.mark != Health::none; });
-    if (worst == Health::good) return fmt::format("All {} health checks are in their ranges.", checks);
+    if (worst == Health::good) return fmt::format("All health checks ({}) are in their ranges.", checks);
     std::string list;
     for (const Diagnostic& row : diagnostics) {
         if (row.mark != Health::caution && row.mark != Health::bad) continue;
@@ -69,6 +69,21 @@ std::string health_sentence(const std::vector<Diagnostic>& diagnostics, Health w
             fmt::format("{}{} ({}; healthy: {})", list.empty() ? "" : "; ", label, row.value, row.healthy);
     }
     return "Outside the healthy range: " + list + ".";
+}
+
+std::string steady_headline(bool converged, Health worst) {
+    const std::string state = converged ? "The run has converged" : "The run has not converged";
+    switch (worst) {
+        case Health::none:
+            return state + "; it was not checked for health.";
+        case Health::good:
+            return state + (converged ? " and is healthy." : ", but is healthy so far.");
+        case Health::caution:
+            return state + "; something should be watched.";
+        case Health::bad:
+            break;
+    }
+    return state + (converged ? ", but it is not healthy." : " and is not healthy.");
 }
 
 }  // namespace
@@ -93,19 +108,20 @@ Verdict judge(const ReportData& data, const std::vector<Quantity>& quantities,
         if (row.mark == Health::none) continue;
         worst = worst == Health::none ? row.mark : std::max(worst, row.mark);
     }
-    const bool converged = find_value(data.summary, "converged").value_or(0.0) != 0.0;
     verdict.mark = worst;
-    if (!converged && verdict.mark == Health::good) verdict.mark = Health::caution;
-    const std::string state = converged ? "The run has converged" : "The run has not converged";
-    const std::string health = worst == Health::none ? "; it was not checked for health."
-                               : worst == Health::good
-                                   ? (converged ? " and is healthy." : ", but is healthy so far.")
-                               : worst == Health::caution ? "; something should be watched."
-                               : converged                ? ", but it is not healthy."
-                                                          : " and is not healthy.";
-    verdict.headline = state + health;
-    verdict.sentences.push_back(velocity_sentence(*mean));
-    add_friction(verdict.sentences, quantities);
+    if (data.flow.channel.slope > 0) {
+        const bool converged = find_value(data.summary, "converged").value_or(0.0) != 0.0;
+        if (!converged && verdict.mark == Health::good) verdict.mark = Health::caution;
+        verdict.headline = steady_headline(converged, worst);
+        verdict.sentences.push_back(velocity_sentence(*mean));
+        add_friction(verdict.sentences, quantities);
+    } else {
+        verdict.headline = std::string(data.complete ? "The run is complete" : "The run has not ended") +
+                           (worst == Health::bad       ? ", but it is not healthy."
+                            : worst == Health::caution ? "; something should be watched."
+                                                       : ".");
+        verdict.sentences.emplace_back("The bed has no slope, so nothing drives a mean flow in this case.");
+    }
     if (worst != Health::none) verdict.sentences.push_back(health_sentence(diagnostics, worst));
     if (!data.flow.measured.uniform) {
         verdict.sentences.emplace_back(

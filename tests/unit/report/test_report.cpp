@@ -119,7 +119,7 @@ TEST_F(Report, SoundRunIsCalledConvergedAndHealthy) {
     const json verdict = summary(sample()).at("verdict");
     EXPECT_EQ(verdict.at("status"), "good");
     EXPECT_EQ(verdict.at("headline"), "The run has converged and is healthy.");
-    EXPECT_THAT(verdict.at("sentences")[0], HasSubstr("below the measured 0.350 m/s"));
+    EXPECT_THAT(verdict.at("sentences")[0], HasSubstr("below the measured 0.35 m/s"));
     EXPECT_THAT(verdict.at("sentences")[0], HasSubstr("0.2 % above the column twin's"));
 }
 
@@ -221,6 +221,38 @@ spacing = "1 mm"
     EXPECT_THAT(data.at("notes").at("log-law"), HasSubstr("smooth"));
     EXPECT_FALSE(data.at("geometry").at("rough"));
     for (const json& row : data.at("quantities")) EXPECT_NE(row.at("key"), "log_law_friction_velocity");
+}
+
+TEST_F(Report, TankWithoutSlopeIsNotJudgedByItsMeanFlow) {
+    SampleOptions options;
+    options.case_text = R"(title = "Tank"
+[channel]
+slope = 0
+depth = "50 mm"
+length = "0.1 m"
+[bed]
+kind = "slip"
+roughness_height = 0
+datum_below_crest = 0
+[turbulence]
+closure = "none"
+[numerics]
+spacing = "2 mm"
+[start]
+kind = "rest"
+[run]
+until = "5 s"
+)";
+    options.converged = false;
+    options.summary_overrides = {{"depth_mean_velocity", 2e-7}, {"depth_mean_velocity_half_width", 4e-7}};
+    const json all = summary(sample(options));
+    EXPECT_THAT(all.at("verdict").at("sentences")[0], HasSubstr("nothing drives a mean flow"));
+    EXPECT_FALSE(all.at("quantities").contains("friction_factor"));
+    for (const json& row : all.at("diagnostics")) {
+        EXPECT_NE(row.at("key"), "velocity_interval");
+        EXPECT_NE(row.at("key"), "force_budget");
+    }
+    EXPECT_EQ(all.dump().find("inf %"), std::string::npos);
 }
 
 TEST_F(Report, MeasuredProfileComesFromItsFileBesideTheResultsElseFromTheLogLaw) {
