@@ -149,7 +149,7 @@ void SimulationOf<Real>::pack_wall_records() {
         gradient.volume = static_cast<Real>(walls_.volume[i]);
         force.weight = static_cast<Real>(walls_.volume[i]);
         force.volume = static_cast<Real>(wall_law_.no_slip ? walls_.volume[i] : 0.0);
-        force.viscosity = static_cast<Real>(scheme_.viscosity);
+        force.viscosity_root = static_cast<Real>(std::sqrt(scheme_.viscosity));
     }
 }
 

@@ -102,7 +102,7 @@ void SimulationOf<Real>::pack_force(std::size_t i, std::size_t slot) {
             record.stress[3] -= static_cast<Real>(2.0 * nu_t * g(3));
         }
     }
-    record.viscosity = static_cast<Real>((1.0 + s) * nu * second_moment_factor(slot));
+    record.viscosity_root = static_cast<Real>(std::sqrt((1.0 + s) * nu * second_moment_factor(slot)));
 }
 
 // The two-point viscosity is nu M_kl d2u/dx_k dx_l. Among disordered particles tr(M)/2 falls below one, and

@@ -37,7 +37,7 @@ struct alignas(16) ForceRecord {
     std::array<std::int32_t, static_cast<std::size_t>(D)> x;
     std::array<Real, static_cast<std::size_t>(D)> u;
     std::array<Real, static_cast<std::size_t>(D* D)> stress;  ///< Q = (p B - tau)/rho0
-    Real viscosity;                                           ///< mu/rho0 = (1 + s) nu
+    Real viscosity_root;                                      ///< sqrt(mu/rho0), mu/rho0 = (1 + s) nu
     Real volume;                                              ///< weight of the viscous term
     Real weight;                                              ///< weight of the tensor term
 };

@@ -187,7 +187,7 @@ template <int D, class Real, class Kernel, class Viscosity>
         const ForceRecord<D, Real>* own = &data.fluid_force[slot];
         const LanePositions<D> position = gather_positions<D>(own);
         const Components<T, D> velocity = gather_velocities<D, Real>(own);
-        const T viscosity = gather<Real>(own, [](const auto& r) { return r.viscosity; });
+        const T viscosity_root = gather<Real>(own, [](const auto& r) { return r.viscosity_root; });
         Components<T, D * D> stress{};
         for (std::size_t k = 0; k < D * D; ++k) {
             stress[k] = gather<Real>(own, [k](const auto& r) { return r.stress[k]; });
@@ -206,8 +206,9 @@ template <int D, class Real, class Kernel, class Viscosity>
             for (std::size_t k = 0; k < D; ++k) {
                 u[k] = velocity[k] - j.u[k];
             }
-            add(viscous, Viscosity::template force<T, D>(gradient * j.volume, viscosity + j.viscosity, u, r,
-                                                         r_squared));
+            add(viscous,
+                Viscosity::template force<T, D>(gradient * j.volume,
+                                                pair_viscosity_sum<T>(viscosity_root, T(j.viscosity_root)), u, r, r_squared));
         };
 
         Components<T, D> tensor{};
