@@ -3,6 +3,9 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+#include <vector>
 
 #include "base/error.hpp"
 #include "base/version.hpp"
@@ -22,23 +25,32 @@ struct BenchVerb {
     bool json = false;
 };
 
-void bench(const BenchVerb& verb) {
+/// The workloads of these names ("name" or "name/scheme"); all when none is given.
+std::vector<Workload> chosen_workloads(const std::vector<std::string>& names) {
+    const std::vector<Workload> all = standard_workloads();
+    std::vector<std::string> known;
+    std::set<std::string> unknown(names.begin(), names.end());
     std::vector<Workload> chosen;
-    std::string known;
-    for (const Workload& w : standard_workloads()) {
-        const std::string full = w.name + "/" + w.scheme;
-        known += "\n  " + full;
-        const bool wanted = verb.names.empty() ||
-                            std::any_of(verb.names.begin(), verb.names.end(), [&](const std::string& name) {
-                                return name == w.name || name == full;
-                            });
-        if (wanted) {
+    for (const Workload& w : all) {
+        known.push_back(w.name + "/" + w.scheme);
+        const bool wanted = std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+            return name == w.name || name == known.back();
+        });
+        if (wanted || names.empty()) {
             chosen.push_back(w);
         }
+        unknown.erase(w.name);
+        unknown.erase(known.back());
     }
-    if (chosen.empty()) {
-        throw InputError("no workload of this name; the workloads are:" + known);
+    if (!unknown.empty()) {
+        throw InputError(fmt::format("unknown workload `{}`; the workloads are {}", *unknown.begin(),
+                                     fmt::join(known, ", ")));
     }
+    return chosen;
+}
+
+void bench(const BenchVerb& verb) {
+    const std::vector<Workload> chosen = chosen_workloads(verb.names);
     nlohmann::ordered_json array = nlohmann::ordered_json::array();
     if (!verb.json) {
         fmt::print("riffle {}, {} instructions, {}\n", version(),

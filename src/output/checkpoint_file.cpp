@@ -151,8 +151,8 @@ std::string way_on(const std::filesystem::path& path) {
     }
     return fmt::format(
         "The {} checkpoint {} is of no help either: it {}. Run the case again from its start: "
-        "riffle run CASE -o DIR",
-        which, other.string(), reason);
+        "riffle run CASE -o {} --force",
+        which, other.string(), reason, folder_text(path));
 }
 
 }  // namespace

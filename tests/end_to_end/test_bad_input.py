@@ -1,0 +1,75 @@
+"""Input that is wrong: every message says what, where, what was expected; nothing is left behind."""
+from riffle_cli import CASE, SMALL, CommandLineTest, main, riffle, until
+
+
+class BadInput(CommandLineTest):
+    def refuse(self, setting, *says):
+        target = self.folder / "run"
+        self.fail_with(2, "run", CASE, "-o", target, "--set", setting, says=says)
+        self.assertFalse(target.exists(), "a refused case leaves a folder behind")
+
+    def test_values_given_with_set(self):
+        self.refuse("channel.slop=0.1", "channel.slop", "unknown key `slop`", "did you mean `slope`?")
+        self.refuse('channel.depth="50 s"', "channel.depth", "expected a length", "unit of a time")
+        self.refuse("channel.depth=-0.05", "channel.depth", "-0.05", "greater than 0")
+        self.refuse("channel.depth=nan", "channel.depth")
+        self.refuse("numerics.spacing=20mm", "spacing is 20 mm", "roughness height 10 mm", "make the spacing")
+        self.refuse("turbulence.closure=rampp", "turbulence.closure", 'did you mean "ramp"?')
+        self.refuse("depth=1", "depth")
+        self.refuse("channel.depth", "section.key=value")
+
+    def test_case_file(self):
+        case = self.folder / "flume.toml"
+        text = CASE.read_text()
+
+        def refuse(changed, *says):
+            case.write_text(changed)
+            self.fail_with(2, "check", case, says=[str(case), *says])
+
+        line = 1 + text[:text.index("slope =")].count("\n")
+        refuse(text.replace("slope =", "slop ="), f"flume.toml:{line}", "[channel]", "did you mean `slope`?")
+        refuse(text.replace('depth = "50 mm"', 'depth = "50 s"'), "[channel]", "expected a length")
+        refuse(text.replace("slope = 0.004", "slope = 0.004\nslope = 0.005"), "slope")
+        refuse(text.replace("[channel]", "[chanel]"), "chanel", "did you mean")
+        refuse("slope 0.004\n", "flume.toml:1", "key = value")
+        refuse("", "[channel]")
+
+    def test_damaged_case_files_never_crash_the_command(self):
+        text = CASE.read_bytes()
+        case = self.folder / "damaged.toml"
+        for step in range(0, len(text), max(1, len(text) // 40)):
+            for damaged in (text[:step], text[:step] + b"\xff\x00[" + text[step + 1:]):
+                case.write_bytes(damaged)
+                result = riffle("column", case)
+                self.assertIn(result.returncode, (0, 2), f"cut at {step}: {result.stderr}")
+
+    def test_missing_and_unreadable_files(self):
+        missing = self.folder / "missing.toml"
+        self.fail_with(3, "run", missing, says=[str(missing), "no such case file"])
+        self.fail_with(3, "check", self.folder, says=[str(self.folder)])
+        self.fail_with(3, "report", self.folder / "nowhere", says=["nowhere", "no such file or folder"])
+        self.fail_with(3, "report", self.folder, says=[str(self.folder)])
+        self.fail_with(3, "resume", self.folder / "nowhere", says=["nowhere", "no run to resume", "riffle run"])
+
+    def test_output_folder_below_a_file(self):
+        blocker = self.folder / "file"
+        blocker.write_text("")
+        self.fail_with(3, "run", CASE, "-o", blocker / "run", *SMALL, *until(0.1),
+                       says=[str(blocker / "run"), "Not a directory", "-o"])
+
+    def test_results_are_not_overwritten_without_force(self):
+        folder = self.run_small("run", 0.05)
+        before = {file.name: file.read_bytes() for file in folder.iterdir()}
+        self.fail_with(3, "run", CASE, "-o", folder, *SMALL, *until(0.05),
+                       says=[str(folder), "already holds results", "riffle resume", "--force"])
+        self.assertEqual(before, {file.name: file.read_bytes() for file in folder.iterdir()})
+        self.run_small("run", 0.1, "--force")
+
+    def test_resume_changes_only_what_leaves_the_state_valid(self):
+        folder = self.run_small("run", 0.05)
+        self.fail_with(2, "resume", folder, "--set", "channel.depth=0.06", says=["channel.depth", "new run"])
+        self.fail_with(2, "resume", folder, "--set", "run.untl=1", says=["run.untl", "did you mean `until`?"])
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,122 @@
+"""The command line itself: help, unknown words, silence, colours, and what each verb prints."""
+import json
+import os
+import pty
+import subprocess
+import tomllib
+
+from riffle_cli import CASE, RIFFLE, SMALL, SOURCE, CommandLineTest, main, until
+
+VERBS = ["new", "check", "column", "calibrate", "run", "resume", "report", "bench", "schema", "version"]
+
+
+class CommandLine(CommandLineTest):
+    def test_every_verb_has_help_with_options_and_examples(self):
+        overview = self.succeed("--help").stdout
+        for verb in VERBS:
+            with self.subTest(verb=verb):
+                self.assertRegex(overview, rf"(?m)^\s+{verb}\s")
+                text = self.succeed(verb, "--help").stdout
+                self.assertIn("--help", text)
+                self.assertIn(f"riffle {verb}", text.split("Examples:")[-1] if verb in ("run", "resume") else text)
+                self.assertIn("Examples:", text)
+
+    def test_unknown_verb_names_the_nearest(self):
+        self.fail_with(2, "rnu", says=["unknown verb `rnu`", "did you mean `run`?", "resume"])
+
+    def test_missing_verb_and_arguments(self):
+        self.fail_with(2, says=["verb"])
+        self.fail_with(2, "run", says=["case"])
+        self.fail_with(2, "run", CASE, "--colour", says=["--colour", "riffle run --help"])
+        self.fail_with(2, "run", CASE, "-j", "-3", says=["-3", "0 to"])
+        self.fail_with(2, "run", CASE, "-j", "two", says=["two"])
+
+    def test_version(self):
+        self.assertRegex(self.succeed("--version").stdout, r"^\d+\.\d+\.\d+")
+        text = self.succeed("version").stdout
+        for word in ("riffle", "build", "instruction set", "threads"):
+            self.assertIn(word, text)
+
+    def test_quiet_prints_nothing(self):
+        folder = self.folder / "run"
+        result = self.succeed("run", CASE, "-o", folder, "--quiet", *SMALL, *until(0.05))
+        self.assertEqual(result.stdout + result.stderr, "")
+        result = self.succeed("resume", folder, "--quiet", *until(0.1))
+        self.assertEqual(result.stdout + result.stderr, "")
+
+    def test_run_tells_where_the_results_are_and_what_comes_next(self):
+        folder = self.folder / "run"
+        result = self.succeed("run", CASE, "-o", folder, *SMALL, *until(0.3))
+        self.assertIn(str(folder / "results.h5"), result.stdout)
+        self.assertIn(f"riffle report {folder}", result.stdout)
+
+    def test_colours_only_on_a_terminal_that_wants_them(self):
+        def on_terminal(**environment):
+            leader, follower = pty.openpty()
+            subprocess.run([RIFFLE, "check", "missing.toml"], stderr=follower, cwd=self.folder,
+                           env={**os.environ, "TERM": "xterm", **environment}, check=False)
+            os.close(follower)
+            text = os.read(leader, 10000).decode()
+            os.close(leader)
+            return text
+
+        self.assertIn("\x1b[", on_terminal(NO_COLOR=""))
+        self.assertNotIn("\x1b", on_terminal(NO_COLOR="1"))
+        self.assertNotIn("\x1b", on_terminal(NO_COLOR="", TERM="dumb"))
+
+    def test_new_writes_a_case_that_is_valid_and_is_not_overwritten(self):
+        case = self.folder / "my flume.toml"
+        self.succeed("new", case)
+        self.succeed("check", case)
+        self.fail_with(2, "new", case, says=[str(case), "--force"])
+        self.succeed("new", case, "--force", "--from", "condition-3")
+        self.assertIn("condition 3", case.read_text())
+
+    def test_check_forecasts_the_run(self):
+        forecast = json.loads(self.succeed("check", CASE, "--json", *SMALL, *until(1)).stdout)
+        self.assertEqual(forecast["particles"], 24 * 22)
+        self.assertEqual(forecast["end_time"], 1)
+        self.assertGreater(forecast["steps"], 1 / forecast["time_step"] - 1)
+        self.assertGreater(forecast["disk_bytes"], 0)
+
+    def test_every_case_in_the_tree_is_valid(self):
+        cases = sorted(SOURCE.glob("cases/**/*.toml"))
+        self.assertGreater(len(cases), 10)
+        for case in cases:
+            with self.subTest(case=case.name):
+                self.succeed("check", case, "--json")
+
+    def test_column_prints_the_twin(self):
+        twin = json.loads(self.succeed("column", CASE, "--json").stdout)
+        self.assertAlmostEqual(twin["depth_mean_velocity"], 0.35, delta=0.035)
+        self.assertEqual(len(twin["profile"]["z"]), len(twin["profile"]["u"]))
+        lines = self.succeed("column", CASE, "--csv").stdout.splitlines()
+        self.assertEqual(len(lines) - 1, len(twin["profile"]["z"]))
+        self.assertIn("Reynolds", self.succeed("column", CASE).stdout)
+
+    def test_calibrate_writes_the_fitted_values_into_a_valid_case(self):
+        case = self.folder / "fitted.toml"
+        fitted = json.loads(self.succeed("calibrate", CASE, "--json").stdout)["parameters"]
+        self.assertEqual([parameter["key"] for parameter in fitted], ["bed.drag_coefficient", "turbulence.lambda"])
+        self.succeed("calibrate", CASE, "--write", case)
+        written = tomllib.loads(case.read_text())
+        for parameter in fitted:
+            section, key = parameter["key"].split(".")
+            self.assertAlmostEqual(written[section][key], parameter["value"], delta=1e-6)
+        self.succeed("check", case)
+
+    def test_schema_and_its_page_are_up_to_date(self):
+        schema = json.loads(self.succeed("schema").stdout)
+        self.assertIn("channel", schema["properties"])
+        page = self.succeed("schema", "--markdown").stdout
+        self.assertEqual(page, (SOURCE / "docs/case-reference.md").read_text(),
+                         "docs/case-reference.md is stale: riffle schema --markdown -o docs/case-reference.md")
+
+    def test_bench_measures(self):
+        result = self.succeed("bench", "channel-2d-5k/default", "--seconds", "0.05", "--repetitions", "1", "--json")
+        self.assertGreater(len(json.loads(result.stdout)["workloads"]), 0)
+        self.fail_with(2, "bench", "channel-2d-5k/default", "no-such", says=["`no-such`", "channel-2d-5k/plain"])
+
+
+if __name__ == "__main__":
+    main()

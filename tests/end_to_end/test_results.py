@@ -1,0 +1,131 @@
+"""The results of a run: complete, as documented, readable by other programs, the same for any thread count."""
+import re
+import subprocess
+import sys
+
+from riffle_cli import SKIPPED, SOURCE, CommandLineTest, every, main
+
+UNITS = {"m", "s", "m/s", "1/s", "m2/s", "Pa", "kg/m3", "N/m3", "J/m", "kg/m", "1"}
+
+
+def documented():
+    """Rows of docs/results-format.md: (paths of datasets, their units or none), and the attributes of /summary."""
+    rows, summary = [], set()
+    for line in (SOURCE / "docs/results-format.md").read_text().splitlines():
+        cells = [cell.strip() for cell in line.strip("| ").split(" | ")]
+        if len(cells) < 2 or not cells[0].startswith("`/"):
+            continue
+        if "attributes" in cells[0]:
+            if cells[0].startswith("`/summary`"):
+                summary = set(re.findall(r"`(\w+)`", cells[-1]))
+            continue
+        names = re.findall(r"`([^`]+)`", cells[0])
+        if names[0] == "/state/...":
+            continue
+        paths = [names[0]]
+        for name in names[1:]:
+            if name.startswith("..._"):
+                paths.append(paths[-1].rsplit("_", 1)[0] + name[3:])
+            else:
+                paths.append(name if name.startswith("/") else paths[0].rsplit("/", 1)[0] + "/" + name)
+        tail = []
+        for part in reversed(re.split(r", ", cells[-1])):
+            if part not in UNITS:
+                break
+            tail.insert(0, part)
+        units = [None] * len(paths)
+        if len(tail) == 1:
+            units = tail * len(paths)
+        elif tail:
+            units = (tail + ["1"] * len(paths))[:len(paths)]
+        rows += list(zip(paths, units))
+    return dict(rows), summary
+
+
+class Results(CommandLineTest):
+    def test_every_documented_dataset_is_there_and_every_dataset_is_documented(self):
+        import h5py
+
+        folder = self.run_small("run", 0.45, *every(snapshot=0.2))
+        documents, summary = documented()
+        found = {}
+
+        def visit(name, item):
+            if isinstance(item, h5py.Dataset):
+                found["/" + re.sub(r"\d{5}", "NNNNN", name)] = dict(item.attrs)
+
+        with h5py.File(folder / "results.h5", "r") as file:
+            file.visititems(visit)
+            self.assertEqual(file.attrs["format"], "riffle-results")
+            self.assertEqual(file.attrs["complete"], 1)
+            self.assertEqual(summary - set(file["summary"].attrs), set(), "documented in /summary, but missing")
+            self.assertEqual(sorted(file["snapshots"]), ["00000", "00001", "00002"])
+            times = [file["snapshots"][name].attrs["time"] for name in sorted(file["snapshots"])]
+            step = file["time_series/time_step"][...].max()
+            for number, time in enumerate(times):
+                self.assertTrue(0 <= time - 0.2 * number <= step, f"snapshots at {times} s")
+        state = {name for name in found if name.startswith("/state/")}
+        self.assertGreater(len(state), 4)
+        self.assertEqual(set(found) - state, set(documents))
+        for name, attributes in found.items():
+            self.assertIn(attributes["units"], UNITS, name)
+            self.assertTrue(attributes["long_name"], name)
+            if documents.get(name) is not None:
+                self.assertEqual(attributes["units"], documents[name], name)
+
+    def test_series_and_profiles_are_finite_and_in_order(self):
+        import h5py
+        import numpy
+
+        folder = self.run_small("run", 0.45)
+        with h5py.File(folder / "results.h5", "r") as file:
+            time = file["time_series/time"][...]
+            self.assertTrue((numpy.diff(time) > 0).all())
+            self.assertAlmostEqual(time[-1], 0.45, delta=0.03)
+            for group in ("time_series", "surface", "profile_blocks", "column"):
+                for name, data in file[group].items():
+                    self.assertTrue(numpy.isfinite(data[...]).all(), f"/{group}/{name}")
+            self.assertTrue((numpy.diff(file["profiles/bin_upper"][...]) > 0).all())
+            self.assertAlmostEqual(file["summary"].attrs["mean_level"], 0.056, delta=0.001)
+
+    def test_any_number_of_threads_gives_the_same_bits(self):
+        one = self.run_small("one", 0.45, *every(snapshot=0.2), threads=1)
+        for threads in (2, 3):
+            self.assert_same_results(one, self.run_small(f"threads-{threads}", 0.45, *every(snapshot=0.2),
+                                                         threads=threads))
+
+    def test_a_run_can_start_from_results(self):
+        import h5py
+
+        first = self.run_small("first", 0.2)
+        second = self.run_small("second", 0.1, "--set", "start.kind=results", "--set",
+                                f'start.file="{first / "results.h5"}"')
+        with h5py.File(first / "results.h5") as a, h5py.File(second / "results.h5") as b:
+            self.assertEqual(a["state/id"].shape, b["state/id"].shape)
+            self.assertAlmostEqual(a["time_series/depth_mean_velocity"][-1],
+                                   b["time_series/depth_mean_velocity"][0], delta=1e-3)
+
+    def test_the_case_in_the_results_runs_again_to_the_same_results(self):
+        import h5py
+        from riffle_cli import riffle
+
+        first = self.run_small("first", 0.2)
+        case = self.folder / "again.toml"
+        with h5py.File(first / "results.h5") as file:
+            text = file["case/text"][()]
+            case.write_bytes(text if isinstance(text, bytes) else text.encode())
+        result = riffle("run", case, "-o", self.folder / "second", "-q")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assert_same_results(first, self.folder / "second")
+
+    def test_the_xdmf_index_opens_in_the_readers_of_paraview(self):
+        folder = self.run_small("run", 0.25, *every(snapshot=0.1))
+        check = subprocess.run([sys.executable, SOURCE / "tests/end_to_end/check_xdmf.py", folder],
+                               capture_output=True, text=True, timeout=120)
+        if check.returncode == SKIPPED:
+            self.skipTest(check.stdout.strip())
+        self.assertEqual(check.returncode, 0, check.stdout + check.stderr)
+
+
+if __name__ == "__main__":
+    main()
