@@ -47,33 +47,37 @@ WallParticles<2> wall_particles(const Case& c) {
     const bool closed = c.channel.ends == Ends::walls;
     const int beyond = closed ? layers : 0;
 
+    // Dummy particles stand on the continuation of the lattice; dynamic ones in staggered layers half a
+    // spacing apart (thesis; SPHysics).
     const auto layer_depth = [&](int layer, double spacing) {
-        // Dynamic particles: staggered layers half a spacing apart (thesis; SPHysics).
         return dynamic ? 0.5 * (layer + 1) * spacing : (layer + 0.5) * spacing;
+    };
+    const auto x_of = [&](int column, int row, int layer) {
+        return dynamic ? (column + 0.5 + (layer % 2 == 1 ? 0.5 : 0.0)) * lattice.dx : lattice.x(column, row);
     };
     for (int layer = 0; layer < layers; ++layer) {
         const double behind = layer_depth(layer, lattice.dz);
-        const double shift = dynamic && layer % 2 == 1 ? 0.5 : 0.0;
         for (int column = -beyond; column < lattice.columns + beyond; ++column) {
-            const double x = (column + 0.5 + shift) * lattice.dx;
             const bool corner = column < 0 || column >= lattice.columns;
-            const double wrapped = closed ? x : std::fmod(x, c.channel.length);
-            add_particle(wall, wrapped, -behind, volume, corner ? Normal{} : Normal{0.0, 1.0}, behind);
+            const auto wrapped = [&](double x) { return closed ? x : std::fmod(x, c.channel.length); };
+            add_particle(wall, wrapped(x_of(column, -1 - layer, layer)), -behind, volume,
+                         corner ? Normal{} : Normal{0.0, 1.0}, behind);
             if (c.channel.top == Top::wall) {
-                add_particle(wall, wrapped, depth + behind, volume, corner ? Normal{} : Normal{0.0, -1.0},
-                             behind);
+                add_particle(wall, wrapped(x_of(column, lattice.rows + layer, layer)), depth + behind, volume,
+                             corner ? Normal{} : Normal{0.0, -1.0}, behind);
             }
         }
     }
     if (closed) {
         // End walls stand half a depth above the still water, for waves; with a lid they end at it.
         const int rows = c.channel.top == Top::wall ? lattice.rows : lattice.rows + lattice.rows / 2;
+        const double length = c.channel.length;
         for (int layer = 0; layer < layers; ++layer) {
-            const double behind = layer_depth(layer, lattice.dx);
             for (int row = 0; row < rows; ++row) {
-                const double z = (row + 0.5) * lattice.dz;
-                add_particle(wall, -behind, z, volume, Normal{1.0, 0.0}, behind);
-                add_particle(wall, c.channel.length + behind, z, volume, Normal{-1.0, 0.0}, behind);
+                const double left = dynamic ? -layer_depth(layer, lattice.dx) : lattice.x(-1 - layer, row);
+                const double right = dynamic ? length - left : lattice.x(lattice.columns + layer, row);
+                add_particle(wall, left, lattice.z(row), volume, Normal{1.0, 0.0}, -left);
+                add_particle(wall, right, lattice.z(row), volume, Normal{-1.0, 0.0}, right - length);
             }
         }
     }

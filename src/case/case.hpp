@@ -31,6 +31,7 @@ enum class Stepping { semi_implicit_euler, predictor_corrector };
 enum class WallKind { dummy, dynamic };
 enum class Precision { single_precision, double_precision };
 enum class StartKind { column, uniform, rest, power_law, results, standing_wave, taylor_green };
+enum class StartLattice { square, hexagonal };
 enum class RunUntil { time, converged };
 
 /// [channel]
@@ -116,6 +117,7 @@ struct Start {
     double exponent = 3.0;           ///< m of U = U_max (z/H)^(1/m)
     double amplitude = 0.0;          ///< standing wave: of the surface, m
     std::filesystem::path file;      ///< results: the file to start from
+    StartLattice lattice = StartLattice::square;
     double jitter = 0.0;             ///< random displacement of the lattice, in units of the spacing
     long long seed = 1;
 

@@ -220,6 +220,7 @@ SectionKeys start() {
                          .applies_with(kind, {"standing-wave"}));
     s.keys.push_back(
         key("file", &Start::file, "Results file to start from.").applies_with(kind, {"results"}));
+    s.keys.push_back(key("lattice", &Start::lattice, "Arrangement of the particles at the start."));
     s.keys.push_back(
         key("jitter", &Start::jitter,
             "Largest random displacement of the particles from their lattice, in units of the spacing.")

@@ -181,6 +181,14 @@ struct Words<Precision> {
 };
 
 template <>
+struct Words<StartLattice> {
+    static constexpr std::array<Word, 2> list{{
+        {"square", "rows and columns; the layers slide in a shear flow"},
+        {"hexagonal", "rows shifted against each other, the arrangement that stays at rest in still water"},
+    }};
+};
+
+template <>
 struct Words<StartKind> {
     static constexpr std::array<Word, 7> list{{
         {"column", "the steady velocity profile of the column twin"},

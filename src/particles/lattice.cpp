@@ -8,8 +8,12 @@ namespace riffle {
 
 Lattice lattice_of(const Case& c) {
     Lattice lattice;
-    lattice.columns = std::max(1, static_cast<int>(std::lround(c.channel.length / c.numerics.spacing)));
-    lattice.rows = std::max(1, static_cast<int>(std::lround(c.total_depth() / c.numerics.spacing)));
+    lattice.hexagonal = c.start.lattice == StartLattice::hexagonal;
+    // Ratio of the spacing along x to sqrt(area per particle), and of the same root to the distance of rows.
+    const double ratio = lattice.hexagonal ? std::sqrt(2.0 / std::sqrt(3.0)) : 1.0;
+    const double spacing = c.numerics.spacing;
+    lattice.columns = std::max(1, static_cast<int>(std::lround(c.channel.length / (ratio * spacing))));
+    lattice.rows = std::max(1, static_cast<int>(std::lround(c.total_depth() * ratio / spacing)));
     lattice.dx = c.channel.length / lattice.columns;
     lattice.dz = c.total_depth() / lattice.rows;
     return lattice;
@@ -41,8 +45,8 @@ Particles<2> lattice_particles(const Case& c) {
     std::size_t i = 0;
     for (int column = 0; column < lattice.columns; ++column) {
         for (int row = 0; row < lattice.rows; ++row, ++i) {
-            double x = (column + 0.5) * lattice.dx;
-            double z = (row + 0.5) * lattice.dz;
+            double x = lattice.x(column, row);
+            double z = lattice.z(row);
             if (c.start.jitter > 0.0) {
                 x += displacement(lattice.dx);
                 z += displacement(lattice.dz);

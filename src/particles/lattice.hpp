@@ -6,12 +6,22 @@
 
 namespace riffle {
 
-/// The square lattice that a case starts from: rows along the bed, spacing H/round(H/dx) normal to it.
+/// The lattice that a case starts from: rows along the bed, evenly spaced normal to it.
+/// Square: spacing H/round(H/dx) between rows. Hexagonal: rows sqrt(3)/2 of the spacing along x apart, the
+/// same area per particle, and every other row shifted by half a spacing.
 struct Lattice {
     int columns = 0;  ///< particles along x
     int rows = 0;     ///< particles along z
     double dx = 0.0;  ///< spacing along x, m
     double dz = 0.0;  ///< spacing along z, m
+    bool hexagonal = false;
+
+    /// Position of a particle; rows and columns beyond the fluid (negative ones too) are those of the walls.
+    [[nodiscard]] double x(int column, int row) const {
+        const double shift = hexagonal ? (row % 2 == 0 ? -0.25 : 0.25) : 0.0;
+        return (column + 0.5 + shift) * dx;
+    }
+    [[nodiscard]] double z(int row) const { return (row + 0.5) * dz; }
 };
 [[nodiscard]] Lattice lattice_of(const Case& c);
 

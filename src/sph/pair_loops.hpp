@@ -29,6 +29,7 @@ struct alignas(16) WallGradientRecord {
     std::array<std::int32_t, static_cast<std::size_t>(D)> x;
     std::array<Real, static_cast<std::size_t>(D* D)> projector;
     Real volume;
+    Real continuation;  ///< 1: the wall continues the fluid, its pairs are corrected like the fluid's; else 0
 };
 
 /// What the force pass needs of a particle, fluid or wall.
@@ -40,6 +41,9 @@ struct alignas(16) ForceRecord {
     Real viscosity_root;                                      ///< sqrt(mu/rho0), mu/rho0 = (1 + s) nu
     Real volume;                                              ///< weight of the viscous term
     Real weight;                                              ///< weight of the tensor term
+    Real continuation;                                        ///< walls: as in WallGradientRecord
+    std::array<Real, static_cast<std::size_t>(D* D)> velocity_gradient; ///< for the small-scale dissipation
+    Real dissipation; ///< viscosity of the small-scale dissipation
 };
 
 /// Constants of the pair sums.

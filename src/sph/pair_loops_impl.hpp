@@ -94,7 +94,8 @@ template <int D, class Real, class Kernel>
         T diffusion = T(0);
         Components<T, D * D> gradient{};
         Symmetric<T, D> m_fluid{};
-        Symmetric<T, D> m_wall{};
+        Symmetric<T, D> m_wall{};       // walls whose pairs are not corrected
+        Symmetric<T, D> m_continued{};  // walls that continue the fluid
 
         const auto list = data.fluid_fluid->of(cluster);
         for (std::size_t n = 0; n < list.size(); ++n) {
@@ -139,20 +140,16 @@ template <int D, class Real, class Kernel>
                     u[k] = sum;
                 }
                 divergence += continuity<T, D>(volume_gradient, u, r);
+                const T continued = volume_gradient * j.continuation;
                 for (std::size_t l = 0; l < D; ++l) {
                     for (std::size_t k = 0; k <= l; ++k) {
-                        m_wall[symmetric_index<D>(static_cast<int>(k), static_cast<int>(l))] -=
-                            volume_gradient * r[k] * r[l];
+                        const std::size_t kl = symmetric_index<D>(static_cast<int>(k), static_cast<int>(l));
+                        m_continued[kl] -= continued * r[k] * r[l];
+                        m_wall[kl] -= (volume_gradient - continued) * r[k] * r[l];
                     }
                 }
             }
         }
-
-        Symmetric<T, D> m_total = m_fluid;
-        add(m_total, m_wall);
-        const T regularity = smallest_eigenvalue<T, D>(m_total);
-        const T pressure_blend = c.correct_pressure ? smoothstep<T>(Real(0.6), Real(0.9), regularity) : T(0);
-        const Components<T, D* D> b = pressure_correction<T, D>(m_fluid, m_wall, pressure_blend);
 
         // The corrected gradient G M_fluid^-1 is exact for linear fields as long as M_fluid can be inverted.
         const T gradient_blend = c.correct_gradient
@@ -160,6 +157,13 @@ template <int D, class Real, class Kernel>
                                      : T(0);
         const Components<T, D* D> gradient_matrix =
             pressure_correction<T, D>(m_fluid, Symmetric<T, D>{}, gradient_blend);
+
+        add(m_fluid, m_continued);
+        Symmetric<T, D> m_total = m_fluid;
+        add(m_total, m_wall);
+        const T regularity = smallest_eigenvalue<T, D>(m_total);
+        const T pressure_blend = c.correct_pressure ? smoothstep<T>(Real(0.6), Real(0.9), regularity) : T(0);
+        const Components<T, D* D> b = pressure_correction<T, D>(m_fluid, m_wall, pressure_blend);
 
         for (std::size_t k = 0; k < D; ++k) {
             for (std::size_t l = 0; l < D; ++l) {
@@ -192,23 +196,19 @@ template <int D, class Real, class Kernel, class Viscosity>
         for (std::size_t k = 0; k < D * D; ++k) {
             stress[k] = gather<Real>(own, [k](const auto& r) { return r.stress[k]; });
         }
-        const auto pair = [&](const ForceRecord<D, Real>& j, const Components<T, D * D>& stress_i,
+        const auto pair = [&](const ForceRecord<D, Real>& j, const Components<T, D * D>& stress_sum,
                               Components<T, D>& tensor, Components<T, D>& viscous) {
             const Components<T, D> r = position.template to<Real>(j.x, c.unit);
             const T r_squared = dot<T, D>(r, r);
             const T gradient = Kernel::gradient_factor(T(sqrt(r_squared) * c.inverse_h)) * c.gradient_scale;
-            Components<T, D * D> stress_sum{};
-            for (std::size_t k = 0; k < D * D; ++k) {
-                stress_sum[k] = stress_i[k] + j.stress[k];
-            }
             add(tensor, tensor_force<T, D>(gradient * j.weight, stress_sum, r));
             Components<T, D> u{};
             for (std::size_t k = 0; k < D; ++k) {
                 u[k] = velocity[k] - j.u[k];
             }
-            add(viscous,
-                Viscosity::template force<T, D>(gradient * j.volume,
-                                                pair_viscosity_sum<T>(viscosity_root, T(j.viscosity_root)), u, r, r_squared));
+            add(viscous, Viscosity::template force<T, D>(
+                             gradient * j.volume, pair_viscosity_sum<T>(viscosity_root, T(j.viscosity_root)),
+                             u, r, r_squared));
         };
 
         Components<T, D> tensor{};
@@ -216,18 +216,33 @@ template <int D, class Real, class Kernel, class Viscosity>
         const auto list = data.fluid_fluid->of(cluster);
         for (std::size_t n = 0; n < list.size(); ++n) {
             prefetch(data.fluid_force, list, n);
-            pair(data.fluid_force[static_cast<std::size_t>(list[n])], stress, tensor, viscous);
+            const ForceRecord<D, Real>& j = data.fluid_force[static_cast<std::size_t>(list[n])];
+            Components<T, D * D> stress_sum{};
+            for (std::size_t k = 0; k < D * D; ++k) {
+                stress_sum[k] = stress[k] + j.stress[k];
+            }
+            pair(j, stress_sum, tensor, viscous);
         }
 
         Components<T, D> wall_tensor{};
         Components<T, D> wall_viscous{};
         if (data.fluid_wall != nullptr) {
-            Components<T, D * D> pressure{};
-            for (std::size_t k = 0; k < D; ++k) {
-                pressure[k * D + k] = load_lanes(&data.fluid_pressure[slot]);
+            // (p_i + p_j) I, or (p_i + p_j) B_i where the wall continues the fluid.
+            const T pressure = load_lanes(&data.fluid_pressure[slot]);
+            Components<T, D * D> departure{};
+            for (std::size_t k = 0; k < D * D; ++k) {
+                departure[k] =
+                    load_lanes(&data.gradient.correction[k][slot]) - (k % (D + 1) == 0 ? Real(1) : Real(0));
             }
             for (const std::int32_t slot_j : data.fluid_wall->of(cluster)) {
-                pair(data.wall_force[static_cast<std::size_t>(slot_j)], pressure, wall_tensor, wall_viscous);
+                const ForceRecord<D, Real>& j = data.wall_force[static_cast<std::size_t>(slot_j)];
+                const T pressure_sum = pressure + j.stress[0];
+                const T corrected = pressure_sum * j.continuation;
+                Components<T, D * D> stress_sum{};
+                for (std::size_t k = 0; k < D * D; ++k) {
+                    stress_sum[k] = corrected * departure[k] + (k % (D + 1) == 0 ? pressure_sum : T(0));
+                }
+                pair(j, stress_sum, wall_tensor, wall_viscous);
             }
         }
         for (std::size_t k = 0; k < D; ++k) {
