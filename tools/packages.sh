@@ -45,6 +45,7 @@ install_packages() {
     apt-get install --no-install-recommends ${missing[*]}"
     fi
     local apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q -y -o DPkg::Lock::Timeout=300 -o Dpkg::Use-Pty=0)
+    echo "(a few minutes on a fresh system)"
     "${apt[@]}" update >/dev/null || fail "apt-get update failed (its message is above): check the network and /etc/apt"
     "${apt[@]}" install --no-install-recommends "${missing[@]}" >/dev/null ||
         fail "apt-get could not install: ${missing[*]} (its message is above)"
