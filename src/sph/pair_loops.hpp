@@ -42,8 +42,6 @@ struct alignas(16) ForceRecord {
     Real volume;                                              ///< weight of the viscous term
     Real weight;                                              ///< weight of the tensor term
     Real continuation;                                        ///< walls: as in WallGradientRecord
-    std::array<Real, static_cast<std::size_t>(D* D)> velocity_gradient; ///< for the small-scale dissipation
-    Real dissipation; ///< viscosity of the small-scale dissipation
 };
 
 /// Constants of the pair sums.
