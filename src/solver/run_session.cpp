@@ -252,6 +252,9 @@ void RunSession::add_run_attributes(Content& content, bool complete) const {
     attribute("/summary", "steps", simulation_->clock().steps);
     attribute("/summary", "simulated_time", simulation_->clock().time);
     attribute("/summary", "sound_speed", simulation_->scheme().state.sound_speed);
+    attribute("/summary", "crest", case_.crest());
+    attribute("/summary", "datum", case_.datum());
+    attribute("/summary", "total_depth", case_.total_depth());
     const double seconds = earlier_wall_seconds_ + seconds_since(begin_);
     attribute("/summary", "wall_clock_seconds", seconds);
     attribute("/summary", "threads", std::int64_t{thread_count()});

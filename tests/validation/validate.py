@@ -1,0 +1,49 @@
+#!/usr/bin/env python3
+"""Holds Riffle's 2D channel against its bars: the column twin, the momentum balance, Table 3.1.
+
+  tests/validation/validate.py quick     condition 2 at 2 mm and its stirred twin (CI, about 3 minutes)
+  tests/validation/validate.py full      all conditions, the paper's case, spacings, stirring, SPS (about 40 minutes)
+
+Prints one table per part and ends with status 1 when a bar is missed. --markdown FILE writes the tables too,
+--keep DIR keeps the results there, --reuse takes complete results that DIR already holds.
+"""
+
+import argparse
+import pathlib
+import sys
+import tempfile
+
+import parts
+import runs
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("tier", choices=["quick", "full"] + sorted(parts.PARTS))
+    parser.add_argument("--riffle", type=pathlib.Path, help="the binary (default: the build of this checkout)")
+    parser.add_argument("--keep", type=pathlib.Path, help="keep the results in this folder")
+    parser.add_argument("--reuse", action="store_true", help="take complete results from --keep")
+    parser.add_argument("--markdown", type=pathlib.Path, help="write the tables to this file")
+    arguments = parser.parse_args()
+    riffle = arguments.riffle or runs.default_riffle()
+    names = {"quick": parts.QUICK, "full": parts.FULL}.get(arguments.tier, [arguments.tier])
+    with tempfile.TemporaryDirectory() as scratch:
+        folder = arguments.keep or pathlib.Path(scratch)
+
+        def run(name, case, settings=None):
+            return runs.RiffleRun(riffle, case, folder / name, settings or {}, arguments.reuse)
+
+        tables = [parts.PARTS[name](run) for name in names]
+        for table in tables:
+            print(table.text(), flush=True)
+    if arguments.markdown:
+        arguments.markdown.write_text("\n".join(table.markdown() for table in tables))
+    missed = [line for table in tables for line in table.missed]
+    for line in missed:
+        print("MISSED:", line)
+    print(f"{sum(table.checks for table in tables) - len(missed)} bars held, {len(missed)} missed")
+    return 1 if missed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
