@@ -47,6 +47,9 @@ Case rough_bed() {
     c.channel.depth = 0.050;
     c.bed.roughness_height = Diameters{0.4}.length(c.bed.sphere_diameter);
     c.run.time = longest_run;
+    // A quiet flow that keeps its layers: h = 2 dx, with a wall as deep as that kernel reaches.
+    c.numerics.smoothing_ratio = 2.0;
+    c.numerics.wall_layers = 4;
     return c;
 }
 

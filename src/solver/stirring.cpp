@@ -24,8 +24,9 @@ Stirring2D::Stirring2D(const Case& c, double celerity) : celerity_(celerity) {
 void Stirring2D::add(double x, double z, double t, double& ax, double& az) const {
     for (const Mode& mode : modes_) {
         const double angle = mode.kx * (x - celerity_ * t) + mode.phase;
-        ax += mode.amplitude * mode.kz * std::cos(mode.kz * z) * std::cos(angle);
-        az += mode.amplitude * mode.kx * std::sin(mode.kz * z) * std::sin(angle);
+        ax += mode.amplitude * mode.kz * std::sin(2.0 * mode.kz * z) * std::cos(angle);
+        const double sine = std::sin(mode.kz * z);
+        az += mode.amplitude * mode.kx * sine * sine * std::sin(angle);
     }
 }
 

@@ -29,4 +29,5 @@ def condition_case(number):
 
 PAPER_CASE = "cases/paper-2016.toml"
 
-STIRRING = {"stirring.acceleration": "0.3"}
+# Disordered flow: Riffle's default kernel width, h = 1.5 dx.
+STIRRING = {"stirring.acceleration": "0.3", "numerics.smoothing_ratio": "1.5", "numerics.wall_layers": "3"}
