@@ -114,7 +114,8 @@ Clusters<D> build_clusters(const Domain<D>& domain, const FixedPoint<D>& fixed_p
                 low = std::min(low, offset);
                 high = std::max(high, offset);
             }
-            const std::int32_t middle = low + (high - low) / 2;
+            // In 64 bits: a sparse cluster may reach over more than half of a period.
+            const std::int64_t middle = low + (std::int64_t{high} - low) / 2;
             clusters.centre[k][c] = static_cast<std::int32_t>(static_cast<std::uint32_t>(reference) +
                                                               static_cast<std::uint32_t>(middle));
             // Half a unit of rounding on each side is covered by the margin.

@@ -1,0 +1,119 @@
+#include "particles/clusters.hpp"
+
+#include <gtest/gtest.h>
+
+#include <rapidcheck.h>
+#include <algorithm>
+#include <cmath>
+
+#include "cloud.hpp"
+#include "particles/particles.hpp"
+
+namespace riffle {
+namespace {
+
+template <int D>
+void check_clusters(const Cloud<D>& cloud) {
+    const Clusters<D>& c = cloud.clusters;
+    const std::size_t n = cloud.size();
+    RC_ASSERT(c.slots() % cluster_size == 0U);
+    RC_ASSERT(c.slot_of_particle.size() == n);
+    // Every particle stands in one slot, and the slot knows it.
+    std::vector<int> seen(n, 0);
+    for (std::size_t slot = 0; slot < c.slots(); ++slot) {
+        const std::int32_t particle = c.particle_of_slot[slot];
+        if (particle < 0) {
+            // Padding only at the end of a cluster, which is never empty.
+            RC_ASSERT(slot % cluster_size != 0U);
+            RC_ASSERT(slot % cluster_size == cluster_size - 1U || c.particle_of_slot[slot + 1] < 0);
+            continue;
+        }
+        ++seen[static_cast<std::size_t>(particle)];
+        RC_ASSERT(c.slot_of_particle[static_cast<std::size_t>(particle)] == static_cast<std::int32_t>(slot));
+    }
+    RC_ASSERT(std::all_of(seen.begin(), seen.end(), [](int count) { return count == 1; }));
+    // The columns divide the clusters.
+    RC_ASSERT(c.column_begin.front() == 0);
+    RC_ASSERT(static_cast<std::size_t>(c.column_begin.back()) == c.size());
+    RC_ASSERT(std::is_sorted(c.column_begin.begin(), c.column_begin.end()));
+    // Every particle lies in the box of its cluster.
+    for (std::size_t slot = 0; slot < c.slots(); ++slot) {
+        for (std::size_t k = 0; k < D; ++k) {
+            const double offset =
+                wrapped_difference(c.slot_position[k][slot], c.centre[k][slot / cluster_size]) *
+                cloud.fixed_point.unit(k);
+            RC_ASSERT(std::abs(offset) <= static_cast<double>(c.half_extent[k][slot / cluster_size]));
+        }
+    }
+}
+
+TEST(Clusters, LoseNoParticle2D) {
+    EXPECT_TRUE(rc::check("clusters of a random cloud in 2D", [] {
+        const auto n = *rc::gen::inRange<std::size_t>(1, 600);
+        const bool periodic = *rc::gen::arbitrary<bool>();
+        const auto seed = *rc::gen::arbitrary<std::uint64_t>();
+        const Domain<2> domain{.lower = {0.0, 0.0}, .upper = {1.0, 0.6}, .periodic = {true, periodic}};
+        check_clusters(random_cloud<2>(domain, n, 0.1, seed));
+    }));
+}
+
+TEST(Clusters, LoseNoParticle3D) {
+    EXPECT_TRUE(rc::check("clusters of a random cloud in 3D", [] {
+        const auto n = *rc::gen::inRange<std::size_t>(1, 600);
+        const auto seed = *rc::gen::arbitrary<std::uint64_t>();
+        const Domain<3> domain{
+            .lower = {0.0, -0.3, 0.0}, .upper = {1.0, 0.3, 0.6}, .periodic = {true, false, false}};
+        check_clusters(random_cloud<3>(domain, n, 0.2, seed));
+    }));
+}
+
+TEST(SpatialOrder, IsAPermutationThatKeepsTies) {
+    EXPECT_TRUE(rc::check("each particle once; particles of one bin keep their order", [] {
+        const auto n = *rc::gen::inRange<std::size_t>(1, 500);
+        const auto seed = *rc::gen::arbitrary<std::uint64_t>();
+        const Domain<2> domain{.lower = {0.0, 0.0}, .upper = {1.0, 1.0}, .periodic = {true, false}};
+        const Cloud<2> cloud = random_cloud<2>(domain, n, 0.1, seed);
+        const auto order = spatial_order<2>(domain, cloud.view(), 0.1, 0.02);
+        std::vector<std::int32_t> sorted = order;
+        std::sort(sorted.begin(), sorted.end());
+        for (std::size_t i = 0; i < n; ++i) {
+            RC_ASSERT(sorted[i] == static_cast<std::int32_t>(i));
+            // The cloud already stands in this order: sorting again must not move anything.
+            RC_ASSERT(order[i] == static_cast<std::int32_t>(i));
+        }
+    }));
+}
+
+TEST(Particles, PermuteMovesAllQuantitiesTogether) {
+    Particles<2> p;
+    p.resize(5);
+    for (std::size_t i = 0; i < 5; ++i) {
+        const auto value = static_cast<double>(i);
+        p.position[0][i] = value;
+        p.position[1][i] = 10.0 + value;
+        p.velocity[0][i] = 20.0 + value;
+        p.velocity[1][i] = 30.0 + value;
+        p.listed_position[0][i] = 40.0 + value;
+        p.listed_position[1][i] = 50.0 + value;
+        p.density_deviation[i] = 60.0 + value;
+        p.mass[i] = 70.0 + value;
+        p.id[i] = static_cast<std::int64_t>(i);
+    }
+    const std::vector<std::int32_t> order = {3, 0, 4, 1, 2};
+    p.permute(order);
+    for (std::size_t i = 0; i < 5; ++i) {
+        const double value = order[i];
+        EXPECT_EQ(p.position[0][i], value);
+        EXPECT_EQ(p.position[1][i], 10.0 + value);
+        EXPECT_EQ(p.velocity[0][i], 20.0 + value);
+        EXPECT_EQ(p.velocity[1][i], 30.0 + value);
+        EXPECT_EQ(p.listed_position[0][i], 40.0 + value);
+        EXPECT_EQ(p.listed_position[1][i], 50.0 + value);
+        EXPECT_EQ(p.density_deviation[i], 60.0 + value);
+        EXPECT_EQ(p.mass[i], 70.0 + value);
+        EXPECT_EQ(p.id[i], order[i]);
+    }
+}
+
+}  // namespace
+}  // namespace riffle

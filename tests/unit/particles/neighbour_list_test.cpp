@@ -1,0 +1,101 @@
+#include "particles/neighbour_list.hpp"
+
+#include <gtest/gtest.h>
+
+#include <rapidcheck.h>
+#include <algorithm>
+#include <set>
+
+#include "base/parallel.hpp"
+#include "cloud.hpp"
+
+namespace riffle {
+namespace {
+
+/// Every pair within range stands in the list, no slot twice, none out of reach of its cluster.
+template <int D>
+void check_list(const Cloud<D>& cloud, double range) {
+    const NeighbourList list =
+        build_neighbour_list<D>(cloud.clusters, cloud.clusters, cloud.fixed_point, range);
+    const Clusters<D>& c = cloud.clusters;
+    for (std::size_t cluster = 0; cluster < c.size(); ++cluster) {
+        const auto slots = list.of(cluster);
+        const std::set<std::int32_t> listed(slots.begin(), slots.end());
+        RC_ASSERT(listed.size() == slots.size());
+        const auto clusters = list.clusters_of(cluster);
+        const std::set<std::int32_t> listed_clusters(clusters.begin(), clusters.end());
+        RC_ASSERT(listed_clusters.size() == clusters.size());
+        for (std::size_t j = 0; j < cloud.size(); ++j) {
+            bool within = false;
+            bool within_margin = false;
+            for (std::size_t slot = cluster * cluster_size; slot < (cluster + 1) * cluster_size; ++slot) {
+                if (c.particle_of_slot[slot] >= 0) {
+                    const double squared =
+                        cloud.distance_squared(static_cast<std::size_t>(c.particle_of_slot[slot]), j);
+                    within = within || squared <= range * range;
+                    within_margin = within_margin || squared <= 1.0001 * range * range;
+                }
+            }
+            const std::int32_t slot_j = c.slot_of_particle[j];
+            const bool present = listed.count(slot_j) > 0;
+            RC_ASSERT(!within || present);
+            RC_ASSERT(!present || within_margin);
+            RC_ASSERT(!present || listed_clusters.count(slot_j / cluster_size) > 0);
+        }
+    }
+}
+
+TEST(NeighbourList, IsComplete2D) {
+    EXPECT_TRUE(rc::check("all pairs of a random cloud in 2D, periodic or not", [] {
+        const auto n = *rc::gen::inRange<std::size_t>(1, 300);
+        const bool periodic_x = *rc::gen::arbitrary<bool>();
+        const bool periodic_z = *rc::gen::arbitrary<bool>();
+        const auto seed = *rc::gen::arbitrary<std::uint64_t>();
+        const double range = 0.01 * *rc::gen::inRange(2, 30);
+        const Domain<2> domain{
+            .lower = {-0.1, 0.0}, .upper = {1.0, 0.7}, .periodic = {periodic_x, periodic_z}};
+        check_list(random_cloud<2>(domain, n, 0.08, seed), range);
+    }));
+}
+
+TEST(NeighbourList, IsComplete3D) {
+    EXPECT_TRUE(rc::check("all pairs of a random cloud in 3D, periodic or not", [] {
+        const auto n = *rc::gen::inRange<std::size_t>(1, 300);
+        const bool periodic_y = *rc::gen::arbitrary<bool>();
+        const auto seed = *rc::gen::arbitrary<std::uint64_t>();
+        const Domain<3> domain{
+            .lower = {0.0, -0.2, 0.0}, .upper = {1.0, 0.5, 0.5}, .periodic = {true, periodic_y, false}};
+        check_list(random_cloud<3>(domain, n, 0.15, seed), 0.2);
+    }));
+}
+
+// The shortest periodic reach that a case may have: two supports, 2 (2h + skin). A particle then sees each
+// other one through one image only.
+TEST(NeighbourList, IsCompleteInTheShortestPeriod) {
+    EXPECT_TRUE(rc::check("all pairs in a period of twice the range", [] {
+        const auto n = *rc::gen::inRange<std::size_t>(1, 200);
+        const auto seed = *rc::gen::arbitrary<std::uint64_t>();
+        const double range = 0.0066;
+        const Domain<2> domain{.lower = {0.0, 0.0}, .upper = {2.0 * range, 0.05}, .periodic = {true, false}};
+        check_list(random_cloud<2>(domain, n, 0.00534, seed), range);
+    }));
+}
+
+TEST(NeighbourList, DoesNotDependOnTheNumberOfThreads) {
+    const Domain<2> domain{.lower = {0.0, 0.0}, .upper = {1.0, 0.7}, .periodic = {true, false}};
+    const Cloud<2> cloud = random_cloud<2>(domain, 4000, 0.05, 7);
+    set_thread_count(1);
+    const NeighbourList one =
+        build_neighbour_list<2>(cloud.clusters, cloud.clusters, cloud.fixed_point, 0.06);
+    set_thread_count(2);
+    const NeighbourList two =
+        build_neighbour_list<2>(cloud.clusters, cloud.clusters, cloud.fixed_point, 0.06);
+    set_thread_count(1);
+    EXPECT_EQ(one.begin, two.begin);
+    EXPECT_EQ(one.slots, two.slots);
+    EXPECT_EQ(one.cluster_begin, two.cluster_begin);
+    EXPECT_EQ(one.clusters, two.clusters);
+}
+
+}  // namespace
+}  // namespace riffle
