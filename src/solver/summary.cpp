@@ -38,6 +38,23 @@ double window_mean(const TimeSeries& series, const std::string& name, double fro
     return count > 0.0 ? sum / count : std::numeric_limits<double>::quiet_NaN();
 }
 
+/// Slope of the straight line through a record's window, per second.
+double window_trend(const TimeSeries& series, const std::string& name, double from, double to) {
+    const auto& time = series.column("time");
+    const auto& values = series.column(name);
+    const double mean_time = 0.5 * (from + to);
+    const double mean = window_mean(series, name, from, to);
+    double covariance = 0.0;
+    double variance = 0.0;
+    for (std::size_t i = 0; i < time.size(); ++i) {
+        if (time[i] >= from && time[i] <= to && std::isfinite(values[i])) {
+            covariance += (time[i] - mean_time) * (values[i] - mean);
+            variance += (time[i] - mean_time) * (time[i] - mean_time);
+        }
+    }
+    return variance > 0.0 ? covariance / variance : 0.0;
+}
+
 void add_column_departures(const Case& c, const Profiles& p, RunSummary& summary) {
     Norms above;
     Norms below;
@@ -140,6 +157,7 @@ RunSummary summarise(const Case& c, const ColumnResult* column, const TimeSeries
                              "density_deviation_maximum"}) {
         summary.set(name, window_mean(series, name, from, to));
     }
+    summary.set("level_trend", window_trend(series, "mean_level", from, to));
     // The level's drift over the whole run, from the means of its first and last seconds.
     summary.set("level_drift", window_mean(series, "mean_level", to - 1.0, to) -
                                    window_mean(series, "mean_level", 0.0, std::min(1.0, to)));

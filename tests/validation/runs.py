@@ -47,7 +47,7 @@ class RiffleRun:
             v["force_balance_error"] = v["drag_over_gravity"] + v["wall_over_gravity"] - 1.0
         level = v.get("mean_level", math.nan)
         v["level_drift_share"] = v.get("level_drift", math.nan) / level
-        v["level_drift_absolute"] = v.get("level_drift", math.nan)
+        v["level_drift_10_s"] = 10.0 * v.get("level_trend", math.nan)
 
 
 def default_riffle():
