@@ -118,7 +118,7 @@ struct Start {
     double amplitude = 0.0;          ///< standing wave: of the surface, m
     std::filesystem::path file;      ///< results: the file to start from
     StartLattice lattice = StartLattice::square;
-    double jitter = 0.0;             ///< random displacement of the lattice, in units of the spacing
+    double jitter = 0.0;  ///< random displacement of the lattice, in units of the spacing
     long long seed = 1;
 
     bool operator==(const Start&) const = default;

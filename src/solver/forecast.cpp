@@ -33,10 +33,9 @@ double disk_bytes(const Case& c, double particles, double time) {
     const auto count = [&](double interval) { return interval > 0.0 ? time / interval : 0.0; };
     const Lattice lattice = lattice_of(c);
     const double series = count(c.output.series_interval) * 14.0 * sizeof(double);
-    const double surface =
-        c.channel.top == Top::free_surface
-            ? count(c.output.surface_interval) * (lattice.columns * 4.0 + 8.0)
-            : 0.0;
+    const double surface = c.channel.top == Top::free_surface
+                               ? count(c.output.surface_interval) * (lattice.columns * 4.0 + 8.0)
+                               : 0.0;
     const double blocks = time / profile_block_duration * lattice.rows * profile_quantities * sizeof(double);
     const double snapshots = (count(c.output.snapshot_interval) + 1.0) * particles * 10.0 * sizeof(float);
     const double state = particles * 9.0 * sizeof(double);

@@ -146,9 +146,11 @@ void SimulationOf<Real>::pack_wall_records() {
             const double identity = k == 0 || k == 3 ? 1.0 : 0.0;
             gradient.projector[k] = static_cast<Real>(wall_law_.dynamic ? identity : walls_.projector[k][i]);
         }
-        // Water and end wall meet the surface at the same height: the wall continues the water, corrected like it,
-        // so that nothing varies along the surface at rest. Under a bed this would be friction (3 to 4 %).
-        gradient.continuation = static_cast<Real>(!wall_law_.dynamic && walls_.normal[1][i] == 0.0 ? 1.0 : 0.0);
+        // Water and end wall meet the surface at the same height: the wall continues the water, corrected
+        // like it, so that nothing varies along the surface at rest. Under a bed this would be friction (3 to
+        // 4 %).
+        gradient.continuation =
+            static_cast<Real>(!wall_law_.dynamic && walls_.normal[1][i] == 0.0 ? 1.0 : 0.0);
         force.continuation = gradient.continuation;
         gradient.volume = static_cast<Real>(walls_.volume[i]);
         force.weight = static_cast<Real>(walls_.volume[i]);

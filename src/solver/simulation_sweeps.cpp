@@ -106,8 +106,8 @@ void SimulationOf<Real>::pack_force(std::size_t i, std::size_t slot) {
 }
 
 // The two-point viscosity is nu M_kl d2u/dx_k dx_l. Among disordered particles tr(M)/2 falls below one, and
-// Taylor-Green vortices decay 1 to 2 % too slowly. The factor 2/tr(M) puts that right; it is taken from B, which
-// is M^-1 inside the fluid and the identity at a free surface.
+// Taylor-Green vortices decay 1 to 2 % too slowly. The factor 2/tr(M) puts that right; it is taken from B,
+// which is M^-1 inside the fluid and the identity at a free surface.
 template <class Real>
 double SimulationOf<Real>::second_moment_factor(std::size_t slot) const {
     const auto b = [&](std::size_t k) { return static_cast<double>(data_.gradient.correction[k][slot]); };
@@ -163,9 +163,9 @@ void SimulationOf<Real>::sweep_walls(double step) {
     });
 }
 
-// An end wall stands higher than the water. Its particles above the surface, where the extrapolated pressure is
-// negative, must be as empty as the space over the rest of the surface, or they pull at the water below: their
-// volume fades out over one spacing.
+// An end wall stands higher than the water. Its particles above the surface, where the extrapolated pressure
+// is negative, must be as empty as the space over the rest of the surface, or they pull at the water below:
+// their volume fades out over one spacing.
 template <class Real>
 void SimulationOf<Real>::wet_wall(std::size_t slot, std::size_t particle, double pressure) {
     if (walls_.normal[1][particle] != 0.0 || scheme_.normal_gravity <= 0.0) {

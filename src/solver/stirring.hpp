@@ -7,9 +7,10 @@
 namespace riffle {
 
 /// The stirring body force (a test option): divergence-free vortex modes that travel along the channel,
-///   psi = sum_m (F/sqrt(M)/|k_m|) sin^2(m pi z/H) cos(2 pi m (x - c t)/L + phase_m),  a = (dpsi/dz, -dpsi/dx),
-/// of zero mean along x at every height, and zero at the bed and the surface (else the waves of the surface would
-/// correlate with it), so that it disorders the particles and drives no mean flow.
+///   psi = sum_m (F/sqrt(M)/|k_m|) sin^2(m pi z/H) cos(2 pi m (x - c t)/L + phase_m),  a = (dpsi/dz,
+///   -dpsi/dx),
+/// of zero mean along x at every height, and zero at the bed and the surface (else the waves of the surface
+/// would correlate with it), so that it disorders the particles and drives no mean flow.
 class Stirring2D {
   public:
     Stirring2D() = default;

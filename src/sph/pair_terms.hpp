@@ -53,16 +53,17 @@ RIFFLE_INLINE Components<T, D> tensor_force(const T& weight_gradient, const Comp
     return a;
 }
 
-/// Twice the viscosity of a pair from the roots of its particles' viscosities: the square of the mean root. An eddy
-/// viscosity l_m^2 |S| then has the mean of the two mixing lengths, which is exact where l_m grows linearly from
-/// the bed; the arithmetic mean of nu overestimates there, by (dz/z)^2.
+/// Twice the viscosity of a pair from the roots of its particles' viscosities: the square of the mean root.
+/// An eddy viscosity l_m^2 |S| then has the mean of the two mixing lengths, which is exact where l_m grows
+/// linearly from the bed; the arithmetic mean of nu overestimates there, by (dz/z)^2.
 template <class T>
 RIFFLE_INLINE T pair_viscosity_sum(const T& root_i, const T& root_j) {
     const T sum = root_i + root_j;
     return scalar_of<T>(0.5) * sum * sum;
 }
 
-/// Viscosity in Morris' two-point form (Morris et al. 1997): V_j 2 mu_ij F u, 2 mu_ij from pair_viscosity_sum.  A Laplacian, nu lap(u), for constant nu.
+/// Viscosity in Morris' two-point form (Morris et al. 1997): V_j 2 mu_ij F u, 2 mu_ij from
+/// pair_viscosity_sum.  A Laplacian, nu lap(u), for constant nu.
 struct MorrisViscosity {
     template <class T, int D>
     RIFFLE_INLINE static Components<T, D> force(const T& volume_gradient, const T& viscosity_sum,

@@ -10,8 +10,8 @@
 
 namespace riffle {
 
-/// Eddy viscosity of a mixing length: nu_t = l_m^2 |S| (m2/s), |S| = sqrt(2 S_ij S_ij) (1/s). Prandtl (1925); with
-/// l_m = C_s Delta, Smagorinsky (thesis 4.1).
+/// Eddy viscosity of a mixing length: nu_t = l_m^2 |S| (m2/s), |S| = sqrt(2 S_ij S_ij) (1/s). Prandtl (1925);
+/// with l_m = C_s Delta, Smagorinsky (thesis 4.1).
 [[nodiscard]] inline double mixing_length_viscosity(double mixing_length, double strain_rate) {
     return mixing_length * mixing_length * strain_rate;
 }

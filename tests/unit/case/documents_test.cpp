@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <sstream>
+#include <string>
+#include <vector>
 
 #include "case/case_documents.hpp"
 #include "case/flow_conditions.hpp"
@@ -148,8 +151,18 @@ TEST(ShippedCases, StayWithinTheVerifiedEnvelope) {
             EXPECT_THAT(warnings, IsEmpty()) << name;
         }
     }
+    // Two checks leave it on purpose; their files say why.
+    const std::map<std::string, std::vector<std::string>> deliberate = {
+        {"hydrostatic-tank", {"numerics.smoothing_ratio", "numerics.density_diffusion"}},
+        {"standing-wave", {"numerics.viscosity"}}};
     for (const auto& entry : std::filesystem::directory_iterator(source_folder / "cases/checks")) {
-        EXPECT_THAT(case_warnings(read_case(entry.path())), IsEmpty()) << entry.path();
+        std::vector<std::string> keys;
+        for (const std::string& warning : case_warnings(read_case(entry.path()))) {
+            keys.push_back(warning.substr(0, warning.find(':')));
+        }
+        const auto expected = deliberate.find(entry.path().stem().string());
+        EXPECT_EQ(keys, expected == deliberate.end() ? std::vector<std::string>() : expected->second)
+            << entry.path();
     }
 }
 
