@@ -61,6 +61,8 @@ Case flow_condition(std::size_t number) {
     c.channel.slope = row.slope;
     c.channel.depth = row.depth;
     c.bed.roughness_height = Diameters{row.diameters}.length(c.bed.sphere_diameter);
+    // Five rows of particles below the crests.
+    c.numerics.spacing = row.diameters < 0.4 ? 0.0016 : 0.002;
     c.measured.depth_mean_velocity = row.velocity;
     c.measured.friction_velocity = row.friction_velocity;
     c.measured.equivalent_roughness = row.equivalent_roughness;
