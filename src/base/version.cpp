@@ -1,6 +1,7 @@
 #include "base/version.hpp"
 
 #include "riffle_build.hpp"
+#include "riffle_revision.hpp"
 
 namespace riffle {
 
