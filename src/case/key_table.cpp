@@ -115,7 +115,7 @@ SectionKeys turbulence() {
                          .unset_by("auto", "spacing / sqrt(2)")
                          .applies_with(closure, {"sps"}));
     s.keys.push_back(
-        key("stress_terms", &Turbulence::stress_terms, "Which components of the stress are kept.")
+        key("stress_terms", &Turbulence::stress_terms, "What is kept of the strain rate and the stress.")
             .applies_with(closure, {"ramp", "nezu-rodi", "nikuradse", "sps"}));
     return s;
 }
@@ -247,7 +247,9 @@ SectionKeys stirring() {
     s.keys.push_back(key("modes", &Stirring::modes, "Number of modes.").at_least(1).at_most(100));
     s.keys.push_back(key("celerity", &Stirring::celerity, "Speed at which the modes travel downstream.")
                          .measured_in(velocity)
-                         .unset_by("auto", "the depth-mean velocity of the column twin"));
+                         .unset_by("auto",
+                                   "the mean velocity of the column twin over the whole depth, from the bed "
+                                   "level; 0 without a twin"));
     return s;
 }
 
