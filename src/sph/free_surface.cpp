@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "base/parallel.hpp"
-#include "sph/kernel.hpp"
+#include "sph/kernel_registry.hpp"
 
 namespace riffle {
 
@@ -57,8 +57,7 @@ class Columns {
 };
 
 double gradient_factor(KernelKind kernel, double q) {
-    return kernel == KernelKind::wendland_c2 ? WendlandC2<2>::gradient_factor(q)
-                                             : CubicSpline<2>::gradient_factor(q);
+    return visit_kernel<2>(kernel, [q](auto chosen) { return decltype(chosen)::gradient_factor(q); });
 }
 
 }  // namespace

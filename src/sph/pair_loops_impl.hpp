@@ -6,7 +6,7 @@
 #include <experimental/simd>
 
 #include "sph/correction.hpp"
-#include "sph/kernel.hpp"
+#include "sph/kernel_registry.hpp"
 #include "sph/pair_loops.hpp"
 #include "sph/pair_terms.hpp"
 
@@ -351,8 +351,8 @@ PairLoops<D, Real> loops_of_kernel(ViscosityForm viscosity) {
 
 template <int D, class Real>
 PairLoops<D, Real> loops(KernelKind kernel, ViscosityForm viscosity) {
-    return kernel == KernelKind::wendland_c2 ? loops_of_kernel<D, Real, WendlandC2<D>>(viscosity)
-                                             : loops_of_kernel<D, Real, CubicSpline<D>>(viscosity);
+    return visit_kernel<D>(
+        kernel, [viscosity](auto chosen) { return loops_of_kernel<D, Real, decltype(chosen)>(viscosity); });
 }
 
 }  // namespace riffle::RIFFLE_ISA
