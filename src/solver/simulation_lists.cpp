@@ -67,6 +67,7 @@ void SimulationOf<Real>::allocate() {
     data_.fluid_pressure.resize(slots);
     data_.gradient.density_rate.resize(slots);
     data_.gradient.diffusion.resize(slots);
+    data_.gradient.viscosity_factor.resize(slots);
     data_.gradient.regularity.resize(slots);
     for (std::size_t k = 0; k < 4; ++k) {
         data_.gradient.velocity_gradient[k].resize(slots);

@@ -37,7 +37,6 @@ class SimulationOf final : public Simulation {
 
     // Sweeps (simulation_sweeps.cpp).
     void sweep_gradients(double density_step);
-    [[nodiscard]] double second_moment_factor(std::size_t slot) const;
     void sweep_walls(double step);
     void wet_wall(std::size_t slot, std::size_t particle, double pressure);
     /// Forces, then `move(first, last)` for the particles of each cluster once their accelerations are known.

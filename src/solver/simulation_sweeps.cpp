@@ -102,16 +102,8 @@ void SimulationOf<Real>::pack_force(std::size_t i, std::size_t slot) {
             record.stress[3] -= static_cast<Real>(2.0 * nu_t * g(3));
         }
     }
-    record.viscosity_root = static_cast<Real>(std::sqrt((1.0 + s) * nu * second_moment_factor(slot)));
-}
-
-// The two-point viscosity is nu M_kl d2u/dx_k dx_l. Among disordered particles tr(M)/2 falls below one, and
-// Taylor-Green vortices decay 1 to 2 % too slowly. The factor 2/tr(M) puts that right; it is taken from B,
-// which is M^-1 inside the fluid and the identity at a free surface.
-template <class Real>
-double SimulationOf<Real>::second_moment_factor(std::size_t slot) const {
-    const auto b = [&](std::size_t k) { return static_cast<double>(data_.gradient.correction[k][slot]); };
-    return 2.0 * (b(0) * b(3) - b(1) * b(2)) / (b(0) + b(3));
+    nu *= static_cast<double>(data_.gradient.viscosity_factor[slot]);
+    record.viscosity_root = static_cast<Real>(std::sqrt((1.0 + s) * nu));
 }
 
 template <class Real>
