@@ -1,19 +1,19 @@
 #include "column/calibration.hpp"
 
-#include <ceres/ceres.h>
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <memory>
+#include <optional>
 #include <string_view>
 
 #include "base/error.hpp"
 #include "column/calibration_target.hpp"
+#include "statistics/least_squares.hpp"
 
 namespace riffle {
 
@@ -93,21 +93,23 @@ class Misfit {
     Misfit(const Case& c, const CalibrationTarget& target, const std::vector<Parameter>& chosen)
         : case_(c), target_(target), chosen_(chosen) {}
 
-    [[nodiscard]] Case at(const double* scaled) const {
+    [[nodiscard]] Case at(const Eigen::VectorXd& scaled) const {
         Case c = case_;
-        for (std::size_t i = 0; i < chosen_.size(); ++i) chosen_[i].member(c) *= scaled[i];
+        for (std::size_t i = 0; i < chosen_.size(); ++i) {
+            chosen_[i].member(c) *= scaled(static_cast<Eigen::Index>(i));
+        }
         return c;
     }
 
-    bool operator()(double const* const* blocks, double* residuals) const {
+    /// None where there is no steady column: the minimiser turns back.
+    std::optional<Eigen::VectorXd> operator()(const Eigen::VectorXd& scaled) const {
         try {
-            const Case c = at(blocks[0]);
+            const Case c = at(scaled);
             const std::vector<double> values = target_.residuals(c, solve_column(c));
-            std::copy(values.begin(), values.end(), residuals);
+            return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
         } catch (const InputError&) {
-            return false;  // no steady column here: the minimiser turns back
+            return std::nullopt;
         }
-        return true;
     }
 
   private:
@@ -116,38 +118,8 @@ class Misfit {
     const std::vector<Parameter>& chosen_;
 };
 
-/// Covariance of the scaled parameters from the Jacobian; no value where the measurements do not tell the
-/// parameters apart.
-struct Covariance {
-    Eigen::MatrixXd matrix;
-    bool determined = false;
-};
-
-Covariance covariance_from(const Eigen::MatrixXd& jacobian) {
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(jacobian, Eigen::ComputeThinU | Eigen::ComputeThinV);
-    const Eigen::VectorXd& s = svd.singularValues();
-    Covariance result;
-    constexpr double smallest_ratio = 1e-6;
-    if (!(s(s.size() - 1) > smallest_ratio * s(0))) return result;
-    const Eigen::MatrixXd& v = svd.matrixV();
-    result.matrix = v * s.array().square().inverse().matrix().asDiagonal() * v.transpose();
-    result.determined = true;
-    return result;
-}
-
-Eigen::MatrixXd dense_jacobian(ceres::Problem& problem) {
-    ceres::CRSMatrix sparse;
-    problem.Evaluate({}, nullptr, nullptr, nullptr, &sparse);
-    Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(sparse.num_rows, sparse.num_cols);
-    for (int row = 0; row < sparse.num_rows; ++row) {
-        const auto begin = static_cast<std::size_t>(sparse.rows[static_cast<std::size_t>(row)]);
-        const auto end = static_cast<std::size_t>(sparse.rows[static_cast<std::size_t>(row) + 1]);
-        for (std::size_t k = begin; k < end; ++k) dense(row, sparse.cols[k]) = sparse.values[k];
-    }
-    return dense;
-}
-
-void describe_uncertainty(CalibrationResult& result, const Covariance& covariance) {
+/// `covariance` of the scaled parameters; none where the measurements do not tell the parameters apart.
+void describe_uncertainty(CalibrationResult& result, const std::optional<Eigen::MatrixXd>& covariance) {
     const std::size_t n = result.parameters.size();
     constexpr double infinity = std::numeric_limits<double>::infinity();
     constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
@@ -155,17 +127,17 @@ void describe_uncertainty(CalibrationResult& result, const Covariance& covarianc
     for (std::size_t i = 0; i < n; ++i) {
         result.correlation[i][i] = 1.0;
         FittedParameter& p = result.parameters[i];
-        if (!covariance.determined) {
+        if (!covariance) {
             p.standard_uncertainty = infinity;
             continue;
         }
         const auto row = static_cast<Eigen::Index>(i);
-        const double variance = covariance.matrix(row, row);
+        const double variance = (*covariance)(row, row);
         p.standard_uncertainty = p.start * std::sqrt(variance) * result.scatter_factor;
         for (std::size_t j = 0; j < n; ++j) {
             const auto column = static_cast<Eigen::Index>(j);
             result.correlation[i][j] =
-                covariance.matrix(row, column) / std::sqrt(variance * covariance.matrix(column, column));
+                (*covariance)(row, column) / std::sqrt(variance * (*covariance)(column, column));
         }
     }
 }
@@ -215,38 +187,28 @@ CalibrationResult calibrate_column(const Case& c, const CalibrationOptions& opti
     const ColumnResult before = solve_column(c);
 
     const Misfit misfit(c, target, chosen);
-    std::vector<double> scaled(chosen.size(), 1.0);
-    ceres::NumericDiffOptions numeric;
-    // Wide enough that the changes of the grid with the parameters (1e-7 of the result) do not show.
-    numeric.relative_step_size = 1e-3;
-    auto cost = std::make_unique<ceres::DynamicNumericDiffCostFunction<const Misfit, ceres::CENTRAL>>(
-        &misfit, ceres::DO_NOT_TAKE_OWNERSHIP, numeric);
-    cost->AddParameterBlock(static_cast<int>(chosen.size()));
-    cost->SetNumResiduals(target.size());
-    ceres::Problem problem;
-    problem.AddResidualBlock(cost.release(), nullptr, scaled.data());
-    std::vector<Case> start(1, c);
-    for (std::size_t i = 0; i < chosen.size(); ++i) {
-        const double value = chosen[i].member(start.front());
-        problem.SetParameterLowerBound(scaled.data(), static_cast<int>(i), chosen[i].lower(c) / value);
-        problem.SetParameterUpperBound(scaled.data(), static_cast<int>(i), chosen[i].upper(c) / value);
+    Case start = c;
+    const auto size = static_cast<Eigen::Index>(chosen.size());
+    Eigen::VectorXd lower(size);
+    Eigen::VectorXd upper(size);
+    for (Eigen::Index i = 0; i < size; ++i) {
+        const Parameter& p = chosen[static_cast<std::size_t>(i)];
+        lower(i) = p.lower(c) / p.member(start);
+        upper(i) = p.upper(c) / p.member(start);
     }
-    ceres::Solver::Options solver;
-    solver.linear_solver_type = ceres::DENSE_QR;
-    solver.logging_type = ceres::SILENT;
-    solver.max_num_iterations = 200;
-    solver.function_tolerance = 1e-12;
-    solver.parameter_tolerance = 1e-9;
-    ceres::Solver::Summary summary;
-    ceres::Solve(solver, &problem, &summary);
-    if (!summary.IsSolutionUsable()) {
+    LeastSquaresOptions solver;
+    // Wide enough that the changes of the grid with the parameters (1e-7 of the result) do not show.
+    solver.difference_step = 1e-3;
+    const std::optional<LeastSquaresFit> fit =
+        minimise_least_squares(misfit, Eigen::VectorXd::Ones(size), lower, upper, solver);
+    if (!fit) {
         throw InputError(
             "the calibration failed, the column has no steady state near the start: change the values "
             "of the case that the fit starts from");
     }
 
     CalibrationResult result;
-    result.fitted = misfit.at(scaled.data());
+    result.fitted = misfit.at(fit->parameters);
     result.column = solve_column(result.fitted);
     for (const double r : target.residuals(result.fitted, result.column)) result.chi_square += r * r;
     result.degrees_of_freedom = std::max(0.0, target.independent_values() - unknowns);
@@ -255,7 +217,7 @@ CalibrationResult calibrate_column(const Case& c, const CalibrationOptions& opti
     }
     for (const Parameter& p : chosen) {
         FittedParameter f{std::string(p.name), std::string(p.key), std::string(p.unit)};
-        f.start = p.member(start.front());
+        f.start = p.member(start);
         f.value = p.member(result.fitted);
         f.lower = p.lower(c);
         f.upper = p.upper(c);
@@ -263,10 +225,10 @@ CalibrationResult calibrate_column(const Case& c, const CalibrationOptions& opti
         f.at_bound = f.value < f.lower + margin || f.value > f.upper - margin;
         result.parameters.push_back(f);
     }
-    const Covariance covariance = covariance_from(dense_jacobian(problem));
+    const std::optional<Eigen::MatrixXd> covariance = parameter_covariance(fit->jacobian);
     describe_uncertainty(result, covariance);
     result.quantities = target.compare(c, before, result.fitted, result.column);
-    add_warnings(result, covariance.determined, summary.termination_type == ceres::CONVERGENCE);
+    add_warnings(result, covariance.has_value(), fit->converged);
     return result;
 }
 
