@@ -9,7 +9,7 @@ test_packages=(
     libgtest-dev libgmock-dev librapidcheck-dev clang-format-14
     python3 python3-h5py python3-numpy python3-paraview chromium mount
 )
-lint_packages=(clang-tidy-14 clang-tools-14)
+lint_packages=(clang-tidy-14)
 
 # Node.js and npm bring the report's figure library; a machine that has them from elsewhere keeps its own.
 node_packages() {

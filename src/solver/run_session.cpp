@@ -6,12 +6,14 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <utility>
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "base/version.hpp"
 #include "output/checkpoint_file.hpp"
 #include "output/xdmf.hpp"
+#include "solver/content.hpp"
 #include "solver/run_content.hpp"
 #include "solver/start.hpp"
 #include "solver/state_content.hpp"
@@ -21,8 +23,7 @@ namespace riffle {
 
 namespace {
 
-/// Recorded data that may wait in memory before it is written out.
-constexpr std::size_t pending_limit = std::size_t{256} << 20U;
+constexpr const char* no_steady_flow = "no steady flow to converge to";
 
 /// Share of the time that writing may take before it is done less often.
 constexpr double write_share = 0.02;
@@ -42,9 +43,9 @@ std::string smaller_step(const Numerics& numerics) {
 
 }  // namespace
 
-RunSession::RunSession(const Case& c, const RunOptions& options)
-    : case_(c), options_(options), files_{options.folder}, log_(files_.log()) {
-    set_thread_count(options.threads);
+RunSession::RunSession(Case c, RunOptions options)
+    : case_(std::move(c)), options_(std::move(options)), files_{options_.folder}, log_(files_.log()) {
+    set_thread_count(options_.threads);
     if (has_column(case_)) {
         column_ = solve_column(case_);
     } else if (case_.run.until == RunUntil::converged) {
@@ -55,6 +56,7 @@ RunSession::RunSession(const Case& c, const RunOptions& options)
             "until = "
             "\"10 s\"");
     }
+    convergence_.reason = column_ ? "not yet tested for convergence" : no_steady_flow;
 }
 
 void RunSession::make_simulation_of_case(bool from_start) {
@@ -112,11 +114,7 @@ void RunSession::resume(const std::filesystem::path& checkpoint) {
     first_step_ = simulation_->clock().steps;
     // The results may be ahead of the checkpoint: cut them back before anything is added.
     Content content;
-    content.datasets.push_back({.path = "/case/text",
-                                .shape = {},
-                                .values = case_.text,
-                                .unit = "1",
-                                .long_name = "complete case (TOML)"});
+    content.datasets.push_back(case_text(case_));
     ResultsFile::update(files_.results(), content, recorder_->rows(), recorder_->snapshots());
     log_.info(fmt::format("resumed at t = {:.6g} s, step {}, from {}", simulation_->clock().time,
                           simulation_->clock().steps, checkpoint.filename().string()));
@@ -194,7 +192,7 @@ void RunSession::update_convergence(bool final_test) {
     if (!column_) {
         // No steady flow to converge to: averages over the second half, or from the asked time.
         convergence_.window_start = case_.run.average_from.value_or(0.5 * simulation_->clock().time);
-        convergence_.reason = "no steady flow to converge to";
+        convergence_.reason = no_steady_flow;
         return;
     }
     convergence_ = test_convergence(series.column("time"), series.column("depth_mean_velocity"),
@@ -210,7 +208,7 @@ void RunSession::write_out(bool complete) {
     const auto start = Clock::now();
     Content content = recorder_->take_new_rows();
     add_run_attributes(content, complete);
-    add_profiles_content(content, case_, column_, *recorder_, convergence_);
+    add_profiles_content(content, column_, *recorder_, convergence_);
     add_state(content, "/state", *simulation_);
     ResultsFile::update(files_.results(), content);
     write_checkpoint();
@@ -222,16 +220,12 @@ void RunSession::write_out(bool complete) {
 void RunSession::write_checkpoint() {
     Content content;
     const auto number = [&](const char* name, double value) {
-        content.attributes.push_back({.path = "/", .name = name, .value = value});
+        add_attribute(content, "/", name, value);
     };
     number("time", simulation_->clock().time);
     number("wall_seconds", earlier_wall_seconds_ + seconds_since(begin_));
     number("next_test", next_test_);
-    content.datasets.push_back({.path = "/case/text",
-                                .shape = {},
-                                .values = case_.text,
-                                .unit = "1",
-                                .long_name = "complete case (TOML)"});
+    content.datasets.push_back(case_text(case_));
     recorder_->save(content);
     add_state(content, "/state", *simulation_);
     CheckpointFile::write(files_.checkpoint(), content);
@@ -239,7 +233,7 @@ void RunSession::write_checkpoint() {
 
 void RunSession::add_run_attributes(Content& content, bool complete) const {
     const auto attribute = [&](const std::string& path, const std::string& name, AttributeValue value) {
-        content.attributes.push_back({.path = path, .name = name, .value = std::move(value)});
+        add_attribute(content, path, name, std::move(value));
     };
     attribute("/", "complete", std::int64_t{complete ? 1 : 0});
     const RunSummary summary = current_summary(case_, column_, *recorder_, convergence_);

@@ -14,7 +14,7 @@ namespace riffle {
 /// One run in progress: the simulation, what it records, and its files.
 class RunSession {
   public:
-    RunSession(const Case& c, const RunOptions& options);
+    RunSession(Case c, RunOptions options);
 
     /// Start at t = 0: create the results file and the first checkpoint.
     void start();

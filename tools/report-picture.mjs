@@ -1,0 +1,42 @@
+// Puts figures of a report side by side into one PNG, for the README and the gallery:
+//   node tools/report-picture.mjs REPORT.html PICTURE.png velocity stress field
+// Names are those of the report's figures (figure-<name>). Needs web/node_modules (npm ci --prefix web) and the
+// browser named by CHROMIUM (default /usr/bin/chromium).
+
+import { createRequire } from 'node:module';
+import { dirname, join, resolve } from 'node:path';
+import { fileURLToPath, pathToFileURL } from 'node:url';
+
+const here = dirname(fileURLToPath(import.meta.url));
+const { chromium } = createRequire(join(here, '../web/package.json'))('playwright-core');
+
+const [report, picture, ...names] = process.argv.slice(2);
+if (!names.length) {
+  console.error('usage: node tools/report-picture.mjs REPORT.html PICTURE.png FIGURE...');
+  process.exit(2);
+}
+
+const browser = await chromium.launch({
+  executablePath: process.env.CHROMIUM || '/usr/bin/chromium',
+  args: ['--no-sandbox', '--disable-gpu', '--disable-background-networking', '--no-first-run'],
+});
+try {
+  const page = await browser.newPage({ viewport: { width: 1280, height: 900 }, colorScheme: 'light' });
+  await page.goto(pathToFileURL(resolve(report)).href);
+  await page.waitForSelector('.js-plotly-plot .main-svg');
+  await page.waitForTimeout(1500);
+  const shots = [];
+  for (const name of names) {
+    const plot = page.locator(`#figure-${name} .js-plotly-plot`).first();
+    shots.push((await plot.screenshot()).toString('base64'));
+  }
+  const sheet = await browser.newPage({ viewport: { width: 1280, height: 900 } });
+  const images = shots.map(data => `<img src="data:image/png;base64,${data}">`).join('');
+  await sheet.setContent(
+    `<body style="margin:0;background:white"><div id="sheet" style="display:flex;flex-wrap:wrap;gap:12px;` +
+    `justify-content:center;align-items:center;width:1280px;padding:8px;box-sizing:border-box">${images}</div></body>`);
+  await sheet.waitForTimeout(300);
+  await sheet.locator('#sheet').screenshot({ path: picture });
+} finally {
+  await browser.close();
+}
