@@ -64,7 +64,8 @@ struct GradientResult {
     std::array<std::vector<Real>, static_cast<std::size_t>(D* D)>
         velocity_gradient;                                                     ///< d u_k/d x_l at k D + l
     std::array<std::vector<Real>, static_cast<std::size_t>(D* D)> correction;  ///< B
-    std::vector<Real> regularity;  ///< smallest eigenvalue of M: about 1 inside, 1/2 at a free surface
+    std::vector<Real> viscosity_factor;  ///< D/tr(M) near full support, else 1
+    std::vector<Real> regularity;        ///< smallest eigenvalue of M: about 1 inside, 1/2 at a free surface
 };
 
 /// Results of the force pass: accelerations by slot, m/s2, before the factor of the pressure form.

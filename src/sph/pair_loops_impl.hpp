@@ -177,6 +177,14 @@ template <int D, class Real, class Kernel>
         }
         store_lanes(divergence, &data.gradient.density_rate[slot]);
         store_lanes(T(diffusion * c.diffusion), &data.gradient.diffusion[slot]);
+        // The two-point viscosity is nu M_kl d2u/dx_k dx_l. Among disordered particles tr(M)/D falls below
+        // one, and Taylor-Green vortices decay 1 to 2 % too slowly; this factor puts that right.
+        T trace = m_total[0];
+        for (int k = 1; k < D; ++k) {
+            trace += m_total[symmetric_index<D>(k, k)];
+        }
+        store_lanes(T(Real(1) + pressure_blend * (Real(D) / trace - Real(1))),
+                    &data.gradient.viscosity_factor[slot]);
         store_lanes(regularity, &data.gradient.regularity[slot]);
     }
 }
