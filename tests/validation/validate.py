@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Holds Riffle's 2D channel against its bars: the column twin, the momentum balance, Table 3.1.
 
-  tests/validation/validate.py quick     condition 2 at 2 mm and its stirred twin (CI, about 3 minutes)
-  tests/validation/validate.py full      all conditions, the paper's case, spacings, stirring, SPS (about 40 minutes)
+  tests/validation/validate.py quick     condition 2 at 2 mm and its stirred twin (CI, some minutes)
+  tests/validation/validate.py full      all conditions, the paper's case, spacings, stirring, SPS (about half an hour on two cores)
 
 Prints one table per part and ends with status 1 when a bar is missed. --markdown FILE writes the tables too,
 --keep DIR keeps the results there, --reuse takes complete results that DIR already holds.
@@ -33,9 +33,10 @@ def main():
         def run(name, case, settings=None):
             return runs.RiffleRun(riffle, case, folder / name, settings or {}, arguments.reuse)
 
-        tables = [parts.PARTS[name](run) for name in names]
-        for table in tables:
-            print(table.text(), flush=True)
+        tables = []
+        for name in names:
+            tables.append(parts.PARTS[name](run))
+            print(tables[-1].text(), flush=True)
     if arguments.markdown:
         arguments.markdown.write_text("\n".join(table.markdown() for table in tables))
     missed = [line for table in tables for line in table.missed]
