@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "base/version.hpp"
+#include "cli/run_arguments.hpp"
 #include "cli/verbs.hpp"
 #include "solver/benchmark.hpp"
 #include "sph/pair_loops.hpp"
@@ -95,9 +96,7 @@ void add_verb_bench(CLI::App& app) {
         app.add_subcommand("bench", "Measure the speed of standard workloads on this machine");
     command->add_option("workloads", verb->names,
                         "Names, e.g. channel-2d-5k or channel-2d-5k/default (default: all)");
-    command->add_option("-j,--threads", verb->threads, "Threads (0: all cores)")
-        ->check(CLI::Range(0, maximum_threads))
-        ->capture_default_str();
+    add_threads_option(*command, verb->threads, "Threads (0: all cores)")->capture_default_str();
     command->add_option("--repetitions", verb->repetitions, "Timed parts; the median counts")
         ->check(CLI::PositiveNumber)
         ->capture_default_str();

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/case_argument.hpp"
+#include "cli/run_arguments.hpp"
 #include "cli/terminal.hpp"
 #include "cli/verbs.hpp"
 #include "solver/forecast.hpp"
@@ -80,8 +81,7 @@ void add_verb_check(CLI::App& app) {
     CLI::App* const command =
         app.add_subcommand("check", "Validate a case; particles, steps, time, memory and disk of its run");
     verb->argument.add_to(*command);
-    command->add_option("-j,--threads", verb->threads, "Threads of the forecast (default: all cores)")
-        ->check(CLI::Range(0, maximum_threads));
+    add_threads_option(*command, verb->threads, "Threads of the forecast (default: all cores)");
     command->add_flag("--json", verb->json, "Print the forecast as JSON (SI units)");
     command->callback([verb] { check(*verb); });
 }

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "cli/case_argument.hpp"
+#include "cli/run_arguments.hpp"
 #include "cli/run_display.hpp"
 #include "cli/verbs.hpp"
 #include "output/results_file.hpp"
@@ -16,15 +17,14 @@ struct ResumeVerb {
     std::string folder;
     std::string checkpoint;
     std::vector<std::string> settings;
-    int threads = 0;
-    bool quiet = false;
+    RunArguments options;
 };
 
 void resume(const ResumeVerb& verb) {
     RunOptions options;
     options.folder = verb.folder;
-    options.threads = verb.threads;
-    RunDisplay display(verb.quiet);
+    options.threads = verb.options.threads;
+    RunDisplay display(verb.options.quiet);
     options.progress = [&](const RunProgress& progress) { display.show(progress); };
     options.stop_signal = &catch_stop_signals();
     std::filesystem::path checkpoint = verb.checkpoint;
@@ -38,7 +38,7 @@ void resume(const ResumeVerb& verb) {
     const RunFiles files{options.folder};
     const Case c =
         parse_case(ResultsReader(files.results()).read_string("/case/text"), files.results().string());
-    print_outcome(outcome, c, files, verb.quiet);
+    print_outcome(outcome, c, files, verb.options.quiet);
 }
 
 }  // namespace
@@ -51,18 +51,17 @@ void add_verb_resume(CLI::App& app) {
     command->add_option("--from", verb->checkpoint, "Another checkpoint, e.g. checkpoint-previous.h5")
         ->type_name("FILE");
     command
-        ->add_option("--set", verb->settings, "Change a key of [run] or [output], e.g. run.until='\"130 s\"'")
+        ->add_option("--set", verb->settings,
+                     "Change a key of [run] or [output], numerics.courant_number or numerics.time_step, e.g. "
+                     "run.until='\"130 s\"'")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
-    command
-        ->add_option("-j,--threads", verb->threads,
-                     "Threads (default: all cores); the results do not depend on it")
-        ->check(CLI::Range(0, maximum_threads));
-    command->add_flag("-q,--quiet", verb->quiet, "No progress and no summary on the terminal; errors only");
+    verb->options.add_to(*command);
     command->footer(
         "Examples:\n"
         "  riffle resume results/condition-2\n"
         "  riffle resume results/condition-2 --set run.until='\"130 s\"'\n"
+        "  riffle resume results/condition-2 --set numerics.courant_number=0.4\n"
         "  riffle resume results/condition-2 --from checkpoint-previous.h5");
     command->callback([verb] { resume(*verb); });
 }

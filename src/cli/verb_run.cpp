@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "cli/case_argument.hpp"
+#include "cli/run_arguments.hpp"
 #include "cli/run_display.hpp"
 #include "cli/terminal.hpp"
 #include "cli/verbs.hpp"
@@ -17,8 +18,7 @@ namespace {
 struct RunVerb {
     CaseArgument argument;
     std::string folder;
-    int threads = 0;
-    bool quiet = false;
+    RunArguments options;
     bool force = false;
 };
 
@@ -28,20 +28,20 @@ void run(const RunVerb& verb) {
     options.folder = verb.folder.empty()
                          ? std::filesystem::path("results") / std::filesystem::path(verb.argument.file).stem()
                          : std::filesystem::path(verb.folder);
-    options.threads = verb.threads;
+    options.threads = verb.options.threads;
     options.overwrite = verb.force;
     options.notes = case_warnings(c);
-    if (!verb.quiet) {  // the log has them in any case
+    if (!verb.options.quiet) {  // the log has them in any case
         for (const std::string& warning : options.notes) {
             print_warning(warning);
         }
     }
-    RunDisplay display(verb.quiet);
+    RunDisplay display(verb.options.quiet);
     options.progress = [&](const RunProgress& progress) { display.show(progress); };
     options.stop_signal = &catch_stop_signals();
     const RunOutcome outcome = run_case(c, options);
     display.finish();
-    print_outcome(outcome, c, RunFiles{options.folder}, verb.quiet);
+    print_outcome(outcome, c, RunFiles{options.folder}, verb.options.quiet);
 }
 
 }  // namespace
@@ -55,12 +55,7 @@ void add_verb_run(CLI::App& app) {
         ->add_option("-o,--output", verb->folder,
                      "Folder of the results (default: results/<name of the case>)")
         ->type_name("DIR");
-    command
-        ->add_option("-j,--threads", verb->threads,
-                     "Threads (default: all cores); the results do not depend on it")
-        ->check(CLI::Range(0, maximum_threads));
-    command->add_flag("-q,--quiet", verb->quiet,
-                      "No warnings, progress and summary on the terminal; errors only");
+    verb->options.add_to(*command);
     command->add_flag("--force", verb->force, "Replace results that the folder already holds");
     command->footer(
         "Examples:\n"

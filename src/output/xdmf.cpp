@@ -6,36 +6,13 @@
 #include <iterator>
 #include <map>
 #include <stdexcept>
-#include <string_view>
 
+#include "base/markup.hpp"
 #include "output/atomic_file.hpp"
 #include "output/results_file.hpp"
 
 namespace riffle {
 namespace {
-
-std::string escaped(std::string_view text) {
-    std::string result;
-    for (const char character : text) {
-        switch (character) {
-            case '&':
-                result += "&amp;";
-                break;
-            case '<':
-                result += "&lt;";
-                break;
-            case '>':
-                result += "&gt;";
-                break;
-            case '"':
-                result += "&quot;";
-                break;
-            default:
-                result += character;
-        }
-    }
-    return result;
-}
 
 const char* element_type(ElementType type) {
     switch (type) {
@@ -56,8 +33,8 @@ const char* element_type(ElementType type) {
 std::string data_item(const std::string& file, const SnapshotEntry& snapshot, const SnapshotField& field) {
     const std::string columns = field.components == 1 ? "" : fmt::format(" {}", field.components);
     return fmt::format(R"(<DataItem Format="HDF" {} Dimensions="{}{}">{}:{}/{}</DataItem>)",
-                       element_type(field.type), snapshot.particles, columns, escaped(file),
-                       snapshot_group(snapshot.index), escaped(field.name));
+                       element_type(field.type), snapshot.particles, columns, escape_markup(file),
+                       snapshot_group(snapshot.index), escape_markup(field.name));
 }
 
 /// Which points are drawn: all of them. XDMF 2 readers draw all points without being told, XDMF 3 readers
@@ -104,7 +81,7 @@ std::string grid(const std::string& file, const SnapshotEntry& snapshot, const s
           {}
         </Attribute>
 )",
-            escaped(field.name), field.components == 1 ? "Scalar" : "Vector",
+            escape_markup(field.name), field.components == 1 ? "Scalar" : "Vector",
             data_item(file, snapshot, field));
     }
     return text + "      </Grid>\n";

@@ -4,29 +4,6 @@
 
 namespace riffle {
 
-std::string escape_html(std::string_view text) {
-    std::string result;
-    for (const char c : text) {
-        switch (c) {
-            case '&':
-                result += "&amp;";
-                break;
-            case '<':
-                result += "&lt;";
-                break;
-            case '>':
-                result += "&gt;";
-                break;
-            case '"':
-                result += "&quot;";
-                break;
-            default:
-                result += c;
-        }
-    }
-    return result;
-}
-
 std::string escape_json_for_script(std::string_view json) {
     std::string result;
     result.reserve(json.size());

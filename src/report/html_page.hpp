@@ -6,9 +6,6 @@
 
 namespace riffle {
 
-/// Text for HTML: the characters & < > " replaced.
-[[nodiscard]] std::string escape_html(std::string_view text);
-
 /// JSON for a script block: each < written as \u003c, so that no text in it can end the block.
 [[nodiscard]] std::string escape_json_for_script(std::string_view json);
 

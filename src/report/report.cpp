@@ -4,6 +4,7 @@
 #include <system_error>
 
 #include "base/error.hpp"
+#include "base/markup.hpp"
 #include "base/version.hpp"
 #include "output/atomic_file.hpp"
 #include "report/html_page.hpp"
@@ -19,8 +20,8 @@ std::string make_html(const ReportData& data) {
     const PageAssets assets = page_assets();
     std::string script(assets.script);
     script.append("\n").append(assets.field).append("\n").append(assets.page);
-    return fill_page(assets.html, {{"title", escape_html(data.title)},
-                                   {"generator", escape_html("Riffle " + version())},
+    return fill_page(assets.html, {{"title", escape_markup(data.title)},
+                                   {"generator", escape_markup("Riffle " + version())},
                                    {"style", std::string(assets.style)},
                                    {"data", escape_json_for_script(page_json(data))},
                                    {"plotly", std::string(assets.plotly)},

@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "particles/lattice.hpp"
+#include "solver/content.hpp"
 #include "sph/free_surface.hpp"
 
 namespace riffle {
@@ -195,11 +196,7 @@ Content Recorder::take_new_rows() {
                                            "surface elevation above the bed level"));
         new_surface_time_ = {};
         new_surface_ = {};
-        content.datasets.push_back({.path = "/surface/x",
-                                    .shape = {surface_x_.size()},
-                                    .values = surface_x_,
-                                    .unit = "m",
-                                    .long_name = "distance along the channel"});
+        add_array(content, "/surface/x", surface_x_, "m", "distance along the channel");
     }
     return content;
 }
@@ -220,9 +217,7 @@ std::map<std::string, std::size_t> Recorder::rows() const {
 }
 
 void Recorder::save(Content& checkpoint) const {
-    const auto number = [&](const char* name, double value) {
-        checkpoint.attributes.push_back({.path = "/", .name = name, .value = value});
-    };
+    const auto number = [&](const char* name, double value) { add_attribute(checkpoint, "/", name, value); };
     number("due_series", due_.series);
     number("due_surface", due_.surface);
     number("due_profile", due_.profile);
@@ -233,12 +228,9 @@ void Recorder::save(Content& checkpoint) const {
     number("series_rows", static_cast<double>(taken_series_));
     number("block_rows", static_cast<double>(taken_blocks_));
     number("surface_rows", static_cast<double>(surface_rows_));
-    const auto array = [&](const char* path, const std::vector<double>& values) {
-        checkpoint.datasets.push_back(
-            {.path = path, .shape = {values.size()}, .values = values, .unit = "1", .long_name = path});
-    };
-    array("/recorder/block_sums", profiles_.current().sums);
-    array("/recorder/snapshot_times", snapshot_times_);
+    add_array(checkpoint, "/recorder/block_sums", profiles_.current().sums, "1",
+              "sums of the block that is being filled");
+    add_array(checkpoint, "/recorder/snapshot_times", snapshot_times_, "s", "times of the snapshots so far");
 }
 
 void Recorder::restore(const Content& checkpoint, const ResultsReader& results) {

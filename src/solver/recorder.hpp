@@ -70,6 +70,9 @@ class Recorder {
     std::size_t new_snapshot_bytes_ = 0;
 };
 
+/// Bytes of recorded data that may wait in memory before they are written out.
+inline constexpr std::size_t pending_limit = std::size_t{256} << 20U;
+
 /// Value of a scalar attribute of "/" in a checkpoint's content; throws FileError when it is missing.
 [[nodiscard]] double checkpoint_number(const Content& content, const std::string& name);
 

@@ -8,16 +8,11 @@
 
 #include "base/version.hpp"
 #include "output/xdmf.hpp"
+#include "solver/content.hpp"
 
 namespace riffle {
 
 namespace {
-
-void add_array(Content& content, const std::string& path, const std::vector<double>& values, const char* unit,
-               const char* long_name) {
-    content.datasets.push_back(
-        {.path = path, .shape = {values.size()}, .values = values, .unit = unit, .long_name = long_name});
-}
 
 void add_column(Content& content, const ColumnResult& column) {
     const ColumnProfile& p = column.profile;
@@ -29,7 +24,7 @@ void add_column(Content& content, const ColumnResult& column) {
     add_array(content, "/column/mixing_length", p.mixing_length, "m", "mixing length");
     add_array(content, "/column/eddy_viscosity", p.eddy_viscosity, "m2/s", "eddy viscosity of the column");
     const auto attribute = [&](const char* name, double value) {
-        content.attributes.push_back({.path = "/column", .name = name, .value = value});
+        add_attribute(content, "/column", name, value);
     };
     attribute("depth_mean_velocity", column.depth_mean_velocity);
     attribute("total_mean_velocity", column.total_mean_velocity);
@@ -57,21 +52,25 @@ std::pair<double, double> window(const Recorder& recorder, const Convergence& co
 
 }  // namespace
 
+Dataset case_dataset(const Case& c) {
+    return {.path = "/case/text",
+            .shape = {},
+            .values = c.text,
+            .unit = "1",
+            .long_name = "complete case (TOML)"};
+}
+
 Content run_head(const Case& c, const std::optional<ColumnResult>& column) {
     Content content;
     const auto attribute = [&](const char* name, AttributeValue value) {
-        content.attributes.push_back({.path = "/", .name = name, .value = std::move(value)});
+        add_attribute(content, "/", name, std::move(value));
     };
     attribute("riffle_version", version());
     attribute("build", build_description());
     attribute("title", c.title);
     attribute("dimension", std::int64_t{2});
     attribute("created", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))));
-    content.datasets.push_back({.path = "/case/text",
-                                .shape = {},
-                                .values = c.text,
-                                .unit = "1",
-                                .long_name = "complete case (TOML)"});
+    content.datasets.push_back(case_dataset(c));
     if (column) {
         add_column(content, *column);
     }
@@ -87,9 +86,8 @@ RunSummary current_summary(const Case& c, const std::optional<ColumnResult>& col
                      shown);
 }
 
-void add_profiles_content(Content& content, const Case& c, const std::optional<ColumnResult>& column,
+void add_profiles_content(Content& content, const std::optional<ColumnResult>& column,
                           const Recorder& recorder, const Convergence& convergence) {
-    (void)c;
     const auto [from, to] = window(recorder, convergence);
     const Profiles p = recorder.profiles().average(from, to);
     if (p.empty()) {
@@ -123,7 +121,7 @@ void add_profiles_content(Content& content, const Case& c, const std::optional<C
     add("vertical_velocity_rms", p.vertical_velocity_rms, "m/s", "rms fluctuation of w");
     add("drag", p.drag, "N/m3", "bed drag per unit volume");
     const auto attribute = [&](const char* name, double value) {
-        content.attributes.push_back({.path = "/profiles", .name = name, .value = value});
+        add_attribute(content, "/profiles", name, value);
     };
     attribute("window_start", p.window_start);
     attribute("window_end", p.window_end);
@@ -132,7 +130,7 @@ void add_profiles_content(Content& content, const Case& c, const std::optional<C
     for (const std::string& name : profile_quantity_names()) {
         quantities += (quantities.empty() ? "" : " ") + name;
     }
-    content.attributes.push_back({.path = "/profile_blocks", .name = "quantities", .value = quantities});
+    add_attribute(content, "/profile_blocks", "quantities", quantities);
 }
 
 void write_snapshot_index(const std::filesystem::path& path, const Recorder& recorder,

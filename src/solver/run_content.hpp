@@ -14,6 +14,9 @@ namespace riffle {
 
 // What a run writes into its results file beside the recorded rows (docs/results-format.md).
 
+/// The complete case, as the results and the checkpoints hold it.
+[[nodiscard]] Dataset case_dataset(const Case& c);
+
 /// Head of a new results file: case, versions, column twin.
 [[nodiscard]] Content run_head(const Case& c, const std::optional<ColumnResult>& column);
 
@@ -22,7 +25,7 @@ namespace riffle {
                                          const Recorder& recorder, const Convergence& convergence);
 
 /// Time-averaged profiles over the window so far; nothing when no block is complete yet.
-void add_profiles_content(Content& content, const Case& c, const std::optional<ColumnResult>& column,
+void add_profiles_content(Content& content, const std::optional<ColumnResult>& column,
                           const Recorder& recorder, const Convergence& convergence);
 
 /// The XDMF index of the snapshots.

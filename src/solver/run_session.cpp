@@ -114,7 +114,7 @@ void RunSession::resume(const std::filesystem::path& checkpoint) {
     first_step_ = simulation_->clock().steps;
     // The results may be ahead of the checkpoint: cut them back before anything is added.
     Content content;
-    content.datasets.push_back(case_text(case_));
+    content.datasets.push_back(case_dataset(case_));
     ResultsFile::update(files_.results(), content, recorder_->rows(), recorder_->snapshots());
     log_.info(fmt::format("resumed at t = {:.6g} s, step {}, from {}", simulation_->clock().time,
                           simulation_->clock().steps, checkpoint.filename().string()));
@@ -219,13 +219,11 @@ void RunSession::write_out(bool complete) {
 
 void RunSession::write_checkpoint() {
     Content content;
-    const auto number = [&](const char* name, double value) {
-        add_attribute(content, "/", name, value);
-    };
+    const auto number = [&](const char* name, double value) { add_attribute(content, "/", name, value); };
     number("time", simulation_->clock().time);
     number("wall_seconds", earlier_wall_seconds_ + seconds_since(begin_));
     number("next_test", next_test_);
-    content.datasets.push_back(case_text(case_));
+    content.datasets.push_back(case_dataset(case_));
     recorder_->save(content);
     add_state(content, "/state", *simulation_);
     CheckpointFile::write(files_.checkpoint(), content);

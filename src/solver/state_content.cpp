@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "solver/content.hpp"
 #include "solver/recorder.hpp"
 
 namespace riffle {
@@ -12,12 +13,6 @@ namespace riffle {
 namespace {
 
 constexpr std::array<const char*, 2> axis_names = {"x", "z"};
-
-void add_array(Content& content, const std::string& path, const std::vector<double>& values,
-               const std::string& unit, const std::string& long_name) {
-    content.datasets.push_back(
-        {.path = path, .shape = {values.size()}, .values = values, .unit = unit, .long_name = long_name});
-}
 
 std::vector<double> doubles(const Content& content, const std::string& path) {
     return std::get<std::vector<double>>(checkpoint_dataset(content, path).values);
@@ -58,7 +53,7 @@ void add_state(Content& content, const std::string& group, const Simulation& sim
                                 .long_name = "particle number"});
     const SimulationClock& clock = simulation.clock();
     const auto attribute = [&](const char* name, AttributeValue value) {
-        content.attributes.push_back({.path = group, .name = name, .value = std::move(value)});
+        add_attribute(content, group, name, std::move(value));
     };
     attribute("time", clock.time);
     attribute("steps", clock.steps);

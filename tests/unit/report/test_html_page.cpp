@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "base/markup.hpp"
 #include "report/html_page.hpp"
 #include "report/page_assets.hpp"
 
@@ -15,7 +16,7 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 TEST(HtmlPage, EscapesTextForHtml) {
-    EXPECT_EQ(escape_html("a<b & \"c\">"), "a&lt;b &amp; &quot;c&quot;&gt;");
+    EXPECT_EQ(escape_markup("a<b & \"c\">"), "a&lt;b &amp; &quot;c&quot;&gt;");
 }
 
 TEST(HtmlPage, JsonInAScriptBlockCannotEndTheBlockAndStaysTheSame) {

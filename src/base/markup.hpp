@@ -1,0 +1,11 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace riffle {
+
+/// Text for XML or HTML: the characters & < > " replaced by their entities.
+[[nodiscard]] std::string escape_markup(std::string_view text);
+
+}  // namespace riffle
