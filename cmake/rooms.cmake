@@ -1,5 +1,6 @@
-# One static library per folder of src/, so that the linker and the include paths of a
-# room show only the rooms it may depend on.
+# One static library per folder of src/. A room's unit tests link only the room and the rooms it names, so a call
+# into another room fails to link there. All rooms share one include path; tests/check_rooms.py holds the includes
+# against the riffle_room lines of CMakeLists.txt.
 
 add_library(riffle_options INTERFACE)
 # -Wno-restrict: GCC 12 warns about its own std::string (bug 105651).
