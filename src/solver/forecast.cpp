@@ -19,10 +19,10 @@ namespace riffle {
 
 namespace {
 
-/// Resident memory of a run beside its particles and records. Measured: the resident size of runs of 2800
-/// particles, 27 to 28 MB with 1 to 16 threads (Debian 12, x86-64; 18 MB of it are the program and its
-/// libraries), less what bytes_per_particle() gives for them.
-constexpr double process_bytes = 26e6;
+/// Resident memory of a run beside its particles and records. Measured: runs of 2800 particles reside in 25
+/// to 26 MB (Debian 12, x86-64; 16 MB of it are the program and its libraries), less what
+/// bytes_per_particle() gives for them.
+constexpr double process_bytes = 24e6;
 
 /// Bytes that a particle needs in memory: master state and fields in double, records and results of the
 /// passes in the precision of the pair arithmetic, its share of the lists.
