@@ -11,14 +11,14 @@ BARS = [
     ("spurious_stress_rms", 0.005, "spurious stress %", 100.0),
     ("stress_error_rms", 0.015, "total stress %", 100.0),
     ("force_balance_error", 0.01, "drag+wall/gravity - 1, %", 100.0),
-    ("level_drift_share", 0.005, "level drift, % of H", 100.0),
+    ("level_drift_share", 0.005, "depth drift, % of H", 100.0),
 ]
 
 # Under stirring the disorder is the test: these bars replace or add to the layered ones.
 STIRRED_BARS = [
     ("spurious_stress_rms", 0.015, "spurious stress %", 100.0),
     ("force_balance_error", 0.01, "drag+wall/gravity - 1, %", 100.0),
-    ("level_drift_10_s", 1.0e-4, "level drift in 10 s, mm", 1000.0),
+    ("level_drift_10_s", 1.0e-4, "depth drift in 10 s, mm", 1000.0),
 ]
 
 UNIFORM_CONDITIONS = [1, 2, 3, 5, 6, 7, 8]

@@ -8,6 +8,7 @@ import subprocess
 import sys
 
 import h5py
+import numpy
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
@@ -42,12 +43,25 @@ class RiffleRun:
             self.column = dict(file["/column"].attrs.items()) if "/column" in file else {}
             self.series = {key: data[:] for key, data in file["/time_series"].items()}
             self.profiles = {key: data[:] for key, data in file["/profiles"].items()}
+            snapshots = [file["/snapshots"][name] for name in sorted(file["/snapshots"])]
+            self.snapshot_time = numpy.array([float(group.attrs["time"]) for group in snapshots])
+            self.heights = numpy.array([group["position"][:, 2] for group in snapshots])
         v = self.values
         if "drag_over_gravity" in v:
             v["force_balance_error"] = v["drag_over_gravity"] + v["wall_over_gravity"] - 1.0
-        level = v.get("mean_level", math.nan)
-        v["level_drift_share"] = v.get("level_drift", math.nan) / level
-        v["level_drift_10_s"] = 10.0 * v.get("level_trend", math.nan)
+        self._measure_depth()
+
+    def _measure_depth(self):
+        """Drift of the depth, from twice the mean height of the particles in the snapshots.
+
+        The mean height tells the volume of the water; the detected surface also sees how the top row is arranged."""
+        v = self.values
+        depth = 2.0 * self.heights.mean(axis=1)
+        inside = self.snapshot_time >= v.get("window_start", 0.0)
+        if inside.sum() > 2:
+            v["level_drift_10_s"] = 10.0 * numpy.polyfit(self.snapshot_time[inside], depth[inside], 1)[0]
+        early, late = self.snapshot_time <= 1.01, self.snapshot_time >= self.snapshot_time[-1] - 1.01
+        v["level_drift_share"] = (depth[late].mean() - depth[early].mean()) / v["total_depth"]
 
 
 def default_riffle():
