@@ -61,8 +61,9 @@ Case flow_condition(std::size_t number) {
     c.channel.slope = row.slope;
     c.channel.depth = row.depth;
     c.bed.roughness_height = Diameters{row.diameters}.length(c.bed.sphere_diameter);
-    // Five rows of particles below the crests.
-    c.numerics.spacing = row.diameters < 0.4 ? 0.0016 : 0.002;
+    // Finer where the crests are low (five rows below them), and in the slow flow of condition 3, whose
+    // lowest row loses its order at 2 mm.
+    c.numerics.spacing = row.diameters < 0.4 || number == 3 ? 0.0016 : 0.002;
     c.measured.depth_mean_velocity = row.velocity;
     c.measured.friction_velocity = row.friction_velocity;
     c.measured.equivalent_roughness = row.equivalent_roughness;

@@ -16,10 +16,10 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 class RiffleRun:
     """One run of `riffle run`; `values` are the attributes of /summary and some that follow from them."""
 
-    def __init__(self, riffle, case, folder, settings, reuse):
+    def __init__(self, riffle, case, folder, settings, reuse, threads=0):
         self.case = case
         self.folder = pathlib.Path(folder)
-        self.command = [str(riffle), "run", str(case), "-o", str(folder), "--quiet", "--force"]
+        self.command = [str(riffle), "run", str(case), "-o", str(folder), "--quiet", "--force", "-j", str(threads)]
         for key, value in settings.items():
             self.command += ["--set", f"{key}={value}"]
         if not (reuse and self._complete()):
