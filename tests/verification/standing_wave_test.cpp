@@ -31,7 +31,7 @@ void check_wave(const std::string& form, SurfaceCondition condition) {
     const std::string label = "standing wave, " + form;
     expect_below(label, "period against the viscous wave", 0.01,
                  std::abs(exact.frequency / measured.frequency - 1.0));
-    expect_below(label, "period against 2 pi / sqrt(g k tanh kH)", 0.015,
+    expect_below(label, "period against 2 pi / sqrt(g k tanh kH)", 0.01,
                  std::abs(inviscid / measured.frequency - 1.0));
     expect_below(label, "decay against the viscous wave", 0.05, std::abs(measured.decay / exact.decay - 1.0));
 }

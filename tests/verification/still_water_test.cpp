@@ -28,6 +28,18 @@ TEST(HydrostaticTank, StaysAtRest) {
     expect_below("hydrostatic tank", "change of level / H", 5e-3, std::abs(level / depth - 1.0));
 }
 
+// The same over a bed that goes on in x, with the viscosity of water and the density diffusion of the default
+// scheme.
+TEST(HydrostaticTank, WaterStaysAtRestInAChannel) {
+    CheckRun run("hydrostatic-tank", {{"channel.ends", "periodic"},
+                                      {"fluid.kinematic_viscosity", "1e-6"},
+                                      {"numerics.density_diffusion", "fourtakas"}});
+    const double speed = std::sqrt(run.parameters().fluid.gravity * run.parameters().total_depth());
+    run.advance_to(5.0);
+    expect_below("still water, periodic", "largest velocity at 5 s / sqrt(gH)", 1e-4,
+                 largest_speed(run.particles()) / speed);
+}
+
 // The pressure of still water is hydrostatic: rms over the particles more than 2h below the surface.
 TEST(HydrostaticTank, PressureIsHydrostatic) {
     CheckRun run("hydrostatic-tank");
