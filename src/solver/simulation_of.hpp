@@ -46,6 +46,7 @@ class SimulationOf final : public Simulation {
     void allocate_filter();
     void evaluate_closure(std::size_t first, std::size_t last, std::size_t slot);
     void pack_force(std::size_t particle, std::size_t slot);
+    void measure_stirring();
     void body_forces(std::size_t particle, double& ax, double& az) const;
 
     // Stepping (simulation_step.cpp).
@@ -62,6 +63,7 @@ class SimulationOf final : public Simulation {
     std::unique_ptr<const Closure> closure_;
     std::unique_ptr<const BedDrag> drag_;
     Stirring2D stirring_;
+    double stirring_mean_ = 0.0;  ///< streamwise mean of the stirring over the particles, m/s2
     Domain<2> domain_;
     FixedPoint<2> fixed_point_;
     PairLoops<2, Real> loops_;

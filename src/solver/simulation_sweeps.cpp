@@ -173,6 +173,7 @@ void SimulationOf<Real>::wet_wall(std::size_t slot, std::size_t particle, double
 
 template <class Real>
 void SimulationOf<Real>::sweep_forces(const std::function<void(std::size_t, std::size_t)>& move) {
+    measure_stirring();
     const bool corrected = case_.numerics.pressure_form == PressureForm::corrected;
     parallel_blocks(clusters_.size(), sweep_block, [&](std::size_t begin, std::size_t end) {
         loops_.force(data_, begin, end);
@@ -211,12 +212,38 @@ void SimulationOf<Real>::sweep_forces(const std::function<void(std::size_t, std:
     });
 }
 
+// The mean of the stirring over the particles: taken off it, so that it adds no streamwise momentum even where the
+// particles' spacing correlates with its pattern.
+template <class Real>
+void SimulationOf<Real>::measure_stirring() {
+    if (!stirring_.active()) {
+        return;
+    }
+    using Sums = std::array<double, 2>;
+    const Sums sums = reduce_blocks(
+        particles_.size(), std::size_t{1024}, Sums{},
+        [&](std::size_t begin, std::size_t end) {
+            Sums part{};
+            for (std::size_t i = begin; i < end; ++i) {
+                double ax = 0.0;
+                double az = 0.0;
+                stirring_.add(particles_.position[0][i], particles_.position[1][i], clock_.time, ax, az);
+                part[0] += particles_.mass[i] * ax;
+                part[1] += particles_.mass[i];
+            }
+            return part;
+        },
+        [](const Sums& a, const Sums& b) { return Sums{a[0] + b[0], a[1] + b[1]}; });
+    stirring_mean_ = sums[0] / sums[1];
+}
+
 template <class Real>
 void SimulationOf<Real>::body_forces(std::size_t i, double& ax, double& az) const {
     ax += scheme_.streamwise_gravity;
     az -= scheme_.normal_gravity;
     if (stirring_.active()) {
         stirring_.add(particles_.position[0][i], particles_.position[1][i], clock_.time, ax, az);
+        ax -= stirring_mean_;
     }
 }
 
