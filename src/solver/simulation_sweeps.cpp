@@ -212,8 +212,8 @@ void SimulationOf<Real>::sweep_forces(const std::function<void(std::size_t, std:
     });
 }
 
-// The mean of the stirring over the particles: taken off it, so that it adds no streamwise momentum even where the
-// particles' spacing correlates with its pattern.
+// The mean of the stirring over the particles: taken off it, so that it adds no streamwise momentum even
+// where the particles' spacing correlates with its pattern.
 template <class Real>
 void SimulationOf<Real>::measure_stirring() {
     if (!stirring_.active()) {
@@ -233,7 +233,9 @@ void SimulationOf<Real>::measure_stirring() {
             }
             return part;
         },
-        [](const Sums& a, const Sums& b) { return Sums{a[0] + b[0], a[1] + b[1]}; });
+        [](const Sums& a, const Sums& b) {
+            return Sums{a[0] + b[0], a[1] + b[1]};
+        });
     stirring_mean_ = sums[0] / sums[1];
 }
 
