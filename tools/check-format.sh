@@ -9,4 +9,4 @@ format=$(command -v clang-format-14 || command -v clang-format) ||
     { echo "skipped: $format is not version 14 (package clang-format-14)"; exit 77; }
 mode=(--dry-run -Werror)
 [ "${1-}" = --fix ] && mode=(-i)
-find src tests bench -name '*.cpp' -print0 -o -name '*.hpp' -print0 | xargs -0 "$format" "${mode[@]}"
+find src tests -name '*.cpp' -print0 -o -name '*.hpp' -print0 | xargs -0 "$format" "${mode[@]}"
