@@ -64,6 +64,13 @@ Case flow_condition(std::size_t number) {
     // Finer where the crests are low (five rows below them), and in the slow flow of condition 3, whose
     // lowest row loses its order at 2 mm.
     c.numerics.spacing = row.diameters < 0.4 || number == 3 ? 0.0016 : 0.002;
+    if (number == 8) {
+        // Its lowest row loses its order on the square lattice; the hexagonal one rests at h = 2.1 dx.
+        c.start.lattice = StartLattice::hexagonal;
+        c.numerics.spacing = 0.00172;
+        c.numerics.smoothing_ratio = 2.1;
+        c.numerics.wall_layers = 5;
+    }
     c.measured.depth_mean_velocity = row.velocity;
     c.measured.friction_velocity = row.friction_velocity;
     c.measured.equivalent_roughness = row.equivalent_roughness;
