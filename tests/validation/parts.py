@@ -44,7 +44,7 @@ def bar_header(bars):
 
 
 def layered(run, numbers, paper):
-    table = Table("Layered flow against the column twin and the momentum balance (dx 2 mm; conditions 3, 6, 7, 8: 1.6 mm)", bar_header(BARS))
+    table = Table("Layered flow against the column twin and the momentum balance (dx 2 mm; conditions 3, 6, 7: 1.6 mm; 8: hexagonal, rows 1.6 mm apart)", bar_header(BARS))
     cases = [(f"condition {n}", f"condition-{n}", condition_case(n)) for n in numbers]
     if paper:
         cases.append(("paper 2016", "paper-2016", PAPER_CASE))
