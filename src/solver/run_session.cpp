@@ -1,18 +1,15 @@
 #include "solver/run_session.hpp"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <utility>
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "base/version.hpp"
 #include "output/checkpoint_file.hpp"
-#include "output/xdmf.hpp"
 #include "solver/content.hpp"
 #include "solver/run_content.hpp"
 #include "solver/start.hpp"

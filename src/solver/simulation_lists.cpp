@@ -14,15 +14,11 @@ PositionView<2> view(const std::array<std::vector<double>, 2>& position) {
     return {position[0], position[1]};
 }
 
-/// Width of a column of clusters, in spacings: 8 particles then fill a nearly square box.
-constexpr double cluster_width = 2.67;
-
 }  // namespace
 
 template <class Real>
 void SimulationOf<Real>::build_lists(bool sort) {
     const double spacing = case_.numerics.spacing;
-    column_width_ = cluster_width * spacing;
     if (sort) {
         particles_.permute(
             spatial_order<2>(domain_, view(particles_.position), column_width_, 0.5 * spacing));

@@ -68,7 +68,8 @@ class SimulationOf final : public Simulation {
     FixedPoint<2> fixed_point_;
     PairLoops<2, Real> loops_;
     PairData<2, Real> data_;
-    double column_width_ = 0.0;
+    double column_width_;  ///< of the columns that clusters are cut from: 8 particles then fill a nearly
+                           ///< square box
 
     Clusters<2> clusters_;
     Clusters<2> wall_clusters_;

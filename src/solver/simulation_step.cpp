@@ -28,7 +28,8 @@ SimulationOf<Real>::SimulationOf(const Case& c, const ColumnResult* column, Part
       stirring_(c, c.stirring.celerity.value_or(column != nullptr ? column->total_mean_velocity : 0.0)),
       domain_(domain_of(c)),
       fixed_point_(domain_),
-      loops_(pair_loops<2, Real>(c.numerics.kernel, c.numerics.viscosity)) {
+      loops_(pair_loops<2, Real>(c.numerics.kernel, c.numerics.viscosity)),
+      column_width_(2.67 * c.numerics.spacing) {
     particles_ = std::move(particles);
     scheme_ = make_scheme(c, column);
     walls_ = wall_particles(c);
@@ -53,12 +54,11 @@ SimulationOf<Real>::SimulationOf(const Case& c, const ColumnResult* column, Part
 
     check_state();
     if (walls_.size() > 0) {
-        const double width = 2.67 * c.numerics.spacing;
         const PositionView<2> unsorted = {walls_.position[0], walls_.position[1]};
-        const auto order = spatial_order<2>(domain_, unsorted, width, 0.5 * c.numerics.spacing);
+        const auto order = spatial_order<2>(domain_, unsorted, column_width_, 0.5 * c.numerics.spacing);
         walls_.permute(order);
         wall_clusters_ =
-            build_clusters<2>(domain_, fixed_point_, {walls_.position[0], walls_.position[1]}, width);
+            build_clusters<2>(domain_, fixed_point_, {walls_.position[0], walls_.position[1]}, column_width_);
         pack_wall_records();
     }
     build_lists(true);
