@@ -34,7 +34,8 @@ WallLaw wall_law(const Case& c) {
             .no_slip = c.bed.kind == BedKind::no_slip || c.numerics.wall == WallKind::dynamic};
 }
 
-WallParticles<2> wall_particles(const Case& c) {
+template <>
+WallParticles<2> wall_particles<2>(const Case& c) {
     WallParticles<2> wall;
     if (c.channel.top == Top::periodic) {
         return wall;
@@ -78,6 +79,31 @@ WallParticles<2> wall_particles(const Case& c) {
                 const double right = dynamic ? length - left : lattice.x(lattice.columns + layer, row);
                 add_particle(wall, left, lattice.z(row), volume, Normal{1.0, 0.0}, -left);
                 add_particle(wall, right, lattice.z(row), volume, Normal{-1.0, 0.0}, right - length);
+            }
+        }
+    }
+    return wall;
+}
+
+template <>
+WallParticles<3> wall_particles<3>(const Case& c) {
+    const Lattice lattice = lattice_of(c);
+    WallParticles<3> wall;
+    for (int layer = 0; layer < c.numerics.wall_layers; ++layer) {
+        const double behind = (layer + 0.5) * lattice.dz;
+        for (int column = 0; column < lattice.columns; ++column) {
+            for (int file = 0; file < lattice.files; ++file) {
+                wall.position[0].push_back(lattice.x(column, -1 - layer));
+                wall.position[1].push_back(lattice.y(file));
+                wall.position[2].push_back(-behind);
+                wall.volume.push_back(lattice.volume<3>());
+                for (std::size_t k = 0; k < 9; ++k) {
+                    wall.projector[k].push_back(k == 8 ? 1.0 : 0.0);
+                }
+                for (std::size_t k = 0; k < 3; ++k) {
+                    wall.normal[k].push_back(k == 2 ? 1.0 : 0.0);
+                }
+                wall.depth.push_back(behind);
             }
         }
     }

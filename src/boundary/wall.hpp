@@ -12,9 +12,11 @@ struct WallLaw {
 };
 [[nodiscard]] WallLaw wall_law(const Case& c);
 
-/// Wall particles of a 2D case: layers of dummy particles (Adami et al. 2012) below a bed, above a top wall
+/// Wall particles of a case: layers of dummy particles (Adami et al. 2012) below a bed, above a top wall
 /// and behind end walls, on the continuation of the fluid's lattice; or two staggered layers of dynamic
-/// particles. Empty for a fully periodic case.
-[[nodiscard]] WallParticles<2> wall_particles(const Case& c);
+/// particles. Empty for a fully periodic case. In three dimensions a channel has its bed alone (periodic ends
+/// and sides, free surface).
+template <int D = 2>
+[[nodiscard]] WallParticles<D> wall_particles(const Case& c);
 
 }  // namespace riffle

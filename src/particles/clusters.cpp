@@ -5,9 +5,14 @@
 #include <limits>
 #include <numeric>
 
+#include "base/parallel.hpp"
+
 namespace riffle {
 
 namespace {
+
+/// Particles per task of a sweep over all particles.
+constexpr std::size_t particle_block = 4096;
 
 /// Division of the horizontal axes into columns.
 template <int D>
@@ -24,11 +29,15 @@ struct ColumnGrid {
         }
     }
 
-    [[nodiscard]] int total() const {
-        return std::accumulate(count.begin(), count.end(), 1, [](int a, int b) { return a * b; });
+    [[nodiscard]] std::size_t total() const {
+        std::size_t columns = 1;
+        for (const int n : count) {
+            columns *= static_cast<std::size_t>(n);
+        }
+        return columns;
     }
 
-    [[nodiscard]] int column_of(const PositionView<D>& position, std::size_t i) const {
+    [[nodiscard]] std::int32_t column_of(const PositionView<D>& position, std::size_t i) const {
         int column = 0;
         for (std::size_t k = 0; k + 1 < D; ++k) {
             const int c = static_cast<int>((position[k][i] - lower[k]) / width[k]);
@@ -36,7 +45,93 @@ struct ColumnGrid {
         }
         return column;
     }
+
+    [[nodiscard]] std::vector<std::int32_t> columns_of(const PositionView<D>& position) const {
+        std::vector<std::int32_t> column(position[0].size());
+        parallel_blocks(column.size(), particle_block, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                column[i] = column_of(position, i);
+            }
+        });
+        return column;
+    }
 };
+
+/// Stable counting sort of all particles by column: the order, and the first place of each column.
+struct ColumnOrder {
+    std::vector<std::int32_t> order;
+    std::vector<std::int32_t> begin;
+};
+ColumnOrder sort_by_column(const std::vector<std::int32_t>& column, std::size_t columns) {
+    const std::size_t n = column.size();
+    // Few chunks, each with its own counts; as many for any number of threads.
+    const std::size_t chunk = std::max<std::size_t>(particle_block, (n + 31) / 32);
+    const std::size_t chunks = std::max<std::size_t>(1, (n + chunk - 1) / chunk);
+    std::vector<std::int32_t> place(chunks * columns, 0);
+    parallel_blocks(n, chunk, [&](std::size_t begin, std::size_t end) {
+        std::int32_t* count = &place[begin / chunk * columns];
+        for (std::size_t i = begin; i < end; ++i) {
+            ++count[column[i]];
+        }
+    });
+    ColumnOrder result;
+    result.begin.resize(columns + 1);
+    std::int32_t total = 0;
+    for (std::size_t c = 0; c < columns; ++c) {
+        result.begin[c] = total;
+        for (std::size_t part = 0; part < chunks; ++part) {
+            const std::int32_t count = place[part * columns + c];
+            place[part * columns + c] = total;
+            total += count;
+        }
+    }
+    result.begin[columns] = total;
+    result.order.resize(n);
+    parallel_blocks(n, chunk, [&](std::size_t begin, std::size_t end) {
+        std::int32_t* next = &place[begin / chunk * columns];
+        for (std::size_t i = begin; i < end; ++i) {
+            result.order[static_cast<std::size_t>(next[column[i]]++)] = static_cast<std::int32_t>(i);
+        }
+    });
+    return result;
+}
+
+/// Columns per task: about particle_block particles.
+std::size_t column_block(std::size_t particles, std::size_t columns) {
+    return std::max<std::size_t>(1, particle_block * columns / std::max<std::size_t>(1, particles));
+}
+
+/// Positions in integer units and bounding box of one cluster.
+template <int D>
+void fill_cluster(Clusters<D>& clusters, std::size_t c, const FixedPoint<D>& fixed_point,
+                  const PositionView<D>& position) {
+    const auto first = static_cast<std::size_t>(clusters.begin[c]);
+    const auto count = static_cast<std::size_t>(clusters.count(c));
+    for (std::size_t k = 0; k < D; ++k) {
+        std::int32_t* code = &clusters.slot_position[k][c * cluster_size];
+        const std::int32_t reference = fixed_point.encode(position[k][first], k);
+        std::int32_t low = 0;
+        std::int32_t high = 0;
+        for (std::size_t l = 0; l < cluster_size; ++l) {
+            code[l] = l < count ? fixed_point.encode(position[k][first + l], k) : reference;
+            const std::int32_t offset = wrapped_difference(code[l], reference);
+            low = std::min(low, offset);
+            high = std::max(high, offset);
+        }
+        // In 64 bits: a sparse cluster may reach over more than half of a period.
+        const std::int64_t middle = low + (std::int64_t{high} - low) / 2;
+        clusters.centre[k][c] = static_cast<std::int32_t>(static_cast<std::uint32_t>(reference) +
+                                                          static_cast<std::uint32_t>(middle));
+        // Half a unit of rounding on each side is covered by the margin.
+        const double half = (0.5 * (static_cast<double>(high) - low) + 2.0) * fixed_point.unit(k);
+        clusters.half_extent[k][c] =
+            std::nextafter(static_cast<float>(half), std::numeric_limits<float>::max());
+        if (k == D - 1 && !clusters.periodic[k]) {
+            clusters.highest[c] = reference + high;
+            clusters.lowest[c] = reference + low;
+        }
+    }
+}
 
 }  // namespace
 
@@ -46,24 +141,34 @@ std::vector<std::int32_t> spatial_order(const Domain<D>& domain, const PositionV
     const ColumnGrid<D> grid(domain, column_width);
     const auto& height = position[D - 1];
     const double bottom = domain.lower[D - 1];
-    const int bins = std::max(1, static_cast<int>(std::ceil(domain.extent(D - 1) / bin_height)));
-    const std::size_t n = height.size();
+    const auto bins = static_cast<std::size_t>(std::max(1.0, std::ceil(domain.extent(D - 1) / bin_height)));
+    ColumnOrder sorted = sort_by_column(grid.columns_of(position), grid.total());
 
-    std::vector<std::int32_t> key(n);
-    std::vector<std::int32_t> begin(
-        static_cast<std::size_t>(grid.total()) * static_cast<std::size_t>(bins) + 1, 0);
-    for (std::size_t i = 0; i < n; ++i) {
-        const int bin = std::clamp(static_cast<int>((height[i] - bottom) / bin_height), 0, bins - 1);
-        key[i] = grid.column_of(position, i) * bins + bin;
-        ++begin[static_cast<std::size_t>(key[i]) + 1];
-    }
-    std::partial_sum(begin.begin(), begin.end(), begin.begin());
-    std::vector<std::int32_t> order(n);
-    for (std::size_t i = 0; i < n; ++i) {
-        order[static_cast<std::size_t>(begin[static_cast<std::size_t>(key[i])]++)] =
-            static_cast<std::int32_t>(i);
-    }
-    return order;
+    parallel_blocks(grid.total(), column_block(height.size(), grid.total()),
+                    [&](std::size_t begin, std::size_t end) {
+                        std::vector<std::size_t> place(bins + 1);
+                        std::vector<std::size_t> key;
+                        std::vector<std::int32_t> old;
+                        for (std::size_t column = begin; column < end; ++column) {
+                            const auto first = sorted.order.begin() + sorted.begin[column];
+                            const auto last = sorted.order.begin() + sorted.begin[column + 1];
+                            old.assign(first, last);
+                            key.resize(old.size());
+                            std::fill(place.begin(), place.end(), std::size_t{0});
+                            for (std::size_t i = 0; i < old.size(); ++i) {
+                                const double z = height[static_cast<std::size_t>(old[i])];
+                                const auto bin = static_cast<std::int64_t>((z - bottom) / bin_height);
+                                key[i] = static_cast<std::size_t>(
+                                    std::clamp(bin, std::int64_t{0}, static_cast<std::int64_t>(bins) - 1));
+                                ++place[key[i] + 1];
+                            }
+                            std::partial_sum(place.begin(), place.end(), place.begin());
+                            for (std::size_t i = 0; i < old.size(); ++i) {
+                                first[static_cast<std::ptrdiff_t>(place[key[i]]++)] = old[i];
+                            }
+                        }
+                    });
+    return sorted.order;
 }
 
 template <int D>
@@ -71,59 +176,61 @@ Clusters<D> build_clusters(const Domain<D>& domain, const FixedPoint<D>& fixed_p
                            const PositionView<D>& position, double column_width) {
     const ColumnGrid<D> grid(domain, column_width);
     const std::size_t n = position[0].size();
+    const std::size_t columns = grid.total();
     Clusters<D> clusters;
     clusters.columns = grid.count;
     clusters.column_width = grid.width;
     clusters.lower = grid.lower;
     clusters.periodic = domain.periodic;
-    clusters.slot_of_particle.resize(n);
-    clusters.column_begin.reserve(static_cast<std::size_t>(grid.total()) + 1);
 
-    std::size_t i = 0;
-    for (int column = 0; column < grid.total(); ++column) {
-        clusters.column_begin.push_back(
-            static_cast<std::int32_t>(clusters.particle_of_slot.size() / cluster_size));
-        while (i < n && grid.column_of(position, i) == column) {
-            clusters.slot_of_particle[i] = static_cast<std::int32_t>(clusters.particle_of_slot.size());
-            clusters.particle_of_slot.push_back(static_cast<std::int32_t>(i));
-            ++i;
-        }
-        while (clusters.particle_of_slot.size() % cluster_size != 0) {
-            clusters.particle_of_slot.push_back(-1);
+    const std::vector<std::int32_t> column = grid.columns_of(position);
+    std::vector<std::int32_t> particle_begin(columns + 1, static_cast<std::int32_t>(n));
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+        while (next <= static_cast<std::size_t>(column[i])) {
+            particle_begin[next++] = static_cast<std::int32_t>(i);
         }
     }
-    clusters.column_begin.push_back(static_cast<std::int32_t>(clusters.size()));
+    clusters.column_begin.resize(columns + 1);
+    std::int32_t total = 0;
+    for (std::size_t c = 0; c < columns; ++c) {
+        clusters.column_begin[c] = total;
+        total += (particle_begin[c + 1] - particle_begin[c] + cluster_size - 1) / cluster_size;
+    }
+    clusters.column_begin[columns] = total;
 
+    const auto size = static_cast<std::size_t>(total);
+    clusters.begin.resize(size + 1);
+    clusters.begin[size] = static_cast<std::int32_t>(n);
+    clusters.highest.resize(size);
+    clusters.lowest.resize(size);
     for (std::size_t k = 0; k < D; ++k) {
-        auto& slot_position = clusters.slot_position[k];
-        slot_position.resize(clusters.slots());
-        clusters.centre[k].resize(clusters.size());
-        clusters.half_extent[k].resize(clusters.size());
-        for (std::size_t c = 0; c < clusters.size(); ++c) {
-            const std::size_t first = c * cluster_size;
-            const auto code = [&](std::size_t slot) {
-                return fixed_point.encode(
-                    position[k][static_cast<std::size_t>(clusters.particle_of_slot[slot])], k);
-            };
-            const std::int32_t reference = code(first);
-            std::int32_t low = 0;
-            std::int32_t high = 0;
-            for (std::size_t slot = first; slot < first + cluster_size; ++slot) {
-                slot_position[slot] = clusters.particle_of_slot[slot] >= 0 ? code(slot) : reference;
-                const std::int32_t offset = wrapped_difference(slot_position[slot], reference);
-                low = std::min(low, offset);
-                high = std::max(high, offset);
-            }
-            // In 64 bits: a sparse cluster may reach over more than half of a period.
-            const std::int64_t middle = low + (std::int64_t{high} - low) / 2;
-            clusters.centre[k][c] = static_cast<std::int32_t>(static_cast<std::uint32_t>(reference) +
-                                                              static_cast<std::uint32_t>(middle));
-            // Half a unit of rounding on each side is covered by the margin.
-            const double half = (0.5 * (static_cast<double>(high) - low) + 2.0) * fixed_point.unit(k);
-            clusters.half_extent[k][c] =
-                std::nextafter(static_cast<float>(half), std::numeric_limits<float>::max());
-        }
+        clusters.slot_position[k].resize(clusters.slots());
+        clusters.centre[k].resize(size);
+        clusters.half_extent[k].resize(size);
     }
+    parallel_blocks(columns, column_block(n, columns), [&](std::size_t begin, std::size_t end) {
+        for (auto c = static_cast<std::size_t>(clusters.column_begin[begin]), col = begin; col < end; ++col) {
+            for (std::int32_t i = particle_begin[col]; i < particle_begin[col + 1]; i += cluster_size) {
+                clusters.begin[c++] = i;
+            }
+        }
+    });
+    parallel_blocks(columns, column_block(n, columns), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t col = begin; col < end; ++col) {
+            const auto first = static_cast<std::size_t>(clusters.column_begin[col]);
+            const auto last = static_cast<std::size_t>(clusters.column_begin[col + 1]);
+            for (std::size_t c = first; c < last; ++c) {
+                fill_cluster(clusters, c, fixed_point, position);
+            }
+            for (std::size_t c = first + 1; c < last; ++c) {
+                clusters.highest[c] = std::max(clusters.highest[c], clusters.highest[c - 1]);
+            }
+            for (std::size_t c = last; c > first + 1; --c) {
+                clusters.lowest[c - 2] = std::min(clusters.lowest[c - 2], clusters.lowest[c - 1]);
+            }
+        }
+    });
     return clusters;
 }
 

@@ -13,11 +13,11 @@ inline constexpr int cluster_size = 8;
 
 /// Particles cut into clusters of 8 neighbours in space. The domain is divided into columns along the last
 /// axis; the particles of a column, sorted by height, fill its clusters from the bottom, and the last cluster
-/// of a column is padded with empty slots. Slot 8 c + l is lane l of cluster c.
+/// of a column is padded with empty slots. Slot 8 c + l is lane l of cluster c. Cluster c holds the particles
+/// [begin[c], begin[c + 1]), which follow each other in memory.
 template <int D>
 struct Clusters {
-    std::vector<std::int32_t> particle_of_slot;  ///< -1 in an empty slot
-    std::vector<std::int32_t> slot_of_particle;
+    std::vector<std::int32_t> begin;         ///< clusters + 1: first particle of each cluster
     std::vector<std::int32_t> column_begin;  ///< first cluster of each column, and the number of clusters
     std::array<int, static_cast<std::size_t>(D) - 1>
         columns{};  ///< number of columns along each of the other axes
@@ -28,12 +28,24 @@ struct Clusters {
     /// Bounding box of each cluster: centre in integer units, half extent in metres.
     std::array<std::vector<std::int32_t>, static_cast<std::size_t>(D)> centre;
     std::array<std::vector<float>, static_cast<std::size_t>(D)> half_extent;
+    /// Along a last axis that is not periodic, in integer units: no cluster of the column up to this one
+    /// reaches higher than `highest`, and none from this one on lower than `lowest`.
+    std::vector<std::int32_t> highest;
+    std::vector<std::int32_t> lowest;
 
     /// Positions in integer units by slot; empty slots repeat the first particle of their cluster.
     std::array<std::vector<std::int32_t>, static_cast<std::size_t>(D)> slot_position;
 
-    [[nodiscard]] std::size_t size() const { return particle_of_slot.size() / cluster_size; }
-    [[nodiscard]] std::size_t slots() const { return particle_of_slot.size(); }
+    [[nodiscard]] std::size_t size() const { return begin.empty() ? 0 : begin.size() - 1; }
+    [[nodiscard]] std::size_t slots() const { return size() * cluster_size; }
+    /// Number of particles of a cluster, 1 to 8.
+    [[nodiscard]] int count(std::size_t cluster) const { return begin[cluster + 1] - begin[cluster]; }
+    /// Particle of a slot; -1 in an empty one.
+    [[nodiscard]] std::int32_t particle_of(std::size_t slot) const {
+        const std::size_t cluster = slot / cluster_size;
+        const std::int32_t particle = begin[cluster] + static_cast<std::int32_t>(slot % cluster_size);
+        return particle < begin[cluster + 1] ? particle : -1;
+    }
 };
 
 template <int D>

@@ -61,6 +61,16 @@ class FixedPoint {
 
     /// Length of one unit along an axis, m.
     [[nodiscard]] double unit(std::size_t axis) const { return unit_[axis]; }
+    [[nodiscard]] double inverse_unit(std::size_t axis) const { return inverse_unit_[axis]; }
+    /// Coordinate of the code 0.
+    [[nodiscard]] double origin(std::size_t axis) const { return origin_[axis]; }
+    /// The range of coordinates that an axis can represent, [lowest, highest).
+    [[nodiscard]] double lowest(std::size_t axis) const {
+        return periodic_[axis] ? origin_[axis] : origin_[axis] - 1073741824.0 * unit_[axis];
+    }
+    [[nodiscard]] double highest(std::size_t axis) const {
+        return origin_[axis] + (periodic_[axis] ? 4294967296.0 : 1073741824.0) * unit_[axis];
+    }
 
   private:
     Vec<D> unit_{};

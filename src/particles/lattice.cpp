@@ -16,26 +16,38 @@ Lattice lattice_of(const Case& c) {
     lattice.rows = std::max(1, static_cast<int>(std::lround(c.total_depth() * ratio / spacing)));
     lattice.dx = c.channel.length / lattice.columns;
     lattice.dz = c.total_depth() / lattice.rows;
+    lattice.files = std::max(1, static_cast<int>(std::lround(c.channel.width / spacing)));
+    lattice.dy = c.channel.width / lattice.files;
     return lattice;
 }
 
-Domain<2> domain_of(const Case& c) {
+template <int D>
+Domain<D> domain_of(const Case& c) {
     const double depth = c.total_depth();
     const double wall = (c.numerics.wall_layers + 1) * c.numerics.spacing;
     // Room for waves and splashes: a particle beyond it has left the simulated water.
     const double margin = wall + depth;
-    Domain<2> domain;
-    domain.periodic = {c.channel.ends == Ends::periodic, c.channel.top == Top::periodic};
-    domain.lower = {domain.periodic[0] ? 0.0 : -margin, domain.periodic[1] ? 0.0 : -margin};
-    domain.upper = {c.channel.length + (domain.periodic[0] ? 0.0 : margin),
-                    depth + (domain.periodic[1] ? 0.0 : margin)};
+    Domain<D> domain;
+    const auto set = [&](std::size_t axis, bool periodic, double extent) {
+        domain.periodic[axis] = periodic;
+        domain.lower[axis] = periodic ? 0.0 : -margin;
+        domain.upper[axis] = extent + (periodic ? 0.0 : margin);
+    };
+    set(0, c.channel.ends == Ends::periodic, c.channel.length);
+    if constexpr (D == 3) {
+        set(1, true, c.channel.width);
+    }
+    set(D - 1, c.channel.top == Top::periodic, depth);
     return domain;
 }
 
-Particles<2> lattice_particles(const Case& c) {
+template <int D>
+Particles<D> lattice_particles(const Case& c) {
     const Lattice lattice = lattice_of(c);
-    Particles<2> particles;
-    particles.resize(static_cast<std::size_t>(lattice.columns) * static_cast<std::size_t>(lattice.rows));
+    const int files = D == 3 ? lattice.files : 1;
+    Particles<D> particles;
+    particles.resize(static_cast<std::size_t>(lattice.columns) * static_cast<std::size_t>(files) *
+                     static_cast<std::size_t>(lattice.rows));
     std::mt19937_64 generator(static_cast<std::uint64_t>(c.start.seed));
     const auto displacement = [&](double spacing) {
         // 53 random bits give the same number on every machine, unlike std::uniform_real_distribution.
@@ -44,19 +56,30 @@ Particles<2> lattice_particles(const Case& c) {
     };
     std::size_t i = 0;
     for (int column = 0; column < lattice.columns; ++column) {
-        for (int row = 0; row < lattice.rows; ++row, ++i) {
-            double x = lattice.x(column, row);
-            double z = lattice.z(row);
-            if (c.start.jitter > 0.0) {
-                x += displacement(lattice.dx);
-                z += displacement(lattice.dz);
+        for (int file = 0; file < files; ++file) {
+            for (int row = 0; row < lattice.rows; ++row, ++i) {
+                particles.position[0][i] = lattice.x(column, row);
+                if constexpr (D == 3) {
+                    particles.position[1][i] = lattice.y(file);
+                }
+                particles.position[D - 1][i] = lattice.z(row);
+                if (c.start.jitter > 0.0) {
+                    particles.position[0][i] += displacement(lattice.dx);
+                    if constexpr (D == 3) {
+                        particles.position[1][i] += displacement(lattice.dy);
+                    }
+                    particles.position[D - 1][i] += displacement(lattice.dz);
+                }
+                particles.id[i] = static_cast<std::int64_t>(i);
             }
-            particles.position[0][i] = x;
-            particles.position[1][i] = z;
-            particles.id[i] = static_cast<std::int64_t>(i);
         }
     }
     return particles;
 }
+
+template Domain<2> domain_of<2>(const Case&);
+template Domain<3> domain_of<3>(const Case&);
+template Particles<2> lattice_particles<2>(const Case&);
+template Particles<3> lattice_particles<3>(const Case&);
 
 }  // namespace riffle

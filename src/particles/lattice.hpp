@@ -11,8 +11,10 @@ namespace riffle {
 /// same area per particle, and every other row shifted by half a spacing.
 struct Lattice {
     int columns = 0;  ///< particles along x
+    int files = 1;    ///< particles along y (three dimensions)
     int rows = 0;     ///< particles along z
     double dx = 0.0;  ///< spacing along x, m
+    double dy = 0.0;  ///< spacing along y, m
     double dz = 0.0;  ///< spacing along z, m
     bool hexagonal = false;
 
@@ -21,15 +23,25 @@ struct Lattice {
         const double shift = hexagonal ? (row % 2 == 0 ? -0.25 : 0.25) : 0.0;
         return (column + 0.5 + shift) * dx;
     }
+    [[nodiscard]] double y(int file) const { return (file + 0.5) * dy; }
     [[nodiscard]] double z(int row) const { return (row + 0.5) * dz; }
+
+    /// Area (2D) or volume (3D) of a particle.
+    template <int D>
+    [[nodiscard]] double volume() const {
+        return D == 2 ? dx * dz : dx * dy * dz;
+    }
 };
 [[nodiscard]] Lattice lattice_of(const Case& c);
 
-/// Domain of a 2D case: periodic axes as the case says, margins for the walls and for the moving surface.
-[[nodiscard]] Domain<2> domain_of(const Case& c);
+/// Domain of a case: periodic axes as the case says (across the channel always, for now), margins for the
+/// walls and for the moving surface.
+template <int D = 2>
+[[nodiscard]] Domain<D> domain_of(const Case& c);
 
 /// Fluid particles at rest on the lattice (first row at dz/2), displaced at random by the start's jitter;
-/// volumes are dx dz, density deviation and mass are left at zero.
-[[nodiscard]] Particles<2> lattice_particles(const Case& c);
+/// density deviation and mass are left at zero.
+template <int D = 2>
+[[nodiscard]] Particles<D> lattice_particles(const Case& c);
 
 }  // namespace riffle

@@ -8,9 +8,11 @@ namespace {
 template <class T>
 void permute_array(std::vector<T>& values, const std::vector<std::int32_t>& order, std::vector<T>& scratch) {
     scratch.resize(values.size());
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        scratch[i] = values[static_cast<std::size_t>(order[i])];
-    }
+    parallel_blocks(order.size(), 16384, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            scratch[i] = values[static_cast<std::size_t>(order[i])];
+        }
+    });
     values.swap(scratch);
 }
 }  // namespace
@@ -21,7 +23,6 @@ void Particles<D>::permute(const std::vector<std::int32_t>& order) {
     for (std::size_t k = 0; k < D; ++k) {
         permute_array(position[k], order, scratch);
         permute_array(velocity[k], order, scratch);
-        permute_array(listed_position[k], order, scratch);
     }
     permute_array(density_deviation, order, scratch);
     permute_array(mass, order, scratch);

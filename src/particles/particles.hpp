@@ -16,8 +16,8 @@ struct Particles {
     std::vector<double> density_deviation;  ///< s = rho/rho0 - 1: no rounding against rho0
     std::vector<double> mass;
     std::vector<std::int64_t> id;  ///< number at creation, kept through sorting
-    /// Position at the last build of the neighbour lists. Part of the state, so that a resumed run has the
-    /// same lists in the same order, and the same bits, as an uninterrupted one.
+    /// Position at the last build of the neighbour lists. Part of a saved state, so that a resumed run has
+    /// the same lists in the same order, and the same bits, as an uninterrupted one; empty otherwise.
     std::array<std::vector<double>, static_cast<std::size_t>(D)> listed_position;
 
     [[nodiscard]] std::size_t size() const { return id.size(); }
@@ -26,14 +26,13 @@ struct Particles {
         for (std::size_t k = 0; k < D; ++k) {
             position[k].resize(n);
             velocity[k].resize(n);
-            listed_position[k].resize(n);
         }
         density_deviation.resize(n);
         mass.resize(n);
         id.resize(n);
     }
 
-    /// Reorder all arrays: particle i becomes the old particle order[i].
+    /// Reorder all arrays but the listed positions: particle i becomes the old particle order[i].
     void permute(const std::vector<std::int32_t>& order);
 };
 

@@ -19,22 +19,13 @@ namespace riffle {
 
 namespace {
 
-/// Resident memory of a run beside its particles and records. Measured: runs of 2800 particles reside in 25
-/// to 26 MB (Debian 12, x86-64; 16 MB of it are the program and its libraries), less what
-/// bytes_per_particle() gives for them.
+/// Resident memory of a run beside its particles and records: the program and its libraries (Debian 12,
+/// x86-64).
 constexpr double process_bytes = 24e6;
 
-/// Bytes that a particle needs in memory: master state and fields in double, records and results of the
-/// passes in the precision of the pair arithmetic, its share of the lists.
-template <class Real>
-double bytes_per_particle(double listed_neighbours) {
-    constexpr double state = 13.0 * sizeof(double);
-    constexpr double fields = 14.0 * sizeof(double);
-    constexpr double records =
-        sizeof(GradientRecord<2, Real>) + sizeof(ForceRecord<2, Real>) + 19.0 * sizeof(Real);
-    // The lists are built beside the old ones.
-    return state + fields + records + 2.0 * listed_neighbours / cluster_size * sizeof(std::int32_t);
-}
+/// Bytes per particle while the particles are sorted and their lists built: order, keys, one array being
+/// moved, the lists of the blocks before they are put together.
+constexpr double sorting_bytes = 60.0;
 
 /// Bytes of what a run records, before compression.
 struct RecordedBytes {
@@ -56,15 +47,11 @@ RecordedBytes recorded_bytes(const Case& c, double particles, double time) {
         .kept = series + blocks, .written = surface + snapshots, .state = particles * 9.0 * sizeof(double)};
 }
 
-/// Resident memory at the end of a run.
-double memory_bytes(const Case& c, const Forecast& f, const RecordedBytes& recorded,
-                    double listed_neighbours) {
-    const double particle = c.numerics.precision == Precision::single_precision
-                                ? bytes_per_particle<float>(listed_neighbours)
-                                : bytes_per_particle<double>(listed_neighbours);
+/// Resident memory at the end of a run. `simulation`: bytes of its arrays.
+double memory_bytes(const Case& c, const Forecast& f, const RecordedBytes& recorded, double simulation) {
     const double share = std::min(1.0, c.output.checkpoint_interval / f.wall_seconds);
     const double waiting = std::min(share * recorded.written, static_cast<double>(pending_limit));
-    return process_bytes + static_cast<double>(f.particles + f.wall_particles) * particle + recorded.state +
+    return process_bytes + simulation + static_cast<double>(f.particles) * sorting_bytes + recorded.state +
            recorded.kept + waiting;
 }
 
@@ -120,7 +107,7 @@ Forecast forecast_run(const Case& c, int threads) {
         static_cast<double>(f.particles) * simulation->evaluations_per_step() * steps / seconds;
     f.wall_seconds = f.steps * seconds / steps;
     const RecordedBytes recorded = recorded_bytes(c, static_cast<double>(f.particles), f.end_time);
-    f.memory_bytes = memory_bytes(c, f, recorded, simulation->mean_listed_neighbours());
+    f.memory_bytes = memory_bytes(c, f, recorded, static_cast<double>(simulation->bytes()));
     // The state is in the results and in two checkpoints.
     f.disk_bytes = recorded.kept + recorded.written + 3.0 * recorded.state;
     return f;

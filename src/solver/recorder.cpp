@@ -63,6 +63,15 @@ Recorder::Recorder(const Case& c, const ColumnResult* column)
     }
 }
 
+double Recorder::fields_due() const {
+    const auto next = [](double interval, double due) {
+        return interval > 0.0 ? due : std::numeric_limits<double>::infinity();
+    };
+    const Output& output = case_.output;
+    return std::min({next(output.series_interval, due_.series), next(output.profile_interval, due_.profile),
+                     next(output.snapshot_interval, due_.snapshot)});
+}
+
 void Recorder::record(const Simulation& simulation) {
     const double time = simulation.clock().time;
     const Output& output = case_.output;

@@ -21,6 +21,9 @@ class Recorder {
   public:
     Recorder(const Case& c, const ColumnResult* column);
 
+    /// Time from which something is due that looks at the fields of the particles.
+    [[nodiscard]] double fields_due() const;
+
     /// Record what is due at the present state. Call after the start and after each step.
     void record(const Simulation& simulation);
 

@@ -136,7 +136,7 @@ RunOutcome RunSession::advance() {
             break;
         }
         try {
-            simulation_->step();
+            simulation_->step(recorder_->fields_due());
         } catch (const RunError& e) {
             log_.error(e.what());
             const Content saved = CheckpointFile::read(files_.checkpoint());

@@ -27,6 +27,8 @@ struct ParticleFields {
     std::vector<double> drag_acceleration_x;     ///< of the bed drag (negative for u > 0)
 
     void resize(std::size_t n);
+    [[nodiscard]] std::array<std::vector<double>*, 8> all();
+    [[nodiscard]] std::array<const std::vector<double>*, 8> all() const;
 };
 
 /// State that a run needs beside the particles to go on with the same bits.
@@ -38,45 +40,78 @@ struct SimulationClock {
     double largest_acceleration = 0.0;  ///< of the last evaluation
 };
 
-/// A 2D simulation: the particles of a case and the method that advances them.
-class Simulation {
+/// Where the time of a step goes, s: summed over the steps since the last reset. The parts inside the sweeps
+/// are summed over the threads and divided by their number.
+struct StepProfile {
+    double lists = 0.0;      ///< sorting, clusters, neighbour lists; and the test whether they still hold
+    double gradients = 0.0;  ///< pair sums of the gradient pass
+    double forces = 0.0;     ///< pair sums of the force pass
+    double walls = 0.0;      ///< extrapolation to the walls
+    double particles = 0.0;  ///< density, closure, motion and packing, and the rest of the sweeps
+    double total = 0.0;      ///< wall time
+};
+
+/// A simulation: the particles of a case and the method that advances them.
+template <int D>
+class SimulationIn {
   public:
-    virtual ~Simulation() = default;
+    virtual ~SimulationIn() = default;
 
     /// One time step. Throws RunError naming particle, place and time when the state is no longer finite or a
-    /// particle has left the domain; the step is then not completed.
-    virtual void step() = 0;
+    /// particle has left the domain; the step is then not completed. fields() are brought up to date by steps
+    /// that end at or after `fields_due`, s.
+    virtual void step(double fields_due) = 0;
+    void step() { step(0.0); }
 
     /// Force evaluations per step (1, or 2 with the predictor-corrector).
     [[nodiscard]] virtual int evaluations_per_step() const = 0;
 
-    /// Mean number of neighbours of a particle within the kernel's support and in the lists, for the
-    /// benchmark.
+    /// Mean number of neighbours in the lists of a cluster, for the benchmark.
     [[nodiscard]] virtual double mean_listed_neighbours() const = 0;
 
-    [[nodiscard]] const Particles<2>& particles() const { return particles_; }
+    /// Mean number of particles, fluid and wall, within the kernel's support of a fluid particle (without
+    /// itself), counted now.
+    [[nodiscard]] virtual double count_neighbours() const = 0;
+
+    /// Bytes that the simulation's arrays hold.
+    [[nodiscard]] virtual std::size_t bytes() const = 0;
+
+    /// Free the arrays of fields() until a step fills them again.
+    virtual void drop_fields() = 0;
+
+    /// Measure the parts of the steps from now on (a few per cent slower), or stop to.
+    virtual void measure_profile(bool on) = 0;
+    [[nodiscard]] virtual StepProfile profile() const = 0;
+
+    [[nodiscard]] const Particles<D>& particles() const { return particles_; }
     [[nodiscard]] const ParticleFields& fields() const { return fields_; }
     [[nodiscard]] const SimulationClock& clock() const { return clock_; }
     [[nodiscard]] const Scheme& scheme() const { return scheme_; }
     [[nodiscard]] const std::vector<double>& wall_density_deviation() const { return wall_deviation_; }
-    [[nodiscard]] const WallParticles<2>& walls() const { return walls_; }
+    [[nodiscard]] const WallParticles<D>& walls() const { return walls_; }
 
-    /// Put back a saved state (particles in their saved order, listed positions included).
-    virtual void restore(Particles<2> particles, const SimulationClock& clock,
+    /// The particles with their listed positions, for a checkpoint.
+    [[nodiscard]] virtual Particles<D> state() const = 0;
+
+    /// Put back a state() with its clock, particles in their saved order.
+    virtual void restore(Particles<D> particles, const SimulationClock& clock,
                          std::vector<double> wall_deviation) = 0;
 
   protected:
-    Particles<2> particles_;
+    Particles<D> particles_;
     ParticleFields fields_;
     SimulationClock clock_;
     Scheme scheme_;
-    WallParticles<2> walls_;
+    WallParticles<D> walls_;
     std::vector<double> wall_deviation_;  ///< by wall particle
 };
 
+using Simulation = SimulationIn<2>;
+
 /// Build the simulation of a case from its initial particles. `column` as in make_scheme, also the default
 /// celerity of the stirring.
-[[nodiscard]] std::unique_ptr<Simulation> make_simulation(const Case& c, const ColumnResult* column,
-                                                          Particles<2> particles);
+template <int D>
+[[nodiscard]] std::unique_ptr<SimulationIn<D>> make_simulation(const Case& c, const ColumnResult* column,
+                                                               Particles<D> particles);
 
 }  // namespace riffle

@@ -10,28 +10,37 @@ namespace riffle {
 
 namespace {
 
-PositionView<2> view(const std::array<std::vector<double>, 2>& position) {
-    return {position[0], position[1]};
+template <int D, class Arrays>
+PositionView<D> view(const Arrays& position) {
+    PositionView<D> result;
+    for (std::size_t k = 0; k < D; ++k) {
+        result[k] = position[k];
+    }
+    return result;
 }
+
+/// Clusters per task of a sweep without sums.
+constexpr std::size_t light_block = 128;
 
 }  // namespace
 
-template <class Real>
-void SimulationOf<Real>::build_lists(bool sort) {
+template <int D, class Real>
+void SimulationOf<D, Real>::build_lists(bool sort) {
     const double spacing = case_.numerics.spacing;
     if (sort) {
         particles_.permute(
-            spatial_order<2>(domain_, view(particles_.position), column_width_, 0.5 * spacing));
-        particles_.listed_position = particles_.position;
+            spatial_order<D>(domain_, view<D>(particles_.position), column_width_, 0.5 * spacing));
         ++clock_.list_builds;
+        refer_to_particles();
     }
-    const PositionView<2> listed = view(particles_.listed_position);
-    clusters_ = build_clusters<2>(domain_, fixed_point_, listed, column_width_);
+    clusters_ =
+        build_clusters<D>(domain_, fixed_point_,
+                          view<D>(sort ? particles_.position : particles_.listed_position), column_width_);
     const double range = 2.0 * scheme_.smoothing_length + scheme_.skin;
-    fluid_fluid_ = build_neighbour_list<2>(clusters_, clusters_, fixed_point_, range);
+    fluid_fluid_ = build_neighbour_list<D>(clusters_, clusters_, fixed_point_, range);
     if (walls_.size() > 0) {
-        fluid_wall_ = build_neighbour_list<2>(clusters_, wall_clusters_, fixed_point_, range);
-        wall_fluid_ = build_neighbour_list<2>(wall_clusters_, clusters_, fixed_point_, range);
+        fluid_wall_ = build_neighbour_list<D>(clusters_, wall_clusters_, fixed_point_, range);
+        wall_fluid_ = build_neighbour_list<D>(wall_clusters_, clusters_, fixed_point_, range);
         data_.fluid_wall = &fluid_wall_;
         data_.wall_fluid = &wall_fluid_;
     }
@@ -40,196 +49,247 @@ void SimulationOf<Real>::build_lists(bool sort) {
     repack();
 }
 
-template <class Real>
-void SimulationOf<Real>::repack() {
-    parallel_blocks(clusters_.size(), 64, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t cluster = begin; cluster < end; ++cluster) {
-            const auto [first, last] = particles_of(cluster);
-            for (std::size_t i = first; i < last; ++i) {
-                pack_gradient(i, cluster * cluster_size + (i - first));
-            }
-            pad_records(cluster);
-            measure_displacement(cluster);
+template <int D, class Real>
+void SimulationOf<D, Real>::refer_to_particles() {
+    for (std::size_t k = 0; k < axes; ++k) {
+        particle_data_.position[k] = particles_.position[k].data();
+        particle_data_.velocity[k] = particles_.velocity[k].data();
+    }
+    particle_data_.density_deviation = particles_.density_deviation.data();
+    particle_data_.mass = particles_.mass.data();
+    particle_data_.clusters = &clusters_;
+}
+
+template <int D, class Real>
+void SimulationOf<D, Real>::allocate() {
+    // One record more than slots: it fills up turns of the loops.
+    const std::size_t records = clusters_.slots() + 1;
+    data_.motion.resize(records);
+    const bool gradients = closure_ || case_.numerics.pressure_form == PressureForm::corrected;
+    if (gradients) {
+        data_.stress.resize(records);
+    } else {
+        data_.pressure.resize(records);
+    }
+    // B by slot is only needed in the force pass where walls continue the fluid.
+    const bool continued = std::any_of(data_.wall_gradient.begin(), data_.wall_gradient.end(),
+                                       [](const auto& record) { return record.continuation > Real(0); });
+    if (continued && gradients) {
+        for (auto& component : data_.correction) {
+            component.resize(records);
         }
+    }
+    moved_.resize(clusters_.size());
+    const std::size_t blocks = (clusters_.size() + block_clusters - 1) / block_clusters;
+    block_largest_.assign(blocks, 0.0);
+    block_fault_.assign(blocks, 0);
+    if (block_seconds_.size() < blocks) {
+        block_seconds_.resize(blocks);
+    }
+    if (predictor_corrector_) {
+        density_rate_.resize(particles_.size());
+    }
+}
+
+template <int D, class Real>
+void SimulationOf<D, Real>::repack() {
+    parallel_blocks(clusters_.size(), light_block, [&](std::size_t begin, std::size_t end) {
+        particle_loops_.pack(particle_data_, data_, moved_, begin, end);
     });
+    fill_last_records();
 }
 
-template <class Real>
-void SimulationOf<Real>::allocate() {
-    const std::size_t slots = clusters_.slots();
-    const std::size_t n = particles_.size();
-    data_.fluid_gradient.resize(slots);
-    data_.fluid_force.resize(slots);
-    data_.fluid_pressure.resize(slots);
-    data_.gradient.density_rate.resize(slots);
-    data_.gradient.diffusion.resize(slots);
-    data_.gradient.viscosity_factor.resize(slots);
-    data_.gradient.regularity.resize(slots);
-    for (std::size_t k = 0; k < 4; ++k) {
-        data_.gradient.velocity_gradient[k].resize(slots);
-        data_.gradient.correction[k].resize(slots);
-    }
-    for (std::size_t k = 0; k < 2; ++k) {
-        data_.force.tensor[k].resize(slots);
-        data_.force.viscous[k].resize(slots);
-        data_.force.wall[k].resize(slots);
-        displacement_low_[k].resize(clusters_.size());
-        displacement_high_[k].resize(clusters_.size());
-        acceleration_[k].resize(n);
-    }
-    mixing_length_.resize(n, 0.0);
-    drag_coefficient_.resize(n, 0.0);
-    density_rate_.resize(n, 0.0);
-    cluster_largest_.resize(clusters_.size());
-    cluster_fault_.assign(clusters_.size(), 0);
-    fields_.resize(n);
-}
-
-template <class Real>
-void SimulationOf<Real>::pack_gradient(std::size_t i, std::size_t slot) {
-    auto& record = data_.fluid_gradient[slot];
-    const double s = particles_.density_deviation[i];
-    for (std::size_t k = 0; k < 2; ++k) {
-        record.x[k] = fixed_point_.encode(particles_.position[k][i], k);
-        record.u[k] = static_cast<Real>(particles_.velocity[k][i]);
-    }
-    record.s = static_cast<Real>(s);
-    record.volume = static_cast<Real>(particles_.mass[i] / (scheme_.density * (1.0 + s)));
-}
-
-template <class Real>
-void SimulationOf<Real>::pad_records(std::size_t cluster) {
-    const auto [first, last] = particles_of(cluster);
-    const std::size_t slot = cluster * cluster_size;
-    for (std::size_t empty = slot + (last - first); empty < slot + cluster_size; ++empty) {
-        // An empty lane repeats the first particle without volume: finite results that nobody reads.
-        data_.fluid_gradient[empty] = data_.fluid_gradient[slot];
-        data_.fluid_gradient[empty].volume = Real(0);
-        data_.fluid_force[empty] = ForceRecord<2, Real>{};
-        data_.fluid_force[empty].x = data_.fluid_gradient[slot].x;
-        data_.fluid_pressure[empty] = Real(0);
+template <int D, class Real>
+void SimulationOf<D, Real>::fill_last_records() {
+    data_.motion.back() = MotionRecord<D, Real>{};
+    data_.motion.back().x = data_.motion.front().x;
+    if (!data_.stress.empty()) {
+        data_.stress.back() = StressRecord<D, Real>{};
+    } else {
+        data_.pressure.back() = PressureRecord<Real>{};
     }
 }
 
-template <class Real>
-void SimulationOf<Real>::pack_wall_records() {
+template <int D, class Real>
+void SimulationOf<D, Real>::make_walls() {
     if (walls_.size() == 0) {
         return;
     }
+    const PositionView<D> unsorted = view<D>(walls_.position);
+    walls_.permute(spatial_order<D>(domain_, unsorted, column_width_, 0.5 * case_.numerics.spacing));
+    wall_clusters_ = build_clusters<D>(domain_, fixed_point_, view<D>(walls_.position), column_width_);
+    pack_wall_records();
+}
+
+template <int D, class Real>
+void SimulationOf<D, Real>::pack_wall_records() {
     const std::size_t slots = wall_clusters_.slots();
-    data_.wall_gradient.assign(slots, {});
-    data_.wall_force.assign(slots, {});
-    data_.wall.weight.resize(slots);
-    data_.wall.pressure.resize(slots);
-    data_.wall.density_rate.resize(slots);
-    for (std::size_t k = 0; k < 2; ++k) {
-        data_.wall.offset[k].resize(slots);
-        data_.wall.velocity[k].resize(slots);
-    }
+    data_.wall_gradient.assign(slots + 1, {});
+    data_.wall_force.assign(slots + 1, {});
     for (std::size_t slot = 0; slot < slots; ++slot) {
         auto& gradient = data_.wall_gradient[slot];
         auto& force = data_.wall_force[slot];
-        for (std::size_t k = 0; k < 2; ++k) {
+        for (std::size_t k = 0; k < axes; ++k) {
             gradient.x[k] = wall_clusters_.slot_position[k][slot];
             force.x[k] = gradient.x[k];
         }
-        const std::int32_t particle = wall_clusters_.particle_of_slot[slot];
+        const std::int32_t particle = wall_clusters_.particle_of(slot);
         if (particle < 0) {
             continue;
         }
         const auto i = static_cast<std::size_t>(particle);
-        for (std::size_t k = 0; k < 4; ++k) {
+        for (std::size_t k = 0; k < axes * axes; ++k) {
             // Dynamic particles are fluid that does not move: the whole velocity counts.
-            const double identity = k == 0 || k == 3 ? 1.0 : 0.0;
+            const double identity = k % (axes + 1) == 0 ? 1.0 : 0.0;
             gradient.projector[k] = static_cast<Real>(wall_law_.dynamic ? identity : walls_.projector[k][i]);
         }
         // Water and end wall meet the surface at the same height: the wall continues the water, corrected
         // like it, so that nothing varies along the surface at rest. Under a bed this would be friction (3 to
         // 4 %).
         gradient.continuation =
-            static_cast<Real>(!wall_law_.dynamic && walls_.normal[1][i] == 0.0 ? 1.0 : 0.0);
+            static_cast<Real>(!wall_law_.dynamic && walls_.normal[vertical][i] == 0.0 ? 1.0 : 0.0);
         force.continuation = gradient.continuation;
         gradient.volume = static_cast<Real>(walls_.volume[i]);
         force.weight = static_cast<Real>(walls_.volume[i]);
-        force.volume = static_cast<Real>(wall_law_.no_slip ? walls_.volume[i] : 0.0);
-        force.viscosity_root = static_cast<Real>(std::sqrt(scheme_.viscosity));
+        force.viscous_weight = static_cast<Real>(wall_law_.no_slip ? walls_.volume[i] : 0.0);
+        force.viscosity_root = static_cast<Real>(std::sqrt(0.5 * scheme_.viscosity));
     }
-}
-
-template <class Real>
-std::pair<std::size_t, std::size_t> SimulationOf<Real>::particles_of(std::size_t cluster) const {
-    const std::size_t slot = cluster * cluster_size;
-    const auto first = static_cast<std::size_t>(clusters_.particle_of_slot[slot]);
-    std::size_t count = 1;
-    while (count < cluster_size && clusters_.particle_of_slot[slot + count] >= 0) {
-        ++count;
-    }
-    return {first, first + count};
-}
-
-template <class Real>
-void SimulationOf<Real>::measure_displacement(std::size_t cluster) {
-    const auto [first, last] = particles_of(cluster);
-    for (std::size_t k = 0; k < 2; ++k) {
-        const double period = domain_.extent(static_cast<int>(k));
-        double low = 0.0;
-        double high = 0.0;
-        for (std::size_t i = first; i < last; ++i) {
-            double d = particles_.position[k][i] - particles_.listed_position[k][i];
-            if (domain_.periodic[k]) {
-                d -= period * std::nearbyint(d / period);
-            }
-            low = i == first ? d : std::min(low, d);
-            high = i == first ? d : std::max(high, d);
-        }
-        displacement_low_[k][cluster] = low;
-        displacement_high_[k][cluster] = high;
-    }
+    data_.wall_gradient.back().x = data_.wall_gradient.front().x;
+    data_.wall_force.back().x = data_.wall_force.front().x;
 }
 
 // A list stays complete as long as no two particles of neighbouring clusters have moved against each other by
 // more than the skin. Only relative motion counts, so a fast but smooth flow needs few rebuilds.
-template <class Real>
-bool SimulationOf<Real>::lists_valid(double fraction) const {
+template <int D, class Real>
+bool SimulationOf<D, Real>::lists_valid(double fraction) const {
     const double limit = fraction * scheme_.skin;
-    const double limit_squared = limit * limit;
-    const auto largest = [&](const NeighbourList& list, bool fixed, std::size_t begin, std::size_t end) {
-        double worst = 0.0;
-        for (std::size_t i = begin; i < end; ++i) {
-            for (const std::int32_t other : list.clusters_of(i)) {
-                const auto j = static_cast<std::size_t>(other);
-                double squared = 0.0;
-                for (std::size_t k = 0; k < 2; ++k) {
-                    const double low_j = fixed ? 0.0 : displacement_low_[k][j];
-                    const double high_j = fixed ? 0.0 : displacement_high_[k][j];
-                    const double d =
-                        std::max(displacement_high_[k][i] - low_j, high_j - displacement_low_[k][i]);
-                    squared += d * d;
-                }
-                worst = std::max(worst, squared);
-            }
-        }
-        return worst;
-    };
     const double worst = reduce_blocks(
-        clusters_.size(), std::size_t{256}, 0.0,
+        clusters_.size(), light_block, 0.0,
         [&](std::size_t begin, std::size_t end) {
-            double result = largest(fluid_fluid_, false, begin, end);
-            if (data_.fluid_wall != nullptr) {
-                result = std::max(result, largest(fluid_wall_, true, begin, end));
-            }
-            return result;
+            return particle_loops_.displaced(data_, fixed_point_, moved_, begin, end);
         },
         [](double a, double b) { return std::max(a, b); });
-    return worst <= limit_squared;
+    return worst <= limit * limit;
 }
 
-template <class Real>
-double SimulationOf<Real>::mean_listed_neighbours() const {
-    return static_cast<double>(fluid_fluid_.slots.size()) / static_cast<double>(clusters_.size());
+template <int D, class Real>
+Particles<D> SimulationOf<D, Real>::state() const {
+    Particles<D> result = particles_;
+    for (std::size_t k = 0; k < axes; ++k) {
+        auto& listed = result.listed_position[k];
+        listed.resize(result.size());
+        for (std::size_t slot = 0; slot < clusters_.slots(); ++slot) {
+            if (clusters_.particle_of(slot) >= 0) {
+                listed[static_cast<std::size_t>(clusters_.particle_of(slot))] =
+                    fixed_point_.decode(clusters_.slot_position[k][slot], k);
+            }
+        }
+    }
+    return result;
 }
 
-template class SimulationOf<float>;
-template class SimulationOf<double>;
+template <int D, class Real>
+void SimulationOf<D, Real>::restore(Particles<D> particles, const SimulationClock& clock,
+                                    std::vector<double> wall_deviation) {
+    particles_ = std::move(particles);
+    clock_ = clock;
+    wall_deviation_ = std::move(wall_deviation);
+    check_state();
+    refer_to_particles();
+    if (particles_.listed_position[0].empty()) {
+        build_lists(true);
+        return;
+    }
+    build_lists(false);
+    particles_.listed_position = {};
+}
+
+template <int D, class Real>
+double SimulationOf<D, Real>::mean_listed_neighbours() const {
+    return static_cast<double>(fluid_fluid_.neighbours) / static_cast<double>(clusters_.size());
+}
+
+template <int D, class Real>
+double SimulationOf<D, Real>::count_neighbours() const {
+    const double support = 2.0 * scheme_.smoothing_length;
+    const auto within = [&](const auto& a, const auto& b) {
+        double squared = 0.0;
+        for (std::size_t k = 0; k < axes; ++k) {
+            const double d = wrapped_difference(a.x[k], b.x[k]) * fixed_point_.unit(k);
+            squared += d * d;
+        }
+        return squared < support * support;
+    };
+    const std::int64_t pairs = reduce_blocks(
+        clusters_.size(), block_clusters, std::int64_t{0},
+        [&](std::size_t begin, std::size_t end) {
+            std::int64_t count = 0;
+            std::vector<std::int32_t> slots;
+            const auto add = [&](const NeighbourList& list, const auto& records, std::size_t cluster) {
+                slots.resize(list.buffer_size());
+                const std::size_t n = list.spell(cluster, slots.data());
+                for (std::size_t slot = cluster * cluster_size; slot < (cluster + 1) * cluster_size; ++slot) {
+                    if (clusters_.particle_of(slot) < 0) {
+                        continue;
+                    }
+                    for (std::size_t j = 0; j < n; ++j) {
+                        count +=
+                            within(data_.motion[slot], records[static_cast<std::size_t>(slots[j])]) ? 1 : 0;
+                    }
+                }
+            };
+            for (std::size_t cluster = begin; cluster < end; ++cluster) {
+                add(fluid_fluid_, data_.motion, cluster);
+                if (data_.fluid_wall != nullptr) {
+                    add(fluid_wall_, data_.wall_gradient, cluster);
+                }
+            }
+            return count;
+        },
+        [](std::int64_t a, std::int64_t b) { return a + b; });
+    const auto n = static_cast<double>(particles_.size());
+    return (static_cast<double>(pairs) - n) / n;  // without the particle itself
+}
+
+template <int D, class Real>
+std::size_t SimulationOf<D, Real>::bytes() const {
+    std::size_t total = 0;
+    const auto add = [&](const auto& values) { total += values.capacity() * sizeof(values[0]); };
+    for (std::size_t k = 0; k < axes; ++k) {
+        add(particles_.position[k]);
+        add(particles_.velocity[k]);
+        add(clusters_.slot_position[k]);
+        add(clusters_.centre[k]);
+        add(clusters_.half_extent[k]);
+        add(moved_.low[k]);
+        add(moved_.high[k]);
+        add(smoothed_velocity_[k]);
+    }
+    add(particles_.density_deviation);
+    add(particles_.mass);
+    add(particles_.id);
+    add(clusters_.begin);
+    add(clusters_.column_begin);
+    add(clusters_.highest);
+    add(clusters_.lowest);
+    add(data_.motion);
+    add(data_.stress);
+    add(data_.pressure);
+    add(data_.wall_gradient);
+    add(data_.wall_force);
+    for (const auto& component : data_.correction) {
+        add(component);
+    }
+    add(density_rate_);
+    for (const auto* field : fields_.all()) {
+        add(*field);
+    }
+    return total + fluid_fluid_.bytes() + fluid_wall_.bytes() + wall_fluid_.bytes();
+}
+
+template class SimulationOf<2, float>;
+template class SimulationOf<2, double>;
+template class SimulationOf<3, float>;
+template class SimulationOf<3, double>;
 
 }  // namespace riffle

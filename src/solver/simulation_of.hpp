@@ -1,62 +1,103 @@
 #pragma once
 
+#include <chrono>
 #include <functional>
 
 #include "roughness/bed_drag.hpp"
 #include "solver/simulation.hpp"
 #include "solver/stirring.hpp"
 #include "sph/pair_loops.hpp"
+#include "sph/particle_loops.hpp"
 #include "turbulence/closure.hpp"
 
 namespace riffle {
 
-/// The simulation with pair arithmetic in `Real`. A step is a few parallel sweeps over the clusters:
-/// gradients (then density, pressure, closure and packing of the same clusters), walls, forces (then motion
-/// and packing).
-template <class Real>
-class SimulationOf final : public Simulation {
+/// The simulation in D dimensions with pair arithmetic in `Real`. A step is a few parallel sweeps over blocks
+/// of clusters: gradients (then density, pressure and closure of the same particles), walls, forces (then
+/// their motion), and the packing of the moved particles.
+template <int D, class Real>
+class SimulationOf final : public SimulationIn<D> {
   public:
-    SimulationOf(const Case& c, const ColumnResult* column, Particles<2> particles);
+    SimulationOf(const Case& c, const ColumnResult* column, Particles<D> particles);
 
-    void step() override;
+    void step(double fields_due) override;
     [[nodiscard]] int evaluations_per_step() const override;
     [[nodiscard]] double mean_listed_neighbours() const override;
-    void restore(Particles<2> particles, const SimulationClock& clock,
+    [[nodiscard]] double count_neighbours() const override;
+    [[nodiscard]] std::size_t bytes() const override;
+    void drop_fields() override;
+    void measure_profile(bool on) override;
+    [[nodiscard]] StepProfile profile() const override;
+    [[nodiscard]] Particles<D> state() const override;
+    void restore(Particles<D> particles, const SimulationClock& clock,
                  std::vector<double> wall_deviation) override;
 
   private:
+    using SimulationIn<D>::particles_;
+    using SimulationIn<D>::fields_;
+    using SimulationIn<D>::clock_;
+    using SimulationIn<D>::scheme_;
+    using SimulationIn<D>::walls_;
+    using SimulationIn<D>::wall_deviation_;
+    static constexpr auto axes = static_cast<std::size_t>(D);
+    static constexpr std::size_t vertical = axes - 1;
+
+    /// Results, inputs and buffers of one task.
+    struct Task {
+        BlockWork<D, Real> sums;
+        ParticleWork<D, Real> particles;
+    };
+    /// Time of the pair sums of a block, s.
+    struct BlockSeconds {
+        double gradients = 0.0;
+        double forces = 0.0;
+    };
+
     // Lists and packing (simulation_lists.cpp).
+    /// Lists of the particles where they are, sorted, or of their listed positions as they stand.
     void build_lists(bool sort);
     void allocate();
+    void refer_to_particles();
     void repack();
-    void pack_gradient(std::size_t particle, std::size_t slot);
+    void make_walls();
     void pack_wall_records();
-    void pad_records(std::size_t cluster);
+    void fill_last_records();
     [[nodiscard]] bool lists_valid(double fraction) const;
-    void measure_displacement(std::size_t cluster);
 
     // Sweeps (simulation_sweeps.cpp).
     void sweep_gradients(double density_step);
     void sweep_walls(double step);
+    void update_wall(std::size_t slot, std::size_t particle, const WallResult<D, Real>& sums,
+                     std::size_t lane, double step);
     void wet_wall(std::size_t slot, std::size_t particle, double pressure);
-    /// Forces, then `move(first, last)` for the particles of each cluster once their accelerations are known.
-    void sweep_forces(const std::function<void(std::size_t, std::size_t)>& move);
+    void sweep_forces(double step);
+    void advance_predictor_corrector(Task& task, std::size_t begin, std::size_t end, double step);
+    void measure_stirring();
+    void add_stirring(Task& task, std::size_t begin, std::size_t end) const;
+    void keep_stress_fields(const Task& task, std::size_t begin, std::size_t end);
+    void keep_force_fields(const Task& task, std::size_t begin, std::size_t end);
+
+    // Filters (simulation_filters.cpp).
     void filter_density();
     void sweep_smoothed_velocity();
-    void allocate_filter();
-    void evaluate_closure(std::size_t first, std::size_t last, std::size_t slot);
-    void pack_force(std::size_t particle, std::size_t slot);
-    void measure_stirring();
-    void body_forces(std::size_t particle, double& ax, double& az) const;
+    /// f(sums, particle, lane) for each particle.
+    void for_filter_blocks(
+        const std::function<void(const FilterResult<D, Real>&, std::size_t, std::size_t)>& f);
 
     // Stepping (simulation_step.cpp).
-    void step_semi_implicit_euler(double dt);
-    void step_predictor_corrector(double dt);
     [[nodiscard]] double choose_step() const;
-    [[nodiscard]] double transport_velocity(std::size_t particle, std::size_t axis) const;
-    void wrap_and_pack(std::size_t first, std::size_t last);
     void check_state() const;
-    [[nodiscard]] std::pair<std::size_t, std::size_t> particles_of(std::size_t cluster) const;
+
+    /// Call f(first particle, end, lane of the first) for the clusters of a block.
+    template <class F>
+    void for_clusters(std::size_t begin, std::size_t end, const F& f) const {
+        for (std::size_t cluster = begin; cluster < end; ++cluster) {
+            f(static_cast<std::size_t>(clusters_.begin[cluster]),
+              static_cast<std::size_t>(clusters_.begin[cluster + 1]), (cluster - begin) * cluster_size);
+        }
+    }
+    template <class F>
+    void for_blocks(std::size_t clusters, const F& f);
 
     Case case_;
     WallLaw wall_law_;
@@ -64,30 +105,38 @@ class SimulationOf final : public Simulation {
     std::unique_ptr<const BedDrag> drag_;
     Stirring2D stirring_;
     double stirring_mean_ = 0.0;  ///< streamwise mean of the stirring over the particles, m/s2
-    Domain<2> domain_;
-    FixedPoint<2> fixed_point_;
-    PairLoops<2, Real> loops_;
-    PairData<2, Real> data_;
+    Domain<D> domain_;
+    FixedPoint<D> fixed_point_;
+    PairLoops<D, Real> loops_;
+    ParticleLoops<D, Real> particle_loops_;
+    PairData<D, Real> data_;
+    ParticleData<D> particle_data_;
     double column_width_;  ///< of the columns that clusters are cut from: 8 particles then fill a nearly
-                           ///< square box
+                           ///< cubic box
 
-    Clusters<2> clusters_;
-    Clusters<2> wall_clusters_;
+    Clusters<D> clusters_;  ///< of the listed positions
+    Clusters<D> wall_clusters_;
     NeighbourList fluid_fluid_;
     NeighbourList fluid_wall_;
     NeighbourList wall_fluid_;
-    /// Box of the displacements since the last list build, by cluster.
-    std::array<std::vector<double>, 2> displacement_low_;
-    std::array<std::vector<double>, 2> displacement_high_;
+    Displacement<D> moved_;
 
-    std::array<std::vector<double>, 2>
-        acceleration_;  ///< pairs and viscosity, with the factor of the pressure form
-    std::vector<double> mixing_length_;
-    std::vector<double> drag_coefficient_;
-    std::vector<double> cluster_largest_;  ///< largest |a|^2 by cluster
-    std::vector<double> density_rate_;     ///< ds/dt by particle
-    std::vector<std::uint8_t> cluster_fault_;
-    Particles<2> saved_;  ///< state at the start of the step (predictor-corrector)
+    bool keep_fields_ = true;  ///< in this step
+    bool predictor_corrector_ = false;
+    std::vector<double> block_largest_;      ///< largest |a|^2 by block
+    std::vector<std::uint8_t> block_fault_;  ///< by block
+    std::array<std::vector<double>, static_cast<std::size_t>(D)> smoothed_velocity_;  ///< XSPH, by particle
+    std::vector<double> density_rate_;  ///< ds/dt by particle (predictor-corrector)
+    Particles<D> saved_;                ///< state at the start of the step (predictor-corrector)
+
+    bool profiling_ = false;
+    StepProfile profile_;
+    std::vector<BlockSeconds> block_seconds_;  ///< by block
 };
+
+/// Particles per edge of a cluster of 8 in the columns: columns of this many spacings.
+[[nodiscard]] constexpr double cluster_column_spacings(int dimensions) {
+    return dimensions == 2 ? 2.67 : 2.0;
+}
 
 }  // namespace riffle

@@ -78,44 +78,47 @@ bool has_column(const Case& c) {
            c.channel.slope > 0.0;
 }
 
-Particles<2> initial_particles(const Case& c, const Scheme& scheme, const ColumnResult* column) {
-    Particles<2> particles = lattice_particles(c);
+template <int D>
+Particles<D> initial_particles(const Case& c, const Scheme& scheme, const ColumnResult* column) {
+    constexpr std::size_t vertical = D - 1;
+    Particles<D> particles = lattice_particles<D>(c);
     const Lattice lattice = lattice_of(c);
     const std::size_t n = particles.size();
     std::vector<double> extra_pressure(n, 0.0);
-    std::vector<double> still_height = particles.position[1];
-    if (c.start.kind == StartKind::standing_wave) {
-        for (std::size_t i = 0; i < n; ++i) {
-            extra_pressure[i] = wave_pressure(c, scheme, particles.position[0][i], still_height[i]);
+    std::vector<double> still_height = particles.position[vertical];
+    if constexpr (D == 2) {
+        if (c.start.kind == StartKind::standing_wave) {
+            for (std::size_t i = 0; i < n; ++i) {
+                extra_pressure[i] = wave_pressure(c, scheme, particles.position[0][i], still_height[i]);
+            }
+            start_standing_wave(c, particles);
+            // A particle displaced from still_height carries the pressure of its new height and of the wave.
+            still_height = particles.position[1];
+        } else if (c.start.kind == StartKind::taylor_green) {
+            start_taylor_green(c, scheme, particles, extra_pressure);
         }
-        start_standing_wave(c, particles);
-        // A particle displaced from still_height carries the pressure of its new height and of the wave.
-        still_height = particles.position[1];
-    } else if (c.start.kind == StartKind::taylor_green) {
-        start_taylor_green(c, scheme, particles, extra_pressure);
     }
+    const Domain<D> domain = domain_of<D>(c);
     for (std::size_t i = 0; i < n; ++i) {
         const double hydrostatic = scheme.normal_gravity * (scheme.depth - still_height[i]);
         const double s = scheme.state.deviation(hydrostatic + extra_pressure[i]);
         particles.density_deviation[i] = s;
-        particles.mass[i] = scheme.density * (1.0 + s) * lattice.dx * lattice.dz;
+        particles.mass[i] = scheme.density * (1.0 + s) * lattice.volume<D>();
         if (c.start.kind != StartKind::taylor_green) {
-            particles.velocity[0][i] = start_velocity(c, scheme, column, particles.position[1][i]);
-            particles.velocity[1][i] = 0.0;
+            particles.velocity[0][i] = start_velocity(c, scheme, column, particles.position[vertical][i]);
         }
-        double& x = particles.position[0][i];
-        if (c.channel.ends == Ends::periodic) {
-            x -= c.channel.length * std::floor(x / c.channel.length);
+        for (std::size_t k = 0; k < D; ++k) {
+            double& x = particles.position[k][i];
+            if (domain.periodic[k]) {
+                const double extent = domain.extent(static_cast<int>(k));
+                x -= extent * std::floor(x / extent);
+            }
         }
-        double& z = particles.position[1][i];
-        if (c.channel.top == Top::periodic) {
-            z -= scheme.depth * std::floor(z / scheme.depth);
-        }
-    }
-    for (std::size_t k = 0; k < 2; ++k) {
-        particles.listed_position[k] = particles.position[k];
     }
     return particles;
 }
+
+template Particles<2> initial_particles<2>(const Case&, const Scheme&, const ColumnResult*);
+template Particles<3> initial_particles<3>(const Case&, const Scheme&, const ColumnResult*);
 
 }  // namespace riffle

@@ -12,6 +12,7 @@ namespace riffle {
 
 /// Fluid particles at t = 0: lattice, mass from the hydrostatic density, velocity by the kind of start.
 /// `column` is needed for the start "column", and for "uniform" without a velocity.
-[[nodiscard]] Particles<2> initial_particles(const Case& c, const Scheme& scheme, const ColumnResult* column);
+template <int D = 2>
+[[nodiscard]] Particles<D> initial_particles(const Case& c, const Scheme& scheme, const ColumnResult* column);
 
 }  // namespace riffle

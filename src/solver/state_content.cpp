@@ -34,7 +34,7 @@ double group_number(const Content& content, const std::string& group, const std:
 }  // namespace
 
 void add_state(Content& content, const std::string& group, const Simulation& simulation) {
-    const Particles<2>& p = simulation.particles();
+    const Particles<2> p = simulation.state();
     for (std::size_t k = 0; k < 2; ++k) {
         const std::string axis = axis_names[k];
         add_array(content, group + "/position_" + axis, p.position[k], "m", "position " + axis);
@@ -109,7 +109,6 @@ Particles<2> particles_from_results(const Case& c, const Scheme& scheme, const R
         p.position[k] = results.read_doubles("/state/position_" + axis);
         p.velocity[k] = results.read_doubles("/state/velocity_" + axis);
     }
-    p.listed_position = p.position;
     p.density_deviation = results.read_doubles("/state/density_deviation");
     p.mass = results.read_doubles("/state/mass");
     for (const double id : results.read_doubles("/state/id")) {

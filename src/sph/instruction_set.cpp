@@ -3,24 +3,9 @@
 #include <string>
 
 #include "base/error.hpp"
-#include "sph/pair_loops.hpp"
+#include "sph/loop_table.hpp"
 
 namespace riffle {
-
-namespace baseline {
-PairLoops<2, float> loops_2d_single(KernelKind kernel, ViscosityForm viscosity);
-PairLoops<2, double> loops_2d_double(KernelKind kernel, ViscosityForm viscosity);
-}  // namespace baseline
-namespace avx2 {
-PairLoops<2, float> loops_2d_single(KernelKind kernel, ViscosityForm viscosity);
-PairLoops<2, double> loops_2d_double(KernelKind kernel, ViscosityForm viscosity);
-}  // namespace avx2
-namespace avx512 {
-PairLoops<2, float> loops_2d_single(KernelKind kernel, ViscosityForm viscosity);
-PairLoops<2, double> loops_2d_double(KernelKind kernel, ViscosityForm viscosity);
-}  // namespace avx512
-
-namespace {
 
 bool processor_offers(InstructionSet set) {
     __builtin_cpu_init();
@@ -35,6 +20,8 @@ bool processor_offers(InstructionSet set) {
     }
     return false;
 }
+
+namespace {
 
 constexpr std::array<InstructionSet, 3> all_sets = {InstructionSet::avx512, InstructionSet::avx2,
                                                     InstructionSet::baseline};
@@ -74,30 +61,80 @@ InstructionSet active_instruction_set() {
     return set;
 }
 
-template <>
-PairLoops<2, float> pair_loops<2, float>(KernelKind kernel, ViscosityForm viscosity) {
-    switch (active_instruction_set()) {
+namespace {
+
+template <bool single, class S, class D>
+auto single_or_double(S in_single, D in_double) {
+    if constexpr (single) {
+        return in_single;
+    } else {
+        return in_double;
+    }
+}
+
+LoopTable table_of(InstructionSet set) {
+    switch (set) {
         case InstructionSet::avx512:
-            return avx512::loops_2d_single(kernel, viscosity);
+            return avx512::loop_table();
         case InstructionSet::avx2:
-            return avx2::loops_2d_single(kernel, viscosity);
+            return avx2::loop_table();
         case InstructionSet::baseline:
             break;
     }
-    return baseline::loops_2d_single(kernel, viscosity);
+    return baseline::loop_table();
+}
+
+}  // namespace
+
+template <int D, class Real>
+PairLoops<D, Real> pair_loops(const LoopOptions& options, InstructionSet set) {
+    const LoopTable table = table_of(set);
+    constexpr bool single = std::is_same_v<Real, float>;
+    if constexpr (D == 2) {
+        return single_or_double<single>(table.plane_single, table.plane_double)(options);
+    } else {
+        return single_or_double<single>(table.space_single, table.space_double)(options);
+    }
+}
+
+template <int D, class Real>
+PairLoops<D, Real> pair_loops(const LoopOptions& options) {
+    return pair_loops<D, Real>(options, active_instruction_set());
+}
+
+template PairLoops<2, float> pair_loops<2, float>(const LoopOptions&);
+template PairLoops<2, double> pair_loops<2, double>(const LoopOptions&);
+template PairLoops<3, float> pair_loops<3, float>(const LoopOptions&);
+template PairLoops<3, double> pair_loops<3, double>(const LoopOptions&);
+template PairLoops<2, float> pair_loops<2, float>(const LoopOptions&, InstructionSet);
+template PairLoops<2, double> pair_loops<2, double>(const LoopOptions&, InstructionSet);
+template PairLoops<3, float> pair_loops<3, float>(const LoopOptions&, InstructionSet);
+template PairLoops<3, double> pair_loops<3, double>(const LoopOptions&, InstructionSet);
+
+template <int D, class Real>
+ParticleLoops<D, Real> particle_loops() {
+    const LoopTable table = table_of(active_instruction_set());
+    constexpr bool single = std::is_same_v<Real, float>;
+    if constexpr (D == 2) {
+        return single_or_double<single>(table.plane_particles_single, table.plane_particles_double);
+    } else {
+        return single_or_double<single>(table.space_particles_single, table.space_particles_double);
+    }
+}
+
+template ParticleLoops<2, float> particle_loops<2, float>();
+template ParticleLoops<2, double> particle_loops<2, double>();
+template ParticleLoops<3, float> particle_loops<3, float>();
+template ParticleLoops<3, double> particle_loops<3, double>();
+
+template <>
+NeighbourSearchFunction<2> neighbour_search<2>() {
+    return table_of(active_instruction_set()).plane_search;
 }
 
 template <>
-PairLoops<2, double> pair_loops<2, double>(KernelKind kernel, ViscosityForm viscosity) {
-    switch (active_instruction_set()) {
-        case InstructionSet::avx512:
-            return avx512::loops_2d_double(kernel, viscosity);
-        case InstructionSet::avx2:
-            return avx2::loops_2d_double(kernel, viscosity);
-        case InstructionSet::baseline:
-            break;
-    }
-    return baseline::loops_2d_double(kernel, viscosity);
+NeighbourSearchFunction<3> neighbour_search<3>() {
+    return table_of(active_instruction_set()).space_search;
 }
 
 }  // namespace riffle

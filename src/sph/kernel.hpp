@@ -9,7 +9,8 @@ namespace riffle {
 
 // Smoothing kernels W(r, h) = value(q) / h^D, q = r/h, of support 2h, and the factor F of the gradient
 // grad W = F r (r the vector from j to i), F = gradient_factor(q) / h^(D+2). Both vanish for q >= 2 without
-// a branch. `T` is a scalar or a vector of lanes; `R` its scalar type.
+// a branch. gradient_factor(q) = gradient_constant() gradient_shape(q): the loops sum the shape, and multiply
+// the sum by the constant. `T` is a scalar or a vector of lanes; `R` its scalar type.
 
 /// Wendland C2 (Wendland 1995): W ~ (1 - q/2)^4 (2q + 1).
 template <int D>
@@ -32,15 +33,23 @@ struct WendlandC2 {
             return normalisation<R>() * t2 * t2 * (R(2) * q + R(1));
         }
     }
+    template <class R>
+    static constexpr R gradient_constant() {
+        return R(D == 1 ? -3 : -5) * normalisation<R>();
+    }
     template <class T>
-    RIFFLE_INLINE static T gradient_factor(T q) {
+    RIFFLE_INLINE static T gradient_shape(T q) {
         using R = scalar_of<T>;
         const T t = positive_part<T>(R(1) - R(0.5) * q);
         if constexpr (D == 1) {
-            return R(-3) * normalisation<R>() * t * t;
+            return t * t;
         } else {
-            return R(-5) * normalisation<R>() * t * t * t;
+            return t * t * t;
         }
+    }
+    template <class T>
+    RIFFLE_INLINE static T gradient_factor(T q) {
+        return gradient_constant<scalar_of<T>>() * gradient_shape(q);
     }
 };
 
@@ -60,13 +69,21 @@ struct CubicSpline {
         const T b = positive_part<T>(R(1) - q);
         return normalisation<R>() * R(0.25) * (a * a * a - R(4) * b * b * b);
     }
+    template <class R>
+    static constexpr R gradient_constant() {
+        return R(-0.75) * normalisation<R>();
+    }
     template <class T>
-    RIFFLE_INLINE static T gradient_factor(T q) {
+    RIFFLE_INLINE static T gradient_shape(T q) {
         using R = scalar_of<T>;
         const T a = positive_part<T>(R(2) - q);
         const T b = positive_part<T>(R(1) - q);
         // At q = 0 the bracket vanishes like 4q; the tiny number only keeps the quotient finite.
-        return R(-0.75) * normalisation<R>() * (a * a - R(4) * b * b) / (q + R(1e-12));
+        return (a * a - R(4) * b * b) / (q + R(1e-12));
+    }
+    template <class T>
+    RIFFLE_INLINE static T gradient_factor(T q) {
+        return gradient_constant<scalar_of<T>>() * gradient_shape(q);
     }
 };
 

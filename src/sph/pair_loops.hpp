@@ -7,20 +7,42 @@
 #include <vector>
 
 #include "case/case.hpp"
-#include "particles/neighbour_list.hpp"
+#include "sph/neighbour_list.hpp"
 
 namespace riffle {
 
-// The sums over neighbours. Each particle is packed into one record per pass, the loops go over the clusters
-// of the i side with all 8 particles in lanes, and the results leave in arrays by slot.
+// The sums over neighbours. Each particle is packed into small records, the loops go over the clusters of the
+// i side with all 8 particles in lanes, and the results of a block of clusters leave in arrays by lane.
 
-/// What the gradient pass needs of a fluid particle.
+/// Most clusters that one call of a loop takes: about 10 microseconds of work.
+inline constexpr std::size_t block_clusters = 16;
+inline constexpr std::size_t block_lanes = block_clusters * static_cast<std::size_t>(cluster_size);
+
+/// Position, velocity and density of a fluid particle at the start of a step.
 template <int D, class Real>
-struct alignas(16) GradientRecord {
+struct alignas(16) MotionRecord {
     std::array<std::int32_t, static_cast<std::size_t>(D)> x;
     std::array<Real, static_cast<std::size_t>(D)> u;
     Real s;
     Real volume;
+};
+
+/// Stress of a fluid particle as a tensor: what the force pass needs of it beside its motion.
+template <int D, class Real>
+struct alignas(16) StressRecord {
+    std::array<Real, static_cast<std::size_t>(D* D)> stress;  ///< Q = (p B - tau)/rho0
+    Real viscosity_root;                                      ///< of pair_terms.hpp
+    Real weight;                                              ///< V_j, or m_j/rho0 in the symmetric form
+    Real pressure;                                            ///< p/rho0, for the pairs with walls
+};
+
+/// The same where the stress is the pressure alone.
+template <class Real>
+struct alignas(16) PressureRecord {
+    std::array<Real, 1> stress;
+    Real viscosity_root;
+    Real weight;
+    Real pressure;
 };
 
 /// What the gradient pass needs of a wall particle.
@@ -32,94 +54,117 @@ struct alignas(16) WallGradientRecord {
     Real continuation;  ///< 1: the wall continues the fluid, its pairs are corrected like the fluid's; else 0
 };
 
-/// What the force pass needs of a particle, fluid or wall.
+/// What the force pass needs of a wall particle.
 template <int D, class Real>
-struct alignas(16) ForceRecord {
+struct alignas(16) WallForceRecord {
     std::array<std::int32_t, static_cast<std::size_t>(D)> x;
     std::array<Real, static_cast<std::size_t>(D)> u;
-    std::array<Real, static_cast<std::size_t>(D* D)> stress;  ///< Q = (p B - tau)/rho0
-    Real viscosity_root;                                      ///< sqrt(mu/rho0), mu/rho0 = (1 + s) nu
-    Real volume;                                              ///< weight of the viscous term
-    Real weight;                                              ///< weight of the tensor term
-    Real continuation;                                        ///< walls: as in WallGradientRecord
+    Real pressure;
+    Real viscosity_root;
+    Real weight;          ///< of the pressure
+    Real viscous_weight;  ///< of the friction
+    Real continuation;    ///< as in WallGradientRecord
 };
 
 /// Constants of the pair sums.
 template <int D, class Real>
 struct PairConstants {
-    std::array<Real, static_cast<std::size_t>(D)> unit;  ///< m per integer unit
-    Real inverse_h;
-    Real gradient_scale;        ///< h^-(D+2)
-    Real diffusion;             ///< delta h c0; 0: no density diffusion
-    Real hydrostatic_gradient;  ///< g_z/c0^2, 1/m
-    bool correct_pressure;      ///< B = M^-1 near full support, else the identity
+    std::array<Real, static_cast<std::size_t>(D)> unit;  ///< smoothing lengths per integer unit
+    Real h;                                              ///< smoothing length, m
+    Real gradient_scale;                                 ///< h^-(D+2)
+    Real diffusion;                                      ///< delta h c0; 0: no density diffusion
+    Real hydrostatic_gradient;                           ///< g_z/c0^2, 1/m
+    bool correct_pressure;                               ///< B = M^-1 near full support, else the identity
     bool correct_gradient;
 };
 
-/// Results of the gradient pass, one array per component by slot.
+/// By lane of the block.
+template <class Real>
+using LaneArray = std::array<Real, block_lanes>;
+
+/// Results of the gradient pass.
 template <int D, class Real>
 struct GradientResult {
-    std::vector<Real> density_rate;  ///< (D rho/Dt)/rho of the pairs, 1/s
-    std::vector<Real> diffusion;     ///< ds/dt of the density diffusion
-    std::array<std::vector<Real>, static_cast<std::size_t>(D* D)>
-        velocity_gradient;                                                     ///< d u_k/d x_l at k D + l
-    std::array<std::vector<Real>, static_cast<std::size_t>(D* D)> correction;  ///< B
-    std::vector<Real> viscosity_factor;  ///< D/tr(M) near full support, else 1
-    std::vector<Real> regularity;        ///< smallest eigenvalue of M: about 1 inside, 1/2 at a free surface
+    LaneArray<Real> density_rate;  ///< (D rho/Dt)/rho of the pairs, 1/s
+    LaneArray<Real> diffusion;     ///< ds/dt of the density diffusion
+    std::array<LaneArray<Real>, static_cast<std::size_t>(D* D)>
+        velocity_gradient;                                                   ///< d u_k/d x_l at k D + l
+    std::array<LaneArray<Real>, static_cast<std::size_t>(D* D)> correction;  ///< B
+    LaneArray<Real> viscosity_factor;  ///< D/tr(M) near full support, else 1
+    LaneArray<Real> regularity;        ///< smallest eigenvalue of M: about 1 inside, 1/2 at a free surface
 };
 
-/// Results of the force pass: accelerations by slot, m/s2, before the factor of the pressure form.
+/// Results of the force pass: accelerations, m/s2, before the factor of the pressure form.
 template <int D, class Real>
 struct ForceResult {
-    std::array<std::vector<Real>, static_cast<std::size_t>(D)> tensor;   ///< pressure and stress divergence
-    std::array<std::vector<Real>, static_cast<std::size_t>(D)> viscous;  ///< two-point viscosity
-    std::array<std::vector<Real>, static_cast<std::size_t>(D)> wall;  ///< part of both that comes from walls
+    std::array<LaneArray<Real>, static_cast<std::size_t>(D)> tensor;   ///< pressure and stress divergence
+    std::array<LaneArray<Real>, static_cast<std::size_t>(D)> viscous;  ///< two-point viscosity
+    std::array<LaneArray<Real>, static_cast<std::size_t>(D)> wall;     ///< part of both that comes from walls
 };
 
-/// Sums of the wall extrapolation (Adami et al. 2012), by wall slot, and of the continuity of dynamic walls.
+/// Sums of the wall extrapolation (Adami et al. 2012), and of the continuity of dynamic walls.
 template <int D, class Real>
 struct WallResult {
-    std::vector<Real> weight;                                             ///< sum W (in units of h^-D)
-    std::vector<Real> pressure;                                           ///< sum p_j W
-    std::array<std::vector<Real>, static_cast<std::size_t>(D)> offset;    ///< sum r_wj W, m
-    std::array<std::vector<Real>, static_cast<std::size_t>(D)> velocity;  ///< sum u_j W
-    std::vector<Real> density_rate;                                       ///< sum V_j (0 - u_j).grad W, 1/s
+    LaneArray<Real> weight;                                             ///< sum W (in units of h^-D)
+    LaneArray<Real> pressure;                                           ///< sum p_j W
+    std::array<LaneArray<Real>, static_cast<std::size_t>(D)> offset;    ///< sum r_wj W, m
+    std::array<LaneArray<Real>, static_cast<std::size_t>(D)> velocity;  ///< sum u_j W
+    LaneArray<Real> density_rate;                                       ///< sum V_j (0 - u_j).grad W, 1/s
 };
 
-/// Moments for the density filters and XSPH, by slot: sums over j of V_j W (1, r, r r) and m_j/rho0 W (1, r),
-/// W in m^-D; velocity differences weighted by V_j W.
+/// Moments for the density filters and XSPH: sums over j of V_j W (1, r, r r) and m_j/rho0 W (1, r), W in
+/// m^-D; velocity differences weighted by V_j W.
 template <int D, class Real>
 struct FilterResult {
-    std::vector<Real> zeroth;
-    std::array<std::vector<Real>, static_cast<std::size_t>(D)> first;
-    std::array<std::vector<Real>, static_cast<std::size_t>(D*(D + 1) / 2)> second;
-    std::vector<Real> mass;
-    std::array<std::vector<Real>, static_cast<std::size_t>(D)> mass_first;
-    std::array<std::vector<Real>, static_cast<std::size_t>(D)> velocity;  ///< sum V_j W (u_j - u_i)
+    LaneArray<Real> zeroth;
+    std::array<LaneArray<Real>, static_cast<std::size_t>(D)> first;
+    std::array<LaneArray<Real>, static_cast<std::size_t>(D*(D + 1) / 2)> second;
+    LaneArray<Real> mass;
+    std::array<LaneArray<Real>, static_cast<std::size_t>(D)> mass_first;
+    std::array<LaneArray<Real>, static_cast<std::size_t>(D)> velocity;  ///< sum V_j W (u_j - u_i)
 };
 
-/// Everything the loops read. Fluid records by fluid slot, wall records by wall slot.
+/// Results and buffers of a thread.
+template <int D, class Real>
+struct BlockWork {
+    GradientResult<D, Real> gradient;
+    ForceResult<D, Real> force;
+    WallResult<D, Real> wall;
+    FilterResult<D, Real> filter;
+    std::vector<std::int32_t> slots;  ///< neighbours of one cluster; at least NeighbourList::buffer_size()
+};
+
+/// Everything the loops read. Fluid records by fluid slot, wall records by wall slot; each array ends with
+/// one record more, without weight, that fills turns of the loops up.
 template <int D, class Real>
 struct PairData {
     PairConstants<D, Real> constants;
     const NeighbourList* fluid_fluid = nullptr;
     const NeighbourList* fluid_wall = nullptr;  ///< i fluid, j wall
     const NeighbourList* wall_fluid = nullptr;  ///< i wall, j fluid
-    std::vector<GradientRecord<D, Real>> fluid_gradient;
+    std::vector<MotionRecord<D, Real>> motion;
+    std::vector<StressRecord<D, Real>> stress;   ///< either this
+    std::vector<PressureRecord<Real>> pressure;  ///< or this, as the loops of the scheme need
     std::vector<WallGradientRecord<D, Real>> wall_gradient;
-    std::vector<ForceRecord<D, Real>> fluid_force;
-    std::vector<ForceRecord<D, Real>> wall_force;
-    std::vector<Real> fluid_pressure;  ///< p/rho0 by fluid slot
-    GradientResult<D, Real> gradient;
-    ForceResult<D, Real> force;
-    WallResult<D, Real> wall;
-    FilterResult<D, Real> filter;
+    std::vector<WallForceRecord<D, Real>> wall_force;
+    /// B by fluid slot, only where a wall continues the fluid (empty otherwise).
+    std::array<std::vector<Real>, static_cast<std::size_t>(D* D)> correction;
 };
 
-/// The loops, for clusters [begin, end) of the i side. One table per kernel, viscosity and instruction set.
+/// What the loops are made for.
+struct LoopOptions {
+    KernelKind kernel = KernelKind::wendland_c2;
+    ViscosityForm viscosity = ViscosityForm::morris;
+    /// The velocity gradient and the correction matrix are wanted. Without them the gradient pass leaves the
+    /// rates of density alone, and the stress is the pressure alone.
+    bool gradients = true;
+};
+
+/// The loops, for clusters [begin, end) of the i side, at most block_clusters at a time. One table per
+/// kernel, viscosity and instruction set.
 template <int D, class Real>
 struct PairLoops {
-    using Loop = void (*)(PairData<D, Real>&, std::size_t begin, std::size_t end);
+    using Loop = void (*)(PairData<D, Real>&, std::size_t begin, std::size_t end, BlockWork<D, Real>& work);
     Loop gradient;  ///< fluid: continuity, diffusion, velocity gradient, M -> B
     Loop force;     ///< fluid: pressure and stress divergence, viscosity; of fluid and walls
     Loop wall;      ///< walls: extrapolated pressure and velocity, continuity
@@ -138,6 +183,15 @@ enum class InstructionSet { baseline, avx2, avx512 };
 
 /// The loops for the options of a case.
 template <int D, class Real>
-[[nodiscard]] PairLoops<D, Real> pair_loops(KernelKind kernel, ViscosityForm viscosity);
+[[nodiscard]] PairLoops<D, Real> pair_loops(const LoopOptions& options);
+
+/// The same of one instruction set, which the processor must offer (processor_offers).
+template <int D, class Real>
+[[nodiscard]] PairLoops<D, Real> pair_loops(const LoopOptions& options, InstructionSet set);
+[[nodiscard]] bool processor_offers(InstructionSet set);
+
+/// The search for neighbours of the set in use.
+template <int D>
+[[nodiscard]] NeighbourSearchFunction<D> neighbour_search();
 
 }  // namespace riffle

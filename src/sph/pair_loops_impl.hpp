@@ -2,67 +2,55 @@
 
 // The loops themselves. This header is compiled once per instruction set, inside a namespace of its own
 // (RIFFLE_ISA), so that the linker never mixes their code.
-
-#include <experimental/simd>
+//
+// Distances are measured in smoothing lengths, and the constant factors of a sum (the kernel's constant,
+// powers of h) multiply the sum, not each of its terms.
 
 #include "sph/correction.hpp"
 #include "sph/kernel_registry.hpp"
+#include "sph/neighbour_search.hpp"
 #include "sph/pair_loops.hpp"
 #include "sph/pair_terms.hpp"
+#include "sph/wide.hpp"
 
 namespace riffle::RIFFLE_ISA {
 
-namespace stdx = std::experimental;
-using IntLanes = stdx::fixed_size_simd<std::int32_t, cluster_size>;
+/// The i side of a cluster and what its turns need.
+template <int D, class Real>
+struct OwnCluster {
+    Components<WideInteger<Real>, D> x;
+    Components<Wide<Real>, D> u;
 
-/// How far ahead in the list records are fetched into the cache.
-inline constexpr std::size_t prefetch_distance = 16;
-
-/// Positions of a cluster in integer units.
-template <int D>
-struct LanePositions {
-    std::array<IntLanes, static_cast<std::size_t>(D)> x;
-
-    /// Distances r = x_i - x_j in metres to one record.
-    template <class Real>
-    RIFFLE_INLINE Components<Lanes<Real>, D> to(
-        const std::array<std::int32_t, static_cast<std::size_t>(D)>& xj,
-        const std::array<Real, static_cast<std::size_t>(D)>& unit) const {
-        Components<Lanes<Real>, D> r{};
+    template <class Record>
+    RIFFLE_INLINE explicit OwnCluster(const Record* records) {
         for (std::size_t k = 0; k < D; ++k) {
-            r[k] = stdx::static_simd_cast<Lanes<Real>>(x[k] - IntLanes(xj[k])) * unit[k];
+            x[k] = gather<Real, std::int32_t>(records, [k](const Record& r) { return r.x[k]; });
+            u[k] = gather<Real, Real>(records, [k](const Record& r) { return r.u[k]; });
+        }
+    }
+
+    /// r = x_i - x_j in smoothing lengths for the neighbours of a turn.
+    template <class Record>
+    RIFFLE_INLINE Components<Wide<Real>, D> distance(const Record& a, const Record& b,
+                                                     const PairConstants<D, Real>& c) const {
+        Components<Wide<Real>, D> r{};
+        for (std::size_t k = 0; k < D; ++k) {
+            const WideInteger<Real> difference = x[k] - halves<Real, std::int32_t>(a.x[k], b.x[k]);
+            r[k] = stdx::static_simd_cast<Wide<Real>>(difference) * c.unit[k];
         }
         return r;
     }
+
+    /// u_i - u_j.
+    template <class Record>
+    RIFFLE_INLINE Components<Wide<Real>, D> velocity(const Record& a, const Record& b) const {
+        Components<Wide<Real>, D> difference{};
+        for (std::size_t k = 0; k < D; ++k) {
+            difference[k] = u[k] - halves<Real, Real>(a.u[k], b.u[k]);
+        }
+        return difference;
+    }
 };
-
-/// Gather one field of the 8 records of a cluster into lanes.
-template <class Value, class Record, class Get>
-RIFFLE_INLINE auto gather(const Record* records, const Get& get) {
-    alignas(64) std::array<Value, cluster_size> values;
-    for (std::size_t l = 0; l < cluster_size; ++l) {
-        values[l] = get(records[l]);
-    }
-    return stdx::fixed_size_simd<Value, cluster_size>(values.data(), stdx::element_aligned);
-}
-
-template <int D, class Record>
-RIFFLE_INLINE LanePositions<D> gather_positions(const Record* records) {
-    LanePositions<D> positions;
-    for (std::size_t k = 0; k < D; ++k) {
-        positions.x[k] = gather<std::int32_t>(records, [k](const Record& r) { return r.x[k]; });
-    }
-    return positions;
-}
-
-template <int D, class Real, class Record>
-RIFFLE_INLINE Components<Lanes<Real>, D> gather_velocities(const Record* records) {
-    Components<Lanes<Real>, D> u{};
-    for (std::size_t k = 0; k < D; ++k) {
-        u[k] = gather<Real>(records, [k](const Record& r) { return r.u[k]; });
-    }
-    return u;
-}
 
 template <std::size_t N, class T>
 RIFFLE_INLINE void add(std::array<T, N>& sum, const std::array<T, N>& term) {
@@ -71,296 +59,409 @@ RIFFLE_INLINE void add(std::array<T, N>& sum, const std::array<T, N>& term) {
     }
 }
 
-template <class Record>
-RIFFLE_INLINE void prefetch(const std::vector<Record>& records, std::span<const std::int32_t> list,
-                            std::size_t k) {
-    const std::size_t ahead = k + prefetch_distance < list.size() ? k + prefetch_distance : list.size() - 1;
-    __builtin_prefetch(&records[static_cast<std::size_t>(list[ahead])]);
+/// The folded sums times a factor.
+template <class Real, std::size_t N>
+RIFFLE_INLINE std::array<Lanes<Real>, N> fold_all(const std::array<Wide<Real>, N>& sums, Real factor) {
+    std::array<Lanes<Real>, N> result{};
+    for (std::size_t k = 0; k < N; ++k) {
+        result[k] = fold<Real>(sums[k]) * factor;
+    }
+    return result;
 }
 
-template <int D, class Real, class Kernel>
-[[gnu::flatten]] void gradient_loop(PairData<D, Real>& data, std::size_t begin, std::size_t end) {
-    using T = Lanes<Real>;
-    using std::experimental::sqrt;
-    const PairConstants<D, Real> c = data.constants;
-    for (std::size_t cluster = begin; cluster < end; ++cluster) {
-        const std::size_t slot = cluster * cluster_size;
-        const GradientRecord<D, Real>* own = &data.fluid_gradient[slot];
-        const LanePositions<D> position = gather_positions<D>(own);
-        const Components<T, D> velocity = gather_velocities<D, Real>(own);
-        const T s = gather<Real>(own, [](const auto& r) { return r.s; });
-
-        T divergence = T(0);
-        T diffusion = T(0);
-        Components<T, D * D> gradient{};
-        Symmetric<T, D> m_fluid{};
-        Symmetric<T, D> m_wall{};       // walls whose pairs are not corrected
-        Symmetric<T, D> m_continued{};  // walls that continue the fluid
-
-        const auto list = data.fluid_fluid->of(cluster);
-        for (std::size_t n = 0; n < list.size(); ++n) {
-            prefetch(data.fluid_gradient, list, n);
-            const GradientRecord<D, Real>& j = data.fluid_gradient[static_cast<std::size_t>(list[n])];
-            const Components<T, D> r = position.template to<Real>(j.x, c.unit);
-            const T q = sqrt(dot<T, D>(r, r)) * c.inverse_h;
-            const T volume_gradient = Kernel::gradient_factor(q) * (c.gradient_scale * j.volume);
-            Components<T, D> u{};
-            for (std::size_t k = 0; k < D; ++k) {
-                u[k] = velocity[k] - j.u[k];
-            }
-            diffusion += density_diffusion(volume_gradient, T(s - j.s), r[D - 1], c.hydrostatic_gradient);
-            for (std::size_t l = 0; l < D; ++l) {
-                const T gradient_l = volume_gradient * r[l];
-                for (std::size_t k = 0; k < D; ++k) {
-                    gradient[k * D + l] -= u[k] * gradient_l;
-                }
-                for (std::size_t k = 0; k <= l; ++k) {
-                    m_fluid[symmetric_index<D>(static_cast<int>(k), static_cast<int>(l))] -=
-                        r[k] * gradient_l;
-                }
-            }
-        }
-        // The divergence of the pairs is minus the trace of the uncorrected gradient: sum V_j u.grad W.
-        for (std::size_t k = 0; k < D; ++k) {
-            divergence -= gradient[k * D + k];
-        }
-
-        if (data.fluid_wall != nullptr) {
-            for (const std::int32_t slot_j : data.fluid_wall->of(cluster)) {
-                const WallGradientRecord<D, Real>& j = data.wall_gradient[static_cast<std::size_t>(slot_j)];
-                const Components<T, D> r = position.template to<Real>(j.x, c.unit);
-                const T q = sqrt(dot<T, D>(r, r)) * c.inverse_h;
-                const T volume_gradient = Kernel::gradient_factor(q) * (c.gradient_scale * j.volume);
-                Components<T, D> u{};
-                for (std::size_t k = 0; k < D; ++k) {
-                    T sum = velocity[0] * j.projector[k * D];
-                    for (std::size_t l = 1; l < D; ++l) {
-                        sum += velocity[l] * j.projector[k * D + l];
-                    }
-                    u[k] = sum;
-                }
-                divergence += continuity<T, D>(volume_gradient, u, r);
-                const T continued = volume_gradient * j.continuation;
-                for (std::size_t l = 0; l < D; ++l) {
-                    for (std::size_t k = 0; k <= l; ++k) {
-                        const std::size_t kl = symmetric_index<D>(static_cast<int>(k), static_cast<int>(l));
-                        m_continued[kl] -= continued * r[k] * r[l];
-                        m_wall[kl] -= (volume_gradient - continued) * r[k] * r[l];
-                    }
-                }
-            }
-        }
-
-        // The corrected gradient G M_fluid^-1 is exact for linear fields as long as M_fluid can be inverted.
-        const T gradient_blend = c.correct_gradient
-                                     ? smoothstep<T>(Real(0.1), Real(0.3), smallest_eigenvalue<T, D>(m_fluid))
-                                     : T(0);
-        const Components<T, D* D> gradient_matrix =
-            pressure_correction<T, D>(m_fluid, Symmetric<T, D>{}, gradient_blend);
-
-        add(m_fluid, m_continued);
-        Symmetric<T, D> m_total = m_fluid;
-        add(m_total, m_wall);
-        const T regularity = smallest_eigenvalue<T, D>(m_total);
-        const T pressure_blend = c.correct_pressure ? smoothstep<T>(Real(0.6), Real(0.9), regularity) : T(0);
-        const Components<T, D* D> b = pressure_correction<T, D>(m_fluid, m_wall, pressure_blend);
-
-        for (std::size_t k = 0; k < D; ++k) {
-            for (std::size_t l = 0; l < D; ++l) {
-                T sum = gradient[k * D] * gradient_matrix[l];
-                for (std::size_t m = 1; m < D; ++m) {
-                    sum += gradient[k * D + m] * gradient_matrix[m * D + l];
-                }
-                store_lanes(sum, &data.gradient.velocity_gradient[k * D + l][slot]);
-                store_lanes(b[k * D + l], &data.gradient.correction[k * D + l][slot]);
-            }
-        }
-        store_lanes(divergence, &data.gradient.density_rate[slot]);
-        store_lanes(T(diffusion * c.diffusion), &data.gradient.diffusion[slot]);
-        // The two-point viscosity is nu M_kl d2u/dx_k dx_l. Among disordered particles tr(M)/D falls below
-        // one, and Taylor-Green vortices decay 1 to 2 % too slowly; this factor puts that right.
-        T trace = m_total[0];
-        for (int k = 1; k < D; ++k) {
-            trace += m_total[symmetric_index<D>(k, k)];
-        }
-        store_lanes(T(Real(1) + pressure_blend * (Real(D) / trace - Real(1))),
-                    &data.gradient.viscosity_factor[slot]);
-        store_lanes(regularity, &data.gradient.regularity[slot]);
+/// Call f(slot_a, slot_b, ahead) for the turns of a cluster's list; `ahead` is a slot of a later turn, to
+/// fetch.
+template <class Real, class F>
+RIFFLE_INLINE void for_turns(const NeighbourList& list, std::size_t cluster, std::int32_t* slots,
+                             const F& f) {
+    const std::size_t count = list.spell(cluster, slots);
+    for (std::size_t n = 0; n < count; n += neighbours_per_turn<Real>) {
+        f(static_cast<std::size_t>(slots[n]),
+          static_cast<std::size_t>(slots[n + neighbours_per_turn<Real> - 1]),
+          &slots[n + NeighbourList::lookahead]);
     }
 }
 
-template <int D, class Real, class Kernel, class Viscosity>
-[[gnu::flatten]] void force_loop(PairData<D, Real>& data, std::size_t begin, std::size_t end) {
+/// Fetch the records of the turn that `ahead` points to.
+template <class Real, class Record>
+RIFFLE_INLINE void prefetch(const std::vector<Record>& records, const std::int32_t* ahead) {
+    for (std::size_t n = 0; n < neighbours_per_turn<Real>; ++n) {
+        const char* record = reinterpret_cast<const char*>(records.data() + ahead[n]);
+        __builtin_prefetch(record);
+        if constexpr (sizeof(Record) > 64) {
+            __builtin_prefetch(record + 64);
+        }
+    }
+}
+
+template <int D, class Real, class Kernel, bool Gradients>
+[[gnu::flatten]] void gradient_loop(PairData<D, Real>& data, std::size_t begin, std::size_t end,
+                                    BlockWork<D, Real>& work) {
+    using W = Wide<Real>;
     using T = Lanes<Real>;
-    using std::experimental::sqrt;
+    using stdx::sqrt;
     const PairConstants<D, Real> c = data.constants;
+    const Real scale = Kernel::template gradient_constant<Real>() * c.gradient_scale;
+    const Real hydrostatic_gradient = c.hydrostatic_gradient * c.h;
+    for (std::size_t cluster = begin; cluster < end; ++cluster) {
+        const MotionRecord<D, Real>* own = &data.motion[cluster * cluster_size];
+        const OwnCluster<D, Real> self(own);
+        const W s = gather<Real, Real>(own, [](const auto& r) { return r.s; });
+
+        W wide_diffusion(0);
+        W wide_divergence(0);
+        Components<W, D * D> wide_gradient{};
+        Symmetric<W, D> wide_m{};
+        for_turns<Real>(
+            *data.fluid_fluid, cluster, work.slots.data(),
+            [&](std::size_t slot_a, std::size_t slot_b, const std::int32_t* ahead) {
+                prefetch<Real>(data.motion, ahead);
+                const MotionRecord<D, Real>& a = data.motion[slot_a];
+                const MotionRecord<D, Real>& b = data.motion[slot_b];
+                const Components<W, D> r = self.distance(a, b, c);
+                const W weight =
+                    Kernel::gradient_shape(W(sqrt(dot<W, D>(r, r)))) * halves<Real, Real>(a.volume, b.volume);
+                const Components<W, D> u = self.velocity(a, b);
+                wide_diffusion += density_diffusion(weight, W(s - halves<Real, Real>(a.s, b.s)), r[D - 1],
+                                                    hydrostatic_gradient);
+                if constexpr (Gradients) {
+                    for (std::size_t l = 0; l < D; ++l) {
+                        const W gradient_l = weight * r[l];
+                        for (std::size_t k = 0; k < D; ++k) {
+                            wide_gradient[k * D + l] += u[k] * gradient_l;
+                        }
+                        for (std::size_t k = 0; k <= l; ++k) {
+                            wide_m[symmetric_index<D>(static_cast<int>(k), static_cast<int>(l))] +=
+                                r[k] * gradient_l;
+                        }
+                    }
+                } else {
+                    wide_divergence += continuity<W, D>(weight, u, r);
+                }
+            });
+        const T diffusion = fold<Real>(wide_diffusion) * (Real(2) * scale * c.diffusion);
+        // Of the pairs' sum V_j u.grad W; the trace of minus the velocity gradient.
+        T divergence(0);
+        const Components<T, D* D> gradient = fold_all<Real>(wide_gradient, -scale * c.h);
+        Symmetric<T, D> m_fluid = fold_all<Real>(wide_m, -scale * c.h * c.h);
+        if constexpr (Gradients) {
+            for (std::size_t k = 0; k < D; ++k) {
+                divergence -= gradient[k * D + k];
+            }
+        } else {
+            divergence = fold<Real>(wide_divergence) * (scale * c.h);
+        }
+
+        Symmetric<W, D> wide_m_wall{};       // walls whose pairs are not corrected
+        Symmetric<W, D> wide_m_continued{};  // walls that continue the fluid
+        if (data.fluid_wall != nullptr) {
+            W wall_divergence(0);
+            for_turns<Real>(*data.fluid_wall, cluster, work.slots.data(),
+                            [&](std::size_t slot_a, std::size_t slot_b, const std::int32_t* ahead) {
+                                (void)ahead;
+                                const WallGradientRecord<D, Real>& a = data.wall_gradient[slot_a];
+                                const WallGradientRecord<D, Real>& b = data.wall_gradient[slot_b];
+                                const Components<W, D> r = self.distance(a, b, c);
+                                const W weight = Kernel::gradient_shape(W(sqrt(dot<W, D>(r, r)))) *
+                                                 halves<Real, Real>(a.volume, b.volume);
+                                Components<W, D> u{};
+                                for (std::size_t k = 0; k < D; ++k) {
+                                    for (std::size_t l = 0; l < D; ++l) {
+                                        u[k] += self.u[l] * halves<Real, Real>(a.projector[k * D + l],
+                                                                               b.projector[k * D + l]);
+                                    }
+                                }
+                                wall_divergence += continuity<W, D>(weight, u, r);
+                                if constexpr (Gradients) {
+                                    const W continued =
+                                        weight * halves<Real, Real>(a.continuation, b.continuation);
+                                    for (std::size_t l = 0; l < D; ++l) {
+                                        for (std::size_t k = 0; k <= l; ++k) {
+                                            const std::size_t kl =
+                                                symmetric_index<D>(static_cast<int>(k), static_cast<int>(l));
+                                            wide_m_continued[kl] += continued * r[k] * r[l];
+                                            wide_m_wall[kl] += (weight - continued) * r[k] * r[l];
+                                        }
+                                    }
+                                }
+                            });
+            divergence += fold<Real>(wall_divergence) * (scale * c.h);
+        }
+
+        const std::size_t lane = (cluster - begin) * cluster_size;
+        store_lanes(divergence, &work.gradient.density_rate[lane]);
+        store_lanes(diffusion, &work.gradient.diffusion[lane]);
+        if constexpr (Gradients) {
+            // The corrected gradient G M_fluid^-1 is exact for linear fields as long as M_fluid can be
+            // inverted.
+            const T gradient_blend =
+                c.correct_gradient ? smoothstep<T>(Real(0.1), Real(0.3), smallest_eigenvalue<T, D>(m_fluid))
+                                   : T(0);
+            const Components<T, D* D> gradient_matrix =
+                pressure_correction<T, D>(m_fluid, Symmetric<T, D>{}, gradient_blend);
+
+            const Symmetric<T, D> m_wall = fold_all<Real>(wide_m_wall, -scale * c.h * c.h);
+            add(m_fluid, fold_all<Real>(wide_m_continued, -scale * c.h * c.h));
+            Symmetric<T, D> m_total = m_fluid;
+            add(m_total, m_wall);
+            const T regularity = smallest_eigenvalue<T, D>(m_total);
+            const T pressure_blend =
+                c.correct_pressure ? smoothstep<T>(Real(0.6), Real(0.9), regularity) : T(0);
+            const Components<T, D* D> b = pressure_correction<T, D>(m_fluid, m_wall, pressure_blend);
+
+            for (std::size_t k = 0; k < D; ++k) {
+                for (std::size_t l = 0; l < D; ++l) {
+                    T sum = gradient[k * D] * gradient_matrix[l];
+                    for (std::size_t m = 1; m < D; ++m) {
+                        sum += gradient[k * D + m] * gradient_matrix[m * D + l];
+                    }
+                    store_lanes(sum, &work.gradient.velocity_gradient[k * D + l][lane]);
+                    store_lanes(b[k * D + l], &work.gradient.correction[k * D + l][lane]);
+                }
+            }
+            // The two-point viscosity is nu M_kl d2u/dx_k dx_l. Among disordered particles tr(M)/D falls
+            // below one, and Taylor-Green vortices decay 1 to 2 % too slowly; this factor puts that right.
+            T trace = m_total[0];
+            for (int k = 1; k < D; ++k) {
+                trace += m_total[symmetric_index<D>(k, k)];
+            }
+            store_lanes(T(Real(1) + pressure_blend * (Real(D) / trace - Real(1))),
+                        &work.gradient.viscosity_factor[lane]);
+            store_lanes(regularity, &work.gradient.regularity[lane]);
+        }
+    }
+}
+
+/// The records of the stress in a form.
+template <class Record, int D, class Real>
+RIFFLE_INLINE const std::vector<Record>& stress_records(const PairData<D, Real>& data) {
+    if constexpr (std::is_same_v<Record, PressureRecord<Real>>) {
+        return data.pressure;
+    } else {
+        return data.stress;
+    }
+}
+
+template <int D, class Real, class Kernel, class Viscosity, class Record>
+[[gnu::flatten]] void force_loop(PairData<D, Real>& data, std::size_t begin, std::size_t end,
+                                 BlockWork<D, Real>& work) {
+    using W = Wide<Real>;
+    using stdx::sqrt;
+    constexpr std::size_t components = std::tuple_size_v<decltype(Record::stress)>;
+    const PairConstants<D, Real> c = data.constants;
+    const Real scale = Kernel::template gradient_constant<Real>() * c.gradient_scale;
+    const std::vector<Record>& records = stress_records<Record>(data);
     for (std::size_t cluster = begin; cluster < end; ++cluster) {
         const std::size_t slot = cluster * cluster_size;
-        const ForceRecord<D, Real>* own = &data.fluid_force[slot];
-        const LanePositions<D> position = gather_positions<D>(own);
-        const Components<T, D> velocity = gather_velocities<D, Real>(own);
-        const T viscosity_root = gather<Real>(own, [](const auto& r) { return r.viscosity_root; });
-        Components<T, D * D> stress{};
-        for (std::size_t k = 0; k < D * D; ++k) {
-            stress[k] = gather<Real>(own, [k](const auto& r) { return r.stress[k]; });
-        }
-        const auto pair = [&](const ForceRecord<D, Real>& j, const Components<T, D * D>& stress_sum,
-                              Components<T, D>& tensor, Components<T, D>& viscous) {
-            const Components<T, D> r = position.template to<Real>(j.x, c.unit);
-            const T r_squared = dot<T, D>(r, r);
-            const T gradient = Kernel::gradient_factor(T(sqrt(r_squared) * c.inverse_h)) * c.gradient_scale;
-            add(tensor, tensor_force<T, D>(gradient * j.weight, stress_sum, r));
-            Components<T, D> u{};
-            for (std::size_t k = 0; k < D; ++k) {
-                u[k] = velocity[k] - j.u[k];
-            }
-            add(viscous, Viscosity::template force<T, D>(
-                             gradient * j.volume, pair_viscosity_sum<T>(viscosity_root, T(j.viscosity_root)),
-                             u, r, r_squared));
-        };
-
-        Components<T, D> tensor{};
-        Components<T, D> viscous{};
-        const auto list = data.fluid_fluid->of(cluster);
-        for (std::size_t n = 0; n < list.size(); ++n) {
-            prefetch(data.fluid_force, list, n);
-            const ForceRecord<D, Real>& j = data.fluid_force[static_cast<std::size_t>(list[n])];
-            Components<T, D * D> stress_sum{};
-            for (std::size_t k = 0; k < D * D; ++k) {
-                stress_sum[k] = stress[k] + j.stress[k];
-            }
-            pair(j, stress_sum, tensor, viscous);
+        const Record* own = &records[slot];
+        const OwnCluster<D, Real> self(&data.motion[slot]);
+        const W root = gather<Real, Real>(own, [](const auto& r) { return r.viscosity_root; });
+        Components<W, components> stress{};
+        for (std::size_t k = 0; k < components; ++k) {
+            stress[k] = gather<Real, Real>(own, [k](const auto& r) { return r.stress[k]; });
         }
 
-        Components<T, D> wall_tensor{};
-        Components<T, D> wall_viscous{};
+        Components<W, D> tensor{};
+        Components<W, D> viscous{};
+        for_turns<Real>(
+            *data.fluid_fluid, cluster, work.slots.data(),
+            [&](std::size_t slot_a, std::size_t slot_b, const std::int32_t* ahead) {
+                prefetch<Real>(data.motion, ahead);
+                prefetch<Real>(records, ahead);
+                const Components<W, D> r = self.distance(data.motion[slot_a], data.motion[slot_b], c);
+                const Components<W, D> u = self.velocity(data.motion[slot_a], data.motion[slot_b]);
+                const Record& a = records[slot_a];
+                const Record& b = records[slot_b];
+                const W r_squared = dot<W, D>(r, r);
+                const W weight =
+                    Kernel::gradient_shape(W(sqrt(r_squared))) * halves<Real, Real>(a.weight, b.weight);
+                Components<W, components> stress_sum{};
+                for (std::size_t k = 0; k < components; ++k) {
+                    stress_sum[k] = stress[k] + halves<Real, Real>(a.stress[k], b.stress[k]);
+                }
+                add(tensor, tensor_force<W, D>(weight, stress_sum, r));
+                const W viscosity =
+                    pair_viscosity_sum<W>(root, halves<Real, Real>(a.viscosity_root, b.viscosity_root));
+                add(viscous, Viscosity::template force<W, D>(weight, viscosity, u, r, r_squared));
+            });
+
+        Components<W, D> wall_tensor{};
+        Components<W, D> wall_viscous{};
         if (data.fluid_wall != nullptr) {
             // (p_i + p_j) I, or (p_i + p_j) B_i where the wall continues the fluid.
-            const T pressure = load_lanes(&data.fluid_pressure[slot]);
-            Components<T, D * D> departure{};
-            for (std::size_t k = 0; k < D * D; ++k) {
-                departure[k] =
-                    load_lanes(&data.gradient.correction[k][slot]) - (k % (D + 1) == 0 ? Real(1) : Real(0));
-            }
-            for (const std::int32_t slot_j : data.fluid_wall->of(cluster)) {
-                const ForceRecord<D, Real>& j = data.wall_force[static_cast<std::size_t>(slot_j)];
-                const T pressure_sum = pressure + j.stress[0];
-                const T corrected = pressure_sum * j.continuation;
-                Components<T, D * D> stress_sum{};
+            const W pressure = gather<Real, Real>(own, [](const auto& r) { return r.pressure; });
+            const bool continued = !data.correction[0].empty();
+            Components<W, D * D> departure{};
+            if (continued) {
                 for (std::size_t k = 0; k < D * D; ++k) {
-                    stress_sum[k] = corrected * departure[k] + (k % (D + 1) == 0 ? pressure_sum : T(0));
+                    const Real identity = k % (D + 1) == 0 ? Real(1) : Real(0);
+                    departure[k] =
+                        gather<Real, Real>(&data.correction[k][slot], [](const Real& b) { return b; }) -
+                        identity;
                 }
-                pair(j, stress_sum, wall_tensor, wall_viscous);
             }
+            for_turns<Real>(
+                *data.fluid_wall, cluster, work.slots.data(),
+                [&](std::size_t slot_a, std::size_t slot_b, const std::int32_t* ahead) {
+                    (void)ahead;
+                    const WallForceRecord<D, Real>& a = data.wall_force[slot_a];
+                    const WallForceRecord<D, Real>& b = data.wall_force[slot_b];
+                    const Components<W, D> r = self.distance(a, b, c);
+                    const Components<W, D> u = self.velocity(a, b);
+                    const W r_squared = dot<W, D>(r, r);
+                    const W shape = Kernel::gradient_shape(W(sqrt(r_squared)));
+                    const W weight = shape * halves<Real, Real>(a.weight, b.weight);
+                    const W pressure_sum = pressure + halves<Real, Real>(a.pressure, b.pressure);
+                    add(wall_tensor, tensor_force<W, D>(weight, Components<W, 1>{pressure_sum}, r));
+                    if (continued) {
+                        const W corrected = pressure_sum * halves<Real, Real>(a.continuation, b.continuation);
+                        Components<W, D * D> stress_sum{};
+                        for (std::size_t k = 0; k < D * D; ++k) {
+                            stress_sum[k] = corrected * departure[k];
+                        }
+                        add(wall_tensor, tensor_force<W, D>(weight, stress_sum, r));
+                    }
+                    const W viscosity =
+                        pair_viscosity_sum<W>(root, halves<Real, Real>(a.viscosity_root, b.viscosity_root));
+                    add(wall_viscous, Viscosity::template force<W, D>(
+                                          W(shape * halves<Real, Real>(a.viscous_weight, b.viscous_weight)),
+                                          viscosity, u, r, r_squared));
+                });
         }
+        const std::size_t lane = (cluster - begin) * cluster_size;
+        const auto fluid_tensor = fold_all<Real>(tensor, scale * c.h);
+        const auto fluid_viscous = fold_all<Real>(viscous, scale);
+        const auto all_wall_tensor = fold_all<Real>(wall_tensor, scale * c.h);
+        const auto all_wall_viscous = fold_all<Real>(wall_viscous, scale);
         for (std::size_t k = 0; k < D; ++k) {
-            store_lanes(T(tensor[k] + wall_tensor[k]), &data.force.tensor[k][slot]);
-            store_lanes(T(viscous[k] + wall_viscous[k]), &data.force.viscous[k][slot]);
-            store_lanes(T(wall_tensor[k] + wall_viscous[k]), &data.force.wall[k][slot]);
+            store_lanes(Lanes<Real>(fluid_tensor[k] + all_wall_tensor[k]), &work.force.tensor[k][lane]);
+            store_lanes(Lanes<Real>(fluid_viscous[k] + all_wall_viscous[k]), &work.force.viscous[k][lane]);
+            store_lanes(Lanes<Real>(all_wall_tensor[k] + all_wall_viscous[k]), &work.force.wall[k][lane]);
+        }
+    }
+}
+
+template <int D, class Real, class Kernel, class Record>
+[[gnu::flatten]] void wall_loop(PairData<D, Real>& data, std::size_t begin, std::size_t end,
+                                BlockWork<D, Real>& work) {
+    using W = Wide<Real>;
+    using stdx::sqrt;
+    const PairConstants<D, Real> c = data.constants;
+    const Real scale = Kernel::template gradient_constant<Real>() * c.gradient_scale;
+    const std::vector<Record>& records = stress_records<Record>(data);
+    for (std::size_t cluster = begin; cluster < end; ++cluster) {
+        const OwnCluster<D, Real> self(&data.wall_force[cluster * cluster_size]);
+        W weight(0);
+        W pressure(0);
+        W density_rate(0);
+        Components<W, D> offset{};
+        Components<W, D> velocity{};
+        for_turns<Real>(*data.wall_fluid, cluster, work.slots.data(),
+                        [&](std::size_t slot_a, std::size_t slot_b, const std::int32_t* ahead) {
+                            (void)ahead;
+                            const MotionRecord<D, Real>& a = data.motion[slot_a];
+                            const MotionRecord<D, Real>& b = data.motion[slot_b];
+                            const Components<W, D> r = self.distance(a, b, c);
+                            const W q = sqrt(dot<W, D>(r, r));
+                            // The record that fills a turn up has no volume: it must not count here either.
+                            const W volume = halves<Real, Real>(a.volume, b.volume);
+                            W w = Kernel::value(q);
+                            stdx::where(volume == W(0), w) = W(0);
+                            weight += w;
+                            pressure +=
+                                w * halves<Real, Real>(records[slot_a].pressure, records[slot_b].pressure);
+                            Components<W, D> u{};
+                            for (std::size_t k = 0; k < D; ++k) {
+                                offset[k] += w * r[k];
+                                u[k] = halves<Real, Real>(a.u[k], b.u[k]);
+                                velocity[k] += w * u[k];
+                            }
+                            density_rate -= continuity<W, D>(Kernel::gradient_shape(q) * volume, u, r);
+                        });
+        const std::size_t lane = (cluster - begin) * cluster_size;
+        store_lanes(fold<Real>(weight), &work.wall.weight[lane]);
+        store_lanes(fold<Real>(pressure), &work.wall.pressure[lane]);
+        store_lanes(Lanes<Real>(fold<Real>(density_rate) * (scale * c.h)), &work.wall.density_rate[lane]);
+        for (std::size_t k = 0; k < D; ++k) {
+            store_lanes(Lanes<Real>(fold<Real>(offset[k]) * c.h), &work.wall.offset[k][lane]);
+            store_lanes(fold<Real>(velocity[k]), &work.wall.velocity[k][lane]);
         }
     }
 }
 
 template <int D, class Real, class Kernel>
-[[gnu::flatten]] void wall_loop(PairData<D, Real>& data, std::size_t begin, std::size_t end) {
-    using T = Lanes<Real>;
-    using std::experimental::sqrt;
+[[gnu::flatten]] void filter_loop(PairData<D, Real>& data, std::size_t begin, std::size_t end,
+                                  BlockWork<D, Real>& work) {
+    using W = Wide<Real>;
+    using stdx::sqrt;
     const PairConstants<D, Real> c = data.constants;
+    const Real kernel_scale = c.gradient_scale * c.h * c.h;  // h^-D
     for (std::size_t cluster = begin; cluster < end; ++cluster) {
-        const std::size_t slot = cluster * cluster_size;
-        const LanePositions<D> position = gather_positions<D>(&data.wall_force[slot]);
-        T weight = T(0);
-        T pressure = T(0);
-        T density_rate = T(0);
-        Components<T, D> offset{};
-        Components<T, D> velocity{};
-        for (const std::int32_t slot_j : data.wall_fluid->of(cluster)) {
-            const ForceRecord<D, Real>& j = data.fluid_force[static_cast<std::size_t>(slot_j)];
-            const Components<T, D> r = position.template to<Real>(j.x, c.unit);
-            const T q = sqrt(dot<T, D>(r, r)) * c.inverse_h;
-            const T w = Kernel::value(q);
-            weight += w;
-            pressure += w * data.fluid_pressure[static_cast<std::size_t>(slot_j)];
-            Components<T, D> u{};
-            for (std::size_t k = 0; k < D; ++k) {
-                offset[k] += w * r[k];
-                velocity[k] += w * j.u[k];
-                u[k] = T(-j.u[k]);
-            }
-            density_rate +=
-                continuity<T, D>(Kernel::gradient_factor(q) * (c.gradient_scale * j.volume), u, r);
-        }
-        store_lanes(weight, &data.wall.weight[slot]);
-        store_lanes(pressure, &data.wall.pressure[slot]);
-        store_lanes(density_rate, &data.wall.density_rate[slot]);
+        const OwnCluster<D, Real> self(&data.motion[cluster * cluster_size]);
+        W zeroth(0);
+        W mass(0);
+        Components<W, D> first{};
+        Components<W, D> mass_first{};
+        Components<W, D> velocity{};
+        Symmetric<W, D> second{};
+        for_turns<Real>(*data.fluid_fluid, cluster, work.slots.data(),
+                        [&](std::size_t slot_a, std::size_t slot_b, const std::int32_t* ahead) {
+                            prefetch<Real>(data.motion, ahead);
+                            const MotionRecord<D, Real>& a = data.motion[slot_a];
+                            const MotionRecord<D, Real>& b = data.motion[slot_b];
+                            const Components<W, D> r = self.distance(a, b, c);
+                            const W w = Kernel::value(W(sqrt(dot<W, D>(r, r)))) *
+                                        halves<Real, Real>(a.volume, b.volume);
+                            const W mass_weight = w * (Real(1) + halves<Real, Real>(a.s, b.s));
+                            zeroth += w;
+                            mass += mass_weight;
+                            const Components<W, D> u = self.velocity(a, b);
+                            for (std::size_t k = 0; k < D; ++k) {
+                                first[k] += w * r[k];
+                                mass_first[k] += mass_weight * r[k];
+                                velocity[k] -= w * u[k];
+                                for (std::size_t l = k; l < D; ++l) {
+                                    second[symmetric_index<D>(static_cast<int>(k), static_cast<int>(l))] +=
+                                        w * r[k] * r[l];
+                                }
+                            }
+                        });
+        const std::size_t lane = (cluster - begin) * cluster_size;
+        const auto store = [&](const W& sum, Real factor, LaneArray<Real>& result) {
+            store_lanes(Lanes<Real>(fold<Real>(sum) * (kernel_scale * factor)), &result[lane]);
+        };
+        store(zeroth, Real(1), work.filter.zeroth);
+        store(mass, Real(1), work.filter.mass);
         for (std::size_t k = 0; k < D; ++k) {
-            store_lanes(offset[k], &data.wall.offset[k][slot]);
-            store_lanes(velocity[k], &data.wall.velocity[k][slot]);
-        }
-    }
-}
-
-template <int D, class Real, class Kernel>
-[[gnu::flatten]] void filter_loop(PairData<D, Real>& data, std::size_t begin, std::size_t end) {
-    using T = Lanes<Real>;
-    using std::experimental::sqrt;
-    const PairConstants<D, Real> c = data.constants;
-    const Real kernel_scale = c.gradient_scale / (c.inverse_h * c.inverse_h);  // h^-D
-    for (std::size_t cluster = begin; cluster < end; ++cluster) {
-        const std::size_t slot = cluster * cluster_size;
-        const GradientRecord<D, Real>* own = &data.fluid_gradient[slot];
-        const LanePositions<D> position = gather_positions<D>(own);
-        const Components<T, D> own_velocity = gather_velocities<D, Real>(own);
-        T zeroth = T(0);
-        T mass = T(0);
-        Components<T, D> first{};
-        Components<T, D> mass_first{};
-        Components<T, D> velocity{};
-        Symmetric<T, D> second{};
-        for (const std::int32_t slot_j : data.fluid_fluid->of(cluster)) {
-            const GradientRecord<D, Real>& j = data.fluid_gradient[static_cast<std::size_t>(slot_j)];
-            const Components<T, D> r = position.template to<Real>(j.x, c.unit);
-            const T w = Kernel::value(T(sqrt(dot<T, D>(r, r)) * c.inverse_h)) * (kernel_scale * j.volume);
-            const T mass_weight = w * (Real(1) + j.s);
-            zeroth += w;
-            mass += mass_weight;
-            for (std::size_t k = 0; k < D; ++k) {
-                first[k] += w * r[k];
-                mass_first[k] += mass_weight * r[k];
-                velocity[k] += w * (j.u[k] - own_velocity[k]);
-                for (std::size_t l = k; l < D; ++l) {
-                    second[symmetric_index<D>(static_cast<int>(k), static_cast<int>(l))] += w * r[k] * r[l];
-                }
-            }
-        }
-        store_lanes(zeroth, &data.filter.zeroth[slot]);
-        store_lanes(mass, &data.filter.mass[slot]);
-        for (std::size_t k = 0; k < D; ++k) {
-            store_lanes(first[k], &data.filter.first[k][slot]);
-            store_lanes(mass_first[k], &data.filter.mass_first[k][slot]);
-            store_lanes(velocity[k], &data.filter.velocity[k][slot]);
+            store(first[k], c.h, work.filter.first[k]);
+            store(mass_first[k], c.h, work.filter.mass_first[k]);
+            store(velocity[k], Real(1), work.filter.velocity[k]);
         }
         for (std::size_t k = 0; k < second.size(); ++k) {
-            store_lanes(second[k], &data.filter.second[k][slot]);
+            store(second[k], c.h * c.h, work.filter.second[k]);
         }
     }
 }
 
-template <int D, class Real, class Kernel>
-PairLoops<D, Real> loops_of_kernel(ViscosityForm viscosity) {
+template <int D, class Real, class Kernel, class Record>
+PairLoops<D, Real> loops_of(ViscosityForm viscosity) {
     PairLoops<D, Real> loops{};
-    loops.gradient = &gradient_loop<D, Real, Kernel>;
-    loops.force = viscosity == ViscosityForm::morris ? &force_loop<D, Real, Kernel, MorrisViscosity>
-                                                     : &force_loop<D, Real, Kernel, MonaghanGingoldViscosity>;
-    loops.wall = &wall_loop<D, Real, Kernel>;
+    loops.gradient = &gradient_loop<D, Real, Kernel, std::is_same_v<Record, StressRecord<D, Real>>>;
+    loops.force = viscosity == ViscosityForm::morris
+                      ? &force_loop<D, Real, Kernel, MorrisViscosity, Record>
+                      : &force_loop<D, Real, Kernel, MonaghanGingoldViscosity, Record>;
+    loops.wall = &wall_loop<D, Real, Kernel, Record>;
     loops.filter = &filter_loop<D, Real, Kernel>;
     return loops;
 }
 
 template <int D, class Real>
-PairLoops<D, Real> loops(KernelKind kernel, ViscosityForm viscosity) {
-    return visit_kernel<D>(
-        kernel, [viscosity](auto chosen) { return loops_of_kernel<D, Real, decltype(chosen)>(viscosity); });
+PairLoops<D, Real> loops(const LoopOptions& options) {
+    return visit_kernel<D>(options.kernel, [&](auto chosen) {
+        using Kernel = decltype(chosen);
+        return options.gradients ? loops_of<D, Real, Kernel, StressRecord<D, Real>>(options.viscosity)
+                                 : loops_of<D, Real, Kernel, PressureRecord<Real>>(options.viscosity);
+    });
 }
 
 }  // namespace riffle::RIFFLE_ISA

@@ -1,15 +1,22 @@
 // Compiled once per instruction set, RIFFLE_ISA naming it (see cmake/instruction_sets.cmake).
 
+#include "sph/loop_table.hpp"
 #include "sph/pair_loops_impl.hpp"
+#include "sph/particle_loops_impl.hpp"
 
 namespace riffle::RIFFLE_ISA {
 
-PairLoops<2, float> loops_2d_single(KernelKind kernel, ViscosityForm viscosity) {
-    return loops<2, float>(kernel, viscosity);
-}
-
-PairLoops<2, double> loops_2d_double(KernelKind kernel, ViscosityForm viscosity) {
-    return loops<2, double>(kernel, viscosity);
+LoopTable loop_table() {
+    return {.plane_single = &loops<2, float>,
+            .plane_double = &loops<2, double>,
+            .space_single = &loops<3, float>,
+            .space_double = &loops<3, double>,
+            .plane_search = &search_neighbours<2>,
+            .space_search = &search_neighbours<3>,
+            .plane_particles_single = particle_loops_of<2, float>(),
+            .plane_particles_double = particle_loops_of<2, double>(),
+            .space_particles_single = particle_loops_of<3, float>(),
+            .space_particles_double = particle_loops_of<3, double>()};
 }
 
 }  // namespace riffle::RIFFLE_ISA

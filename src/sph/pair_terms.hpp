@@ -8,7 +8,8 @@ namespace riffle {
 
 // The terms of the equations of motion for one pair of particles i, j: small pure functions on scalars or
 // lanes. r = x_i - x_j, u = u_i - u_j; F is the kernel gradient factor, grad_i W_ij = F r (F < 0), V_j the
-// volume of j. Each returns what j adds to the sum of i.
+// volume of j. Each returns what j adds to the sum of i, up to a constant of the whole sum: the loops measure
+// r in smoothing lengths and leave the kernel's constant to the end (pair_loops_impl.hpp).
 
 template <class T, int D>
 using Components = std::array<T, static_cast<std::size_t>(D)>;
@@ -28,12 +29,12 @@ RIFFLE_INLINE T continuity(const T& volume_gradient, const Components<T, D>& u, 
     return volume_gradient * dot<T, D>(u, r);
 }
 
-/// Density diffusion of Fourtakas et al. (2019): 2 V_j (s_i - s_j + k r_z) F, k r_z the hydrostatic part of
-/// the difference, so that it vanishes at rest. The sum is multiplied by delta h c0.
+/// Density diffusion of Fourtakas et al. (2019): V_j (s_i - s_j + k r_z) F, k r_z the hydrostatic part of the
+/// difference, so that it vanishes at rest. The sum is multiplied by 2 delta h c0.
 template <class T, class R>
 RIFFLE_INLINE T density_diffusion(const T& volume_gradient, const T& s_difference, const T& r_vertical,
                                   R hydrostatic_gradient) {
-    return scalar_of<T>(2) * volume_gradient * (s_difference + hydrostatic_gradient * r_vertical);
+    return volume_gradient * (s_difference + hydrostatic_gradient * r_vertical);
 }
 
 /// Pressure and stress in conservative form: -w_j (Q_i + Q_j) grad W, Q = (p B - tau)/rho0 (row-major D x D).
@@ -53,13 +54,32 @@ RIFFLE_INLINE Components<T, D> tensor_force(const T& weight_gradient, const Comp
     return a;
 }
 
-/// Twice the viscosity of a pair from the roots of its particles' viscosities: the square of the mean root.
-/// An eddy viscosity l_m^2 |S| then has the mean of the two mixing lengths, which is exact where l_m grows
-/// linearly from the bed; the arithmetic mean of nu overestimates there, by (dz/z)^2.
+/// Pressure alone, -w_j (p_i + p_j) grad W with a scalar p: the same with Q = p I, without the matrix.
+template <class T, int D>
+RIFFLE_INLINE Components<T, D> tensor_force(const T& weight_gradient, const Components<T, 1>& p_sum,
+                                            const Components<T, D>& r) {
+    const T factor = weight_gradient * p_sum[0];
+    Components<T, D> a{};
+    for (std::size_t k = 0; k < D; ++k) {
+        a[k] = -factor * r[k];
+    }
+    return a;
+}
+
+/// What a particle of viscosity mu/rho0 brings to its pairs, pair_viscosity_sum's root.
+template <class T>
+RIFFLE_INLINE T viscosity_root(const T& viscosity) {
+    using std::sqrt;
+    return sqrt(scalar_of<T>(0.5) * viscosity);
+}
+
+/// Twice the viscosity of a pair from the roots of its particles, root = sqrt(mu/2): the square of the mean
+/// root of mu. An eddy viscosity l_m^2 |S| then has the mean of the two mixing lengths, which is exact where
+/// l_m grows linearly from the bed; the arithmetic mean of nu overestimates there, by (dz/z)^2.
 template <class T>
 RIFFLE_INLINE T pair_viscosity_sum(const T& root_i, const T& root_j) {
     const T sum = root_i + root_j;
-    return scalar_of<T>(0.5) * sum * sum;
+    return sum * sum;
 }
 
 /// Viscosity in Morris' two-point form (Morris et al. 1997): V_j 2 mu_ij F u, 2 mu_ij from

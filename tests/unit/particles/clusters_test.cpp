@@ -17,25 +17,35 @@ void check_clusters(const Cloud<D>& cloud) {
     const Clusters<D>& c = cloud.clusters;
     const std::size_t n = cloud.size();
     RC_ASSERT(c.slots() % cluster_size == 0U);
-    RC_ASSERT(c.slot_of_particle.size() == n);
-    // Every particle stands in one slot, and the slot knows it.
+    // Every particle stands in one slot.
     std::vector<int> seen(n, 0);
     for (std::size_t slot = 0; slot < c.slots(); ++slot) {
-        const std::int32_t particle = c.particle_of_slot[slot];
+        const std::int32_t particle = c.particle_of(slot);
         if (particle < 0) {
             // Padding only at the end of a cluster, which is never empty.
             RC_ASSERT(slot % cluster_size != 0U);
-            RC_ASSERT(slot % cluster_size == cluster_size - 1U || c.particle_of_slot[slot + 1] < 0);
+            RC_ASSERT(slot % cluster_size == cluster_size - 1U || c.particle_of(slot + 1) < 0);
             continue;
         }
         ++seen[static_cast<std::size_t>(particle)];
-        RC_ASSERT(c.slot_of_particle[static_cast<std::size_t>(particle)] == static_cast<std::int32_t>(slot));
     }
     RC_ASSERT(std::all_of(seen.begin(), seen.end(), [](int count) { return count == 1; }));
     // The columns divide the clusters.
     RC_ASSERT(c.column_begin.front() == 0);
     RC_ASSERT(static_cast<std::size_t>(c.column_begin.back()) == c.size());
     RC_ASSERT(std::is_sorted(c.column_begin.begin(), c.column_begin.end()));
+    // The search along a column relies on these bounds.
+    for (std::size_t column = 0; !c.periodic[D - 1] && column + 1 < c.column_begin.size(); ++column) {
+        const auto first = static_cast<std::size_t>(c.column_begin[column]);
+        const auto last = static_cast<std::size_t>(c.column_begin[column + 1]);
+        for (std::size_t a = first; a < last; ++a) {
+            for (std::size_t slot = first * cluster_size; slot < last * cluster_size; ++slot) {
+                const std::int32_t z = c.slot_position[D - 1][slot];
+                RC_ASSERT(slot >= (a + 1) * cluster_size || z <= c.highest[a]);
+                RC_ASSERT(slot < a * cluster_size || z >= c.lowest[a]);
+            }
+        }
+    }
     // Every particle lies in the box of its cluster.
     for (std::size_t slot = 0; slot < c.slots(); ++slot) {
         for (std::size_t k = 0; k < D; ++k) {
@@ -93,8 +103,6 @@ TEST(Particles, PermuteMovesAllQuantitiesTogether) {
         p.position[1][i] = 10.0 + value;
         p.velocity[0][i] = 20.0 + value;
         p.velocity[1][i] = 30.0 + value;
-        p.listed_position[0][i] = 40.0 + value;
-        p.listed_position[1][i] = 50.0 + value;
         p.density_deviation[i] = 60.0 + value;
         p.mass[i] = 70.0 + value;
         p.id[i] = static_cast<std::int64_t>(i);
@@ -107,8 +115,6 @@ TEST(Particles, PermuteMovesAllQuantitiesTogether) {
         EXPECT_EQ(p.position[1][i], 10.0 + value);
         EXPECT_EQ(p.velocity[0][i], 20.0 + value);
         EXPECT_EQ(p.velocity[1][i], 30.0 + value);
-        EXPECT_EQ(p.listed_position[0][i], 40.0 + value);
-        EXPECT_EQ(p.listed_position[1][i], 50.0 + value);
         EXPECT_EQ(p.density_deviation[i], 60.0 + value);
         EXPECT_EQ(p.mass[i], 70.0 + value);
         EXPECT_EQ(p.id[i], order[i]);

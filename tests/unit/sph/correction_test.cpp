@@ -97,7 +97,7 @@ TEST(Correction, SmoothstepRisesFromZeroToOne) {
 TEST(Correction, MakesTheVirialOfUniformPressureIsotropic) {
     const PairSample sample = disordered_sample(0.2, 0, 3);
     LoopRun<double> run(sample, 0.0, 0.0, true);
-    run.run(pair_loops<2, double>(KernelKind::wendland_c2, ViscosityForm::morris));
+    run.run(pair_loops<2, double>({}));
     std::array<double, 4> corrected{};
     std::array<double, 4> usual{};
     double area = 0.0;
@@ -106,8 +106,8 @@ TEST(Correction, MakesTheVirialOfUniformPressureIsotropic) {
         plain_sums(sample, KernelKind::wendland_c2, ViscosityForm::morris, 0.0, 0.0, unused);
     for (std::size_t i = 0; i < sample.fluid.size(); ++i) {
         const std::size_t slot = run.fluid_slot(i);
-        ASSERT_GT(run.data.gradient.regularity[slot], 0.6);
-        const auto b = [&](std::size_t k) { return run.data.gradient.correction[k][slot]; };
+        ASSERT_GT(run.gradient.regularity[slot], 0.6);
+        const auto b = [&](std::size_t k) { return run.gradient.correction[k][slot]; };
         const std::array<double, 4> m = {plain.m_fluid[0][i].value, plain.m_fluid[1][i].value,
                                          plain.m_fluid[1][i].value, plain.m_fluid[2][i].value};
         const double volume = sample.fluid[i].volume;
@@ -116,7 +116,7 @@ TEST(Correction, MakesTheVirialOfUniformPressureIsotropic) {
             for (std::size_t l = 0; l < 2; ++l) {
                 const double product = b(2 * k) * m[l] + b(2 * k + 1) * m[2 + l];
                 // Each particle for itself, where B is not blended.
-                if (run.data.gradient.regularity[slot] > 0.9) {
+                if (run.gradient.regularity[slot] > 0.9) {
                     EXPECT_NEAR(product, k == l ? 1.0 : 0.0, 1e-12);
                 }
                 corrected[2 * k + l] += volume * product;
@@ -138,17 +138,17 @@ TEST(Correction, ReproducesALinearVelocityField) {
         p.u = {0.7 - 1.3 * p.x[1], 0.2 + 0.9 * p.x[1]};  // of z alone: x is periodic
     }
     LoopRun<double> run(sample, 0.0, 0.0, true);
-    run.run(pair_loops<2, double>(KernelKind::wendland_c2, ViscosityForm::morris));
+    run.run(pair_loops<2, double>({}));
     int checked = 0;
     for (std::size_t i = 0; i < sample.fluid.size(); ++i) {
         const std::size_t slot = run.fluid_slot(i);
-        if (run.data.gradient.regularity[slot] < 0.35) {
+        if (run.gradient.regularity[slot] < 0.35) {
             continue;
         }
-        EXPECT_NEAR(run.data.gradient.velocity_gradient[0][slot], 0.0, 1e-12);
-        EXPECT_NEAR(run.data.gradient.velocity_gradient[1][slot], -1.3, 1e-12);
-        EXPECT_NEAR(run.data.gradient.velocity_gradient[2][slot], 0.0, 1e-12);
-        EXPECT_NEAR(run.data.gradient.velocity_gradient[3][slot], 0.9, 1e-12);
+        EXPECT_NEAR(run.gradient.velocity_gradient[0][slot], 0.0, 1e-12);
+        EXPECT_NEAR(run.gradient.velocity_gradient[1][slot], -1.3, 1e-12);
+        EXPECT_NEAR(run.gradient.velocity_gradient[2][slot], 0.0, 1e-12);
+        EXPECT_NEAR(run.gradient.velocity_gradient[3][slot], 0.9, 1e-12);
         ++checked;
     }
     EXPECT_GT(checked, 150);
@@ -160,16 +160,16 @@ TEST(PairForces, SumToNothing) {
     const PairSample sample = disordered_sample(0.4, 0, 9);
     for (const ViscosityForm form : {ViscosityForm::morris, ViscosityForm::monaghan_gingold}) {
         LoopRun<double> run(sample, 0.0, 0.0, true);
-        run.run(pair_loops<2, double>(KernelKind::wendland_c2, form));
+        run.run(pair_loops<2, double>({.viscosity = form}));
         for (std::size_t k = 0; k < 2; ++k) {
             double tensor = 0.0;
             double viscous = 0.0;
             double magnitude = 0.0;
             for (std::size_t i = 0; i < sample.fluid.size(); ++i) {
                 const std::size_t slot = run.fluid_slot(i);
-                tensor += sample.fluid[i].volume * run.data.force.tensor[k][slot];
-                viscous += sample.fluid[i].volume * run.data.force.viscous[k][slot];
-                magnitude += sample.fluid[i].volume * std::abs(run.data.force.tensor[k][slot]);
+                tensor += sample.fluid[i].volume * run.force.tensor[k][slot];
+                viscous += sample.fluid[i].volume * run.force.viscous[k][slot];
+                magnitude += sample.fluid[i].volume * std::abs(run.force.tensor[k][slot]);
             }
             EXPECT_LT(std::abs(tensor), 1e-14 * magnitude);
             EXPECT_LT(std::abs(viscous), 1e-14 * magnitude);

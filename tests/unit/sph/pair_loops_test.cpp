@@ -9,20 +9,6 @@
 
 #include "plain_sums.hpp"
 
-// The loops of each instruction set (src/sph/pair_loops_isa.cpp).
-namespace riffle::baseline {
-PairLoops<2, float> loops_2d_single(KernelKind kernel, ViscosityForm viscosity);
-PairLoops<2, double> loops_2d_double(KernelKind kernel, ViscosityForm viscosity);
-}  // namespace riffle::baseline
-namespace riffle::avx2 {
-PairLoops<2, float> loops_2d_single(KernelKind kernel, ViscosityForm viscosity);
-PairLoops<2, double> loops_2d_double(KernelKind kernel, ViscosityForm viscosity);
-}  // namespace riffle::avx2
-namespace riffle::avx512 {
-PairLoops<2, float> loops_2d_single(KernelKind kernel, ViscosityForm viscosity);
-PairLoops<2, double> loops_2d_double(KernelKind kernel, ViscosityForm viscosity);
-}  // namespace riffle::avx512
-
 namespace riffle {
 namespace {
 
@@ -32,35 +18,10 @@ constexpr double hydrostatic_gradient = 0.05;
 /// Loops of a set in `Real`, or nothing where the processor lacks it.
 template <class Real>
 std::optional<PairLoops<2, Real>> loops_of(InstructionSet set, KernelKind kernel, ViscosityForm viscosity) {
-    constexpr bool single = std::is_same_v<Real, float>;
-    switch (set) {
-        case InstructionSet::baseline:
-            if constexpr (single) {
-                return baseline::loops_2d_single(kernel, viscosity);
-            } else {
-                return baseline::loops_2d_double(kernel, viscosity);
-            }
-        case InstructionSet::avx2:
-            if (__builtin_cpu_supports("avx2") == 0 || __builtin_cpu_supports("fma") == 0) {
-                return std::nullopt;
-            }
-            if constexpr (single) {
-                return avx2::loops_2d_single(kernel, viscosity);
-            } else {
-                return avx2::loops_2d_double(kernel, viscosity);
-            }
-        case InstructionSet::avx512:
-            if (__builtin_cpu_supports("avx512f") == 0 || __builtin_cpu_supports("avx512vl") == 0 ||
-                __builtin_cpu_supports("avx512dq") == 0 || __builtin_cpu_supports("avx512bw") == 0) {
-                return std::nullopt;
-            }
-            if constexpr (single) {
-                return avx512::loops_2d_single(kernel, viscosity);
-            } else {
-                return avx512::loops_2d_double(kernel, viscosity);
-            }
+    if (!processor_offers(set)) {
+        return std::nullopt;
     }
-    return std::nullopt;
+    return pair_loops<2, Real>({.kernel = kernel, .viscosity = viscosity}, set);
 }
 
 /// Rounding bound of a sum: each term is the product of about ten rounded factors. Terms near the end of the
@@ -98,13 +59,13 @@ void compare_with_plain_sums(const Option& option) {
     std::vector<std::array<double, 4>> correction(sample.fluid.size());
     for (std::size_t i = 0; i < sample.fluid.size(); ++i) {
         for (std::size_t k = 0; k < 4; ++k) {
-            correction[i][k] = static_cast<double>(run.data.gradient.correction[k][run.fluid_slot(i)]);
+            correction[i][k] = static_cast<double>(run.gradient.correction[k][run.fluid_slot(i)]);
         }
     }
     const PlainSums plain =
         plain_sums(sample, option.kernel, option.viscosity, diffusion, hydrostatic_gradient, correction);
 
-    const auto& data = run.data;
+    const auto& data = run;
     for (std::size_t i = 0; i < sample.fluid.size(); ++i) {
         const std::size_t slot = run.fluid_slot(i);
         expect_near(plain.density_rate, i, data.gradient.density_rate, slot, "density rate");
@@ -214,7 +175,7 @@ TEST_P(PairLoopsTest, DoubleEqualsPlainSums) { compare_with_plain_sums<double>(G
 INSTANTIATE_TEST_SUITE_P(All, PairLoopsTest, testing::ValuesIn(all_options()), name_of);
 
 TEST(PairLoops, ActiveSetIsOffered) {
-    const PairLoops<2, float> loops = pair_loops<2, float>(KernelKind::wendland_c2, ViscosityForm::morris);
+    const PairLoops<2, float> loops = pair_loops<2, float>({});
     EXPECT_NE(loops.gradient, nullptr);
     EXPECT_NE(loops.force, nullptr);
     EXPECT_NE(loops.wall, nullptr);

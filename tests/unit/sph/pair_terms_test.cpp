@@ -92,9 +92,12 @@ TEST(PairTerms, ViscosityTakesEnergy) {
 }
 
 TEST(PairTerms, PairViscosityIsTheSquareOfTheMeanRoot) {
-    EXPECT_DOUBLE_EQ(pair_viscosity_sum<double>(0.3, 0.3), 2.0 * 0.09);
+    const auto twice = [](double mu_i, double mu_j) {
+        return pair_viscosity_sum<double>(viscosity_root(mu_i), viscosity_root(mu_j));
+    };
+    EXPECT_DOUBLE_EQ(twice(0.09, 0.09), 2.0 * 0.09);
     // Mixing lengths z_i and z_j under one strain rate: the viscosity of the mean length.
-    EXPECT_DOUBLE_EQ(pair_viscosity_sum<double>(0.1, 0.3), 2.0 * 0.04);
+    EXPECT_DOUBLE_EQ(twice(0.01, 0.09), 2.0 * 0.04);
 }
 
 TEST(PairTerms, DiffusionVanishesInStillWater) {

@@ -1,8 +1,12 @@
 #include "plain_sums.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <random>
+
+#include "sph/pair_terms.hpp"
 
 namespace riffle {
 
@@ -146,6 +150,7 @@ PlainSums plain_sums(const PairSample& sample, KernelKind kernel, ViscosityForm 
         if (p.distance == 0.0) {
             return 0.0;
         }
+        // Roots of mu; the records hold sqrt(mu/2).
         const double root = 0.5 * (i.viscosity_root + j.viscosity_root);
         const double twice = 2.0 * root * root;
         const double ux = i.u[0] - j.u[0];
@@ -249,9 +254,10 @@ std::array<std::vector<double>, 2> sorted_positions(const std::vector<PairSample
 
 std::size_t slot_of(const std::vector<std::int32_t>& order, const Clusters<2>& clusters,
                     std::size_t particle) {
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        if (order[i] == static_cast<std::int32_t>(particle)) {
-            return static_cast<std::size_t>(clusters.slot_of_particle[i]);
+    for (std::size_t slot = 0; slot < clusters.slots(); ++slot) {
+        const std::int32_t i = clusters.particle_of(slot);
+        if (i >= 0 && order[static_cast<std::size_t>(i)] == static_cast<std::int32_t>(particle)) {
+            return slot;
         }
     }
     return 0;
@@ -268,9 +274,9 @@ LoopRun<Real>::LoopRun(const PairSample& sample, double diffusion, double hydros
     fluid_fluid = build_neighbour_list<2>(clusters, clusters, sample.fixed_point, 2.2 * h);
     data.fluid_fluid = &fluid_fluid;
     for (std::size_t k = 0; k < 2; ++k) {
-        data.constants.unit[k] = static_cast<Real>(sample.fixed_point.unit(k));
+        data.constants.unit[k] = static_cast<Real>(sample.fixed_point.unit(k) / h);
     }
-    data.constants.inverse_h = static_cast<Real>(1.0 / h);
+    data.constants.h = static_cast<Real>(h);
     data.constants.gradient_scale = static_cast<Real>(1.0 / (h * h * h * h));
     data.constants.diffusion = static_cast<Real>(diffusion);
     data.constants.hydrostatic_gradient = static_cast<Real>(hydrostatic_gradient);
@@ -278,104 +284,145 @@ LoopRun<Real>::LoopRun(const PairSample& sample, double diffusion, double hydros
     data.constants.correct_gradient = correct;
 
     const std::size_t slots = clusters.slots();
-    data.fluid_gradient.resize(slots);
-    data.fluid_force.resize(slots);
-    data.fluid_pressure.resize(slots);
-    const auto resize = [](auto& arrays, std::size_t size) {
-        for (auto& array : arrays) {
-            array.resize(size);
-        }
-    };
-    data.gradient.density_rate.resize(slots);
-    data.gradient.diffusion.resize(slots);
-    data.gradient.viscosity_factor.resize(slots);
-    data.gradient.regularity.resize(slots);
-    resize(data.gradient.velocity_gradient, slots);
-    resize(data.gradient.correction, slots);
-    resize(data.force.tensor, slots);
-    resize(data.force.viscous, slots);
-    resize(data.force.wall, slots);
-    data.filter.zeroth.resize(slots);
-    data.filter.mass.resize(slots);
-    resize(data.filter.first, slots);
-    resize(data.filter.second, slots);
-    resize(data.filter.mass_first, slots);
-    resize(data.filter.velocity, slots);
+    data.motion.resize(slots + 1);
+    data.stress.resize(slots + 1);
+    data.pressure.resize(slots + 1);
+    for (auto& component : data.correction) {
+        component.resize(slots + 1);
+    }
     for (std::size_t slot = 0; slot < slots; ++slot) {
-        auto& gradient = data.fluid_gradient[slot];
-        auto& force = data.fluid_force[slot];
-        gradient.x = {clusters.slot_position[0][slot], clusters.slot_position[1][slot]};
-        force.x = gradient.x;
-        if (clusters.particle_of_slot[slot] < 0) {
+        auto& motion = data.motion[slot];
+        auto& stress = data.stress[slot];
+        motion.x = {clusters.slot_position[0][slot], clusters.slot_position[1][slot]};
+        if (clusters.particle_of(slot) < 0) {
             continue;
         }
-        const auto& p = sample.fluid[static_cast<std::size_t>(
-            order[static_cast<std::size_t>(clusters.particle_of_slot[slot])])];
+        const auto& p =
+            sample
+                .fluid[static_cast<std::size_t>(order[static_cast<std::size_t>(clusters.particle_of(slot))])];
         for (std::size_t k = 0; k < 2; ++k) {
-            gradient.u[k] = static_cast<Real>(p.u[k]);
-            force.u[k] = gradient.u[k];
+            motion.u[k] = static_cast<Real>(p.u[k]);
         }
-        gradient.s = static_cast<Real>(p.s);
-        gradient.volume = static_cast<Real>(p.volume);
+        motion.s = static_cast<Real>(p.s);
+        motion.volume = static_cast<Real>(p.volume);
         for (std::size_t k = 0; k < 4; ++k) {
-            force.stress[k] = static_cast<Real>(p.stress[k]);
+            stress.stress[k] = static_cast<Real>(p.stress[k]);
         }
-        force.viscosity_root = static_cast<Real>(p.viscosity_root);
-        force.volume = gradient.volume;
-        force.weight = gradient.volume;
-        data.fluid_pressure[slot] = static_cast<Real>(p.pressure);
+        stress.viscosity_root = static_cast<Real>(viscosity_root(p.viscosity_root * p.viscosity_root));
+        stress.weight = motion.volume;
+        stress.pressure = static_cast<Real>(p.pressure);
+        data.pressure[slot] = {.stress = {stress.pressure},
+                               .viscosity_root = stress.viscosity_root,
+                               .weight = stress.weight,
+                               .pressure = stress.pressure};
     }
     if (sample.wall.empty()) {
         return;
     }
-    const auto wall = sorted_positions(sample.wall, sample.domain, wall_order);
-    wall_clusters = build_clusters<2>(sample.domain, sample.fixed_point, view(wall), 2.67 * spacing);
+    const auto wall_positions = sorted_positions(sample.wall, sample.domain, wall_order);
+    wall_clusters =
+        build_clusters<2>(sample.domain, sample.fixed_point, view(wall_positions), 2.67 * spacing);
     fluid_wall = build_neighbour_list<2>(clusters, wall_clusters, sample.fixed_point, 2.2 * h);
     wall_fluid = build_neighbour_list<2>(wall_clusters, clusters, sample.fixed_point, 2.2 * h);
     data.fluid_wall = &fluid_wall;
     data.wall_fluid = &wall_fluid;
     const std::size_t wall_slots = wall_clusters.slots();
-    data.wall_gradient.resize(wall_slots);
-    data.wall_force.resize(wall_slots);
-    data.wall.weight.resize(wall_slots);
-    data.wall.pressure.resize(wall_slots);
-    data.wall.density_rate.resize(wall_slots);
-    resize(data.wall.offset, wall_slots);
-    resize(data.wall.velocity, wall_slots);
+    data.wall_gradient.resize(wall_slots + 1);
+    data.wall_force.resize(wall_slots + 1);
     for (std::size_t slot = 0; slot < wall_slots; ++slot) {
-        auto& gradient = data.wall_gradient[slot];
-        auto& force = data.wall_force[slot];
-        gradient.x = {wall_clusters.slot_position[0][slot], wall_clusters.slot_position[1][slot]};
-        force.x = gradient.x;
-        if (wall_clusters.particle_of_slot[slot] < 0) {
+        auto& of_gradient = data.wall_gradient[slot];
+        auto& of_force = data.wall_force[slot];
+        of_gradient.x = {wall_clusters.slot_position[0][slot], wall_clusters.slot_position[1][slot]};
+        of_force.x = of_gradient.x;
+        if (wall_clusters.particle_of(slot) < 0) {
             continue;
         }
         const auto& p = sample.wall[static_cast<std::size_t>(
-            wall_order[static_cast<std::size_t>(wall_clusters.particle_of_slot[slot])])];
+            wall_order[static_cast<std::size_t>(wall_clusters.particle_of(slot))])];
         for (std::size_t k = 0; k < 4; ++k) {
-            gradient.projector[k] = static_cast<Real>(p.projector[k]);
-            force.stress[k] = static_cast<Real>(p.stress[k]);
+            of_gradient.projector[k] = static_cast<Real>(p.projector[k]);
         }
         for (std::size_t k = 0; k < 2; ++k) {
-            force.u[k] = static_cast<Real>(p.u[k]);
+            of_force.u[k] = static_cast<Real>(p.u[k]);
         }
-        gradient.volume = static_cast<Real>(p.volume);
-        gradient.continuation = static_cast<Real>(p.continuation);
-        force.continuation = gradient.continuation;
-        force.volume = gradient.volume;
-        force.weight = gradient.volume;
-        force.viscosity_root = static_cast<Real>(p.viscosity_root);
+        of_gradient.volume = static_cast<Real>(p.volume);
+        of_gradient.continuation = static_cast<Real>(p.continuation);
+        of_force.pressure = static_cast<Real>(p.pressure);
+        of_force.continuation = of_gradient.continuation;
+        of_force.viscous_weight = of_gradient.volume;
+        of_force.weight = of_gradient.volume;
+        of_force.viscosity_root = static_cast<Real>(viscosity_root(p.viscosity_root * p.viscosity_root));
     }
 }
 
+namespace {
+
+/// Copy the lanes of a block to the slots of the whole.
+template <class Real>
+void collect(const LaneArray<Real>& lanes, std::size_t begin, std::size_t end, std::vector<Real>& all) {
+    all.resize(std::max(all.size(), end * cluster_size));
+    std::copy_n(lanes.begin(), (end - begin) * cluster_size,
+                all.begin() + static_cast<std::ptrdiff_t>(begin * cluster_size));
+}
+template <std::size_t N, class Real>
+void collect(const std::array<LaneArray<Real>, N>& lanes, std::size_t begin, std::size_t end,
+             std::array<std::vector<Real>, N>& all) {
+    for (std::size_t k = 0; k < N; ++k) {
+        collect(lanes[k], begin, end, all[k]);
+    }
+}
+
+}  // namespace
+
 template <class Real>
 void LoopRun<Real>::run(const PairLoops<2, Real>& loops) {
-    loops.gradient(data, 0, clusters.size());
-    if (data.wall_fluid != nullptr) {
-        loops.wall(data, 0, wall_clusters.size());
+    const auto work = std::make_unique<BlockWork<2, Real>>();
+    work->slots.resize(
+        std::max({fluid_fluid.buffer_size(), fluid_wall.buffer_size(), wall_fluid.buffer_size()}));
+    const auto blocks = [&](std::size_t n, const auto& f) {
+        for (std::size_t begin = 0; begin < n; begin += block_clusters) {
+            f(begin, std::min(n, begin + block_clusters));
+        }
+    };
+    blocks(clusters.size(), [&](std::size_t begin, std::size_t end) {
+        loops.gradient(data, begin, end, *work);
+        const auto& result = work->gradient;
+        collect(result.density_rate, begin, end, gradient.density_rate);
+        collect(result.diffusion, begin, end, gradient.diffusion);
+        collect(result.viscosity_factor, begin, end, gradient.viscosity_factor);
+        collect(result.regularity, begin, end, gradient.regularity);
+        collect(result.velocity_gradient, begin, end, gradient.velocity_gradient);
+        collect(result.correction, begin, end, gradient.correction);
+        collect(result.correction, begin, end, data.correction);
+    });
+    for (auto& component : data.correction) {
+        component.resize(clusters.slots() + 1);
     }
-    loops.force(data, 0, clusters.size());
-    loops.filter(data, 0, clusters.size());
+    if (data.wall_fluid != nullptr) {
+        blocks(wall_clusters.size(), [&](std::size_t begin, std::size_t end) {
+            loops.wall(data, begin, end, *work);
+            const auto& result = work->wall;
+            collect(result.weight, begin, end, wall.weight);
+            collect(result.pressure, begin, end, wall.pressure);
+            collect(result.density_rate, begin, end, wall.density_rate);
+            collect(result.offset, begin, end, wall.offset);
+            collect(result.velocity, begin, end, wall.velocity);
+        });
+    }
+    blocks(clusters.size(), [&](std::size_t begin, std::size_t end) {
+        loops.force(data, begin, end, *work);
+        collect(work->force.tensor, begin, end, force.tensor);
+        collect(work->force.viscous, begin, end, force.viscous);
+        collect(work->force.wall, begin, end, force.wall);
+        loops.filter(data, begin, end, *work);
+        const auto& result = work->filter;
+        collect(result.zeroth, begin, end, filter.zeroth);
+        collect(result.mass, begin, end, filter.mass);
+        collect(result.first, begin, end, filter.first);
+        collect(result.mass_first, begin, end, filter.mass_first);
+        collect(result.velocity, begin, end, filter.velocity);
+        collect(result.second, begin, end, filter.second);
+    });
 }
 
 template <class Real>

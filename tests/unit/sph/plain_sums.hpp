@@ -70,6 +70,23 @@ struct LoopRun {
     NeighbourList fluid_wall;
     NeighbourList wall_fluid;
     PairData<2, Real> data;
+    /// Results by slot.
+    struct {
+        std::vector<Real> density_rate, diffusion, viscosity_factor, regularity;
+        std::array<std::vector<Real>, 4> velocity_gradient, correction;
+    } gradient;
+    struct {
+        std::array<std::vector<Real>, 2> tensor, viscous, wall;
+    } force;
+    struct {
+        std::vector<Real> weight, pressure, density_rate;
+        std::array<std::vector<Real>, 2> offset, velocity;
+    } wall;
+    struct {
+        std::vector<Real> zeroth, mass;
+        std::array<std::vector<Real>, 2> first, mass_first, velocity;
+        std::array<std::vector<Real>, 3> second;
+    } filter;
 
     LoopRun(const PairSample& sample, double diffusion, double hydrostatic_gradient, bool correct);
     LoopRun(const LoopRun&) = delete;

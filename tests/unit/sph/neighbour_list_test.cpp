@@ -1,4 +1,4 @@
-#include "particles/neighbour_list.hpp"
+#include "sph/neighbour_list.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <set>
 
+#include "../particles/cloud.hpp"
 #include "base/parallel.hpp"
-#include "cloud.hpp"
 
 namespace riffle {
 namespace {
@@ -18,31 +18,49 @@ void check_list(const Cloud<D>& cloud, double range) {
     const NeighbourList list =
         build_neighbour_list<D>(cloud.clusters, cloud.clusters, cloud.fixed_point, range);
     const Clusters<D>& c = cloud.clusters;
+    std::size_t total = 0;
+    std::vector<std::int32_t> slot_of(cloud.size());
+    for (std::size_t slot = 0; slot < c.slots(); ++slot) {
+        if (c.particle_of(slot) >= 0) {
+            slot_of[static_cast<std::size_t>(c.particle_of(slot))] = static_cast<std::int32_t>(slot);
+        }
+    }
     for (std::size_t cluster = 0; cluster < c.size(); ++cluster) {
-        const auto slots = list.of(cluster);
-        const std::set<std::int32_t> listed(slots.begin(), slots.end());
-        RC_ASSERT(listed.size() == slots.size());
-        const auto clusters = list.clusters_of(cluster);
-        const std::set<std::int32_t> listed_clusters(clusters.begin(), clusters.end());
-        RC_ASSERT(listed_clusters.size() == clusters.size());
+        std::vector<std::int32_t> slots(list.buffer_size());
+        const std::size_t count = list.spell(cluster, slots.data());
+        RC_ASSERT(count <= list.largest);
+        total += count;
+        for (std::size_t l = 0; l < NeighbourList::lookahead; ++l) {
+            RC_ASSERT(slots[count + l] == static_cast<std::int32_t>(c.slots()));
+        }
+        const std::set<std::int32_t> listed(slots.begin(),
+                                            slots.begin() + static_cast<std::ptrdiff_t>(count));
+        RC_ASSERT(listed.size() == count);
+        std::set<std::int32_t> listed_clusters;
+        for (std::size_t r = list.run_begin[cluster]; r < list.run_begin[cluster + 1]; ++r) {
+            for (std::int32_t n = 0; n < list.runs[r].count; ++n) {
+                RC_ASSERT(listed_clusters.insert(list.runs[r].first + n).second);
+            }
+        }
         for (std::size_t j = 0; j < cloud.size(); ++j) {
             bool within = false;
             bool within_margin = false;
             for (std::size_t slot = cluster * cluster_size; slot < (cluster + 1) * cluster_size; ++slot) {
-                if (c.particle_of_slot[slot] >= 0) {
+                if (c.particle_of(slot) >= 0) {
                     const double squared =
-                        cloud.distance_squared(static_cast<std::size_t>(c.particle_of_slot[slot]), j);
+                        cloud.distance_squared(static_cast<std::size_t>(c.particle_of(slot)), j);
                     within = within || squared <= range * range;
                     within_margin = within_margin || squared <= 1.0001 * range * range;
                 }
             }
-            const std::int32_t slot_j = c.slot_of_particle[j];
+            const std::int32_t slot_j = slot_of[j];
             const bool present = listed.count(slot_j) > 0;
             RC_ASSERT(!within || present);
             RC_ASSERT(!present || within_margin);
             RC_ASSERT(!present || listed_clusters.count(slot_j / cluster_size) > 0);
         }
     }
+    RC_ASSERT(total == list.neighbours);
 }
 
 TEST(NeighbourList, IsComplete2D) {
@@ -91,10 +109,14 @@ TEST(NeighbourList, DoesNotDependOnTheNumberOfThreads) {
     const NeighbourList two =
         build_neighbour_list<2>(cloud.clusters, cloud.clusters, cloud.fixed_point, 0.06);
     set_thread_count(1);
-    EXPECT_EQ(one.begin, two.begin);
-    EXPECT_EQ(one.slots, two.slots);
-    EXPECT_EQ(one.cluster_begin, two.cluster_begin);
-    EXPECT_EQ(one.clusters, two.clusters);
+    EXPECT_EQ(one.run_begin, two.run_begin);
+    EXPECT_EQ(one.mask_begin, two.mask_begin);
+    EXPECT_EQ(one.masks, two.masks);
+    ASSERT_EQ(one.runs.size(), two.runs.size());
+    for (std::size_t r = 0; r < one.runs.size(); ++r) {
+        EXPECT_EQ(one.runs[r].first, two.runs[r].first);
+        EXPECT_EQ(one.runs[r].count, two.runs[r].count);
+    }
 }
 
 }  // namespace

@@ -1,0 +1,88 @@
+#include "sph/neighbour_list.hpp"
+
+#include <algorithm>
+
+#include "base/parallel.hpp"
+#include "sph/pair_loops.hpp"
+
+namespace riffle {
+
+namespace {
+
+constexpr std::size_t search_block = NeighbourBlock::size;
+
+/// Offsets of block results in the whole list.
+struct BlockPlace {
+    std::size_t runs = 0;
+    std::size_t masks = 0;
+};
+
+}  // namespace
+
+void NeighbourBlock::reserve(std::size_t runs, std::size_t masks) {
+    const auto grow = [](auto& values, std::size_t needed) {
+        if (values.size() < needed) {
+            values.resize(std::max(needed, 2 * values.size()));
+        }
+    };
+    grow(runs_, run_count_ + runs);
+    grow(masks_, mask_count_ + masks);
+}
+
+std::size_t NeighbourList::bytes() const {
+    return run_begin.capacity() * sizeof(run_begin[0]) + runs.capacity() * sizeof(ClusterRun) +
+           mask_begin.capacity() * sizeof(mask_begin[0]) + masks.capacity();
+}
+
+template <int D>
+NeighbourList build_neighbour_list(const Clusters<D>& i_clusters, const Clusters<D>& j_clusters,
+                                   const FixedPoint<D>& fixed_point, double range) {
+    // The margin covers the rounding of the single-precision distances.
+    const NeighbourSearch<D> search{
+        .i = &i_clusters, .j = &j_clusters, .fixed_point = &fixed_point, .range = range * (1.0 + 1e-5)};
+    const NeighbourSearchFunction<D> find = neighbour_search<D>();
+    const std::size_t n = i_clusters.size();
+    std::vector<NeighbourBlock> blocks((n + search_block - 1) / search_block);
+    parallel_blocks(n, search_block, [&](std::size_t begin, std::size_t end) {
+        find(search, begin, end, blocks[begin / search_block]);
+    });
+
+    NeighbourList list;
+    list.empty_slot = static_cast<std::int32_t>(j_clusters.slots());
+    std::vector<BlockPlace> place(blocks.size() + 1);
+    for (std::size_t b = 0; b < blocks.size(); ++b) {
+        place[b + 1] = {place[b].runs + blocks[b].run_count(), place[b].masks + blocks[b].mask_count()};
+        list.largest = std::max(list.largest, blocks[b].largest);
+        list.neighbours += blocks[b].neighbours;
+    }
+    list.runs.resize(place.back().runs);
+    list.masks.resize(place.back().masks);
+    list.run_begin.resize(n + 1);
+    list.mask_begin.resize(n + 1);
+    list.run_begin[n] = static_cast<std::uint32_t>(place.back().runs);
+    list.mask_begin[n] = static_cast<std::uint32_t>(place.back().masks);
+    parallel_blocks(n, search_block, [&](std::size_t begin, std::size_t end) {
+        const std::size_t b = begin / search_block;
+        const NeighbourBlock& block = blocks[b];
+        std::copy_n(block.runs().begin(), block.run_count(),
+                    list.runs.begin() + static_cast<std::ptrdiff_t>(place[b].runs));
+        std::copy_n(block.masks().begin(), block.mask_count(),
+                    list.masks.begin() + static_cast<std::ptrdiff_t>(place[b].masks));
+        auto run = static_cast<std::uint32_t>(place[b].runs);
+        auto mask = static_cast<std::uint32_t>(place[b].masks);
+        for (std::size_t cluster = begin; cluster < end; ++cluster) {
+            list.run_begin[cluster] = run;
+            list.mask_begin[cluster] = mask;
+            run += block.cluster_runs[cluster - begin];
+            mask += block.cluster_masks[cluster - begin];
+        }
+    });
+    return list;
+}
+
+template NeighbourList build_neighbour_list<2>(const Clusters<2>&, const Clusters<2>&, const FixedPoint<2>&,
+                                               double);
+template NeighbourList build_neighbour_list<3>(const Clusters<3>&, const Clusters<3>&, const FixedPoint<3>&,
+                                               double);
+
+}  // namespace riffle

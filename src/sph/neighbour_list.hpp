@@ -1,0 +1,136 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "particles/clusters.hpp"
+
+namespace riffle {
+
+/// Clusters [first, first + count) of one column.
+struct ClusterRun {
+    std::int32_t first = 0;
+    std::int32_t count = 0;
+};
+
+/// For each i-cluster, the slots of all j-particles that lie within range of any of its particles (a full
+/// list: each pair stands in the lists of both clusters, so sums need no atomics and have a fixed order).
+/// Kept as runs of j-clusters with one bit per particle, a sixth of the size of the slots themselves; the
+/// loops spell the slots of one cluster out at a time.
+struct NeighbourList {
+    std::vector<std::uint32_t> run_begin;   ///< clusters + 1 offsets into `runs`
+    std::vector<ClusterRun> runs;           ///< j-clusters, column by column
+    std::vector<std::uint32_t> mask_begin;  ///< clusters + 1 offsets into `masks`
+    std::vector<std::uint8_t> masks;        ///< one per j-cluster of the runs: bit l for slot 8 c + l
+    std::int32_t empty_slot = 0;            ///< a slot past the last one, of a record without volume
+    std::size_t largest = 0;                ///< most neighbours that an i-cluster has
+    std::size_t neighbours = 0;             ///< of all i-clusters together
+
+    [[nodiscard]] std::size_t size() const { return run_begin.empty() ? 0 : run_begin.size() - 1; }
+
+    /// Length of the buffer that spell() needs.
+    [[nodiscard]] std::size_t buffer_size() const { return largest + 2 * lookahead; }
+
+    /// How many entries behind the last one may be read, to fill turns up and to fetch ahead.
+    static constexpr std::size_t lookahead = 16;
+
+    /// The slots of a cluster's neighbours into `slots`, followed by `lookahead` times empty_slot; returns
+    /// their number without those.
+    std::size_t spell(std::size_t cluster, std::int32_t* slots) const;
+
+    /// Bytes held.
+    [[nodiscard]] std::size_t bytes() const;
+};
+
+namespace detail {
+
+/// Positions of the set bits of each byte, in order.
+constexpr std::array<std::array<std::uint8_t, 8>, 256> bit_positions() {
+    std::array<std::array<std::uint8_t, 8>, 256> table{};
+    for (std::size_t mask = 0; mask < 256; ++mask) {
+        std::size_t n = 0;
+        for (std::size_t bit = 0; bit < 8; ++bit) {
+            if ((mask >> bit & 1U) != 0) {
+                table[mask][n++] = static_cast<std::uint8_t>(bit);
+            }
+        }
+    }
+    return table;
+}
+inline constexpr auto bit_position_table = bit_positions();
+
+}  // namespace detail
+
+[[gnu::always_inline]] inline std::size_t NeighbourList::spell(std::size_t cluster,
+                                                               std::int32_t* slots) const {
+    const std::uint8_t* mask = masks.data() + mask_begin[cluster];
+    std::size_t n = 0;
+    for (std::size_t r = run_begin[cluster]; r < run_begin[cluster + 1]; ++r) {
+        std::int32_t base = runs[r].first * cluster_size;
+        for (std::int32_t c = 0; c < runs[r].count; ++c, base += cluster_size) {
+            const auto& position = detail::bit_position_table[*mask];
+            for (std::size_t l = 0; l < cluster_size;
+                 ++l) {  // all eight: the next cluster overwrites the rest
+                slots[n + l] = base + position[l];
+            }
+            n += static_cast<std::size_t>(__builtin_popcount(*mask));
+            ++mask;
+        }
+    }
+    for (std::size_t l = 0; l < lookahead; ++l) {
+        slots[n + l] = empty_slot;
+    }
+    return n;
+}
+
+/// What a search writes for a block of i-clusters. Plain arrays that grow through functions outside of the
+/// instruction sets' objects, which must not bring their own copies of library code into the binary.
+class NeighbourBlock {
+  public:
+    /// Make room for `runs` more runs and `masks` more masks.
+    void reserve(std::size_t runs, std::size_t masks);
+    void add_run(ClusterRun run) { runs_[run_count_++] = run; }
+    void add_mask(std::uint8_t mask) { masks_[mask_count_++] = mask; }
+    /// Forget the masks from `count` on.
+    void cut_masks(std::size_t count) { mask_count_ = count; }
+    [[nodiscard]] std::size_t run_count() const { return run_count_; }
+    [[nodiscard]] std::size_t mask_count() const { return mask_count_; }
+    [[nodiscard]] const std::vector<ClusterRun>& runs() const { return runs_; }
+    [[nodiscard]] const std::vector<std::uint8_t>& masks() const { return masks_; }
+
+    static constexpr std::size_t size = 32;           ///< most i-clusters of a block
+    std::array<std::uint32_t, size> cluster_runs{};   ///< by i-cluster of the block
+    std::array<std::uint32_t, size> cluster_masks{};  ///< by i-cluster of the block
+    std::size_t largest = 0;
+    std::size_t neighbours = 0;
+
+  private:
+    std::vector<ClusterRun> runs_;
+    std::vector<std::uint8_t> masks_;
+    std::size_t run_count_ = 0;
+    std::size_t mask_count_ = 0;
+};
+
+/// Both sides of a search.
+template <int D>
+struct NeighbourSearch {
+    const Clusters<D>* i = nullptr;
+    const Clusters<D>* j = nullptr;
+    const FixedPoint<D>* fixed_point = nullptr;
+    double range = 0.0;  ///< m, with the margin for rounding
+};
+
+/// The search for i-clusters [begin, end); one per instruction set (neighbour_search.hpp).
+template <int D>
+using NeighbourSearchFunction = void (*)(const NeighbourSearch<D>&, std::size_t begin, std::size_t end,
+                                         NeighbourBlock& block);
+
+/// Build the list of j-slots within `range` (m) of each i-cluster. i and j may be the same clusters; a
+/// particle is then its own neighbour (all pair terms vanish at zero distance). Both were built on the same
+/// domain.
+template <int D>
+[[nodiscard]] NeighbourList build_neighbour_list(const Clusters<D>& i_clusters, const Clusters<D>& j_clusters,
+                                                 const FixedPoint<D>& fixed_point, double range);
+
+}  // namespace riffle

@@ -1,0 +1,187 @@
+#pragma once
+
+// The search for neighbours. Compiled once per instruction set, like the loops.
+
+#include <cmath>
+
+#include "sph/neighbour_list.hpp"
+#include "sph/wide.hpp"
+
+namespace riffle::RIFFLE_ISA {
+
+/// Columns of the j side that the interval [low, high] touches along one axis, each once.
+class ColumnRange {
+  public:
+    ColumnRange() = default;
+    template <int D>
+    ColumnRange(const Clusters<D>& j, std::size_t axis, double low, double high)
+        : columns_(j.columns[axis]), periodic_(j.periodic[axis]) {
+        const int first = static_cast<int>(std::floor((low - j.lower[axis]) / j.column_width[axis]));
+        const int last = static_cast<int>(std::floor((high - j.lower[axis]) / j.column_width[axis]));
+        if (periodic_) {
+            first_ = first;
+            count_ = last - first + 1 < columns_ ? last - first + 1 : columns_;
+        } else {
+            first_ = first < 0 ? 0 : (first < columns_ ? first : columns_ - 1);
+            const int end = last < 0 ? 0 : (last < columns_ ? last : columns_ - 1);
+            count_ = end - first_ + 1;
+        }
+    }
+    [[nodiscard]] int count() const { return count_; }
+    [[nodiscard]] int operator[](int n) const {
+        return periodic_ ? ((first_ + n) % columns_ + columns_) % columns_ : first_ + n;
+    }
+
+  private:
+    int columns_ = 1;
+    bool periodic_ = false;
+    int first_ = 0;
+    int count_ = 1;
+};
+
+/// The search of one block, with its constants and buffers.
+template <int D>
+class BlockSearch {
+  public:
+    BlockSearch(const NeighbourSearch<D>& search, NeighbourBlock& block)
+        : i_(*search.i),
+          j_(*search.j),
+          fixed_point_(*search.fixed_point),
+          block_(block),
+          range_(search.range) {
+        range_squared_ = static_cast<float>(range_ * range_);
+        for (std::size_t k = 0; k < D; ++k) {
+            unit_[k] = static_cast<float>(fixed_point_.unit(k));
+        }
+        reach_ = static_cast<std::int64_t>(std::ceil(range_ / fixed_point_.unit(D - 1))) + 2;
+    }
+
+    void search_cluster(std::size_t ci, std::size_t place) {
+        const std::size_t runs_before = block_.run_count();
+        const std::size_t masks_before = block_.mask_count();
+        for (std::size_t k = 0; k < D; ++k) {
+            position_[k] = Codes(&i_.slot_position[k][ci * cluster_size], stdx::element_aligned);
+        }
+        std::array<ColumnRange, 2> columns;
+        for (std::size_t k = 0; k + 1 < D; ++k) {
+            const double centre = fixed_point_.decode(i_.centre[k][ci], k);
+            const double reach = static_cast<double>(i_.half_extent[k][ci]) + range_;
+            columns[k] = ColumnRange(j_, k, centre - reach, centre + reach);
+        }
+        const int stride = D == 3 ? j_.columns[D - 2] : 1;
+        neighbours_ = 0;
+        for (int x = 0; x < columns[0].count(); ++x) {
+            for (int y = 0; y < columns[1].count(); ++y) {
+                search_column(ci, static_cast<std::size_t>(columns[0][x] * stride + columns[1][y]));
+            }
+        }
+        block_.cluster_runs[place] = static_cast<std::uint32_t>(block_.run_count() - runs_before);
+        block_.cluster_masks[place] = static_cast<std::uint32_t>(block_.mask_count() - masks_before);
+        block_.neighbours += neighbours_;
+        block_.largest = block_.largest > neighbours_ ? block_.largest : neighbours_;
+    }
+
+  private:
+    using Codes = stdx::fixed_size_simd<std::int32_t, cluster_size>;
+    using Floats = stdx::fixed_size_simd<float, cluster_size>;
+
+    /// The clusters of one column: one run, from the first near cluster to the last.
+    void search_column(std::size_t ci, std::size_t column) {
+        auto first = static_cast<std::size_t>(j_.column_begin[column]);
+        const auto last = static_cast<std::size_t>(j_.column_begin[column + 1]);
+        std::int64_t high = 0;
+        const bool sorted = !j_.periodic[D - 1];
+        if (sorted) {
+            const std::int64_t centre = i_.centre[D - 1][ci];
+            const auto half = static_cast<std::int64_t>(static_cast<double>(i_.half_extent[D - 1][ci]) /
+                                                        fixed_point_.unit(D - 1)) +
+                              2;
+            const std::int64_t low = centre - half - reach_;
+            high = centre + half + reach_;
+            // The first cluster that reaches up to `low`, by bisection.
+            std::size_t count = last - first;
+            while (count > 0) {
+                const std::size_t half_count = count / 2;
+                const bool below = j_.highest[first + half_count] < low;
+                first = below ? first + half_count + 1 : first;
+                count = below ? count - half_count - 1 : half_count;
+            }
+        }
+        block_.reserve(1, last - first);
+        const std::size_t masks_before = block_.mask_count();
+        std::size_t masks_needed = masks_before;
+        std::size_t run_first = 0;
+        for (std::size_t cj = first; cj < last && !(sorted && j_.lowest[cj] > high); ++cj) {
+            const std::uint8_t mask = near(ci, cj) ? mask_of(cj) : std::uint8_t{0};
+            if (mask == 0 && block_.mask_count() == masks_before) {
+                continue;
+            }
+            if (block_.mask_count() == masks_before) {
+                run_first = cj;
+            }
+            block_.add_mask(mask);
+            if (mask != 0) {
+                masks_needed = block_.mask_count();
+                neighbours_ += static_cast<std::size_t>(__builtin_popcount(mask));
+            }
+        }
+        block_.cut_masks(masks_needed);
+        if (masks_needed > masks_before) {
+            block_.add_run({static_cast<std::int32_t>(run_first),
+                            static_cast<std::int32_t>(masks_needed - masks_before)});
+        }
+    }
+
+    /// Whether the boxes of clusters ci and cj come within range.
+    [[nodiscard]] bool near(std::size_t ci, std::size_t cj) const {
+        float squared = 0;
+        for (std::size_t k = 0; k < D; ++k) {
+            const float distance = std::abs(
+                static_cast<float>(wrapped_difference(i_.centre[k][ci], j_.centre[k][cj])) * unit_[k]);
+            const float gap = positive_part(distance - i_.half_extent[k][ci] - j_.half_extent[k][cj]);
+            squared += gap * gap;
+        }
+        return squared <= range_squared_;
+    }
+
+    /// The particles of cluster cj that are within range of any particle of the i-cluster.
+    [[nodiscard]] std::uint8_t mask_of(std::size_t cj) const {
+        unsigned mask = 0;
+        const auto count = static_cast<std::size_t>(j_.count(cj));
+        for (std::size_t l = 0; l < count; ++l) {
+            Floats squared(0.0F);
+            for (std::size_t k = 0; k < D; ++k) {
+                const Floats d = stdx::static_simd_cast<Floats>(
+                                     position_[k] - Codes(j_.slot_position[k][cj * cluster_size + l])) *
+                                 unit_[k];
+                squared += d * d;
+            }
+            if (stdx::any_of(squared <= range_squared_)) {
+                mask |= 1U << l;
+            }
+        }
+        return static_cast<std::uint8_t>(mask);
+    }
+
+    const Clusters<D>& i_;
+    const Clusters<D>& j_;
+    const FixedPoint<D>& fixed_point_;
+    NeighbourBlock& block_;
+    double range_;
+    float range_squared_ = 0.0F;
+    std::int64_t reach_ = 0;  ///< range in units of the last axis
+    std::array<float, static_cast<std::size_t>(D)> unit_{};
+    std::array<Codes, static_cast<std::size_t>(D)> position_{};
+    std::size_t neighbours_ = 0;
+};
+
+template <int D>
+[[gnu::flatten]] void search_neighbours(const NeighbourSearch<D>& search, std::size_t begin, std::size_t end,
+                                        NeighbourBlock& block) {
+    BlockSearch<D> one(search, block);
+    for (std::size_t ci = begin; ci < end; ++ci) {
+        one.search_cluster(ci, ci - begin);
+    }
+}
+
+}  // namespace riffle::RIFFLE_ISA

@@ -1,0 +1,102 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "particles/clusters.hpp"
+#include "sph/equation_of_state.hpp"
+#include "sph/pair_loops.hpp"
+
+namespace riffle {
+
+// What happens to each particle between the sums: density, stress and packing after the gradient pass, motion
+// after the force pass. Compiled per instruction set like the sums, 8 particles in lanes.
+
+/// The state of the particles, by particle, and constants of the scheme. SI.
+template <int D>
+struct ParticleData {
+    std::array<double*, static_cast<std::size_t>(D)> position{};
+    std::array<double*, static_cast<std::size_t>(D)> velocity{};
+    double* density_deviation = nullptr;
+    const double* mass = nullptr;
+
+    Domain<D> domain;
+    FixedPoint<D> fixed_point;
+    StateEquation state;
+    double density = 0.0;    ///< rho0
+    double viscosity = 0.0;  ///< nu0
+    std::array<double, static_cast<std::size_t>(D)> gravity{};
+    bool corrected = true;    ///< pressure form: Q = p B with weight V_j, else p/rho^2 with m_j/rho0
+    bool closure = false;     ///< an eddy viscosity is wanted
+    bool two_point = true;    ///< it acts through the two-point viscosity, else in the tensor
+    bool shear_only = false;  ///< |S| = |du/dz|, and tau_xz alone
+    const Clusters<D>* clusters = nullptr;
+};
+
+/// Arrays of a block by lane, beside the sums.
+template <int D, class Real>
+struct ParticleWork {
+    LaneArray<double> mixing_length;  ///< in: l_m at the particles, m
+    LaneArray<double> drag;           ///< in: beta of the bed drag, 1/m
+    LaneArray<double> density_rate;   ///< out: ds/dt
+    LaneArray<Real> pressure;         ///< out: p/rho0
+    LaneArray<Real> eddy_viscosity;   ///< out: nu_t
+    LaneArray<double> drag_force;     ///< out: acceleration by the drag
+    /// in, where used: further accelerations (stirring) and a velocity added to the transport (XSPH).
+    std::array<LaneArray<double>, static_cast<std::size_t>(D)> acceleration;
+    std::array<LaneArray<double>, static_cast<std::size_t>(D)> transport;
+};
+
+/// Box of the displacements of each cluster's particles since the last build of the lists, in integer units.
+template <int D>
+struct Displacement {
+    std::array<std::vector<std::int32_t>, static_cast<std::size_t>(D)> low;
+    std::array<std::vector<std::int32_t>, static_cast<std::size_t>(D)> high;
+
+    /// Lanes read whole groups of 8 clusters.
+    void resize(std::size_t clusters) {
+        for (std::size_t k = 0; k < D; ++k) {
+            low[k].assign(clusters + cluster_size, 0);
+            high[k].assign(clusters + cluster_size, 0);
+        }
+    }
+};
+
+/// Which of the inputs of advance() are set.
+struct AdvanceOptions {
+    double step = 0.0;  ///< dt, s
+    bool drag = false;
+    bool acceleration = false;
+    bool transport = false;
+};
+
+/// Largest |a|^2 before the drag, and whether a particle's state is not finite or out of range.
+struct AdvanceResult {
+    double largest = 0.0;
+    bool fault = false;
+};
+
+/// The loops, for clusters [begin, end), at most block_clusters at a time.
+template <int D, class Real>
+struct ParticleLoops {
+    /// ds/dt from the sums of the gradient pass; s += step ds/dt; pressure, eddy viscosity, stress records.
+    void (*stress)(const ParticleData<D>&, PairData<D, Real>&, const BlockWork<D, Real>&,
+                   ParticleWork<D, Real>&, double step, std::size_t begin, std::size_t end);
+    /// Semi-implicit Euler: velocity and position from the sums of the force pass, drag implicit along x.
+    AdvanceResult (*advance)(const ParticleData<D>&, const BlockWork<D, Real>&, ParticleWork<D, Real>&,
+                             const AdvanceOptions&, std::size_t begin, std::size_t end);
+    /// Motion records and displacements of the moved particles.
+    void (*pack)(const ParticleData<D>&, PairData<D, Real>&, Displacement<D>&, std::size_t begin,
+                 std::size_t end);
+    /// Largest squared relative displacement (m2) of clusters in the lists of [begin, end), and of those with
+    /// walls near them against the walls.
+    double (*displaced)(const PairData<D, Real>&, const FixedPoint<D>&, const Displacement<D>&,
+                        std::size_t begin, std::size_t end);
+};
+
+/// The loops of the instruction set in use.
+template <int D, class Real>
+[[nodiscard]] ParticleLoops<D, Real> particle_loops();
+
+}  // namespace riffle

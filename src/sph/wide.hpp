@@ -1,0 +1,82 @@
+#pragma once
+
+// Wide lanes of the pair loops, for the instruction set this is compiled for. A cluster's 8 particles fill 8
+// lanes; where a register holds 16 single-precision numbers, two neighbours are treated at once, one in each
+// half. Included once per instruction set, inside its namespace.
+
+#include <array>
+#include <cstdint>
+#include <experimental/simd>
+
+#ifdef __AVX512F__
+#include <immintrin.h>
+#endif
+
+#include "sph/lanes.hpp"
+
+namespace riffle::RIFFLE_ISA {
+
+namespace stdx = std::experimental;
+
+/// Neighbours per turn of the pair loops.
+template <class Real>
+inline constexpr std::size_t neighbours_per_turn = stdx::native_simd<Real>::size() == 2 * cluster_size ? 2
+                                                                                                       : 1;
+
+/// One value per particle of the i-cluster and neighbour of the turn; half h belongs to neighbour h.
+template <class Value, class Real>
+using WideOf = std::conditional_t<
+    stdx::native_simd<Value>::size() == cluster_size * neighbours_per_turn<Real>, stdx::native_simd<Value>,
+    stdx::fixed_size_simd<Value, static_cast<int>(cluster_size* neighbours_per_turn<Real>)>>;
+
+template <class Real>
+using Wide = WideOf<Real, Real>;
+template <class Real>
+using WideInteger = WideOf<std::int32_t, Real>;
+
+/// A value of neighbour a in the first half and of neighbour b in the second (a alone where there is one
+/// half).
+template <class Real, class Value>
+RIFFLE_INLINE WideOf<Value, Real> halves(const Value& a, const Value& b) {
+    if constexpr (neighbours_per_turn<Real> == 1) {
+        (void)b;
+        return WideOf<Value, Real>(a);
+    } else {
+#ifdef __AVX512F__
+        constexpr __mmask16 second_half = 0xff00;
+        if constexpr (std::is_same_v<Value, float>) {
+            return WideOf<Value, Real>(
+                _mm512_mask_broadcastss_ps(_mm512_set1_ps(a), second_half, _mm_load_ss(&b)));
+        } else {
+            return WideOf<Value, Real>(
+                _mm512_mask_broadcastd_epi32(_mm512_set1_epi32(a), second_half, _mm_cvtsi32_si128(b)));
+        }
+#else
+        static_assert(neighbours_per_turn<Real> == 1);
+#endif
+    }
+}
+
+/// Sum of the halves: what all neighbours add to each particle of the cluster.
+template <class Real>
+RIFFLE_INLINE Lanes<Real> fold(const Wide<Real>& v) {
+    alignas(64) std::array<Real, Wide<Real>::size()> values;
+    v.copy_to(values.data(), stdx::vector_aligned);
+    Lanes<Real> sum(values.data(), stdx::element_aligned);
+    if constexpr (neighbours_per_turn<Real> == 2) {
+        sum += Lanes<Real>(values.data() + cluster_size, stdx::element_aligned);
+    }
+    return sum;
+}
+
+/// One field of the 8 records of a cluster, in each half.
+template <class Real, class Value, class Record, class Get>
+RIFFLE_INLINE WideOf<Value, Real> gather(const Record* records, const Get& get) {
+    alignas(64) std::array<Value, cluster_size * neighbours_per_turn<Real>> values;
+    for (std::size_t l = 0; l < values.size(); ++l) {
+        values[l] = get(records[l % cluster_size]);
+    }
+    return WideOf<Value, Real>(values.data(), stdx::vector_aligned);
+}
+
+}  // namespace riffle::RIFFLE_ISA
