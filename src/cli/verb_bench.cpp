@@ -71,11 +71,12 @@ void bench(const BenchVerb& verb) {
                              {"nanoseconds_per_update", r.nanoseconds_per_update},
                              {"updates_per_second", r.updates_per_second},
                              {"directed_pairs_per_second_per_core", pairs},
-                             {"steps_per_list_build", r.steps_per_list_build}});
+                             {"steps_per_list_build", r.steps_per_list_build},
+                             {"bytes_per_particle", r.bytes_per_particle}});
         } else {
-            fmt::print("{:<26} {:>9} {:>7} {:>11.1f} {:>14.1f} {:>14.2f} {:>12.1f}\n",
+            fmt::print("{:<26} {:>9} {:>7} {:>11.1f} {:>14.1f} {:>14.2f} {:>12.1f} {:6.0f} M pairs/s {:5.0f} B | lists {:.1f} grad {:.1f} force {:.1f} walls {:.1f} rest {:.1f} | listed {:.1f}\n",
                        w.name + "/" + w.scheme, r.particles, r.threads, r.neighbours,
-                       r.nanoseconds_per_update, r.updates_per_second * 1e-6, r.steps_per_list_build);
+                       r.nanoseconds_per_update, r.updates_per_second * 1e-6, r.steps_per_list_build, pairs * 1e-6, r.bytes_per_particle, 100*r.profile.lists, 100*r.profile.gradients, 100*r.profile.forces, 100*r.profile.walls, 100*r.profile.particles, r.listed_neighbours);
         }
     }
     if (verb.json) {
