@@ -60,13 +60,17 @@ RIFFLE_INLINE WideOf<Value, Real> halves(const Value& a, const Value& b) {
 /// Sum of the halves: what all neighbours add to each particle of the cluster.
 template <class Real>
 RIFFLE_INLINE Lanes<Real> fold(const Wide<Real>& v) {
-    alignas(64) std::array<Real, Wide<Real>::size()> values;
-    v.copy_to(values.data(), stdx::vector_aligned);
-    Lanes<Real> sum(values.data(), stdx::element_aligned);
     if constexpr (neighbours_per_turn<Real> == 2) {
-        sum += Lanes<Real>(values.data() + cluster_size, stdx::element_aligned);
+#ifdef __AVX512F__
+        // In registers: through memory the compiler would keep the sums of the loops in memory too.
+        const auto whole = static_cast<__m512>(v);
+        using Half = stdx::simd<float, stdx::simd_abi::deduce_t<float, cluster_size>>;
+        const Half sum(_mm256_add_ps(_mm512_castps512_ps256(whole), _mm512_extractf32x8_ps(whole, 1)));
+        return stdx::static_simd_cast<Lanes<Real>>(sum);
+#endif
+    } else {
+        return stdx::static_simd_cast<Lanes<Real>>(v);
     }
-    return sum;
 }
 
 /// One field of the 8 records of a cluster, in each half.
