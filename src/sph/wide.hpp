@@ -8,11 +8,12 @@
 #include <cstdint>
 #include <experimental/simd>
 
-#ifdef __AVX512F__
+#ifdef __AVX2__
 #include <immintrin.h>
 #endif
 
 #include "sph/lanes.hpp"
+#include "sph/neighbour_list.hpp"
 
 namespace riffle::RIFFLE_ISA {
 
@@ -71,6 +72,19 @@ RIFFLE_INLINE Lanes<Real> fold(const Wide<Real>& v) {
     } else {
         return stdx::static_simd_cast<Lanes<Real>>(v);
     }
+}
+
+/// The positions of the bits of a mask in lanes, in order.
+RIFFLE_INLINE Lanes<std::int32_t> bit_positions(std::uint8_t mask) {
+    const std::uint8_t* positions = detail::bit_position_table[mask].data();
+#ifdef __AVX2__
+    using Native = stdx::simd<std::int32_t, stdx::simd_abi::deduce_t<std::int32_t, cluster_size>>;
+    const Native lanes(
+        _mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(positions))));
+    return stdx::static_simd_cast<Lanes<std::int32_t>>(lanes);
+#else
+    return Lanes<std::int32_t>(positions, stdx::element_aligned);
+#endif
 }
 
 /// One field of the 8 records of a cluster, in each half.
