@@ -113,7 +113,7 @@ void fill_cluster(Clusters<D>& clusters, std::size_t c, const FixedPoint<D>& fix
         std::int32_t low = 0;
         std::int32_t high = 0;
         for (std::size_t l = 0; l < cluster_size; ++l) {
-            code[l] = l < count ? fixed_point.encode(position[k][first + l], k) : reference;
+            code[l] = fixed_point.encode(position[k][first + std::min(l, count - 1)], k);
             const std::int32_t offset = wrapped_difference(code[l], reference);
             low = std::min(low, offset);
             high = std::max(high, offset);

@@ -33,7 +33,7 @@ struct Clusters {
     std::vector<std::int32_t> highest;
     std::vector<std::int32_t> lowest;
 
-    /// Positions in integer units by slot; empty slots repeat the first particle of their cluster.
+    /// Positions in integer units by slot; empty slots repeat the last particle of their cluster.
     std::array<std::vector<std::int32_t>, static_cast<std::size_t>(D)> slot_position;
 
     [[nodiscard]] std::size_t size() const { return begin.empty() ? 0 : begin.size() - 1; }

@@ -14,28 +14,57 @@ namespace riffle::RIFFLE_ISA {
 using Doubles = Lanes<double>;
 using Integers = Lanes<std::int32_t>;
 
-/// 8 values from p on; where there are fewer, the last one is repeated.
-template <class Value>
-RIFFLE_INLINE Lanes<Value> load_some(const Value* p, int count) {
-    if (count == cluster_size) {
-        return load_lanes(p);
-    }
-    alignas(64) std::array<Value, cluster_size> values;
-    for (int l = 0; l < cluster_size; ++l) {
-        values[static_cast<std::size_t>(l)] = p[l < count ? l : count - 1];
-    }
-    return load_lanes(values.data());
-}
+/// The particles of one cluster in lanes. A full one loads and stores whole lanes; in another the lanes past
+/// the last particle repeat it.
+template <bool Full>
+struct Members {
+    std::size_t first;
+    int count;
 
-/// The first `count` lanes to p.
-template <class Value>
-RIFFLE_INLINE void store_some(const Lanes<Value>& v, Value* p, int count) {
-    if (count == cluster_size) {
-        store_lanes(v, p);
-        return;
+    template <class Value>
+    RIFFLE_INLINE Lanes<Value> load(const Value* values) const {
+        if constexpr (Full) {
+            return load_lanes(values + first);
+        } else {
+            alignas(64) std::array<Value, cluster_size> lanes;
+            for (int l = 0; l < cluster_size; ++l) {
+                lanes[static_cast<std::size_t>(l)] =
+                    values[first + static_cast<std::size_t>(l < count ? l : count - 1)];
+            }
+            return load_lanes(lanes.data());
+        }
     }
-    for (int l = 0; l < count; ++l) {
-        p[l] = v[static_cast<std::size_t>(l)];
+    template <class Value>
+    RIFFLE_INLINE void store(const Lanes<Value>& v, Value* values) const {
+        if constexpr (Full) {
+            store_lanes(v, values + first);
+        } else {
+            for (int l = 0; l < count; ++l) {
+                values[first + static_cast<std::size_t>(l)] = v[static_cast<std::size_t>(l)];
+            }
+        }
+    }
+    /// Zero in the lanes past the last particle.
+    template <class Value>
+    RIFFLE_INLINE Lanes<Value> cut(Lanes<Value> v) const {
+        if constexpr (!Full) {
+            const Lanes<std::int32_t> lane([](int l) { return l; });
+            stdx::where(stdx::static_simd_cast<Lanes<Value>>(lane) >= static_cast<Value>(count), v) =
+                Lanes<Value>(0);
+        }
+        return v;
+    }
+};
+
+/// Call f(Members) for a cluster.
+template <int D, class F>
+RIFFLE_INLINE void with_members(const Clusters<D>& clusters, std::size_t cluster, const F& f) {
+    const auto first = static_cast<std::size_t>(clusters.begin[cluster]);
+    const int count = clusters.count(cluster);
+    if (count == cluster_size) {
+        f(Members<true>{first, count});
+    } else {
+        f(Members<false>{first, count});
     }
 }
 
@@ -96,90 +125,89 @@ template <int D, class Real>
     for (std::size_t cluster = begin; cluster < end; ++cluster) {
         const std::size_t slot = cluster * cluster_size;
         const std::size_t lane = (cluster - begin) * cluster_size;
-        const auto first = static_cast<std::size_t>(p.clusters->begin[cluster]);
-        const int count = p.clusters->count(cluster);
+        with_members(*p.clusters, cluster, [&](const auto& members) {
+            Doubles s = members.load(p.density_deviation);
+            const Doubles rate = (1.0 + s) * convert<double>(load_lanes(&work.gradient.density_rate[lane])) +
+                                 convert<double>(load_lanes(&work.gradient.diffusion[lane]));
+            s += step * rate;
+            store_lanes(rate, &own.density_rate[lane]);
+            members.store(s, p.density_deviation);
 
-        Doubles s = load_some(p.density_deviation + first, count);
-        const Doubles rate = (1.0 + s) * convert<double>(load_lanes(&work.gradient.density_rate[lane])) +
-                             convert<double>(load_lanes(&work.gradient.diffusion[lane]));
-        s += step * rate;
-        store_lanes(rate, &own.density_rate[lane]);
-        store_some(s, p.density_deviation + first, count);
+            const Doubles pressure_double = pressure_of(p.state, s);
+            const T pressure = convert<Real>(pressure_double);
+            store_lanes(pressure, &own.pressure[lane]);
+            const Doubles relative = 1.0 + s;  // rho/rho0
+            const Doubles volume = members.load(p.mass) / (p.density * relative);
+            const T density_ratio = convert<Real>(relative);
+            // The symmetric form (thesis 2.42) has weights m_j and divides stresses by rho^2.
+            const T scale = p.corrected ? T(1) : T(T(1) / (density_ratio * density_ratio));
+            const T weight = p.corrected ? convert<Real>(volume) : convert<Real>(Doubles(volume * relative));
 
-        const Doubles pressure_double = pressure_of(p.state, s);
-        const T pressure = convert<Real>(pressure_double);
-        store_lanes(pressure, &own.pressure[lane]);
-        const Doubles relative = 1.0 + s;  // rho/rho0
-        const Doubles volume = load_some(p.mass + first, count) / (p.density * relative);
-        const T density_ratio = convert<Real>(relative);
-        // The symmetric form (thesis 2.42) has weights m_j and divides stresses by rho^2.
-        const T scale = p.corrected ? T(1) : T(T(1) / (density_ratio * density_ratio));
-        const T weight = p.corrected ? convert<Real>(volume) : convert<Real>(Doubles(volume * relative));
-
-        T nu_t(0);
-        Components<T, D * D> g{};
-        if (tensor) {
-            for (std::size_t k = 0; k < D * D; ++k) {
-                g[k] = load_lanes(&work.gradient.velocity_gradient[k][lane]);
+            T nu_t(0);
+            Components<T, D * D> g{};
+            if (tensor) {
+                for (std::size_t k = 0; k < D * D; ++k) {
+                    g[k] = load_lanes(&work.gradient.velocity_gradient[k][lane]);
+                }
+                if (p.closure) {
+                    const T length = convert<Real>(load_lanes(&own.mixing_length[lane]));
+                    const T strain = p.shear_only ? T(abs(g[D - 1])) : strain_rate<T, D>(g);
+                    nu_t = length * length * strain;
+                }
             }
-            if (p.closure) {
-                const T length = convert<Real>(load_lanes(&own.mixing_length[lane]));
-                const T strain = p.shear_only ? T(abs(g[D - 1])) : strain_rate<T, D>(g);
-                nu_t = length * length * strain;
+            store_lanes(nu_t, &own.eddy_viscosity[lane]);
+            T nu(static_cast<Real>(p.viscosity));
+            if (p.two_point) {
+                nu += nu_t;
             }
-        }
-        store_lanes(nu_t, &own.eddy_viscosity[lane]);
-        T nu(static_cast<Real>(p.viscosity));
-        if (p.two_point) {
-            nu += nu_t;
-        }
-        if (tensor) {
-            nu *= load_lanes(&work.gradient.viscosity_factor[lane]);
-        }
-        // mu/rho0 = (1 + s) nu; over (1 + s)^2 where the weight is a mass.
-        const T viscosity = p.corrected ? T(density_ratio * nu) : T(nu / density_ratio);
-        const Column<Real> root_of = column(T(sqrt(T(Real(0.5) * viscosity))));
-        const Column<Real> weight_of = column(weight);
-        const Column<Real> pressure_of_lane = column(T(pressure * scale));
+            if (tensor) {
+                nu *= load_lanes(&work.gradient.viscosity_factor[lane]);
+            }
+            // mu/rho0 = (1 + s) nu; over (1 + s)^2 where the weight is a mass.
+            const T viscosity = p.corrected ? T(density_ratio * nu) : T(nu / density_ratio);
+            const Column<Real> root_of = column(T(sqrt(T(Real(0.5) * viscosity))));
+            const Column<Real> weight_of = column(members.cut(weight));
+            const Column<Real> pressure_of_lane = column(T(pressure * scale));
 
-        if (!tensor) {
+            if (!tensor) {
+                for (int l = 0; l < cluster_size; ++l) {
+                    const auto i = static_cast<std::size_t>(l);
+                    PressureRecord<Real>& record = data.pressure[slot + i];
+                    record.stress[0] = pressure_of_lane[i];
+                    record.viscosity_root = root_of[i];
+                    record.weight = weight_of[i];
+                    record.pressure = pressure_of_lane[i];
+                }
+                return;
+            }
+            std::array<Column<Real>, static_cast<std::size_t>(D * D)> q;
+            for (std::size_t k = 0; k < D; ++k) {
+                for (std::size_t l = 0; l < D; ++l) {
+                    const T b = load_lanes(&work.gradient.correction[k * D + l][lane]);
+                    T stress = pressure * scale * b;
+                    if (!p.two_point && (!p.shear_only || k + l == D - 1)) {
+                        // tau_ij = rho nu_t 2 S_ij, or its xz component alone from du/dz alone.
+                        const T twice_strain =
+                            p.shear_only ? (k == l ? T(0) : g[D - 1]) : T(g[k * D + l] + g[l * D + k]);
+                        stress -= nu_t * density_ratio * scale * twice_strain;
+                    }
+                    q[k * D + l] = column(stress);
+                    if (continued) {
+                        store_lanes(b, &data.correction[k * D + l][slot]);
+                    }
+                }
+            }
             for (int l = 0; l < cluster_size; ++l) {
                 const auto i = static_cast<std::size_t>(l);
-                PressureRecord<Real>& record = data.pressure[slot + i];
-                record.stress[0] = pressure_of_lane[i];
+                StressRecord<D, Real>& record = data.stress[slot + i];
+                for (std::size_t k = 0; k < D * D; ++k) {
+                    record.stress[k] = q[k][i];
+                }
                 record.viscosity_root = root_of[i];
-                record.weight = l < count ? weight_of[i] : Real(0);
+                record.weight = weight_of[i];
                 record.pressure = pressure_of_lane[i];
             }
-            continue;
-        }
-        std::array<Column<Real>, static_cast<std::size_t>(D * D)> q;
-        for (std::size_t k = 0; k < D; ++k) {
-            for (std::size_t l = 0; l < D; ++l) {
-                const T b = load_lanes(&work.gradient.correction[k * D + l][lane]);
-                T stress = pressure * scale * b;
-                if (!p.two_point && (!p.shear_only || k + l == D - 1)) {
-                    // tau_ij = rho nu_t 2 S_ij, or its xz component alone from du/dz alone.
-                    const T twice_strain =
-                        p.shear_only ? (k == l ? T(0) : g[D - 1]) : T(g[k * D + l] + g[l * D + k]);
-                    stress -= nu_t * density_ratio * scale * twice_strain;
-                }
-                q[k * D + l] = column(stress);
-                if (continued) {
-                    store_lanes(b, &data.correction[k * D + l][slot]);
-                }
-            }
-        }
-        for (int l = 0; l < cluster_size; ++l) {
-            const auto i = static_cast<std::size_t>(l);
-            StressRecord<D, Real>& record = data.stress[slot + i];
-            for (std::size_t k = 0; k < D * D; ++k) {
-                record.stress[k] = q[k][i];
-            }
-            record.viscosity_root = root_of[i];
-            record.weight = l < count ? weight_of[i] : Real(0);
-            record.pressure = pressure_of_lane[i];
-        }
+        });
     }
 }
 
@@ -194,48 +222,49 @@ template <int D, class Real>
     bool good = true;
     for (std::size_t cluster = begin; cluster < end; ++cluster) {
         const std::size_t lane = (cluster - begin) * cluster_size;
-        const auto first = static_cast<std::size_t>(p.clusters->begin[cluster]);
-        const int count = p.clusters->count(cluster);
-        const Doubles s = load_some(p.density_deviation + first, count);
-        const Doubles factor = p.corrected ? Doubles(1.0 / (1.0 + s)) : Doubles(1.0);
-        Doubles squared(0.0);
-        Components<Doubles, D> u{};
-        for (std::size_t k = 0; k < D; ++k) {
-            const Doubles pairs = convert<double>(load_lanes(&work.force.tensor[k][lane])) +
-                                  convert<double>(load_lanes(&work.force.viscous[k][lane]));
-            Doubles a = factor * pairs + p.gravity[k];
-            if (options.acceleration) {
-                a += load_lanes(&own.acceleration[k][lane]);
+        with_members(*p.clusters, cluster, [&](const auto& members) {
+            const Doubles s = members.load(p.density_deviation);
+            const Doubles factor = p.corrected ? Doubles(1.0 / (1.0 + s)) : Doubles(1.0);
+            Doubles squared(0.0);
+            Components<Doubles, D> u{};
+            for (std::size_t k = 0; k < D; ++k) {
+                const Doubles pairs = convert<double>(load_lanes(&work.force.tensor[k][lane])) +
+                                      convert<double>(load_lanes(&work.force.viscous[k][lane]));
+                Doubles a = factor * pairs + p.gravity[k];
+                if (options.acceleration) {
+                    a += load_lanes(&own.acceleration[k][lane]);
+                }
+                squared += a * a;
+                u[k] = members.load(p.velocity[k]) + dt * a;
             }
-            squared += a * a;
-            u[k] = load_some(p.velocity[k] + first, count) + dt * a;
-        }
-        largest = stdx::max(largest, squared);
-        if (options.drag) {
-            // u1 + dt beta u1|u1| = u.
-            const Doubles free = u[0];
-            const Doubles beta = load_lanes(&own.drag[lane]);
-            u[0] = 2.0 * free / (1.0 + sqrt(Doubles(1.0 + 4.0 * dt * beta * abs(free))));
-            store_lanes(Doubles((u[0] - free) / dt), &own.drag_force[lane]);
-        }
-        // Written so that a NaN is a fault too.
-        auto fine = abs(s) <= 1e300;
-        for (std::size_t k = 0; k < D; ++k) {
-            store_some(u[k], p.velocity[k] + first, count);
-            Doubles transport = u[k];
-            if (options.transport) {
-                transport += load_lanes(&own.transport[k][lane]);
+            largest = stdx::max(largest, squared);
+            if (options.drag) {
+                // u1 + dt beta u1|u1| = u.
+                const Doubles free = u[0];
+                const Doubles beta = load_lanes(&own.drag[lane]);
+                u[0] = 2.0 * free / (1.0 + sqrt(Doubles(1.0 + 4.0 * dt * beta * abs(free))));
+                store_lanes(Doubles((u[0] - free) / dt), &own.drag_force[lane]);
             }
-            Doubles x = load_some(p.position[k] + first, count) + dt * transport;
-            if (p.domain.periodic[k]) {
-                const double extent = p.domain.upper[k] - p.domain.lower[k];
-                stdx::where(x < p.domain.lower[k], x) = x + extent;
-                stdx::where(x >= p.domain.upper[k], x) = x - extent;
+            // Written so that a NaN is a fault too.
+            auto fine = abs(s) <= 1e300;
+            for (std::size_t k = 0; k < D; ++k) {
+                members.store(u[k], p.velocity[k]);
+                Doubles transport = u[k];
+                if (options.transport) {
+                    transport += load_lanes(&own.transport[k][lane]);
+                }
+                Doubles x = members.load(p.position[k]) + dt * transport;
+                if (p.domain.periodic[k]) {
+                    const double extent = p.domain.upper[k] - p.domain.lower[k];
+                    stdx::where(x < p.domain.lower[k], x) = x + extent;
+                    stdx::where(x >= p.domain.upper[k], x) = x - extent;
+                }
+                members.store(x, p.position[k]);
+                fine = fine && x >= p.fixed_point.lowest(k) && x < p.fixed_point.highest(k) &&
+                       abs(u[k]) <= 1e300;
             }
-            store_some(x, p.position[k] + first, count);
-            fine = fine && x >= p.fixed_point.lowest(k) && x < p.fixed_point.highest(k) && abs(u[k]) <= 1e300;
-        }
-        good = good && stdx::all_of(fine);
+            good = good && stdx::all_of(fine);
+        });
     }
     return {.largest = stdx::hmax(largest), .fault = !good};
 }
@@ -245,48 +274,39 @@ template <int D, class Real>
                                 std::size_t begin, std::size_t end) {
     for (std::size_t cluster = begin; cluster < end; ++cluster) {
         const std::size_t slot = cluster * cluster_size;
-        const auto first = static_cast<std::size_t>(p.clusters->begin[cluster]);
-        const int count = p.clusters->count(cluster);
-        std::array<Column<std::int32_t>, static_cast<std::size_t>(D)> x;
-        std::array<Column<Real>, static_cast<std::size_t>(D)> u;
-        for (std::size_t k = 0; k < D; ++k) {
-            const Doubles units =
-                stdx::floor(Doubles((load_some(p.position[k] + first, count) - p.fixed_point.origin(k)) *
-                                    p.fixed_point.inverse_unit(k)));
-            // As FixedPoint::encode: on a periodic axis the codes are unsigned, here shifted into the range
-            // of a signed number and back.
-            const Integers code = p.domain.periodic[k]
-                                      ? Integers(convert<std::int32_t>(Doubles(units - 2147483648.0)) ^
-                                                 Integers(std::numeric_limits<std::int32_t>::min()))
-                                      : convert<std::int32_t>(units);
-            x[k] = column(code);
-            u[k] = column(convert<Real>(load_some(p.velocity[k] + first, count)));
-            const Integers d = code - load_lanes(&p.clusters->slot_position[k][slot]);
-            const Column<std::int32_t> displacement = column(d);
-            std::int32_t low = displacement[0];
-            std::int32_t high = displacement[0];
-            for (int l = 1; l < count; ++l) {
-                const std::int32_t value = displacement[static_cast<std::size_t>(l)];
-                low = value < low ? value : low;
-                high = value > high ? value : high;
-            }
-            moved.low[k][cluster] = low;
-            moved.high[k][cluster] = high;
-        }
-        const Doubles s = load_some(p.density_deviation + first, count);
-        const Column<Real> s_of = column(convert<Real>(s));
-        const Column<Real> volume =
-            column(convert<Real>(Doubles(load_some(p.mass + first, count) / (p.density * (1.0 + s)))));
-        for (int l = 0; l < cluster_size; ++l) {
-            const auto i = static_cast<std::size_t>(l);
-            MotionRecord<D, Real>& record = data.motion[slot + i];
+        with_members(*p.clusters, cluster, [&](const auto& members) {
+            std::array<Column<std::int32_t>, static_cast<std::size_t>(D)> x;
+            std::array<Column<Real>, static_cast<std::size_t>(D)> u;
             for (std::size_t k = 0; k < D; ++k) {
-                record.x[k] = x[k][i];
-                record.u[k] = u[k][i];
+                const Doubles units = stdx::floor(Doubles(
+                    (members.load(p.position[k]) - p.fixed_point.origin(k)) * p.fixed_point.inverse_unit(k)));
+                // As FixedPoint::encode: on a periodic axis the codes are unsigned, here shifted into the
+                // range of a signed number and back.
+                const Integers code = p.domain.periodic[k]
+                                          ? Integers(convert<std::int32_t>(Doubles(units - 2147483648.0)) ^
+                                                     Integers(std::numeric_limits<std::int32_t>::min()))
+                                          : convert<std::int32_t>(units);
+                x[k] = column(code);
+                u[k] = column(convert<Real>(members.load(p.velocity[k])));
+                const Integers d = code - load_lanes(&p.clusters->slot_position[k][slot]);
+                moved.low[k][cluster] = stdx::hmin(d);
+                moved.high[k][cluster] = stdx::hmax(d);
             }
-            record.s = s_of[i];
-            record.volume = l < count ? volume[i] : Real(0);
-        }
+            const Doubles s = members.load(p.density_deviation);
+            const Column<Real> s_of = column(convert<Real>(s));
+            const Column<Real> volume =
+                column(members.cut(convert<Real>(Doubles(members.load(p.mass) / (p.density * (1.0 + s))))));
+            for (int l = 0; l < cluster_size; ++l) {
+                const auto i = static_cast<std::size_t>(l);
+                MotionRecord<D, Real>& record = data.motion[slot + i];
+                for (std::size_t k = 0; k < D; ++k) {
+                    record.x[k] = x[k][i];
+                    record.u[k] = u[k][i];
+                }
+                record.s = s_of[i];
+                record.volume = volume[i];
+            }
+        });
     }
 }
 
