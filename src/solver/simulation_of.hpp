@@ -97,6 +97,8 @@ class SimulationOf final : public SimulationIn<D> {
         }
     }
     template <class F>
+    void at_heights(std::size_t begin, std::size_t end, LaneArray<double>& lanes, const F& f) const;
+    template <class F>
     void for_blocks(std::size_t clusters, const F& f);
 
     Case case_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <span>
 
 #include "base/parallel.hpp"
 #include "solver/simulation_of.hpp"
@@ -42,17 +43,34 @@ void SimulationOf<D, Real>::for_blocks(std::size_t clusters, const F& f) {
     });
 }
 
+/// A function of the height, f(heights, results), for the particles of a block, which follow each other in
+/// memory; the results by lane, zero in empty ones.
+template <int D, class Real>
+template <class F>
+void SimulationOf<D, Real>::at_heights(std::size_t begin, std::size_t end, LaneArray<double>& lanes,
+                                       const F& f) const {
+    const auto first = static_cast<std::size_t>(clusters_.begin[begin]);
+    const auto count = static_cast<std::size_t>(clusters_.begin[end]) - first;
+    LaneArray<double> dense;
+    f(std::span<const double>(&particles_.position[vertical][first], count), std::span<double>(dense.data(), count));
+    for_clusters(begin, end, [&](std::size_t i, std::size_t last, std::size_t lane) {
+        if (last - i == cluster_size) {
+            std::copy_n(&dense[i - first], cluster_size, &lanes[lane]);
+        } else {
+            std::fill_n(&lanes[lane], cluster_size, 0.0);
+            std::copy_n(&dense[i - first], last - i, &lanes[lane]);
+        }
+    });
+}
+
 template <int D, class Real>
 void SimulationOf<D, Real>::sweep_gradients(double density_step) {
     for_blocks(clusters_.size(), [&](Task& task, std::size_t begin, std::size_t end) {
         timed(profiling_, block_seconds_[begin / block_clusters].gradients,
               [&] { loops_.gradient(data_, begin, end, task.sums); });
         if (closure_) {
-            for_clusters(begin, end, [&](std::size_t first, std::size_t last, std::size_t lane) {
-                closure_->mixing_lengths({&particles_.position[vertical][first], last - first},
-                                         {&task.particles.mixing_length[lane], last - first});
-                std::fill(&task.particles.mixing_length[lane] + (last - first),
-                          &task.particles.mixing_length[lane] + cluster_size, 0.0);
+            at_heights(begin, end, task.particles.mixing_length, [&](auto z, auto result) {
+                closure_->mixing_lengths(z, result);
             });
         }
         particle_loops_.stress(particle_data_, data_, task.sums, task.particles, density_step, begin, end);
@@ -159,12 +177,8 @@ void SimulationOf<D, Real>::sweep_forces(double step) {
         const std::size_t block = begin / block_clusters;
         timed(profiling_, block_seconds_[block].forces, [&] { loops_.force(data_, begin, end, task.sums); });
         if (drag_) {
-            for_clusters(begin, end, [&](std::size_t first, std::size_t last, std::size_t lane) {
-                drag_->coefficients({&particles_.position[vertical][first], last - first},
-                                    {&task.particles.drag[lane], last - first});
-                std::fill(&task.particles.drag[lane] + (last - first),
-                          &task.particles.drag[lane] + cluster_size, 0.0);
-            });
+            at_heights(begin, end, task.particles.drag,
+                       [&](auto z, auto result) { drag_->coefficients(z, result); });
         }
         if (stirring_.active()) {
             add_stirring(task, begin, end);

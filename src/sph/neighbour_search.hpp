@@ -60,7 +60,8 @@ class BlockSearch {
         const std::size_t runs_before = block_.run_count();
         const std::size_t masks_before = block_.mask_count();
         for (std::size_t k = 0; k < D; ++k) {
-            position_[k] = Codes(&i_.slot_position[k][ci * cluster_size], stdx::element_aligned);
+            position_[k] = gather<float, std::int32_t>(&i_.slot_position[k][ci * cluster_size],
+                                                       [](const std::int32_t& code) { return code; });
         }
         std::array<ColumnRange, 2> columns;
         for (std::size_t k = 0; k + 1 < D; ++k) {
@@ -82,9 +83,6 @@ class BlockSearch {
     }
 
   private:
-    using Codes = stdx::fixed_size_simd<std::int32_t, cluster_size>;
-    using Floats = stdx::fixed_size_simd<float, cluster_size>;
-
     /// The clusters of one column: one run, from the first near cluster to the last.
     void search_column(std::size_t ci, std::size_t column) {
         auto first = static_cast<std::size_t>(j_.column_begin[column]);
@@ -147,20 +145,20 @@ class BlockSearch {
     /// The particles of cluster cj that are within range of any particle of the i-cluster.
     [[nodiscard]] std::uint8_t mask_of(std::size_t cj) const {
         unsigned mask = 0;
-        const auto count = static_cast<std::size_t>(j_.count(cj));
-        for (std::size_t l = 0; l < count; ++l) {
-            Floats squared(0.0F);
+        for (std::size_t l = 0; l < cluster_size; l += neighbours_per_turn<float>) {
+            Wide<float> squared(0.0F);
             for (std::size_t k = 0; k < D; ++k) {
-                const Floats d = stdx::static_simd_cast<Floats>(
-                                     position_[k] - Codes(j_.slot_position[k][cj * cluster_size + l])) *
-                                 unit_[k];
+                const std::int32_t* code = &j_.slot_position[k][cj * cluster_size + l];
+                const Wide<float> d =
+                    stdx::static_simd_cast<Wide<float>>(WideInteger<float>(
+                        position_[k] - halves<float, std::int32_t>(code[0], code[neighbours_per_turn<float> - 1]))) *
+                    unit_[k];
                 squared += d * d;
             }
-            if (stdx::any_of(squared <= range_squared_)) {
-                mask |= 1U << l;
-            }
+            mask |= any_in_halves(squared, range_squared_) << l;
         }
-        return static_cast<std::uint8_t>(mask);
+        // Empty slots repeat a particle.
+        return static_cast<std::uint8_t>(mask & ((1U << static_cast<unsigned>(j_.count(cj))) - 1U));
     }
 
     const Clusters<D>& i_;
@@ -171,7 +169,7 @@ class BlockSearch {
     float range_squared_ = 0.0F;
     std::int64_t reach_ = 0;  ///< range in units of the last axis
     std::array<float, static_cast<std::size_t>(D)> unit_{};
-    std::array<Codes, static_cast<std::size_t>(D)> position_{};
+    std::array<WideInteger<float>, static_cast<std::size_t>(D)> position_{};
     std::size_t neighbours_ = 0;
 };
 

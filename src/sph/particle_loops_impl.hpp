@@ -122,6 +122,7 @@ template <int D, class Real>
     using stdx::sqrt;
     const bool tensor = !data.stress.empty();
     const bool continued = !data.correction[0].empty();
+    const double inverse_density = 1.0 / p.density;
     for (std::size_t cluster = begin; cluster < end; ++cluster) {
         const std::size_t slot = cluster * cluster_size;
         const std::size_t lane = (cluster - begin) * cluster_size;
@@ -136,12 +137,11 @@ template <int D, class Real>
             const Doubles pressure_double = pressure_of(p.state, s);
             const T pressure = convert<Real>(pressure_double);
             store_lanes(pressure, &own.pressure[lane]);
-            const Doubles relative = 1.0 + s;  // rho/rho0
-            const Doubles volume = members.load(p.mass) / (p.density * relative);
-            const T density_ratio = convert<Real>(relative);
+            const T density_ratio = convert<Real>(Doubles(1.0 + s));  // rho/rho0
+            const T mass = convert<Real>(Doubles(members.load(p.mass) * inverse_density));
             // The symmetric form (thesis 2.42) has weights m_j and divides stresses by rho^2.
             const T scale = p.corrected ? T(1) : T(T(1) / (density_ratio * density_ratio));
-            const T weight = p.corrected ? convert<Real>(volume) : convert<Real>(Doubles(volume * relative));
+            const T weight = p.corrected ? T(mass / density_ratio) : mass;
 
             T nu_t(0);
             Components<T, D * D> g{};
@@ -215,6 +215,7 @@ template <int D, class Real>
 [[gnu::flatten]] AdvanceResult advance_loop(const ParticleData<D>& p, const BlockWork<D, Real>& work,
                                             ParticleWork<D, Real>& own, const AdvanceOptions& options,
                                             std::size_t begin, std::size_t end) {
+    using T = Lanes<Real>;
     using stdx::abs;
     using stdx::sqrt;
     const double dt = options.step;
@@ -224,13 +225,13 @@ template <int D, class Real>
         const std::size_t lane = (cluster - begin) * cluster_size;
         with_members(*p.clusters, cluster, [&](const auto& members) {
             const Doubles s = members.load(p.density_deviation);
-            const Doubles factor = p.corrected ? Doubles(1.0 / (1.0 + s)) : Doubles(1.0);
+            const T factor = p.corrected ? T(Real(1) / convert<Real>(Doubles(1.0 + s))) : T(1);
             Doubles squared(0.0);
             Components<Doubles, D> u{};
             for (std::size_t k = 0; k < D; ++k) {
-                const Doubles pairs = convert<double>(load_lanes(&work.force.tensor[k][lane])) +
-                                      convert<double>(load_lanes(&work.force.viscous[k][lane]));
-                Doubles a = factor * pairs + p.gravity[k];
+                const T pairs =
+                    load_lanes(&work.force.tensor[k][lane]) + load_lanes(&work.force.viscous[k][lane]);
+                Doubles a = convert<double>(T(factor * pairs)) + p.gravity[k];
                 if (options.acceleration) {
                     a += load_lanes(&own.acceleration[k][lane]);
                 }
@@ -240,10 +241,14 @@ template <int D, class Real>
             largest = stdx::max(largest, squared);
             if (options.drag) {
                 // u1 + dt beta u1|u1| = u.
-                const Doubles free = u[0];
                 const Doubles beta = load_lanes(&own.drag[lane]);
-                u[0] = 2.0 * free / (1.0 + sqrt(Doubles(1.0 + 4.0 * dt * beta * abs(free))));
-                store_lanes(Doubles((u[0] - free) / dt), &own.drag_force[lane]);
+                Doubles drag(0.0);
+                if (stdx::any_of(beta > 0.0)) {
+                    const Doubles free = u[0];
+                    u[0] = 2.0 * free / (1.0 + sqrt(Doubles(1.0 + 4.0 * dt * beta * abs(free))));
+                    drag = (u[0] - free) / dt;
+                }
+                store_lanes(drag, &own.drag_force[lane]);
             }
             // Written so that a NaN is a fault too.
             auto fine = abs(s) <= 1e300;
@@ -272,6 +277,8 @@ template <int D, class Real>
 template <int D, class Real>
 [[gnu::flatten]] void pack_loop(const ParticleData<D>& p, PairData<D, Real>& data, Displacement<D>& moved,
                                 std::size_t begin, std::size_t end) {
+    using T = Lanes<Real>;
+    const double inverse_density = 1.0 / p.density;
     for (std::size_t cluster = begin; cluster < end; ++cluster) {
         const std::size_t slot = cluster * cluster_size;
         with_members(*p.clusters, cluster, [&](const auto& members) {
@@ -294,8 +301,9 @@ template <int D, class Real>
             }
             const Doubles s = members.load(p.density_deviation);
             const Column<Real> s_of = column(convert<Real>(s));
+            const T mass = convert<Real>(Doubles(members.load(p.mass) * inverse_density));
             const Column<Real> volume =
-                column(members.cut(convert<Real>(Doubles(members.load(p.mass) / (p.density * (1.0 + s))))));
+                column(members.cut(T(mass / convert<Real>(Doubles(1.0 + s)))));
             for (int l = 0; l < cluster_size; ++l) {
                 const auto i = static_cast<std::size_t>(l);
                 MotionRecord<D, Real>& record = data.motion[slot + i];

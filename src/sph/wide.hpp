@@ -65,12 +65,23 @@ RIFFLE_INLINE Lanes<Real> fold(const Wide<Real>& v) {
 #ifdef __AVX512F__
         // In registers: through memory the compiler would keep the sums of the loops in memory too.
         const auto whole = static_cast<__m512>(v);
-        using Half = stdx::simd<float, stdx::simd_abi::deduce_t<float, cluster_size>>;
-        const Half sum(_mm256_add_ps(_mm512_castps512_ps256(whole), _mm512_extractf32x8_ps(whole, 1)));
-        return stdx::static_simd_cast<Lanes<Real>>(sum);
+        return Lanes<Real>(_mm256_add_ps(_mm512_castps512_ps256(whole), _mm512_extractf32x8_ps(whole, 1)));
 #endif
     } else {
         return stdx::static_simd_cast<Lanes<Real>>(v);
+    }
+}
+
+/// Bit h: whether any lane of half h is at most `limit`.
+RIFFLE_INLINE unsigned any_in_halves(const Wide<float>& v, float limit) {
+    if constexpr (neighbours_per_turn<float> == 2) {
+#ifdef __AVX512F__
+        const unsigned lanes =
+            _mm512_cmp_ps_mask(static_cast<__m512>(v), _mm512_set1_ps(limit), _CMP_LE_OQ);
+        return ((lanes & 0xffU) != 0 ? 1U : 0U) | (lanes > 0xffU ? 2U : 0U);
+#endif
+    } else {
+        return stdx::any_of(v <= limit) ? 1U : 0U;
     }
 }
 
@@ -78,10 +89,8 @@ RIFFLE_INLINE Lanes<Real> fold(const Wide<Real>& v) {
 RIFFLE_INLINE Lanes<std::int32_t> bit_positions(std::uint8_t mask) {
     const std::uint8_t* positions = detail::bit_position_table[mask].data();
 #ifdef __AVX2__
-    using Native = stdx::simd<std::int32_t, stdx::simd_abi::deduce_t<std::int32_t, cluster_size>>;
-    const Native lanes(
+    return Lanes<std::int32_t>(
         _mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(positions))));
-    return stdx::static_simd_cast<Lanes<std::int32_t>>(lanes);
 #else
     return Lanes<std::int32_t>(positions, stdx::element_aligned);
 #endif
