@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -8,11 +10,14 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "base/machine.hpp"
 #include "base/version.hpp"
 #include "cli/run_arguments.hpp"
+#include "cli/terminal.hpp"
 #include "cli/verbs.hpp"
 #include "solver/benchmark.hpp"
 #include "sph/pair_loops.hpp"
+#include "sph/peak_rate.hpp"
 
 namespace riffle {
 
@@ -20,24 +25,30 @@ namespace {
 
 struct BenchVerb {
     std::vector<std::string> names;
+    bool all = false;
     int threads = 1;
     int repetitions = 5;
     double seconds = 1.0;
     bool json = false;
 };
 
-/// The workloads of these names ("name" or "name/scheme"); all when none is given.
-std::vector<Workload> chosen_workloads(const std::vector<std::string>& names) {
-    const std::vector<Workload> all = standard_workloads();
+/// What is run without names: a minute in all.
+const std::set<std::string> quick_workloads = {"channel-2d-5k", "channel-2d-50k", "channel-3d-200k"};
+
+std::string full_name(const Workload& w) { return w.name + "/" + w.scheme; }
+
+/// The workloads of these names ("name" or "name/scheme"); the quick ones when none is given.
+std::vector<Workload> chosen_workloads(const BenchVerb& verb) {
     std::vector<std::string> known;
-    std::set<std::string> unknown(names.begin(), names.end());
+    std::set<std::string> unknown(verb.names.begin(), verb.names.end());
     std::vector<Workload> chosen;
-    for (const Workload& w : all) {
-        known.push_back(w.name + "/" + w.scheme);
-        const bool wanted = std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+    for (const Workload& w : standard_workloads()) {
+        known.push_back(full_name(w));
+        const bool named = std::any_of(verb.names.begin(), verb.names.end(), [&](const std::string& name) {
             return name == w.name || name == known.back();
         });
-        if (wanted || names.empty()) {
+        const bool quick = verb.names.empty() && quick_workloads.count(w.name) > 0;
+        if (verb.all || named || quick) {
             chosen.push_back(w);
         }
         unknown.erase(w.name);
@@ -50,43 +61,108 @@ std::vector<Workload> chosen_workloads(const std::vector<std::string>& names) {
     return chosen;
 }
 
-void bench(const BenchVerb& verb) {
-    const std::vector<Workload> chosen = chosen_workloads(verb.names);
-    nlohmann::ordered_json array = nlohmann::ordered_json::array();
-    if (!verb.json) {
-        fmt::print("riffle {}, {} instructions, {}\n", version(),
-                   instruction_set_name(active_instruction_set()), build_description());
-        fmt::print("{:<26} {:>9} {:>7} {:>11} {:>14} {:>14} {:>12}\n", "workload/scheme", "particles",
-                   "threads", "neighbours", "ns/update*core", "M updates/s", "steps/build");
+/// Whether the machine has the memory for a workload; says so when not.
+bool fits(const Workload& w) {
+    const auto available = available_memory();
+    const double needed = workload_memory(w);
+    if (!available || needed <= static_cast<double>(*available)) {
+        return true;
     }
+    print_warning(fmt::format("{} is left out: it needs about {} of memory, {} are available", full_name(w),
+                              size_text(needed), size_text(static_cast<double>(*available))));
+    return false;
+}
+
+nlohmann::ordered_json json_of(const BenchmarkResult& r, double peak) {
+    const StepProfile& share = r.profile;
+    return {{"name", r.workload.name},
+            {"scheme", r.workload.scheme},
+            {"dimensions", r.workload.dimensions},
+            {"particles", r.particles},
+            {"neighbours", r.neighbours},
+            {"listed_neighbours_per_cluster", r.listed_neighbours},
+            {"threads", r.threads},
+            {"particle_evaluations_per_second", r.evaluations_per_second},
+            {"nanoseconds_per_particle_evaluation", r.nanoseconds_per_evaluation()},
+            {"nanoseconds_per_directed_pair", r.nanoseconds_per_pair()},
+            {"directed_pairs_per_second_per_core", r.pairs_per_second()},
+            {"useful_gigaflops_per_core", r.useful_rate()},
+            {"share_of_fma_peak", r.useful_rate() / peak},
+            {"bytes_per_particle", r.bytes_per_particle},
+            {"steps_per_list_build", r.steps_per_list_build},
+            {"phase_shares",
+             {{"lists", share.lists},
+              {"gradients", share.gradients},
+              {"forces", share.forces},
+              {"walls", share.walls},
+              {"particles", share.particles}}}};
+}
+
+void print_header() {
+    fmt::print("\n{:<24} {:>9} {:>7} {:>7} {:>10} {:>7} {:>11} {:>8} {:>6} {:>9}\n", "workload/scheme",
+               "particles", "neigh-", "threads", "ns per", "ns per", "M pairs/s", "GFLOP/s", "% of",
+               "bytes per");
+    fmt::print("{:<24} {:>9} {:>7} {:>7} {:>10} {:>7} {:>11} {:>8} {:>6} {:>9}\n", "", "", "bours", "",
+               "evaluation", "pair", "and core", "and core", "peak", "particle");
+}
+
+void print_row(const BenchmarkResult& r, double peak) {
+    fmt::print("{:<24} {:>9} {:>7.1f} {:>7} {:>10.1f} {:>7.2f} {:>11.0f} {:>8.1f} {:>6.1f} {:>9.0f}\n",
+               full_name(r.workload), r.particles, r.neighbours, r.threads, r.nanoseconds_per_evaluation(),
+               r.nanoseconds_per_pair(), 1e-6 * r.pairs_per_second(), r.useful_rate(),
+               100.0 * r.useful_rate() / peak, r.bytes_per_particle);
+    std::fflush(stdout);
+}
+
+void print_phases(const std::vector<BenchmarkResult>& results) {
+    fmt::print("\n{:<24} {:>11} {:>9}   {}\n", "workload/scheme", "steps per", "listed/", "% of a step");
+    fmt::print("{:<24} {:>11} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}\n", "", "list build", "cluster", "lists",
+               "gradients", "forces", "walls", "particles");
+    for (const BenchmarkResult& r : results) {
+        const StepProfile& share = r.profile;
+        fmt::print("{:<24} {:>11.1f} {:>9.1f} {:>9.1f} {:>9.1f} {:>9.1f} {:>9.1f} {:>9.1f}\n",
+                   full_name(r.workload), r.steps_per_list_build, r.listed_neighbours, 100.0 * share.lists,
+                   100.0 * share.gradients, 100.0 * share.forces, 100.0 * share.walls,
+                   100.0 * share.particles);
+    }
+}
+
+void bench(const BenchVerb& verb) {
+    const std::vector<Workload> chosen = chosen_workloads(verb);
+    const std::string set = instruction_set_name(active_instruction_set());
+    const double peak = measure_peak_rate(active_instruction_set());
+    const std::string processor = processor_name();
+    if (!verb.json) {
+        fmt::print(
+            "riffle {}, {}\n{}, {} instructions, FMA peak {:.1f} GFLOP/s of a core (single precision)\n",
+            version(), build_description(), processor, set, peak);
+        print_header();
+    }
+    std::vector<BenchmarkResult> results;
     for (const Workload& w : chosen) {
-        const BenchmarkResult r = run_benchmark(w, verb.threads, verb.repetitions, verb.seconds);
-        const double pairs = r.neighbours * r.updates_per_second / r.threads;
-        if (verb.json) {
-            array.push_back({{"name", w.name},
-                             {"scheme", w.scheme},
-                             {"particles", r.particles},
-                             {"neighbours", r.neighbours},
-                             {"threads", r.threads},
-                             {"nanoseconds_per_update", r.nanoseconds_per_update},
-                             {"updates_per_second", r.updates_per_second},
-                             {"directed_pairs_per_second_per_core", pairs},
-                             {"steps_per_list_build", r.steps_per_list_build},
-                             {"bytes_per_particle", r.bytes_per_particle}});
-        } else {
-            fmt::print("{:<26} {:>9} {:>7} {:>11.1f} {:>14.1f} {:>14.2f} {:>12.1f} {:6.0f} M pairs/s {:5.0f} B | lists {:.1f} grad {:.1f} force {:.1f} walls {:.1f} rest {:.1f} | listed {:.1f}\n",
-                       w.name + "/" + w.scheme, r.particles, r.threads, r.neighbours,
-                       r.nanoseconds_per_update, r.updates_per_second * 1e-6, r.steps_per_list_build, pairs * 1e-6, r.bytes_per_particle, 100*r.profile.lists, 100*r.profile.gradients, 100*r.profile.forces, 100*r.profile.walls, 100*r.profile.particles, r.listed_neighbours);
+        if (!fits(w)) {
+            continue;
+        }
+        results.push_back(run_benchmark(w, verb.threads, verb.repetitions, verb.seconds));
+        if (!verb.json) {
+            print_row(results.back(), peak);
         }
     }
-    if (verb.json) {
-        const nlohmann::ordered_json json = {
-            {"version", version()},
-            {"build", build_description()},
-            {"instruction_set", instruction_set_name(active_instruction_set())},
-            {"workloads", array}};
-        fmt::print("{}\n", json.dump(2));
+    if (results.empty()) {
+        throw RunError("this machine has not enough memory for any of the workloads; choose smaller ones");
     }
+    if (!verb.json) {
+        print_phases(results);
+        return;
+    }
+    nlohmann::ordered_json array = nlohmann::ordered_json::array();
+    for (const BenchmarkResult& r : results) {
+        array.push_back(json_of(r, peak));
+    }
+    const nlohmann::ordered_json json = {
+        {"version", version()},   {"build", build_description()},        {"processor", processor},
+        {"instruction_set", set}, {"fma_peak_gigaflops_per_core", peak}, {"workloads", array}};
+    fmt::print("{}\n", json.dump(2));
 }
 
 }  // namespace
@@ -95,16 +171,39 @@ void add_verb_bench(CLI::App& app) {
     const auto verb = std::make_shared<BenchVerb>();
     CLI::App* const command =
         app.add_subcommand("bench", "Measure the speed of standard workloads on this machine");
-    command->add_option("workloads", verb->names,
-                        "Names, e.g. channel-2d-5k or channel-2d-5k/default (default: all)");
+    CLI::Option* const names =
+        command->add_option("workloads", verb->names,
+                            "Names: channel-2d-5k, -50k, -1m, channel-3d-200k, -1m, -8m, each alone or with "
+                            "/plain or /default (default: channel-2d-5k, -50k and channel-3d-200k)");
+    command
+        ->add_flag("--all", verb->all, "All workloads: half an hour, the largest holds 8 million particles")
+        ->excludes(names);
     add_threads_option(*command, verb->threads, "Threads (0: all cores)")->capture_default_str();
     command->add_option("--repetitions", verb->repetitions, "Timed parts; the median counts")
         ->check(CLI::PositiveNumber)
         ->capture_default_str();
-    command->add_option("--seconds", verb->seconds, "Length of a part, s")
+    command
+        ->add_option("--seconds", verb->seconds,
+                     "Least length of a part, s; it lasts until the lists are built again")
         ->check(CLI::PositiveNumber)
         ->capture_default_str();
     command->add_flag("--json", verb->json, "Print JSON");
+    command->footer(
+        "Scheme `default` is Riffle's; `plain` leaves out velocity gradient, correction and closure.\n"
+        "  neighbours   particles within the kernel's support, fluid and wall: the directed pairs of one\n"
+        "  evaluation   of the force on one particle, everything of a step included: time of one core, ns\n"
+        "  pair         directed pair within the support: the same time over the neighbours\n"
+        "  GFLOP/s      arithmetic of these pairs by the formulas, of one core, and its share of the "
+        "largest\n"
+        "               rate of multiply-adds that this program reaches on a core of the machine\n"
+        "  % of a step  lists: sorting, clusters, lists and the test whether they hold; gradients, forces:\n"
+        "               the two sums over neighbours; walls: extrapolation; particles: all else\n"
+        "A workload for which the memory does not suffice is left out with a warning.\n"
+        "Examples:\n"
+        "  riffle bench\n"
+        "  riffle bench channel-3d-1m/default --threads 0\n"
+        "  riffle bench --all --repetitions 3 --json > speed.json\n"
+        "  RIFFLE_INSTRUCTION_SET=avx2 riffle bench channel-2d-50k");
     command->callback([verb] { bench(*verb); });
 }
 

@@ -20,6 +20,13 @@ struct Workload {
 /// The workloads, smallest first: flow condition 2, longer (and wider) for more particles.
 [[nodiscard]] std::vector<Workload> standard_workloads();
 
+/// Number of fluid particles that a workload starts with.
+[[nodiscard]] std::size_t workload_particles(const Workload& workload);
+
+/// Memory that running a workload takes at most, bytes: the simulation, its start, and the old and new arrays
+/// of a list build side by side.
+[[nodiscard]] double workload_memory(const Workload& workload);
+
 /// Measured speed of a workload; medians over repetitions, everything of a step included.
 struct BenchmarkResult {
     Workload workload;
@@ -27,15 +34,23 @@ struct BenchmarkResult {
     int threads = 0;
     double neighbours = 0.0;              ///< counted within the kernel's support, per particle
     double listed_neighbours = 0.0;       ///< in the lists, per cluster
-    double nanoseconds_per_update = 0.0;  ///< wall clock x threads, per particle force evaluation
-    double updates_per_second = 0.0;      ///< all threads together
+    double evaluations_per_second = 0.0;  ///< of the force on a particle, all threads together
     double steps_per_list_build = 0.0;
     double bytes_per_particle = 0.0;  ///< held by the simulation's arrays
     StepProfile profile;              ///< shares of a step, each between 0 and 1
+
+    /// Time of one core for the force on one particle, ns.
+    [[nodiscard]] double nanoseconds_per_evaluation() const { return 1e9 * threads / evaluations_per_second; }
+    /// Time of one core for one directed pair (j acts on i) within the support, ns.
+    [[nodiscard]] double nanoseconds_per_pair() const { return nanoseconds_per_evaluation() / neighbours; }
+    /// Directed pairs within the support, per second and core.
+    [[nodiscard]] double pairs_per_second() const { return 1e9 / nanoseconds_per_pair(); }
+    /// Arithmetic of the pairs within the support (sph/pair_arithmetic.hpp), GFLOP/s of one core.
+    [[nodiscard]] double useful_rate() const;
 };
 
-/// Run a workload from the column's profile: a short run-in, then `repetitions` timed parts of about
-/// `seconds`.
+/// Run a workload from the column's profile: a short run-in, then `repetitions` timed parts of at least
+/// `seconds`, each from one build of the lists to another.
 [[nodiscard]] BenchmarkResult run_benchmark(const Workload& workload, int threads, int repetitions,
                                             double seconds);
 

@@ -113,9 +113,48 @@ class CommandLine(CommandLineTest):
                          "docs/case-reference.md is stale: riffle schema --markdown -o docs/case-reference.md")
 
     def test_bench_measures(self):
-        result = self.succeed("bench", "channel-2d-5k/default", "--seconds", "0.05", "--repetitions", "1", "--json")
-        self.assertGreater(len(json.loads(result.stdout)["workloads"]), 0)
+        short = ["--seconds", "0.05", "--repetitions", "1"]
+        measured = json.loads(self.succeed("bench", "channel-2d-5k", *short, "--json").stdout)
+        for fact in ("version", "build", "processor", "instruction_set"):
+            self.assertTrue(measured[fact], fact)
+        self.assertEqual([w["scheme"] for w in measured["workloads"]], ["plain", "default"])
+        for w in measured["workloads"]:
+            self.assertEqual((w["name"], w["threads"], w["dimensions"]), ("channel-2d-5k", 1, 2))
+            # A disc of 2h = 3 spacings holds 9 pi - 1 = 27 others; the surface lacks half of it, 50 rows deep.
+            self.assertTrue(20 < w["neighbours"] < 28, w["neighbours"])
+            # The rates are one measurement said in several ways.
+            evaluation, pair = w["nanoseconds_per_particle_evaluation"], w["nanoseconds_per_directed_pair"]
+            self.assertAlmostEqual(pair * w["neighbours"] / evaluation, 1, places=6)
+            self.assertAlmostEqual(1e-9 * pair * w["directed_pairs_per_second_per_core"], 1, places=6)
+            self.assertAlmostEqual(1e-9 * evaluation * w["particle_evaluations_per_second"], 1, places=6)
+            operations = 51 if w["scheme"] == "plain" else 70
+            self.assertAlmostEqual(w["useful_gigaflops_per_core"] * pair / operations, 1, places=6)
+            # No arithmetic is faster than the fastest loop of nothing but arithmetic.
+            self.assertTrue(0 < w["share_of_fma_peak"] < 1, w["share_of_fma_peak"])
+            self.assertGreater(w["bytes_per_particle"], 2 * 16 + 8)  # position, velocity, density at least
+            self.assertGreaterEqual(w["steps_per_list_build"], 1)
+            self.assertEqual(set(w["phase_shares"]), {"lists", "gradients", "forces", "walls", "particles"})
+            self.assertAlmostEqual(sum(w["phase_shares"].values()), 1, places=6)
+
+    def test_bench_prints_tables_that_fit_a_terminal(self):
+        text = self.succeed("bench", "channel-2d-5k/default", "--seconds", "0.05", "--repetitions", "1").stdout
+        self.assertEqual(sum(line.startswith("channel-2d-5k/default") for line in text.splitlines()), 2)
+        self.assertLessEqual(max(map(len, text.splitlines())), 110)
+
+    def test_bench_refuses_what_it_cannot_run(self):
         self.fail_with(2, "bench", "channel-2d-5k/default", "no-such", says=["`no-such`", "channel-2d-5k/plain"])
+        self.fail_with(2, "bench", "channel-2d-5k", "--all", says=["--all"])
+
+    def test_bench_leaves_out_what_the_memory_does_not_hold(self):
+        def limited(*arguments):
+            return subprocess.run(["bash", "-c", 'ulimit -v 1000000 && exec "$@"', "bash", RIFFLE, *arguments],
+                                  capture_output=True, text=True, timeout=240)
+
+        if limited("version").returncode != 0:
+            self.skipTest("this build needs more than 1 GB of address space for itself")
+        result = limited("bench", "channel-3d-8m/plain")
+        self.assertEqual(result.returncode, 1, result.stderr)
+        self.assertIn("channel-3d-8m/plain is left out: it needs about", result.stderr)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+namespace riffle {
+
+/// Name of the processor as /proc/cpuinfo gives it; "unknown" where there is none.
+[[nodiscard]] std::string processor_name();
+
+/// Bytes of memory that this process may still take: what the system reports as available, or less where the
+/// process's address space is limited (`ulimit -v`). Nothing where the system does not say.
+[[nodiscard]] std::optional<std::size_t> available_memory();
+
+}  // namespace riffle
