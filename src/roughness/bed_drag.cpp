@@ -17,9 +17,11 @@ namespace {
 template <class Law>
 class HeightDrag final : public BedDrag {
   public:
-    explicit HeightDrag(Law law) : law_(law) {}
+    HeightDrag(Law law, double top) : law_(law), top_(top) {}
 
     [[nodiscard]] double coefficient(double z) const override { return law_(z); }
+
+    [[nodiscard]] double top() const override { return top_; }
 
     void coefficients(std::span<const double> z, std::span<double> result) const override {
         assert(result.size() == z.size());
@@ -28,11 +30,12 @@ class HeightDrag final : public BedDrag {
 
   private:
     Law law_;
+    double top_;
 };
 
 template <class Law>
-std::unique_ptr<const BedDrag> height_drag(Law law) {
-    return std::make_unique<HeightDrag<Law>>(law);
+std::unique_ptr<const BedDrag> height_drag(const Case& c, Law law) {
+    return std::make_unique<HeightDrag<Law>>(law, c.bed.roughness_height);
 }
 
 using Factory = std::unique_ptr<const BedDrag> (*)(const Case&);
@@ -46,20 +49,20 @@ std::unique_ptr<const BedDrag> make_consistent(const Case& c) {
     const double spheres_per_area = c.bed.packing == Packing::hexagonal
                                         ? hexagonal_spheres_per_area(c.bed.sphere_diameter)
                                         : square_spheres_per_area(c.bed.sphere_diameter);
-    return height_drag([b = c.bed, spheres_per_area](double z) {
+    return height_drag(c, [b = c.bed, spheres_per_area](double z) {
         return consistent_drag_coefficient(z, b.drag_coefficient, b.sphere_diameter, b.roughness_height,
                                            spheres_per_area);
     });
 }
 
 std::unique_ptr<const BedDrag> make_thesis(const Case& c) {
-    return height_drag([b = c.bed, spacing = c.numerics.spacing](double z) {
+    return height_drag(c, [b = c.bed, spacing = c.numerics.spacing](double z) {
         return thesis_drag_coefficient(z, b.drag_coefficient, b.sphere_diameter, b.roughness_height, spacing);
     });
 }
 
 std::unique_ptr<const BedDrag> make_paper(const Case& c) {
-    return height_drag([b = c.bed](double z) {
+    return height_drag(c, [b = c.bed](double z) {
         return paper_drag_coefficient(z, b.drag_coefficient, b.sphere_diameter, b.roughness_height);
     });
 }

@@ -15,6 +15,9 @@ class BedDrag {
     /// beta(z), 1/m, at height z above the bed level; zero outside the roughness zone.
     [[nodiscard]] virtual double coefficient(double z) const = 0;
 
+    /// Height above which the coefficient is zero, m.
+    [[nodiscard]] virtual double top() const = 0;
+
     /// coefficient() at each height.
     virtual void coefficients(std::span<const double> z, std::span<double> result) const = 0;
 };

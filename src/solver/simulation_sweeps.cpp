@@ -177,8 +177,20 @@ void SimulationOf<D, Real>::sweep_forces(double step) {
         const std::size_t block = begin / block_clusters;
         timed(profiling_, block_seconds_[block].forces, [&] { loops_.force(data_, begin, end, task.sums); });
         if (drag_) {
-            at_heights(begin, end, task.particles.drag,
-                       [&](auto z, auto result) { drag_->coefficients(z, result); });
+            // Few clusters reach into the roughness.
+            const double top = drag_->top();
+            const std::vector<double>& height = particles_.position[vertical];
+            for_clusters(begin, end, [&](std::size_t first, std::size_t last, std::size_t lane) {
+                std::fill_n(&task.particles.drag[lane], cluster_size, 0.0);
+                double lowest = height[first];
+                for (std::size_t i = first + 1; i < last; ++i) {
+                    lowest = std::min(lowest, height[i]);
+                }
+                if (lowest <= top) {
+                    drag_->coefficients({&height[first], last - first},
+                                        {&task.particles.drag[lane], last - first});
+                }
+            });
         }
         if (stirring_.active()) {
             add_stirring(task, begin, end);

@@ -26,6 +26,10 @@ struct alignas(16) MotionRecord {
     Real s;
     Real volume;
 };
+using PlaneMotion = MotionRecord<2, float>;
+using SpaceMotion = MotionRecord<3, float>;
+static_assert(offsetof(PlaneMotion, u) == 8 && offsetof(SpaceMotion, s) == 24,
+              "the words of a record are taken apart in this order (record_lanes.hpp)");
 
 /// Stress of a fluid particle as a tensor: what the force pass needs of it beside its motion.
 template <int D, class Real>

@@ -11,7 +11,7 @@
 #include "sph/neighbour_search.hpp"
 #include "sph/pair_loops.hpp"
 #include "sph/pair_terms.hpp"
-#include "sph/wide.hpp"
+#include "sph/record_lanes.hpp"
 
 namespace riffle::RIFFLE_ISA {
 
@@ -27,6 +27,19 @@ struct OwnCluster {
             x[k] = gather<Real, std::int32_t>(records, [k](const Record& r) { return r.x[k]; });
             u[k] = gather<Real, Real>(records, [k](const Record& r) { return r.u[k]; });
         }
+    }
+
+    /// Of words in the order of MotionRecord and WallForceRecord: positions, then velocities.
+    template <std::size_t N>
+    RIFFLE_INLINE explicit OwnCluster(const std::array<Lanes<float>, N>& words) {
+#ifdef __AVX2__
+        for (std::size_t k = 0; k < D; ++k) {
+            x[k] = both_halves<std::int32_t, Real>(integers_of(words[k]));
+            u[k] = both_halves<Real, Real>(words[D + k]);
+        }
+#else
+        (void)words;
+#endif
     }
 
     /// r = x_i - x_j in smoothing lengths for the neighbours of a turn.
@@ -51,6 +64,37 @@ struct OwnCluster {
         return difference;
     }
 };
+
+/// The i side of a cluster from its motion records, and their density deviation.
+template <int D, class Real>
+RIFFLE_INLINE std::pair<OwnCluster<D, Real>, Wide<Real>> own_motion(const MotionRecord<D, Real>* records) {
+    if constexpr (records_in_registers<MotionRecord<D, Real>, Real>()) {
+        const auto words = load_records(records);
+        return {OwnCluster<D, Real>(words), both_halves<Real, Real>(words[2 * D])};
+    } else {
+        return {OwnCluster<D, Real>(records), gather<Real, Real>(records, [](const auto& r) { return r.s; })};
+    }
+}
+
+/// The stress and the viscosity root of a cluster.
+template <class Real, class Record>
+RIFFLE_INLINE auto own_stress(const Record* records) {
+    constexpr std::size_t components = std::tuple_size_v<decltype(Record::stress)>;
+    std::pair<Components<Wide<Real>, components>, Wide<Real>> own{};
+    if constexpr (records_in_registers<Record, Real>()) {
+        const auto words = load_records(records);
+        for (std::size_t k = 0; k < components; ++k) {
+            own.first[k] = both_halves<Real, Real>(words[k]);
+        }
+        own.second = both_halves<Real, Real>(words[components]);
+    } else {
+        for (std::size_t k = 0; k < components; ++k) {
+            own.first[k] = gather<Real, Real>(records, [k](const auto& r) { return r.stress[k]; });
+        }
+        own.second = gather<Real, Real>(records, [](const auto& r) { return r.viscosity_root; });
+    }
+    return own;
+}
 
 template <std::size_t N, class T>
 RIFFLE_INLINE void add(std::array<T, N>& sum, const std::array<T, N>& term) {
@@ -127,8 +171,7 @@ template <int D, class Real, class Kernel, bool Gradients>
     const Real hydrostatic_gradient = c.hydrostatic_gradient * c.h;
     for (std::size_t cluster = begin; cluster < end; ++cluster) {
         const MotionRecord<D, Real>* own = &data.motion[cluster * cluster_size];
-        const OwnCluster<D, Real> self(own);
-        const W s = gather<Real, Real>(own, [](const auto& r) { return r.s; });
+        const auto [self, s] = own_motion<D, Real>(own);
 
         W wide_diffusion(0);
         W wide_divergence(0);
@@ -276,12 +319,8 @@ template <int D, class Real, class Kernel, class Viscosity, class Record>
     for (std::size_t cluster = begin; cluster < end; ++cluster) {
         const std::size_t slot = cluster * cluster_size;
         const Record* own = &records[slot];
-        const OwnCluster<D, Real> self(&data.motion[slot]);
-        const W root = gather<Real, Real>(own, [](const auto& r) { return r.viscosity_root; });
-        Components<W, components> stress{};
-        for (std::size_t k = 0; k < components; ++k) {
-            stress[k] = gather<Real, Real>(own, [k](const auto& r) { return r.stress[k]; });
-        }
+        const OwnCluster<D, Real> self = own_motion<D, Real>(&data.motion[slot]).first;
+        const auto [stress, root] = own_stress<Real>(own);
 
         Components<W, D> tensor{};
         Components<W, D> viscous{};

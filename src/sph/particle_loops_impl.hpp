@@ -7,7 +7,7 @@
 
 #include "sph/pair_terms.hpp"
 #include "sph/particle_loops.hpp"
-#include "sph/wide.hpp"
+#include "sph/record_lanes.hpp"
 
 namespace riffle::RIFFLE_ISA {
 
@@ -113,6 +113,74 @@ RIFFLE_INLINE Doubles pressure_of(const StateEquation& state, const Doubles& s) 
     return load_lanes(values.data());
 }
 
+/// The stress records of a cluster.
+template <class Record, class Real, std::size_t N>
+RIFFLE_INLINE void put_stress(const std::array<Lanes<Real>, N>& stress, const Lanes<Real>& root,
+                              const Lanes<Real>& weight, const Lanes<Real>& pressure, Record* records) {
+    if constexpr (records_in_registers<Record, Real>()) {
+        RecordLanes<Record, Real> words{};
+        for (std::size_t k = 0; k < N; ++k) {
+            words[k] = stress[k];
+        }
+        words[N] = root;
+        words[N + 1] = weight;
+        words[N + 2] = pressure;
+        store_records<Record>(words, records);
+    } else {
+        std::array<Column<Real>, N> stress_of;
+        for (std::size_t k = 0; k < N; ++k) {
+            stress_of[k] = column(stress[k]);
+        }
+        const Column<Real> root_of = column(root);
+        const Column<Real> weight_of = column(weight);
+        const Column<Real> pressure_of = column(pressure);
+        for (std::size_t l = 0; l < cluster_size; ++l) {
+            for (std::size_t k = 0; k < N; ++k) {
+                records[l].stress[k] = stress_of[k][l];
+            }
+            records[l].viscosity_root = root_of[l];
+            records[l].weight = weight_of[l];
+            records[l].pressure = pressure_of[l];
+        }
+    }
+}
+
+/// The motion records of a cluster.
+template <int D, class Real>
+RIFFLE_INLINE void put_motion(const Components<Integers, D>& x, const Components<Lanes<Real>, D>& u,
+                              const Lanes<Real>& s, const Lanes<Real>& volume, MotionRecord<D, Real>* records) {
+    using Record = MotionRecord<D, Real>;
+    if constexpr (records_in_registers<Record, Real>()) {
+        RecordLanes<Record, Real> words{};
+#ifdef __AVX2__
+        for (std::size_t k = 0; k < D; ++k) {
+            words[k] = words_of(x[k]);
+            words[D + k] = u[k];
+        }
+#endif
+        words[2 * D] = s;
+        words[2 * D + 1] = volume;
+        store_records<Record>(words, records);
+    } else {
+        std::array<Column<std::int32_t>, static_cast<std::size_t>(D)> x_of;
+        std::array<Column<Real>, static_cast<std::size_t>(D)> u_of;
+        for (std::size_t k = 0; k < D; ++k) {
+            x_of[k] = column(x[k]);
+            u_of[k] = column(u[k]);
+        }
+        const Column<Real> s_of = column(s);
+        const Column<Real> volume_of = column(volume);
+        for (std::size_t l = 0; l < cluster_size; ++l) {
+            for (std::size_t k = 0; k < D; ++k) {
+                records[l].x[k] = x_of[k][l];
+                records[l].u[k] = u_of[k][l];
+            }
+            records[l].s = s_of[l];
+            records[l].volume = volume_of[l];
+        }
+    }
+}
+
 template <int D, class Real>
 [[gnu::flatten]] void stress_loop(const ParticleData<D>& p, PairData<D, Real>& data,
                                   const BlockWork<D, Real>& work, ParticleWork<D, Real>& own, double step,
@@ -165,48 +233,32 @@ template <int D, class Real>
             }
             // mu/rho0 = (1 + s) nu; over (1 + s)^2 where the weight is a mass.
             const T viscosity = p.corrected ? T(density_ratio * nu) : T(nu / density_ratio);
-            const Column<Real> root_of = column(T(sqrt(T(Real(0.5) * viscosity))));
-            const Column<Real> weight_of = column(members.cut(weight));
-            const Column<Real> pressure_of_lane = column(T(pressure * scale));
-
+            const T root(sqrt(T(Real(0.5) * viscosity)));
+            const T wall_pressure(pressure * scale);
             if (!tensor) {
-                for (int l = 0; l < cluster_size; ++l) {
-                    const auto i = static_cast<std::size_t>(l);
-                    PressureRecord<Real>& record = data.pressure[slot + i];
-                    record.stress[0] = pressure_of_lane[i];
-                    record.viscosity_root = root_of[i];
-                    record.weight = weight_of[i];
-                    record.pressure = pressure_of_lane[i];
-                }
+                put_stress<PressureRecord<Real>, Real>(std::array<T, 1>{wall_pressure}, root, members.cut(weight), wall_pressure,
+                                                       &data.pressure[slot]);
                 return;
             }
-            std::array<Column<Real>, static_cast<std::size_t>(D * D)> q;
+            Components<T, D * D> stress{};
             for (std::size_t k = 0; k < D; ++k) {
                 for (std::size_t l = 0; l < D; ++l) {
                     const T b = load_lanes(&work.gradient.correction[k * D + l][lane]);
-                    T stress = pressure * scale * b;
-                    if (!p.two_point && (!p.shear_only || k + l == D - 1)) {
-                        // tau_ij = rho nu_t 2 S_ij, or its xz component alone from du/dz alone.
-                        const T twice_strain =
-                            p.shear_only ? (k == l ? T(0) : g[D - 1]) : T(g[k * D + l] + g[l * D + k]);
-                        stress -= nu_t * density_ratio * scale * twice_strain;
+                    T& q = stress[k * D + l];
+                    q = wall_pressure * b;
+                    // tau_ij = rho nu_t 2 S_ij, or its xz component alone from du/dz alone.
+                    const bool xz = k != l && (k == 0 || l == 0) && (k == D - 1 || l == D - 1);
+                    if (!p.two_point && (!p.shear_only || xz)) {
+                        const T twice_strain = p.shear_only ? g[D - 1] : T(g[k * D + l] + g[l * D + k]);
+                        q -= nu_t * density_ratio * scale * twice_strain;
                     }
-                    q[k * D + l] = column(stress);
                     if (continued) {
                         store_lanes(b, &data.correction[k * D + l][slot]);
                     }
                 }
             }
-            for (int l = 0; l < cluster_size; ++l) {
-                const auto i = static_cast<std::size_t>(l);
-                StressRecord<D, Real>& record = data.stress[slot + i];
-                for (std::size_t k = 0; k < D * D; ++k) {
-                    record.stress[k] = q[k][i];
-                }
-                record.viscosity_root = root_of[i];
-                record.weight = weight_of[i];
-                record.pressure = pressure_of_lane[i];
-            }
+            put_stress<StressRecord<D, Real>, Real>(stress, root, members.cut(weight), wall_pressure,
+                                                    &data.stress[slot]);
         });
     }
 }
@@ -282,38 +334,25 @@ template <int D, class Real>
     for (std::size_t cluster = begin; cluster < end; ++cluster) {
         const std::size_t slot = cluster * cluster_size;
         with_members(*p.clusters, cluster, [&](const auto& members) {
-            std::array<Column<std::int32_t>, static_cast<std::size_t>(D)> x;
-            std::array<Column<Real>, static_cast<std::size_t>(D)> u;
+            Components<Integers, D> x{};
+            Components<T, D> u{};
             for (std::size_t k = 0; k < D; ++k) {
                 const Doubles units = stdx::floor(Doubles(
                     (members.load(p.position[k]) - p.fixed_point.origin(k)) * p.fixed_point.inverse_unit(k)));
                 // As FixedPoint::encode: on a periodic axis the codes are unsigned, here shifted into the
                 // range of a signed number and back.
-                const Integers code = p.domain.periodic[k]
-                                          ? Integers(convert<std::int32_t>(Doubles(units - 2147483648.0)) ^
-                                                     Integers(std::numeric_limits<std::int32_t>::min()))
-                                          : convert<std::int32_t>(units);
-                x[k] = column(code);
-                u[k] = column(convert<Real>(members.load(p.velocity[k])));
-                const Integers d = code - load_lanes(&p.clusters->slot_position[k][slot]);
+                x[k] = p.domain.periodic[k] ? Integers(convert<std::int32_t>(Doubles(units - 2147483648.0)) ^
+                                                       Integers(std::numeric_limits<std::int32_t>::min()))
+                                            : convert<std::int32_t>(units);
+                u[k] = convert<Real>(members.load(p.velocity[k]));
+                const Integers d = x[k] - load_lanes(&p.clusters->slot_position[k][slot]);
                 moved.low[k][cluster] = stdx::hmin(d);
                 moved.high[k][cluster] = stdx::hmax(d);
             }
             const Doubles s = members.load(p.density_deviation);
-            const Column<Real> s_of = column(convert<Real>(s));
             const T mass = convert<Real>(Doubles(members.load(p.mass) * inverse_density));
-            const Column<Real> volume =
-                column(members.cut(T(mass / convert<Real>(Doubles(1.0 + s)))));
-            for (int l = 0; l < cluster_size; ++l) {
-                const auto i = static_cast<std::size_t>(l);
-                MotionRecord<D, Real>& record = data.motion[slot + i];
-                for (std::size_t k = 0; k < D; ++k) {
-                    record.x[k] = x[k][i];
-                    record.u[k] = u[k][i];
-                }
-                record.s = s_of[i];
-                record.volume = volume[i];
-            }
+            const T volume = members.cut(T(mass / convert<Real>(Doubles(1.0 + s))));
+            put_motion<D, Real>(x, u, convert<Real>(s), volume, &data.motion[slot]);
         });
     }
 }
