@@ -2,12 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 
+#include "loop_run.hpp"
 #include "plain_sums.hpp"
+#include "sph/correction.hpp"
 
 namespace riffle {
 namespace {
@@ -15,14 +17,8 @@ namespace {
 constexpr double diffusion = 0.7;
 constexpr double hydrostatic_gradient = 0.05;
 
-/// Loops of a set in `Real`, or nothing where the processor lacks it.
 template <class Real>
-std::optional<PairLoops<2, Real>> loops_of(InstructionSet set, KernelKind kernel, ViscosityForm viscosity) {
-    if (!processor_offers(set)) {
-        return std::nullopt;
-    }
-    return pair_loops<2, Real>({.kernel = kernel, .viscosity = viscosity}, set);
-}
+constexpr double epsilon_of = static_cast<double>(std::numeric_limits<Real>::epsilon());
 
 /// Rounding bound of a sum: each term is the product of about ten rounded factors. Terms near the end of the
 /// support lose digits in 1 - q/2, but they are below a hundredth of the largest ones.
@@ -34,10 +30,17 @@ void expect_near(const std::vector<PlainSum>& plain, std::size_t particle, const
         largest = std::max(largest, sum.magnitude);
     }
     // The cubic spline divides by q + 1e-12; no q here is below 0.2.
-    const double epsilon = 40.0 * static_cast<double>(std::numeric_limits<Real>::epsilon()) + 5e-12;
+    const double epsilon = 40.0 * epsilon_of<Real> + 5e-12;
     const double bound = epsilon * (plain[particle].magnitude + 0.01 * largest);
     EXPECT_NEAR(static_cast<double>(loop[slot]), plain[particle].value, bound)
         << what << " of particle " << particle;
+}
+template <class Real, std::size_t N>
+void expect_near(const std::array<std::vector<PlainSum>, N>& plain, std::size_t particle,
+                 const std::array<std::vector<Real>, N>& loop, std::size_t slot, const char* what) {
+    for (std::size_t k = 0; k < N; ++k) {
+        expect_near(plain[k], particle, loop[k], slot, what);
+    }
 }
 
 struct Option {
@@ -45,103 +48,153 @@ struct Option {
     KernelKind kernel;
     ViscosityForm viscosity;
     int layers;
+    bool gradients;
 };
 
-template <class Real>
+template <int D>
+using Matrix = Eigen::Matrix<double, D, D>;
+
+template <int D>
+Symmetric<double, D> values_of(const typename PlainSums<D>::SymmetricMatrices& sums, std::size_t i) {
+    Symmetric<double, D> result{};
+    for (std::size_t k = 0; k < result.size(); ++k) {
+        result[k] = sums[k][i].value;
+    }
+    return result;
+}
+
+template <int D>
+Matrix<D> full(const Symmetric<double, D>& m) {
+    Matrix<D> result;
+    for (int k = 0; k < D; ++k) {
+        for (int l = 0; l < D; ++l) {
+            result(k, l) = m[symmetric_index<D>(k, l)];
+        }
+    }
+    return result;
+}
+
+template <int D>
+Symmetric<double, D> sum_of(Symmetric<double, D> a, const Symmetric<double, D>& b) {
+    for (std::size_t k = 0; k < a.size(); ++k) {
+        a[k] += b[k];
+    }
+    return a;
+}
+
+/// Largest change of an inverse by a change of 1 of the matrix's elements, the determinant rounded too.
+template <int D>
+double inverse_amplification(const Matrix<D>& m) {
+    return m.inverse().norm() * (m.inverse().norm() + 1.0 / m.determinant());
+}
+
+/// Matrices of a particle: regularity, B, viscosity factor and the corrected velocity gradient.
+template <int D, class Real>
+void compare_matrices(const PlainSums<D>& plain, const LoopRun<D, Real>& run, std::size_t i) {
+    const std::size_t slot = run.fluid_slot[i];
+    const auto m_fluid = values_of<D>(plain.m_fluid, i);
+    const auto m_wall = values_of<D>(plain.m_wall, i);
+    const auto free = sum_of<D>(m_fluid, values_of<D>(plain.m_continued, i));
+    const auto total = sum_of<D>(free, m_wall);
+    // Each element of M is a sum whose terms add up to about 1.
+    const double rounding = 200.0 * epsilon_of<Real> + 5e-12;
+
+    // In 3D from Newton steps on the characteristic cubic: its rounding over its slope there.
+    const double smallest = smallest_eigenvalue<double, D>(total);
+    double slope = 1.0;
+    if constexpr (D == 3) {
+        const double minors = total[0] * total[3] - total[1] * total[1] + total[0] * total[5] -
+                              total[2] * total[2] + total[3] * total[5] - total[4] * total[4];
+        slope = (3.0 * smallest - 2.0 * (total[0] + total[3] + total[5])) * smallest + minors;
+        ASSERT_GT(slope, 0.0);
+    }
+    const double regularity = static_cast<double>(run.gradient.regularity[slot]);
+    EXPECT_NEAR(regularity, smallest, rounding / std::min(slope, 1.0)) << "regularity of particle " << i;
+
+    if (regularity > 0.901) {
+        EXPECT_NEAR(static_cast<double>(run.gradient.viscosity_factor[slot]), D / full<D>(total).trace(),
+                    rounding);
+        const Matrix<D> exact = (Matrix<D>::Identity() - full<D>(m_wall)) * full<D>(free).inverse();
+        const double bound = rounding * inverse_amplification<D>(full<D>(free));
+        for (int k = 0; k < D * D; ++k) {
+            EXPECT_NEAR(static_cast<double>(run.gradient.correction[static_cast<std::size_t>(k)][slot]),
+                        exact(k / D, k % D), bound)
+                << "correction of particle " << i;
+        }
+    }
+    // The velocity gradient is corrected by M_fluid alone, fully from 0.3 on.
+    if (smallest_eigenvalue<double, D>(m_fluid) > 0.31) {
+        Matrix<D> gradient;
+        double magnitude = 0.0;
+        for (int k = 0; k < D * D; ++k) {
+            const PlainSum& sum = plain.gradient[static_cast<std::size_t>(k)][i];
+            gradient(k / D, k % D) = sum.value;
+            magnitude = std::max(magnitude, sum.magnitude);
+        }
+        const Matrix<D> exact = gradient * full<D>(m_fluid).inverse();
+        const double bound = rounding * inverse_amplification<D>(full<D>(m_fluid)) * magnitude;
+        for (int k = 0; k < D * D; ++k) {
+            EXPECT_NEAR(
+                static_cast<double>(run.gradient.velocity_gradient[static_cast<std::size_t>(k)][slot]),
+                exact(k / D, k % D), bound)
+                << "velocity gradient of particle " << i;
+        }
+    }
+}
+
+template <int D, class Real>
 void compare_with_plain_sums(const Option& option) {
-    const auto loops = loops_of<Real>(option.set, option.kernel, option.viscosity);
-    if (!loops) {
+    if (!processor_offers(option.set)) {
         GTEST_SKIP() << "this processor does not offer " << instruction_set_name(option.set);
     }
-    const PairSample sample = disordered_sample(0.3, option.layers, 11);
-    LoopRun<Real> run(sample, diffusion, hydrostatic_gradient, true);
-    run.run(*loops);
-    std::vector<std::array<double, 4>> correction(sample.fluid.size());
+    PairSample<D> sample = disordered_sample<D>(0.3, option.layers, 11);
+    LoopRun<D, Real> run(sample, {.diffusion = diffusion,
+                                  .hydrostatic_gradient = hydrostatic_gradient,
+                                  .gradients = option.gradients});
+    run.run(pair_loops<D, Real>(
+        {.kernel = option.kernel, .viscosity = option.viscosity, .gradients = option.gradients}, option.set));
+    Corrections<D> correction(sample.fluid.size());
     for (std::size_t i = 0; i < sample.fluid.size(); ++i) {
-        for (std::size_t k = 0; k < 4; ++k) {
-            correction[i][k] = static_cast<double>(run.gradient.correction[k][run.fluid_slot(i)]);
+        for (std::size_t k = 0; k < D * D; ++k) {
+            const double identity = k % (D + 1) == 0 ? 1.0 : 0.0;
+            if (option.gradients) {
+                correction[i][k] = static_cast<double>(run.gradient.correction[k][run.fluid_slot[i]]);
+            } else {
+                correction[i][k] = identity;
+                sample.fluid[i].stress[k] = identity * sample.fluid[i].pressure;
+            }
         }
     }
-    const PlainSums plain =
-        plain_sums(sample, option.kernel, option.viscosity, diffusion, hydrostatic_gradient, correction);
-
-    const auto& data = run;
+    const PlainSums<D> plain = plain_sums<D>(sample,
+                                             {.kernel = option.kernel,
+                                              .viscosity = option.viscosity,
+                                              .diffusion = diffusion,
+                                              .hydrostatic_gradient = hydrostatic_gradient},
+                                             correction);
     for (std::size_t i = 0; i < sample.fluid.size(); ++i) {
-        const std::size_t slot = run.fluid_slot(i);
-        expect_near(plain.density_rate, i, data.gradient.density_rate, slot, "density rate");
-        expect_near(plain.diffusion, i, data.gradient.diffusion, slot, "diffusion");
-        expect_near(plain.zeroth, i, data.filter.zeroth, slot, "zeroth moment");
-        expect_near(plain.mass, i, data.filter.mass, slot, "mass moment");
-        for (std::size_t k = 0; k < 2; ++k) {
-            expect_near(plain.tensor[k], i, data.force.tensor[k], slot, "tensor force");
-            expect_near(plain.viscous[k], i, data.force.viscous[k], slot, "viscous force");
-            expect_near(plain.wall[k], i, data.force.wall[k], slot, "wall force");
-            expect_near(plain.first[k], i, data.filter.first[k], slot, "first moment");
-            expect_near(plain.velocity[k], i, data.filter.velocity[k], slot, "smoothed velocity");
-        }
-        for (std::size_t k = 0; k < 3; ++k) {
-            expect_near(plain.second[k], i, data.filter.second[k], slot, "second moment");
-        }
-
-        // M_total, its smallest eigenvalue, and B = (I - M_wall)(M_fluid + M_continued)^-1 where it is not
-        // blended.
-        const auto at = [&](const auto& sums, std::size_t k) { return sums[k][i].value; };
-        std::array<double, 3> free{};
-        std::array<double, 3> total{};
-        for (std::size_t k = 0; k < 3; ++k) {
-            free[k] = at(plain.m_fluid, k) + at(plain.m_continued, k);
-            total[k] = free[k] + at(plain.m_wall, k);
-        }
-        const double half = 0.5 * (total[0] - total[2]);
-        const double smallest = 0.5 * (total[0] + total[2]) - std::sqrt(half * half + total[1] * total[1]);
-        const double rounding = 200.0 * static_cast<double>(std::numeric_limits<Real>::epsilon()) + 5e-12;
-        EXPECT_NEAR(static_cast<double>(data.gradient.regularity[slot]), smallest, rounding);
-        if (smallest > 0.901) {
-            EXPECT_NEAR(static_cast<double>(data.gradient.viscosity_factor[slot]),
-                        2.0 / (total[0] + total[2]), rounding);
-            const double det = free[0] * free[2] - free[1] * free[1];
-            const std::array<double, 4> inverse = {free[2] / det, -free[1] / det, -free[1] / det,
-                                                   free[0] / det};
-            const std::array<double, 4> rest = {1.0 - at(plain.m_wall, 0), -at(plain.m_wall, 1),
-                                                -at(plain.m_wall, 1), 1.0 - at(plain.m_wall, 2)};
-            for (std::size_t k = 0; k < 2; ++k) {
-                for (std::size_t l = 0; l < 2; ++l) {
-                    const double exact = rest[2 * k] * inverse[l] + rest[2 * k + 1] * inverse[2 + l];
-                    EXPECT_NEAR(correction[i][2 * k + l], exact, 4.0 * rounding);
-                }
-            }
-        }
-        // The velocity gradient is corrected by M_fluid alone.
-        const double det =
-            at(plain.m_fluid, 0) * at(plain.m_fluid, 2) - at(plain.m_fluid, 1) * at(plain.m_fluid, 1);
-        const double fluid_half = 0.5 * (at(plain.m_fluid, 0) - at(plain.m_fluid, 2));
-        const double fluid_smallest =
-            0.5 * (at(plain.m_fluid, 0) + at(plain.m_fluid, 2)) -
-            std::sqrt(fluid_half * fluid_half + at(plain.m_fluid, 1) * at(plain.m_fluid, 1));
-        if (fluid_smallest > 0.301) {
-            const std::array<double, 4> inverse = {at(plain.m_fluid, 2) / det, -at(plain.m_fluid, 1) / det,
-                                                   -at(plain.m_fluid, 1) / det, at(plain.m_fluid, 0) / det};
-            for (std::size_t k = 0; k < 2; ++k) {
-                for (std::size_t l = 0; l < 2; ++l) {
-                    const double exact = at(plain.gradient, 2 * k) * inverse[l] +
-                                         at(plain.gradient, 2 * k + 1) * inverse[2 + l];
-                    const double magnitude =
-                        plain.gradient[2 * k][i].magnitude + plain.gradient[2 * k + 1][i].magnitude;
-                    EXPECT_NEAR(static_cast<double>(data.gradient.velocity_gradient[2 * k + l][slot]), exact,
-                                4.0 * rounding * magnitude);
-                }
-            }
+        const std::size_t slot = run.fluid_slot[i];
+        expect_near(plain.density_rate, i, run.gradient.density_rate, slot, "density rate");
+        expect_near(plain.diffusion, i, run.gradient.diffusion, slot, "diffusion");
+        expect_near(plain.tensor, i, run.force.tensor, slot, "tensor force");
+        expect_near(plain.viscous, i, run.force.viscous, slot, "viscous force");
+        expect_near(plain.wall, i, run.force.wall, slot, "wall force");
+        expect_near(plain.zeroth, i, run.filter.zeroth, slot, "zeroth moment");
+        expect_near(plain.first, i, run.filter.first, slot, "first moment");
+        expect_near(plain.second, i, run.filter.second, slot, "second moment");
+        expect_near(plain.mass, i, run.filter.mass, slot, "mass moment");
+        expect_near(plain.mass_first, i, run.filter.mass_first, slot, "first mass moment");
+        expect_near(plain.velocity, i, run.filter.velocity, slot, "smoothed velocity");
+        if (option.gradients) {
+            compare_matrices<D, Real>(plain, run, i);
         }
     }
     for (std::size_t i = 0; i < sample.wall.size(); ++i) {
-        const std::size_t slot = run.wall_slot(i);
-        expect_near(plain.wall_weight, i, data.wall.weight, slot, "wall weight");
-        expect_near(plain.wall_pressure, i, data.wall.pressure, slot, "wall pressure");
-        expect_near(plain.wall_density_rate, i, data.wall.density_rate, slot, "wall density rate");
-        for (std::size_t k = 0; k < 2; ++k) {
-            expect_near(plain.wall_offset[k], i, data.wall.offset[k], slot, "wall offset");
-            expect_near(plain.wall_velocity[k], i, data.wall.velocity[k], slot, "wall velocity");
-        }
+        const std::size_t slot = run.wall_slot[i];
+        expect_near(plain.wall_weight, i, run.wall.weight, slot, "wall weight");
+        expect_near(plain.wall_pressure, i, run.wall.pressure, slot, "wall pressure");
+        expect_near(plain.wall_density_rate, i, run.wall.density_rate, slot, "wall density rate");
+        expect_near(plain.wall_offset, i, run.wall.offset, slot, "wall offset");
+        expect_near(plain.wall_velocity, i, run.wall.velocity, slot, "wall velocity");
     }
 }
 
@@ -149,7 +202,7 @@ std::string name_of(const testing::TestParamInfo<Option>& info) {
     return instruction_set_name(info.param.set) +
            (info.param.kernel == KernelKind::wendland_c2 ? "_wendland" : "_cubic") +
            (info.param.viscosity == ViscosityForm::morris ? "_morris" : "_gingold") +
-           (info.param.layers > 0 ? "_walls" : "_periodic");
+           (info.param.layers > 0 ? "_walls" : "_periodic") + (info.param.gradients ? "" : "_plain");
 }
 
 std::vector<Option> all_options() {
@@ -159,7 +212,9 @@ std::vector<Option> all_options() {
         for (const KernelKind kernel : {KernelKind::wendland_c2, KernelKind::cubic_spline}) {
             for (const ViscosityForm viscosity : {ViscosityForm::morris, ViscosityForm::monaghan_gingold}) {
                 for (const int layers : {0, 3}) {
-                    options.push_back({set, kernel, viscosity, layers});
+                    for (const bool gradients : {true, false}) {
+                        options.push_back({set, kernel, viscosity, layers, gradients});
+                    }
                 }
             }
         }
@@ -169,18 +224,26 @@ std::vector<Option> all_options() {
 
 class PairLoopsTest : public testing::TestWithParam<Option> {};
 
-TEST_P(PairLoopsTest, SingleEqualsPlainSums) { compare_with_plain_sums<float>(GetParam()); }
-TEST_P(PairLoopsTest, DoubleEqualsPlainSums) { compare_with_plain_sums<double>(GetParam()); }
+TEST_P(PairLoopsTest, SingleEqualsPlainSums2D) { compare_with_plain_sums<2, float>(GetParam()); }
+TEST_P(PairLoopsTest, DoubleEqualsPlainSums2D) { compare_with_plain_sums<2, double>(GetParam()); }
+TEST_P(PairLoopsTest, SingleEqualsPlainSums3D) { compare_with_plain_sums<3, float>(GetParam()); }
+TEST_P(PairLoopsTest, DoubleEqualsPlainSums3D) { compare_with_plain_sums<3, double>(GetParam()); }
 
 INSTANTIATE_TEST_SUITE_P(All, PairLoopsTest, testing::ValuesIn(all_options()), name_of);
 
-TEST(PairLoops, ActiveSetIsOffered) {
-    const PairLoops<2, float> loops = pair_loops<2, float>({});
+template <int D>
+void expect_all_loops() {
+    const PairLoops<D, float> loops = pair_loops<D, float>({});
     EXPECT_NE(loops.gradient, nullptr);
     EXPECT_NE(loops.force, nullptr);
     EXPECT_NE(loops.wall, nullptr);
     EXPECT_NE(loops.filter, nullptr);
-    EXPECT_EQ(instruction_set_name(InstructionSet::baseline), "baseline");
+}
+
+TEST(PairLoops, ActiveSetIsOffered) {
+    EXPECT_TRUE(processor_offers(active_instruction_set()));
+    expect_all_loops<2>();
+    expect_all_loops<3>();
 }
 
 }  // namespace
