@@ -13,6 +13,9 @@ namespace riffle {
 /// Number of threads that the parallel loops use from now on; 0: all cores this process may run on.
 void set_thread_count(int count);
 
+/// Whether set_thread_count() asked for one thread: the loops then need no scheduler.
+[[nodiscard]] bool single_thread();
+
 /// Number of threads in use.
 [[nodiscard]] int thread_count();
 
@@ -21,9 +24,9 @@ void set_thread_count(int count);
 template <class F>
 void parallel_blocks(std::size_t n, std::size_t block, const F& f) {
     const std::size_t blocks = (n + block - 1) / block;
-    if (blocks <= 1) {
-        if (n > 0) {
-            f(std::size_t{0}, n);
+    if (blocks <= 1 || single_thread()) {
+        for (std::size_t b = 0; b < blocks; ++b) {
+            f(b * block, std::min(n, (b + 1) * block));
         }
         return;
     }

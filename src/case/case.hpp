@@ -105,7 +105,7 @@ struct Numerics {
     WallKind wall = WallKind::dummy;
     int wall_layers = 3;
     Precision precision = Precision::single_precision;
-    double skin = 0.2;  ///< of the neighbour lists, in units of h
+    double skin = 0.3;  ///< of the neighbour lists, in units of h
 
     bool operator==(const Numerics&) const = default;
 };

@@ -62,7 +62,7 @@ class SimulationOf final : public SimulationIn<D> {
     void make_walls();
     void pack_wall_records();
     void fill_last_records();
-    [[nodiscard]] bool lists_valid(double fraction) const;
+    [[nodiscard]] bool lists_valid(double fraction);
 
     // Sweeps (simulation_sweeps.cpp).
     void sweep_gradients(double density_step);
@@ -71,6 +71,7 @@ class SimulationOf final : public SimulationIn<D> {
                      std::size_t lane, double step);
     void wet_wall(std::size_t slot, std::size_t particle, double pressure);
     void sweep_forces(double step);
+    void gather_motion(double step);
     void advance_predictor_corrector(Task& task, std::size_t begin, std::size_t end, double step);
     void measure_stirring();
     void add_stirring(Task& task, std::size_t begin, std::size_t end) const;
@@ -125,8 +126,9 @@ class SimulationOf final : public SimulationIn<D> {
 
     bool keep_fields_ = true;  ///< in this step
     bool predictor_corrector_ = false;
-    std::vector<double> block_largest_;      ///< largest |a|^2 by block
-    std::vector<std::uint8_t> block_fault_;  ///< by block
+    std::vector<AdvanceResult<D>> block_advance_;  ///< by block
+    /// No two neighbours have moved against each other by more than this since the last build of the lists, m.
+    double displacement_bound_ = 0.0;
     std::array<std::vector<double>, static_cast<std::size_t>(D)> smoothed_velocity_;  ///< XSPH, by particle
     std::vector<double> density_rate_;  ///< ds/dt by particle (predictor-corrector)
     Particles<D> saved_;                ///< state at the start of the step (predictor-corrector)

@@ -192,7 +192,6 @@ void SimulationOf<D, Real>::step(double fields_due) {
         // of the default scheme, docs/theory.md). The drag is implicit: u1 + dt beta u1|u1| = u*.
         sweep(dt, dt, dt);
     }
-    clock_.largest_acceleration = std::sqrt(*std::max_element(block_largest_.begin(), block_largest_.end()));
     clock_.time_step = dt;
     clock_.time += dt;
     ++clock_.steps;

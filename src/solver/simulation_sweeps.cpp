@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <span>
 
 #include "base/parallel.hpp"
@@ -208,25 +209,48 @@ void SimulationOf<D, Real>::sweep_forces(double step) {
         if (predictor_corrector_) {
             advance_predictor_corrector(task, begin, end, step);
         } else {
-            const AdvanceResult result = particle_loops_.advance(particle_data_, task.sums, task.particles,
+            block_advance_[block] = particle_loops_.advance(particle_data_, task.sums, task.particles,
                                                                  {.step = step,
                                                                   .drag = drag_ != nullptr,
                                                                   .acceleration = stirring_.active(),
                                                                   .transport = smoothed},
                                                                  begin, end);
-            block_largest_[block] = result.largest;
-            block_fault_[block] = result.fault ? 1 : 0;
         }
         if (keep_fields_) {
             keep_force_fields(task, begin, end);
         }
     });
-    const bool fault =
-        std::any_of(block_fault_.begin(), block_fault_.end(), [](std::uint8_t f) { return f != 0; });
+    gather_motion(step);
+    repack();
+}
+
+// What the blocks say of the motion: faults, the largest acceleration, and a bound of how far any two particles,
+// or a particle and a wall, can have moved against each other.
+template <int D, class Real>
+void SimulationOf<D, Real>::gather_motion(double step) {
+    double largest = 0.0;
+    bool fault = false;
+    Vec<D> slowest{};  // zero: the walls
+    Vec<D> fastest{};
+    for (const AdvanceResult<D>& block : block_advance_) {
+        largest = std::max(largest, block.largest);
+        fault = fault || block.fault;
+        for (std::size_t k = 0; k < axes; ++k) {
+            slowest[k] = std::min(slowest[k], block.slowest[k]);
+            fastest[k] = std::max(fastest[k], block.fastest[k]);
+        }
+    }
     if (fault) {
         check_state();
     }
-    repack();
+    clock_.largest_acceleration = std::sqrt(largest);
+    double squared = 0.0;
+    for (std::size_t k = 0; k < axes; ++k) {
+        squared += (fastest[k] - slowest[k]) * (fastest[k] - slowest[k]);
+    }
+    // A hair more than the rounding of the moved positions.
+    displacement_bound_ += predictor_corrector_ ? std::numeric_limits<double>::infinity()
+                                                : (1.0 + 1e-6) * step * std::sqrt(squared);
 }
 
 template <int D, class Real>
@@ -288,8 +312,7 @@ void SimulationOf<D, Real>::advance_predictor_corrector(Task& task, std::size_t 
             largest = std::max(largest, squared);
         }
     });
-    block_largest_[begin / block_clusters] = largest;
-    block_fault_[begin / block_clusters] = fault ? 1 : 0;
+    block_advance_[begin / block_clusters] = {.largest = largest, .fault = fault};
 }
 
 // The mean of the stirring over the particles: taken off it, so that it adds no streamwise momentum even

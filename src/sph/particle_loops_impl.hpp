@@ -264,7 +264,7 @@ template <int D, class Real>
 }
 
 template <int D, class Real>
-[[gnu::flatten]] AdvanceResult advance_loop(const ParticleData<D>& p, const BlockWork<D, Real>& work,
+[[gnu::flatten]] AdvanceResult<D> advance_loop(const ParticleData<D>& p, const BlockWork<D, Real>& work,
                                             ParticleWork<D, Real>& own, const AdvanceOptions& options,
                                             std::size_t begin, std::size_t end) {
     using T = Lanes<Real>;
@@ -272,6 +272,12 @@ template <int D, class Real>
     using stdx::sqrt;
     const double dt = options.step;
     Doubles largest(0.0);
+    Components<Doubles, D> slowest{};
+    Components<Doubles, D> fastest{};
+    for (std::size_t k = 0; k < D; ++k) {
+        slowest[k] = std::numeric_limits<double>::infinity();
+        fastest[k] = -std::numeric_limits<double>::infinity();
+    }
     bool good = true;
     for (std::size_t cluster = begin; cluster < end; ++cluster) {
         const std::size_t lane = (cluster - begin) * cluster_size;
@@ -310,6 +316,8 @@ template <int D, class Real>
                 if (options.transport) {
                     transport += load_lanes(&own.transport[k][lane]);
                 }
+                slowest[k] = stdx::min(slowest[k], transport);
+                fastest[k] = stdx::max(fastest[k], transport);
                 Doubles x = members.load(p.position[k]) + dt * transport;
                 if (p.domain.periodic[k]) {
                     const double extent = p.domain.upper[k] - p.domain.lower[k];
@@ -323,7 +331,12 @@ template <int D, class Real>
             good = good && stdx::all_of(fine);
         });
     }
-    return {.largest = stdx::hmax(largest), .fault = !good};
+    AdvanceResult<D> result{.largest = stdx::hmax(largest), .fault = !good};
+    for (std::size_t k = 0; k < D; ++k) {
+        result.slowest[k] = stdx::hmin(slowest[k]);
+        result.fastest[k] = stdx::hmax(fastest[k]);
+    }
+    return result;
 }
 
 template <int D, class Real>
