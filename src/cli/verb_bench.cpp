@@ -90,6 +90,7 @@ nlohmann::ordered_json json_of(const BenchmarkResult& r, double peak) {
             {"share_of_fma_peak", r.useful_rate() / peak},
             {"bytes_per_particle", r.bytes_per_particle},
             {"steps_per_list_build", r.steps_per_list_build},
+            {"skin_in_smoothing_lengths", r.skin},
             {"phase_shares",
              {{"lists", share.lists},
               {"gradients", share.gradients},
@@ -115,14 +116,15 @@ void print_row(const BenchmarkResult& r, double peak) {
 }
 
 void print_phases(const std::vector<BenchmarkResult>& results) {
-    fmt::print("\n{:<24} {:>11} {:>9}   {}\n", "workload/scheme", "steps per", "listed/", "% of a step");
-    fmt::print("{:<24} {:>11} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}\n", "", "list build", "cluster", "lists",
-               "gradients", "forces", "walls", "particles");
+    fmt::print("\n{:<24} {:>5} {:>11} {:>9}   {}\n", "workload/scheme", "skin", "steps per", "listed/",
+               "% of a step");
+    fmt::print("{:<24} {:>5} {:>11} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}\n", "", "/h", "list build", "cluster",
+               "lists", "gradients", "forces", "walls", "particles");
     for (const BenchmarkResult& r : results) {
         const StepProfile& share = r.profile;
-        fmt::print("{:<24} {:>11.1f} {:>9.1f} {:>9.1f} {:>9.1f} {:>9.1f} {:>9.1f} {:>9.1f}\n",
-                   full_name(r.workload), r.steps_per_list_build, r.listed_neighbours, 100.0 * share.lists,
-                   100.0 * share.gradients, 100.0 * share.forces, 100.0 * share.walls,
+        fmt::print("{:<24} {:>5.2f} {:>11.1f} {:>9.1f} {:>9.1f} {:>9.1f} {:>9.1f} {:>9.1f} {:>9.1f}\n",
+                   full_name(r.workload), r.skin, r.steps_per_list_build, r.listed_neighbours,
+                   100.0 * share.lists, 100.0 * share.gradients, 100.0 * share.forces, 100.0 * share.walls,
                    100.0 * share.particles);
     }
 }
@@ -196,6 +198,8 @@ void add_verb_bench(CLI::App& app) {
         "  GFLOP/s      arithmetic of these pairs by the formulas, of one core, and its share of the "
         "largest\n"
         "               rate of multiply-adds that this program reaches on a core of the machine\n"
+        "  skin/h       reach of the lists beyond the kernel (numerics.skin); the workloads in three\n"
+        "               dimensions set their own, not the default of a case\n"
         "  % of a step  lists: sorting, clusters, lists and the test whether they hold; gradients, forces:\n"
         "               the two sums over neighbours; walls: extrapolation; particles: all else\n"
         "A workload for which the memory does not suffice is left out with a warning.\n"

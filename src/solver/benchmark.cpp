@@ -13,9 +13,6 @@
 
 namespace riffle {
 
-namespace {
-
-/// Flow condition 2 (thesis Table 3.1) at the workload's size.
 Case workload_case(const Workload& workload) {
     Case c;
     c.title = workload.name;
@@ -28,6 +25,7 @@ Case workload_case(const Workload& workload) {
     }
     c.bed.roughness_height = 0.010;
     c.numerics.spacing = workload.spacing;
+    c.start.jitter = workload.jitter;
     if (workload.scheme == "plain") {
         c.numerics.pressure_form = PressureForm::symmetric;
         c.numerics.velocity_gradient = VelocityGradient::plain;
@@ -36,15 +34,28 @@ Case workload_case(const Workload& workload) {
     return c;
 }
 
+ColumnResult workload_column(const Workload& workload) {
+    Case turbulent = workload_case(workload);
+    turbulent.turbulence.closure = ClosureKind::ramp;
+    return solve_column(turbulent);
+}
+
+template <int D>
+std::unique_ptr<SimulationIn<D>> workload_simulation(const Workload& workload) {
+    const Case c = workload_case(workload);
+    const ColumnResult column = workload_column(workload);
+    return make_simulation<D>(c, &column, initial_particles<D>(c, make_scheme(c, &column), &column));
+}
+
+template std::unique_ptr<SimulationIn<2>> workload_simulation<2>(const Workload&);
+template std::unique_ptr<SimulationIn<3>> workload_simulation<3>(const Workload&);
+
+namespace {
+
 template <int D>
 BenchmarkResult run_in(const Workload& workload, int repetitions, double seconds) {
     using Clock = std::chrono::steady_clock;
-    const Case c = workload_case(workload);
-    Case turbulent = c;
-    turbulent.turbulence.closure = ClosureKind::ramp;
-    const ColumnResult column = solve_column(turbulent);
-    const auto simulation =
-        make_simulation<D>(c, &column, initial_particles<D>(c, make_scheme(c, &column), &column));
+    const auto simulation = workload_simulation<D>(workload);
     simulation->drop_fields();
     // Seconds per step, without the fields that only a recorder looks at. A part ends with a step that built
     // the lists, so that each holds whole lives of lists; where none is built any more, after enough steps.
@@ -78,6 +89,7 @@ BenchmarkResult run_in(const Workload& workload, int repetitions, double seconds
     result.threads = thread_count();
     result.neighbours = simulation->count_neighbours();
     result.listed_neighbours = simulation->mean_listed_neighbours();
+    result.skin = simulation->scheme().skin / simulation->scheme().smoothing_length;
     const auto particles = static_cast<double>(result.particles);
     const double evaluations = particles * simulation->evaluations_per_step();
     result.evaluations_per_second = evaluations / median;

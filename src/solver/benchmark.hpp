@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ struct Workload {
     double spacing = 0.0;  ///< m
     double length = 0.0;   ///< m
     double width = 0.0;    ///< m, in three dimensions
+    double jitter = 0.0;   ///< random displacement of the first lattice, in spacings
 };
 
 /// The workloads, smallest first: flow condition 2, longer (and wider) for more particles.
@@ -36,6 +38,7 @@ struct BenchmarkResult {
     double listed_neighbours = 0.0;       ///< in the lists, per cluster
     double evaluations_per_second = 0.0;  ///< of the force on a particle, all threads together
     double steps_per_list_build = 0.0;
+    double skin = 0.0;                ///< of the lists, in smoothing lengths
     double bytes_per_particle = 0.0;  ///< held by the simulation's arrays
     StepProfile profile;              ///< shares of a step, each between 0 and 1
 
@@ -48,6 +51,14 @@ struct BenchmarkResult {
     /// Arithmetic of the pairs within the support (sph/pair_arithmetic.hpp), GFLOP/s of one core.
     [[nodiscard]] double useful_rate() const;
 };
+
+/// Flow condition 2 (thesis Table 3.1) at the workload's size, and the twin of its column.
+[[nodiscard]] Case workload_case(const Workload& workload);
+[[nodiscard]] ColumnResult workload_column(const Workload& workload);
+
+/// The simulation of a workload at its start: the profile of its column.
+template <int D>
+[[nodiscard]] std::unique_ptr<SimulationIn<D>> workload_simulation(const Workload& workload);
 
 /// Run a workload from the column's profile: a short run-in, then `repetitions` timed parts of at least
 /// `seconds`, each from one build of the lists to another.
