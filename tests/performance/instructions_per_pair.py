@@ -1,0 +1,89 @@
+#!/usr/bin/env python3
+"""Count the instructions that the pair loops spend on a directed pair, and hold them against a bound.
+
+Unlike times, the count is the same on every machine: valgrind executes the AVX2 objects (it knows no AVX-512) of a
+small channel, on one thread.
+
+Usage: instructions_per_pair.py PAIR_WORKLOAD
+"""
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+SKIPPED = 77  # exit status by which ctest knows a skipped test
+
+# Instructions per directed pair within the support when they were last looked at: GCC 12.2, -O3, x86-64-v3, lists with
+# the skins of workload_case (solver/benchmark.cpp): a thicker skin brings more pairs that do not count. A change
+# that needs more than MARGIN times as many has to be worth it; then, or after an improvement, write the new figures.
+MEASURED = {
+    ("2", "plain"): {"gradient_loop": 13.86, "force_loop": 17.92},
+    ("2", "default"): {"gradient_loop": 18.80, "force_loop": 20.53},
+    ("3", "plain"): {"gradient_loop": 15.47, "force_loop": 19.41},
+    ("3", "default"): {"gradient_loop": 24.67, "force_loop": 29.48},
+}
+MARGIN = 1.10
+
+
+def instructions(profile):
+    """Function -> instructions executed in it and in what it calls, from a file of callgrind."""
+    names, counts = {}, {}
+    function = None
+    with open(profile) as lines:
+        for line in lines:
+            if match := re.match(r"(c?)fn=\((\d+)\)(?: (.*))?", line):
+                if match[3]:
+                    names[match[2]] = match[3].strip()
+                if not match[1]:
+                    function = match[2]
+            elif function is not None and (match := re.match(r"(?:[+-]?\d+|\*) (\d+)$", line)):
+                # "position cost": of the function itself, or behind "calls=" of the function called.
+                counts[function] = counts.get(function, 0) + int(match[1])
+    return {names[function]: count for function, count in counts.items()}
+
+
+def run(*command):
+    """Standard output of a command on the AVX2 path."""
+    result = subprocess.run(command, capture_output=True, text=True,
+                            env={**os.environ, "RIFFLE_INSTRUCTION_SET": "avx2"})
+    if result.returncode != 0:
+        sys.exit(f"{' '.join(command)} failed:\n{result.stdout}{result.stderr}")
+    return result.stdout
+
+
+def count(program, dimensions, scheme):
+    """Loop -> instructions per directed pair."""
+    pairs = int(run(program, dimensions, scheme, "count"))
+    with tempfile.TemporaryDirectory() as folder:
+        profile = os.path.join(folder, "callgrind.out")
+        run("valgrind", "--tool=callgrind", f"--callgrind-out-file={profile}", program, dimensions, scheme)
+        of_function = instructions(profile)
+    totals = {}
+    for loop in ("gradient_loop", "force_loop"):
+        found = [n for name, n in of_function.items() if name.startswith(f"void riffle::avx2::{loop}<")]
+        if len(found) != 1:
+            sys.exit(f"expected one function riffle::avx2::{loop}<...> to be executed, found {len(found)}")
+        totals[loop] = found[0] / pairs
+    return totals
+
+
+def main():
+    if shutil.which("valgrind") is None:
+        print("valgrind is not installed")
+        return SKIPPED
+    too_many = False
+    for (dimensions, scheme), measured in MEASURED.items():
+        for loop, now in count(sys.argv[1], dimensions, scheme).items():
+            bound = MARGIN * measured[loop]
+            print(f"{dimensions}D {scheme:<8} {loop:<14} {now:6.2f} instructions per directed pair, bound {bound:.2f}")
+            too_many = too_many or now > bound
+    if too_many:
+        print("Find what made the loops longer (git bisect). If it is worth it, or the compiler is another one, write "
+              "the new figures into MEASURED.")
+    return 1 if too_many else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
