@@ -206,8 +206,8 @@ Clusters<D> build_clusters(const Domain<D>& domain, const FixedPoint<D>& fixed_p
     clusters.lowest.resize(size);
     for (std::size_t k = 0; k < D; ++k) {
         clusters.slot_position[k].resize(clusters.slots());
-        clusters.centre[k].resize(size);
-        clusters.half_extent[k].resize(size);
+        clusters.centre[k].resize(size + cluster_size);
+        clusters.half_extent[k].resize(size + cluster_size);
     }
     parallel_blocks(columns, column_block(n, columns), [&](std::size_t begin, std::size_t end) {
         for (auto c = static_cast<std::size_t>(clusters.column_begin[begin]), col = begin; col < end; ++col) {

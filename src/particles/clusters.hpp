@@ -25,7 +25,8 @@ struct Clusters {
     Vec<D> lower{};  ///< corner of the first column
     Vec<D> column_width{};
 
-    /// Bounding box of each cluster: centre in integer units, half extent in metres.
+    /// Bounding box of each cluster: centre in integer units, half extent in metres. 8 more elements than
+    /// clusters, so that lanes may read past the last one.
     std::array<std::vector<std::int32_t>, static_cast<std::size_t>(D)> centre;
     std::array<std::vector<float>, static_cast<std::size_t>(D)> half_extent;
     /// Along a last axis that is not periodic, in integer units: no cluster of the column up to this one

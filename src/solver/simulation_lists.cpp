@@ -160,8 +160,8 @@ void SimulationOf<D, Real>::pack_wall_records() {
 }
 
 // A list stays complete as long as no two particles of neighbouring clusters have moved against each other by
-// more than the skin. Only relative motion counts, so a fast but smooth flow needs few rebuilds. While the bound
-// from the range of velocities says so already, the test is spared; the answer is the same.
+// more than the skin. Only relative motion counts, so a fast but smooth flow needs few rebuilds. While the
+// bound from the range of velocities says so already, the test is spared; the answer is the same.
 template <int D, class Real>
 bool SimulationOf<D, Real>::lists_valid(double fraction) {
     const double limit = fraction * scheme_.skin;

@@ -127,7 +127,8 @@ class SimulationOf final : public SimulationIn<D> {
     bool keep_fields_ = true;  ///< in this step
     bool predictor_corrector_ = false;
     std::vector<AdvanceResult<D>> block_advance_;  ///< by block
-    /// No two neighbours have moved against each other by more than this since the last build of the lists, m.
+    /// No two neighbours have moved against each other by more than this since the last build of the lists,
+    /// m.
     double displacement_bound_ = 0.0;
     std::array<std::vector<double>, static_cast<std::size_t>(D)> smoothed_velocity_;  ///< XSPH, by particle
     std::vector<double> density_rate_;  ///< ds/dt by particle (predictor-corrector)

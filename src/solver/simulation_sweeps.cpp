@@ -53,7 +53,8 @@ void SimulationOf<D, Real>::at_heights(std::size_t begin, std::size_t end, LaneA
     const auto first = static_cast<std::size_t>(clusters_.begin[begin]);
     const auto count = static_cast<std::size_t>(clusters_.begin[end]) - first;
     LaneArray<double> dense;
-    f(std::span<const double>(&particles_.position[vertical][first], count), std::span<double>(dense.data(), count));
+    f(std::span<const double>(&particles_.position[vertical][first], count),
+      std::span<double>(dense.data(), count));
     for_clusters(begin, end, [&](std::size_t i, std::size_t last, std::size_t lane) {
         if (last - i == cluster_size) {
             std::copy_n(&dense[i - first], cluster_size, &lanes[lane]);
@@ -70,9 +71,8 @@ void SimulationOf<D, Real>::sweep_gradients(double density_step) {
         timed(profiling_, block_seconds_[begin / block_clusters].gradients,
               [&] { loops_.gradient(data_, begin, end, task.sums); });
         if (closure_) {
-            at_heights(begin, end, task.particles.mixing_length, [&](auto z, auto result) {
-                closure_->mixing_lengths(z, result);
-            });
+            at_heights(begin, end, task.particles.mixing_length,
+                       [&](auto z, auto result) { closure_->mixing_lengths(z, result); });
         }
         particle_loops_.stress(particle_data_, data_, task.sums, task.particles, density_step, begin, end);
         if (predictor_corrector_) {
@@ -210,11 +210,11 @@ void SimulationOf<D, Real>::sweep_forces(double step) {
             advance_predictor_corrector(task, begin, end, step);
         } else {
             block_advance_[block] = particle_loops_.advance(particle_data_, task.sums, task.particles,
-                                                                 {.step = step,
-                                                                  .drag = drag_ != nullptr,
-                                                                  .acceleration = stirring_.active(),
-                                                                  .transport = smoothed},
-                                                                 begin, end);
+                                                            {.step = step,
+                                                             .drag = drag_ != nullptr,
+                                                             .acceleration = stirring_.active(),
+                                                             .transport = smoothed},
+                                                            begin, end);
         }
         if (keep_fields_) {
             keep_force_fields(task, begin, end);
@@ -224,8 +224,8 @@ void SimulationOf<D, Real>::sweep_forces(double step) {
     repack();
 }
 
-// What the blocks say of the motion: faults, the largest acceleration, and a bound of how far any two particles,
-// or a particle and a wall, can have moved against each other.
+// What the blocks say of the motion: faults, the largest acceleration, and a bound of how far any two
+// particles, or a particle and a wall, can have moved against each other.
 template <int D, class Real>
 void SimulationOf<D, Real>::gather_motion(double step) {
     double largest = 0.0;

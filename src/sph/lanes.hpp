@@ -16,8 +16,8 @@ namespace riffle {
 /// The values of the particles of a cluster, one lane each: one register where the instruction set has one of
 /// that size.
 template <class Real>
-using Lanes =
-    std::experimental::simd<Real, std::experimental::simd_abi::deduce_t<Real, static_cast<std::size_t>(cluster_size)>>;
+using Lanes = std::experimental::simd<
+    Real, std::experimental::simd_abi::deduce_t<Real, static_cast<std::size_t>(cluster_size)>>;
 
 namespace detail {
 template <class T>

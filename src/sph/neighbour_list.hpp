@@ -92,8 +92,6 @@ class NeighbourBlock {
     void reserve(std::size_t runs, std::size_t masks);
     void add_run(ClusterRun run) { runs_[run_count_++] = run; }
     void add_mask(std::uint8_t mask) { masks_[mask_count_++] = mask; }
-    /// Forget the masks from `count` on.
-    void cut_masks(std::size_t count) { mask_count_ = count; }
     [[nodiscard]] std::size_t run_count() const { return run_count_; }
     [[nodiscard]] std::size_t mask_count() const { return mask_count_; }
     [[nodiscard]] const std::vector<ClusterRun>& runs() const { return runs_; }

@@ -96,9 +96,9 @@ class BlockSearch {
                               2;
             const std::int64_t low = centre - half - reach_;
             high = centre + half + reach_;
-            // The first cluster that reaches up to `low`, by bisection.
+            // The first cluster that reaches up to `low`, by bisection in high columns.
             std::size_t count = last - first;
-            while (count > 0) {
+            while (count > 2 * cluster_size) {
                 const std::size_t half_count = count / 2;
                 const bool below = j_.highest[first + half_count] < low;
                 first = below ? first + half_count + 1 : first;
@@ -106,40 +106,51 @@ class BlockSearch {
             }
         }
         block_.reserve(1, last - first);
-        const std::size_t masks_before = block_.mask_count();
-        std::size_t masks_needed = masks_before;
         std::size_t run_first = 0;
-        for (std::size_t cj = first; cj < last && !(sorted && j_.lowest[cj] > high); ++cj) {
-            const std::uint8_t mask = near(ci, cj) ? mask_of(cj) : std::uint8_t{0};
-            if (mask == 0 && block_.mask_count() == masks_before) {
-                continue;
+        std::size_t next = 0;  // the cluster that follows the run; 0: no run yet
+        for (std::size_t group = first; group < last && !(sorted && j_.lowest[group] > high);
+             group += cluster_size) {
+            unsigned candidates = near(ci, group);
+            if (last - group < cluster_size) {
+                candidates &= (1U << (last - group)) - 1U;
             }
-            if (block_.mask_count() == masks_before) {
-                run_first = cj;
-            }
-            block_.add_mask(mask);
-            if (mask != 0) {
-                masks_needed = block_.mask_count();
+            for (; candidates != 0; candidates &= candidates - 1U) {
+                const std::size_t cj = group + static_cast<std::size_t>(__builtin_ctz(candidates));
+                const std::uint8_t mask = mask_of(cj);
+                if (mask == 0) {
+                    continue;
+                }
+                if (next == 0) {
+                    run_first = cj;
+                    next = cj;
+                }
+                for (; next < cj; ++next) {
+                    block_.add_mask(0);
+                }
+                block_.add_mask(mask);
+                ++next;
                 neighbours_ += static_cast<std::size_t>(__builtin_popcount(mask));
             }
         }
-        block_.cut_masks(masks_needed);
-        if (masks_needed > masks_before) {
-            block_.add_run({static_cast<std::int32_t>(run_first),
-                            static_cast<std::int32_t>(masks_needed - masks_before)});
+        if (next != 0) {
+            block_.add_run(
+                {static_cast<std::int32_t>(run_first), static_cast<std::int32_t>(next - run_first)});
         }
     }
 
-    /// Whether the boxes of clusters ci and cj come within range.
-    [[nodiscard]] bool near(std::size_t ci, std::size_t cj) const {
-        float squared = 0;
+    /// Bit l: whether the boxes of clusters ci and cj + l come within range. Clusters past the last one too.
+    [[nodiscard]] unsigned near(std::size_t ci, std::size_t cj) const {
+        using Floats = Lanes<float>;
+        using stdx::abs;
+        Floats squared(0.0F);
         for (std::size_t k = 0; k < D; ++k) {
-            const float distance = std::abs(
-                static_cast<float>(wrapped_difference(i_.centre[k][ci], j_.centre[k][cj])) * unit_[k]);
-            const float gap = positive_part(distance - i_.half_extent[k][ci] - j_.half_extent[k][cj]);
+            const Lanes<std::int32_t> difference = i_.centre[k][ci] - load_lanes(&j_.centre[k][cj]);
+            const Floats distance = abs(Floats(stdx::static_simd_cast<Floats>(difference) * unit_[k]));
+            const Floats gap =
+                positive_part<Floats>(distance - i_.half_extent[k][ci] - load_lanes(&j_.half_extent[k][cj]));
             squared += gap * gap;
         }
-        return squared <= range_squared_;
+        return lanes_at_most(squared, range_squared_);
     }
 
     /// The particles of cluster cj that are within range of any particle of the i-cluster.
@@ -151,7 +162,8 @@ class BlockSearch {
                 const std::int32_t* code = &j_.slot_position[k][cj * cluster_size + l];
                 const Wide<float> d =
                     stdx::static_simd_cast<Wide<float>>(WideInteger<float>(
-                        position_[k] - halves<float, std::int32_t>(code[0], code[neighbours_per_turn<float> - 1]))) *
+                        position_[k] -
+                        halves<float, std::int32_t>(code[0], code[neighbours_per_turn<float> - 1]))) *
                     unit_[k];
                 squared += d * d;
             }

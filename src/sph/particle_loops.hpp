@@ -71,8 +71,8 @@ struct AdvanceOptions {
     bool transport = false;
 };
 
-/// Largest |a|^2 before the drag, the range of the velocities that moved the particles, and whether a particle's
-/// state is not finite or out of range.
+/// Largest |a|^2 before the drag, the range of the velocities that moved the particles, and whether a
+/// particle's state is not finite or out of range.
 template <int D>
 struct AdvanceResult {
     double largest = 0.0;
@@ -89,7 +89,7 @@ struct ParticleLoops {
                    ParticleWork<D, Real>&, double step, std::size_t begin, std::size_t end);
     /// Semi-implicit Euler: velocity and position from the sums of the force pass, drag implicit along x.
     AdvanceResult<D> (*advance)(const ParticleData<D>&, const BlockWork<D, Real>&, ParticleWork<D, Real>&,
-                             const AdvanceOptions&, std::size_t begin, std::size_t end);
+                                const AdvanceOptions&, std::size_t begin, std::size_t end);
     /// Motion records and displacements of the moved particles.
     void (*pack)(const ParticleData<D>&, PairData<D, Real>&, Displacement<D>&, std::size_t begin,
                  std::size_t end);

@@ -148,7 +148,8 @@ RIFFLE_INLINE void put_stress(const std::array<Lanes<Real>, N>& stress, const La
 /// The motion records of a cluster.
 template <int D, class Real>
 RIFFLE_INLINE void put_motion(const Components<Integers, D>& x, const Components<Lanes<Real>, D>& u,
-                              const Lanes<Real>& s, const Lanes<Real>& volume, MotionRecord<D, Real>* records) {
+                              const Lanes<Real>& s, const Lanes<Real>& volume,
+                              MotionRecord<D, Real>* records) {
     using Record = MotionRecord<D, Real>;
     if constexpr (records_in_registers<Record, Real>()) {
         RecordLanes<Record, Real> words{};
@@ -236,7 +237,8 @@ template <int D, class Real>
             const T root(sqrt(T(Real(0.5) * viscosity)));
             const T wall_pressure(pressure * scale);
             if (!tensor) {
-                put_stress<PressureRecord<Real>, Real>(std::array<T, 1>{wall_pressure}, root, members.cut(weight), wall_pressure,
+                put_stress<PressureRecord<Real>, Real>(std::array<T, 1>{wall_pressure}, root,
+                                                       members.cut(weight), wall_pressure,
                                                        &data.pressure[slot]);
                 return;
             }
@@ -265,8 +267,8 @@ template <int D, class Real>
 
 template <int D, class Real>
 [[gnu::flatten]] AdvanceResult<D> advance_loop(const ParticleData<D>& p, const BlockWork<D, Real>& work,
-                                            ParticleWork<D, Real>& own, const AdvanceOptions& options,
-                                            std::size_t begin, std::size_t end) {
+                                               ParticleWork<D, Real>& own, const AdvanceOptions& options,
+                                               std::size_t begin, std::size_t end) {
     using T = Lanes<Real>;
     using stdx::abs;
     using stdx::sqrt;

@@ -1,7 +1,7 @@
 #pragma once
 
-// Between the records of a cluster, one after the other in memory, and lanes, one array per field. Compiled per
-// instruction set.
+// Between the records of a cluster, one after the other in memory, and lanes, one array per field. Compiled
+// per instruction set.
 
 #include <cstring>
 
@@ -74,7 +74,8 @@ RIFFLE_INLINE void store_records(const RecordLanes<Record, float>& words, Record
     for (std::size_t w = 0; w < count; w += 8) {
         Words8x8 rows;
         for (std::size_t n = 0; n < 8; ++n) {
-            rows.row[n] = w + n < count ? static_cast<__m256>(words[w + n < count ? w + n : 0]) : _mm256_setzero_ps();
+            rows.row[n] =
+                w + n < count ? static_cast<__m256>(words[w + n < count ? w + n : 0]) : _mm256_setzero_ps();
         }
         transpose(rows);
         for (std::size_t l = 0; l < 8; ++l) {

@@ -76,13 +76,26 @@ RIFFLE_INLINE Lanes<Real> fold(const Wide<Real>& v) {
 RIFFLE_INLINE unsigned any_in_halves(const Wide<float>& v, float limit) {
     if constexpr (neighbours_per_turn<float> == 2) {
 #ifdef __AVX512F__
-        const unsigned lanes =
-            _mm512_cmp_ps_mask(static_cast<__m512>(v), _mm512_set1_ps(limit), _CMP_LE_OQ);
+        const unsigned lanes = _mm512_cmp_ps_mask(static_cast<__m512>(v), _mm512_set1_ps(limit), _CMP_LE_OQ);
         return ((lanes & 0xffU) != 0 ? 1U : 0U) | (lanes > 0xffU ? 2U : 0U);
 #endif
     } else {
         return stdx::any_of(v <= limit) ? 1U : 0U;
     }
+}
+
+/// Bit l: whether lane l is at most `limit`.
+RIFFLE_INLINE unsigned lanes_at_most(const Lanes<float>& v, float limit) {
+#ifdef __AVX2__
+    return static_cast<unsigned>(
+        _mm256_movemask_ps(_mm256_cmp_ps(static_cast<__m256>(v), _mm256_set1_ps(limit), _CMP_LE_OQ)));
+#else
+    unsigned bits = 0;
+    for (std::size_t l = 0; l < cluster_size; ++l) {
+        bits |= (v[l] <= limit ? 1U : 0U) << l;
+    }
+    return bits;
+#endif
 }
 
 /// The positions of the bits of a mask in lanes, in order.
