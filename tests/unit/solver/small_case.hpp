@@ -7,24 +7,31 @@
 
 namespace riffle::test {
 
-/// A short piece of flow condition 2 at 4 mm: 14 rows, some hundred particles, quick to step.
-inline Case small_channel() {
+/// A short piece of flow condition 2 at 4 mm: 14 rows, some hundred particles, quick to step. In three
+/// dimensions just wide enough for the periodic sides, some 2000 particles.
+inline Case small_channel(int dimensions = 2) {
     Case c;
     c.channel.slope = 0.004;
     c.channel.depth = 0.050;
     c.channel.length = 0.08;
+    if (dimensions == 3) {
+        c.channel.width = 0.028;
+    }
     c.bed.roughness_height = 0.010;
     c.numerics.spacing = 0.004;
     return c;
 }
 
-struct Channel {
+/// A case with its column and the simulation that starts from it.
+template <int D>
+struct ChannelIn {
     Case parameters;
     ColumnResult column;
-    std::unique_ptr<Simulation> simulation;
+    std::unique_ptr<SimulationIn<D>> simulation;
 
-    explicit Channel(const Case& c) : parameters(c), column(solve_column(c)) {
-        simulation = make_simulation(c, &column, initial_particles(c, make_scheme(c, &column), &column));
+    explicit ChannelIn(const Case& c) : parameters(c), column(solve_column(c)) {
+        simulation =
+            make_simulation<D>(c, &column, initial_particles<D>(c, make_scheme(c, &column), &column));
     }
     void advance(int steps) const {
         for (int i = 0; i < steps; ++i) {
@@ -32,5 +39,16 @@ struct Channel {
         }
     }
 };
+using Channel = ChannelIn<2>;
+
+/// Number of each particle's place in the arrays, by its id (ids count from zero).
+template <int D>
+[[nodiscard]] std::vector<std::size_t> places_by_id(const Particles<D>& particles) {
+    std::vector<std::size_t> place(particles.size());
+    for (std::size_t i = 0; i < particles.size(); ++i) {
+        place[static_cast<std::size_t>(particles.id[i])] = i;
+    }
+    return place;
+}
 
 }  // namespace riffle::test

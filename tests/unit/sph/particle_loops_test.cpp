@@ -212,9 +212,13 @@ void check_advance(const ParticleLoops<D, Real>& loops, ParticleSet<D, Real>& se
     set.particles.corrected = corrected;
     const auto position = set.position;
     const auto velocity = set.velocity;
-    const AdvanceResult result = loops.advance(set.particles, *set.sums, *set.work, options, 0, set.end);
+    const AdvanceResult<D> result = loops.advance(set.particles, *set.sums, *set.work, options, 0, set.end);
     EXPECT_FALSE(result.fault);
     double largest = 0.0;
+    Vec<D> slowest;
+    Vec<D> fastest;
+    slowest.fill(1e300);
+    fastest.fill(-1e300);
     set.for_particles([&](std::size_t i, std::size_t, std::size_t lane) {
         const double dt = options.step;
         const double factor = corrected ? 1.0 / (1.0 + set.density_deviation[i]) : 1.0;
@@ -235,7 +239,10 @@ void check_advance(const ParticleLoops<D, Real>& loops, ParticleSet<D, Real>& se
                 EXPECT_NEAR(set.work->drag_force[lane], (u - free) / dt, bound / dt);
             }
             EXPECT_NEAR(set.velocity[k][i], u, bound);
-            double x = position[k][i] + dt * (u + (options.transport ? set.work->transport[k][lane] : 0.0));
+            u = set.velocity[k][i] + (options.transport ? set.work->transport[k][lane] : 0.0);
+            slowest[k] = std::min(slowest[k], u);
+            fastest[k] = std::max(fastest[k], u);
+            double x = position[k][i] + dt * u;
             if (set.cloud.domain.periodic[k]) {
                 const double extent = set.cloud.domain.extent(static_cast<int>(k));
                 x -= extent * std::floor((x - set.cloud.domain.lower[k]) / extent);
@@ -246,6 +253,8 @@ void check_advance(const ParticleLoops<D, Real>& loops, ParticleSet<D, Real>& se
         }
         largest = std::max(largest, squared);
     });
+    EXPECT_EQ(result.slowest, slowest);
+    EXPECT_EQ(result.fastest, fastest);
     // a^2 of about 30 m/s2 with pair sums rounded in Real.
     EXPECT_NEAR(result.largest, largest, 2.0 * 30.0 * 20.0 * rounding<Real> + 1e-9);
 }
