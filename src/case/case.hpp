@@ -105,9 +105,12 @@ struct Numerics {
     WallKind wall = WallKind::dummy;
     int wall_layers = 3;
     Precision precision = Precision::single_precision;
-    double skin = 0.3;  ///< of the neighbour lists, in units of h
+    std::optional<double> skin;  ///< of the neighbour lists, in units of h; unset: 0.3, in three dimensions 0.1
 
     bool operator==(const Numerics&) const = default;
+
+    /// The skin in use.
+    [[nodiscard]] double skin_in(int dimensions) const { return skin.value_or(dimensions == 3 ? 0.1 : 0.3); }
 };
 
 /// [start]

@@ -190,7 +190,8 @@ SectionKeys numerics() {
     s.keys.push_back(
         key("skin", &Numerics::skin, "Reach of the neighbour lists beyond the kernel, in units of h.")
             .greater_than(0)
-            .at_most(1));
+            .at_most(1)
+            .unset_by("auto", "0.3"));
     return s;
 }
 

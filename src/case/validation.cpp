@@ -93,7 +93,7 @@ class Validation {
         const Numerics& n = c_.numerics;
         const double smoothing_length = n.smoothing_ratio * n.spacing;
         const double support = 2 * smoothing_length;
-        const double reach = support + n.skin * smoothing_length;
+        const double reach = support + n.skin_in(2) * smoothing_length;
         if (c_.channel.ends == Ends::periodic && c_.channel.length < 2 * reach) {
             add({"channel.length", "numerics.spacing"},
                 fmt::format(

@@ -21,7 +21,6 @@ Case workload_case(const Workload& workload) {
     c.channel.length = workload.length;
     if (workload.dimensions == 3) {
         c.channel.width = workload.width;
-        c.numerics.skin = 0.1;  // lists are longer in space: a thinner skin pays (docs/performance.md)
     }
     c.bed.roughness_height = 0.010;
     c.numerics.spacing = workload.spacing;
@@ -89,7 +88,7 @@ BenchmarkResult run_in(const Workload& workload, int repetitions, double seconds
     result.threads = thread_count();
     result.neighbours = simulation->count_neighbours();
     result.listed_neighbours = simulation->mean_listed_neighbours();
-    result.skin = simulation->scheme().skin / simulation->scheme().smoothing_length;
+    result.skin = workload_case(workload).numerics.skin_in(D);
     const auto particles = static_cast<double>(result.particles);
     const double evaluations = particles * simulation->evaluations_per_step();
     result.evaluations_per_second = evaluations / median;

@@ -32,7 +32,6 @@ Scheme make_scheme(const Case& c, const ColumnResult* column) {
     Scheme scheme;
     scheme.spacing = lattice.dx;
     scheme.smoothing_length = c.numerics.smoothing_ratio * c.numerics.spacing;
-    scheme.skin = c.numerics.skin * scheme.smoothing_length;
     scheme.depth = c.total_depth();
     scheme.density = c.fluid.density;
     scheme.viscosity = c.fluid.kinematic_viscosity;

@@ -10,7 +10,6 @@ namespace riffle {
 struct Scheme {
     double spacing = 0.0;           ///< lattice spacing along x
     double smoothing_length = 0.0;  ///< h
-    double skin = 0.0;              ///< of the neighbour lists
     double depth = 0.0;             ///< total depth H
     double maximum_velocity = 0.0;  ///< expected, sets the sound speed
     StateEquation state;

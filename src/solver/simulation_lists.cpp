@@ -37,7 +37,7 @@ void SimulationOf<D, Real>::build_lists(bool sort) {
     clusters_ =
         build_clusters<D>(domain_, fixed_point_,
                           view<D>(sort ? particles_.position : particles_.listed_position), column_width_);
-    const double range = 2.0 * scheme_.smoothing_length + scheme_.skin;
+    const double range = 2.0 * scheme_.smoothing_length + skin_;
     fluid_fluid_ = build_neighbour_list<D>(clusters_, clusters_, fixed_point_, range);
     if (walls_.size() > 0) {
         fluid_wall_ = build_neighbour_list<D>(clusters_, wall_clusters_, fixed_point_, range);
@@ -164,7 +164,7 @@ void SimulationOf<D, Real>::pack_wall_records() {
 // bound from the range of velocities says so already, the test is spared; the answer is the same.
 template <int D, class Real>
 bool SimulationOf<D, Real>::lists_valid(double fraction) {
-    const double limit = fraction * scheme_.skin;
+    const double limit = fraction * skin_;
     if (displacement_bound_ <= limit) {
         return true;
     }

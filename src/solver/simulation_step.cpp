@@ -69,6 +69,7 @@ SimulationOf<D, Real>::SimulationOf(const Case& c, const ColumnResult* column, P
           {.kernel = c.numerics.kernel, .viscosity = c.numerics.viscosity, .gradients = needs_gradients(c)})),
       particle_loops_(particle_loops<D, Real>()),
       column_width_(cluster_column_spacings(D) * c.numerics.spacing),
+      skin_(0.0),
       predictor_corrector_(c.numerics.stepping == Stepping::predictor_corrector) {
     particles_ = std::move(particles);
     scheme_ = make_scheme(c, column);
@@ -78,6 +79,7 @@ SimulationOf<D, Real>::SimulationOf(const Case& c, const ColumnResult* column, P
         wall_deviation_[i] = scheme_.hydrostatic_deviation(walls_.position[vertical][i]);
     }
     const double h = scheme_.smoothing_length;
+    skin_ = c.numerics.skin_in(D) * h;
     auto& constants = data_.constants;
     for (std::size_t k = 0; k < axes; ++k) {
         constants.unit[k] = static_cast<Real>(fixed_point_.unit(k) / h);

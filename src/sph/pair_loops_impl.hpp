@@ -290,7 +290,8 @@ template <int D, class Real, class Kernel, bool Gradients>
             for (int k = 1; k < D; ++k) {
                 trace += m_total[symmetric_index<D>(k, k)];
             }
-            store_lanes(T(Real(1) + pressure_blend * (Real(D) / trace - Real(1))),
+            // (Of a lone drop the trace is zero, and the blend too.)
+            store_lanes(T(Real(1) + pressure_blend * (Real(D) / stdx::max(trace, T(1)) - Real(1))),
                         &work.gradient.viscosity_factor[lane]);
             store_lanes(regularity, &work.gradient.regularity[lane]);
         }
