@@ -37,6 +37,16 @@ struct Clusters {
     /// Positions in integer units by slot; empty slots repeat the last particle of their cluster.
     std::array<std::vector<std::int32_t>, static_cast<std::size_t>(D)> slot_position;
 
+    /// Free what only the search for neighbours needs.
+    void release_boxes() {
+        for (std::size_t k = 0; k < D; ++k) {
+            std::vector<std::int32_t>().swap(centre[k]);
+            std::vector<float>().swap(half_extent[k]);
+        }
+        std::vector<std::int32_t>().swap(highest);
+        std::vector<std::int32_t>().swap(lowest);
+    }
+
     [[nodiscard]] std::size_t size() const { return begin.empty() ? 0 : begin.size() - 1; }
     [[nodiscard]] std::size_t slots() const { return size() * cluster_size; }
     /// Number of particles of a cluster, 1 to 8.

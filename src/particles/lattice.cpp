@@ -70,7 +70,7 @@ Particles<D> lattice_particles(const Case& c) {
                     }
                     particles.position[D - 1][i] += displacement(lattice.dz);
                 }
-                particles.id[i] = static_cast<std::int64_t>(i);
+                particles.id[i] = static_cast<std::int32_t>(i);
             }
         }
     }

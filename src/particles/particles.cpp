@@ -26,7 +26,7 @@ void Particles<D>::permute(const std::vector<std::int32_t>& order) {
     }
     permute_array(density_deviation, order, scratch);
     permute_array(mass, order, scratch);
-    std::vector<std::int64_t> scratch_id;
+    std::vector<std::int32_t> scratch_id;
     permute_array(id, order, scratch_id);
 }
 

@@ -15,7 +15,7 @@ struct Particles {
     std::array<std::vector<double>, static_cast<std::size_t>(D)> velocity;
     std::vector<double> density_deviation;  ///< s = rho/rho0 - 1: no rounding against rho0
     std::vector<double> mass;
-    std::vector<std::int64_t> id;  ///< number at creation, kept through sorting
+    std::vector<std::int32_t> id;  ///< number at creation, kept through sorting
     /// Position at the last build of the neighbour lists. Part of a saved state, so that a resumed run has
     /// the same lists in the same order, and the same bits, as an uninterrupted one; empty otherwise.
     std::array<std::vector<double>, static_cast<std::size_t>(D)> listed_position;

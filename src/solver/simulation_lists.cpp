@@ -45,6 +45,7 @@ void SimulationOf<D, Real>::build_lists(bool sort) {
         data_.fluid_wall = &fluid_wall_;
         data_.wall_fluid = &wall_fluid_;
     }
+    clusters_.release_boxes();
     data_.fluid_fluid = &fluid_fluid_;
     displacement_bound_ = sort ? 0.0 : std::numeric_limits<double>::infinity();
     allocate();

@@ -48,7 +48,7 @@ void add_state(Content& content, const std::string& group, const Simulation& sim
               "rho/rho0 - 1 of the wall particles");
     content.datasets.push_back({.path = group + "/id",
                                 .shape = {p.size()},
-                                .values = p.id,
+                                .values = std::vector<std::int64_t>(p.id.begin(), p.id.end()),
                                 .unit = "1",
                                 .long_name = "particle number"});
     const SimulationClock& clock = simulation.clock();
@@ -73,7 +73,10 @@ void restore_state(const Content& content, const std::string& group, Simulation&
     }
     p.density_deviation = doubles(content, group + "/density_deviation");
     p.mass = doubles(content, group + "/mass");
-    p.id = std::get<std::vector<std::int64_t>>(checkpoint_dataset(content, group + "/id").values);
+    for (const std::int64_t id :
+         std::get<std::vector<std::int64_t>>(checkpoint_dataset(content, group + "/id").values)) {
+        p.id.push_back(static_cast<std::int32_t>(id));
+    }
     SimulationClock clock;
     clock.time = group_number(content, group, "time");
     clock.steps = static_cast<std::int64_t>(group_number(content, group, "steps"));
@@ -112,7 +115,7 @@ Particles<2> particles_from_results(const Case& c, const Scheme& scheme, const R
     p.density_deviation = results.read_doubles("/state/density_deviation");
     p.mass = results.read_doubles("/state/mass");
     for (const double id : results.read_doubles("/state/id")) {
-        p.id.push_back(static_cast<std::int64_t>(id));
+        p.id.push_back(static_cast<std::int32_t>(id));
     }
     const auto sound_speed = results.attribute("/state", "sound_speed");
     const StateEquation old{

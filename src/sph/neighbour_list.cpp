@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "sph/pair_loops.hpp"
 
@@ -40,6 +41,11 @@ NeighbourList build_neighbour_list(const Clusters<D>& i_clusters, const Clusters
     // The margin covers the rounding of the single-precision distances.
     const NeighbourSearch<D> search{
         .i = &i_clusters, .j = &j_clusters, .fixed_point = &fixed_point, .range = range * (1.0 + 1e-5)};
+    if (j_clusters.size() >= ClusterRun::most_clusters) {
+        throw RunError(
+            "neighbour lists number up to 2^27 clusters of 8 particles; take a larger spacing or a shorter "
+            "channel");
+    }
     const NeighbourSearchFunction<D> find = neighbour_search<D>();
     const std::size_t n = i_clusters.size();
     std::vector<NeighbourBlock> blocks((n + search_block - 1) / search_block);

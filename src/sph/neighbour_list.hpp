@@ -8,10 +8,13 @@
 
 namespace riffle {
 
-/// Clusters [first, first + count) of one column.
+/// Clusters [first, first + count) of one column, in 32 bits; longer runs are cut into several.
 struct ClusterRun {
-    std::int32_t first = 0;
-    std::int32_t count = 0;
+    std::uint32_t first : 27 = 0;
+    std::uint32_t count : 5 = 0;
+
+    static constexpr std::size_t most_clusters = std::size_t{1} << 27U;
+    static constexpr std::size_t longest = 31;
 };
 
 /// For each i-cluster, the slots of all j-particles that lie within range of any of its particles (a full

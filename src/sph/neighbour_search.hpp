@@ -105,7 +105,7 @@ class BlockSearch {
                 count = below ? count - half_count - 1 : half_count;
             }
         }
-        block_.reserve(1, last - first);
+        block_.reserve((last - first) / ClusterRun::longest + 1, last - first);
         std::size_t run_first = 0;
         std::size_t next = 0;  // the cluster that follows the run; 0: no run yet
         for (std::size_t group = first; group < last && !(sorted && j_.lowest[group] > high);
@@ -132,9 +132,13 @@ class BlockSearch {
                 neighbours_ += static_cast<std::size_t>(__builtin_popcount(mask));
             }
         }
-        if (next != 0) {
-            block_.add_run(
-                {static_cast<std::int32_t>(run_first), static_cast<std::int32_t>(next - run_first)});
+        for (; run_first < next; run_first += ClusterRun::longest) {
+            const std::size_t count =
+                next - run_first < ClusterRun::longest ? next - run_first : ClusterRun::longest;
+            ClusterRun run;
+            run.first = static_cast<std::uint32_t>(run_first) & (ClusterRun::most_clusters - 1);
+            run.count = static_cast<std::uint32_t>(count) & ClusterRun::longest;
+            block_.add_run(run);
         }
     }
 

@@ -105,7 +105,7 @@ TEST(Particles, PermuteMovesAllQuantitiesTogether) {
         p.velocity[1][i] = 30.0 + value;
         p.density_deviation[i] = 60.0 + value;
         p.mass[i] = 70.0 + value;
-        p.id[i] = static_cast<std::int64_t>(i);
+        p.id[i] = static_cast<std::int32_t>(i);
     }
     const std::vector<std::int32_t> order = {3, 0, 4, 1, 2};
     p.permute(order);

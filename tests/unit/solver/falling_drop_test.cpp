@@ -30,7 +30,7 @@ struct WaterWithDrop {
         Particles<D> particles = initial_particles<D>(c, make_scheme(c, nullptr), nullptr);
         drop = static_cast<std::int64_t>(particles.size());
         particles.resize(particles.size() + 1);
-        particles.id.back() = drop;
+        particles.id.back() = static_cast<std::int32_t>(drop);
         particles.mass.back() = particles.mass.front();
         particles.position[0].back() = 0.5 * c.channel.length;
         if constexpr (D == 3) {

@@ -114,8 +114,8 @@ TEST(NeighbourList, DoesNotDependOnTheNumberOfThreads) {
     EXPECT_EQ(one.masks, two.masks);
     ASSERT_EQ(one.runs.size(), two.runs.size());
     for (std::size_t r = 0; r < one.runs.size(); ++r) {
-        EXPECT_EQ(one.runs[r].first, two.runs[r].first);
-        EXPECT_EQ(one.runs[r].count, two.runs[r].count);
+        EXPECT_EQ(+one.runs[r].first, +two.runs[r].first);
+        EXPECT_EQ(+one.runs[r].count, +two.runs[r].count);
     }
 }
 
