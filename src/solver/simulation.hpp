@@ -38,6 +38,7 @@ struct SimulationClock {
     std::int64_t list_builds = 0;
     double time_step = 0.0;             ///< last step
     double largest_acceleration = 0.0;  ///< of the last evaluation
+    double displacement_bound = 0.0;    ///< bound of the relative motion since the last list build, m
 };
 
 /// Where the time of a step goes, s: summed over the steps since the last reset. The parts inside the sweeps

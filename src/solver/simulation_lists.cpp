@@ -32,6 +32,7 @@ void SimulationOf<D, Real>::build_lists(bool sort) {
         particles_.permute(
             spatial_order<D>(domain_, view<D>(particles_.position), column_width_, 0.5 * spacing));
         ++clock_.list_builds;
+        clock_.displacement_bound = 0.0;
         refer_to_particles();
     }
     clusters_ =
@@ -45,9 +46,9 @@ void SimulationOf<D, Real>::build_lists(bool sort) {
         data_.fluid_wall = &fluid_wall_;
         data_.wall_fluid = &wall_fluid_;
     }
+    loose_ = has_loose_particles();
     clusters_.release_boxes();
     data_.fluid_fluid = &fluid_fluid_;
-    displacement_bound_ = sort ? 0.0 : std::numeric_limits<double>::infinity();
     allocate();
     repack();
 }
@@ -162,12 +163,14 @@ void SimulationOf<D, Real>::pack_wall_records() {
 
 // A list stays complete as long as no two particles of neighbouring clusters have moved against each other by
 // more than the skin. Only relative motion counts, so a fast but smooth flow needs few rebuilds. While the
-// bound from the range of velocities says so already, the test is spared; the answer is the same.
+// bound from the range of all velocities says so already, the test is spared; the answer is the same. A drop
+// that flies towards water beyond its reach is in no list that the test could look at: then the bound alone
+// decides.
 template <int D, class Real>
 bool SimulationOf<D, Real>::lists_valid(double fraction) {
     const double limit = fraction * skin_;
-    if (displacement_bound_ <= limit) {
-        return true;
+    if (clock_.displacement_bound <= limit || loose_) {
+        return clock_.displacement_bound <= limit;
     }
     const double worst = reduce_blocks(
         clusters_.size(), light_block, 0.0,
@@ -175,8 +178,36 @@ bool SimulationOf<D, Real>::lists_valid(double fraction) {
             return particle_loops_.displaced(data_, fixed_point_, moved_, begin, end);
         },
         [](double a, double b) { return std::max(a, b); });
-    displacement_bound_ = std::sqrt(worst);
-    return displacement_bound_ <= limit;
+    clock_.displacement_bound = std::sqrt(worst);
+    return clock_.displacement_bound <= limit;
+}
+
+// Whether any column of particles has a gap wider than the kernel's support, or does not reach down to the
+// bed.
+template <int D, class Real>
+bool SimulationOf<D, Real>::has_loose_particles() const {
+    if (domain_.periodic[vertical]) {
+        return false;
+    }
+    const double support = 2.0 * scheme_.smoothing_length;
+    const std::size_t columns = clusters_.column_begin.size() - 1;
+    const auto height = [&](std::int32_t code) { return fixed_point_.decode(code, vertical); };
+    return reduce_blocks(
+               columns, light_block, 0,
+               [&](std::size_t begin, std::size_t end) {
+                   for (std::size_t column = begin; column < end; ++column) {
+                       double reached = 0.0;  // the bed
+                       for (auto c = static_cast<std::size_t>(clusters_.column_begin[column]);
+                            c < static_cast<std::size_t>(clusters_.column_begin[column + 1]); ++c) {
+                           if (height(clusters_.lowest[c]) > reached + support) {
+                               return 1;
+                           }
+                           reached = height(clusters_.highest[c]);
+                       }
+                   }
+                   return 0;
+               },
+               [](int a, int b) { return a + b; }) > 0;
 }
 
 template <int D, class Real>

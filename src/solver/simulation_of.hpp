@@ -63,6 +63,7 @@ class SimulationOf final : public SimulationIn<D> {
     void pack_wall_records();
     void fill_last_records();
     [[nodiscard]] bool lists_valid(double fraction);
+    [[nodiscard]] bool has_loose_particles() const;
 
     // Sweeps (simulation_sweeps.cpp).
     void sweep_gradients(double density_step);
@@ -128,9 +129,7 @@ class SimulationOf final : public SimulationIn<D> {
     bool keep_fields_ = true;  ///< in this step
     bool predictor_corrector_ = false;
     std::vector<AdvanceResult<D>> block_advance_;  ///< by block
-    /// No two neighbours have moved against each other by more than this since the last build of the lists,
-    /// m.
-    double displacement_bound_ = 0.0;
+    bool loose_ = false;  ///< drops beyond the reach of the water, which no list knows
     std::array<std::vector<double>, static_cast<std::size_t>(D)> smoothed_velocity_;  ///< XSPH, by particle
     std::vector<double> density_rate_;  ///< ds/dt by particle (predictor-corrector)
     Particles<D> saved_;                ///< state at the start of the step (predictor-corrector)

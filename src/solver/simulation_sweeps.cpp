@@ -249,8 +249,8 @@ void SimulationOf<D, Real>::gather_motion(double step) {
         squared += (fastest[k] - slowest[k]) * (fastest[k] - slowest[k]);
     }
     // A hair more than the rounding of the moved positions.
-    displacement_bound_ += predictor_corrector_ ? std::numeric_limits<double>::infinity()
-                                                : (1.0 + 1e-6) * step * std::sqrt(squared);
+    clock_.displacement_bound += predictor_corrector_ ? std::numeric_limits<double>::infinity()
+                                                      : (1.0 + 1e-6) * step * std::sqrt(squared);
 }
 
 template <int D, class Real>

@@ -60,6 +60,7 @@ void add_state(Content& content, const std::string& group, const Simulation& sim
     attribute("list_builds", clock.list_builds);
     attribute("time_step", clock.time_step);
     attribute("largest_acceleration", clock.largest_acceleration);
+    attribute("displacement_bound", clock.displacement_bound);
     attribute("sound_speed", simulation.scheme().state.sound_speed);
 }
 
@@ -83,6 +84,7 @@ void restore_state(const Content& content, const std::string& group, Simulation&
     clock.list_builds = static_cast<std::int64_t>(group_number(content, group, "list_builds"));
     clock.time_step = group_number(content, group, "time_step");
     clock.largest_acceleration = group_number(content, group, "largest_acceleration");
+    clock.displacement_bound = group_number(content, group, "displacement_bound");
     simulation.restore(std::move(p), clock, doubles(content, group + "/wall_density_deviation"));
 }
 
