@@ -102,6 +102,14 @@ class Validation {
                     "spacing smaller",
                     length_text(c_.channel.length), length_text(2 * reach)));
         }
+        // Positions are 32-bit fractions of the length: a unit of 1e-5 spacings costs 1e-4 g in the accelerations.
+        const double longest = 1e-5 * n.spacing * 4294967296.0;
+        if (c_.channel.length > longest) {
+            add({"channel.length", "numerics.spacing"},
+                fmt::format("[channel] length is {}: at a spacing of {} the positions, 32-bit integers, resolve "
+                            "channels of up to {}; make the channel shorter or the spacing larger",
+                            length_text(c_.channel.length), length_text(n.spacing), length_text(longest)));
+        }
         const double needed = c_.channel.top == Top::periodic ? 2 * reach : support;
         if (c_.total_depth() < needed) {
             add({"channel.depth", "numerics.spacing"},

@@ -165,6 +165,13 @@ TEST(BadInput, SpacingLargerThanTheRoughness) {
                           "roughness height 1 mm"));
 }
 
+TEST(BadInput, ChannelTooLongForThePositions) {
+    EXPECT_THAT(error_of(smallest, {{"channel.length", "100 m"}}),
+                HasSubstr("[channel] length is 100 m: at a spacing of 2 mm the positions, 32-bit integers, "
+                          "resolve channels of up to 85.9 m"));
+    EXPECT_EQ(error_of(smallest, {{"channel.length", "85 m"}}), "");
+}
+
 TEST(BadInput, RoughnessZoneThatNoSphereFills) {
     EXPECT_THAT(error_of(changed("0.4 D", "1.2 D")), HasSubstr("more than the sphere diameter 25 mm"));
     EXPECT_THAT(error_of(changed("\"0.4 D\"", "0")), HasSubstr("a bed of spheres needs a roughness zone"));
