@@ -36,7 +36,7 @@ struct NeighbourList {
     [[nodiscard]] std::size_t buffer_size() const { return largest + 2 * lookahead; }
 
     /// How many entries behind the last one may be read, to fill turns up and to fetch ahead.
-    static constexpr std::size_t lookahead = 16;
+    static constexpr std::size_t lookahead = 48;
 
     /// The slots of a cluster's neighbours into `slots`, followed by `lookahead` times empty_slot; returns
     /// their number without those.

@@ -168,7 +168,7 @@ TEST(BadInput, SpacingLargerThanTheRoughness) {
 TEST(BadInput, ChannelTooLongForThePositions) {
     EXPECT_THAT(error_of(smallest, {{"channel.length", "100 m"}}),
                 HasSubstr("[channel] length is 100 m: at a spacing of 2 mm the positions, 32-bit integers, "
-                          "resolve channels of up to 85.9 m"));
+                          "resolve channels of up to 85.8"));
     EXPECT_EQ(error_of(smallest, {{"channel.length", "85 m"}}), "");
 }
 
@@ -186,11 +186,11 @@ TEST(BadInput, SmoothBedWithRoughness) {
 }
 
 TEST(BadInput, ReachTooShortForPeriodicEnds) {
-    // 2 (2 h + 0.2 h) with h = 3 mm: 13.2 mm.
+    // 2 (2 h + 0.3 h) with h = 3 mm: 13.8 mm.
     EXPECT_THAT(
-        error_of(changed("slope = 0.004", "slope = 0.004\nlength = \"13.1 mm\"")),
-        HasSubstr("case.toml:3:10: [channel] length is 13.1 mm: periodic ends need at least 13.2 mm"));
-    EXPECT_EQ(error_of(changed("slope = 0.004", "slope = 0.004\nlength = \"13.3 mm\"")), "");
+        error_of(changed("slope = 0.004", "slope = 0.004\nlength = \"13.7 mm\"")),
+        HasSubstr("case.toml:3:10: [channel] length is 13.7 mm: periodic ends need at least 13.8 mm"));
+    EXPECT_EQ(error_of(changed("slope = 0.004", "slope = 0.004\nlength = \"13.9 mm\"")), "");
 }
 
 TEST(BadInput, StartsThatCannotBe) {
