@@ -105,7 +105,8 @@ struct Numerics {
     WallKind wall = WallKind::dummy;
     int wall_layers = 3;
     Precision precision = Precision::single_precision;
-    std::optional<double> skin;  ///< of the neighbour lists, in units of h; unset: 0.3, in three dimensions 0.1
+    std::optional<double>
+        skin;  ///< of the neighbour lists, in units of h; unset: 0.3, in three dimensions 0.1
 
     bool operator==(const Numerics&) const = default;
 

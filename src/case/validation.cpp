@@ -13,6 +13,11 @@ namespace {
 
 std::string length_text(double value) { return quantity_text(value, Dimension::length); }
 
+/// A computed length: four digits are enough to choose one.
+std::string rounded_length_text(double value) {
+    return value < 1.0 ? fmt::format("{:.4g} mm", 1e3 * value) : fmt::format("{:.4g} m", value);
+}
+
 /// The checks, each a small function over the case; a failed one adds its message at the place of its keys.
 class Validation {
   public:
@@ -100,22 +105,24 @@ class Validation {
                     "[channel] length is {}: periodic ends need at least {}, two kernel supports of 2 h with "
                     "their skin, so that no particle meets its own image; make the reach longer or the "
                     "spacing smaller",
-                    length_text(c_.channel.length), length_text(2 * reach)));
+                    length_text(c_.channel.length), rounded_length_text(2 * reach)));
         }
-        // Positions are 32-bit fractions of the length: a unit of 1e-5 spacings costs 1e-4 g in the accelerations.
+        // Positions are 32-bit fractions of the length: a unit of 1e-5 spacings costs 1e-4 g in the
+        // accelerations.
         const double longest = 1e-5 * n.spacing * 4294967296.0;
         if (c_.channel.length > longest) {
             add({"channel.length", "numerics.spacing"},
-                fmt::format("[channel] length is {}: at a spacing of {} the positions, 32-bit integers, resolve "
-                            "channels of up to {}; make the channel shorter or the spacing larger",
-                            length_text(c_.channel.length), length_text(n.spacing), length_text(longest)));
+                fmt::format(
+                    "[channel] length is {}: at a spacing of {} the positions, 32-bit integers, resolve "
+                    "channels of up to {}; make the channel shorter or the spacing larger",
+                    length_text(c_.channel.length), length_text(n.spacing), rounded_length_text(longest)));
         }
         const double needed = c_.channel.top == Top::periodic ? 2 * reach : support;
         if (c_.total_depth() < needed) {
             add({"channel.depth", "numerics.spacing"},
                 fmt::format(
                     "[channel] the total depth is {}: at least {} ({}) is needed; make the spacing smaller",
-                    length_text(c_.total_depth()), length_text(needed),
+                    length_text(c_.total_depth()), rounded_length_text(needed),
                     c_.channel.top == Top::periodic ? "two kernel supports of 2 h with their skin"
                                                     : "one kernel support, 2 h"));
         }

@@ -168,7 +168,7 @@ TEST(BadInput, SpacingLargerThanTheRoughness) {
 TEST(BadInput, ChannelTooLongForThePositions) {
     EXPECT_THAT(error_of(smallest, {{"channel.length", "100 m"}}),
                 HasSubstr("[channel] length is 100 m: at a spacing of 2 mm the positions, 32-bit integers, "
-                          "resolve channels of up to 85.8"));
+                          "resolve channels of up to 85.9 m"));
     EXPECT_EQ(error_of(smallest, {{"channel.length", "85 m"}}), "");
 }
 

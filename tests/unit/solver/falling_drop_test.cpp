@@ -76,8 +76,8 @@ void check_free_fall() {
 TEST(Drop, FallsFreely2D) { check_free_fall<2>(); }
 TEST(Drop, FallsFreely3D) { check_free_fall<3>(); }
 
-// A cluster that was out of reach of all others when the lists were built stands in none of them; the drop must
-// be seen all the same. From one smoothing length on the water must push a drop back.
+// A cluster that was out of reach of all others when the lists were built stands in none of them; the drop
+// must be seen all the same. From one smoothing length on the water must push a drop back.
 template <int D>
 void check_impact() {
     WaterWithDrop<D> water(4.0, -2.0);
