@@ -124,20 +124,31 @@ def stirred_quick(run):
 
 
 def spacings(run):
-    """Refinement: the errors fall with the spacing."""
-    table = Table("Condition 2 at three spacings", bar_header(BARS))
+    """Refinement: the errors fall with the spacing, where the compressibility does not cover it.
+
+    At the default c0 of 20 U_max the water's own weight compresses it by up to 0.7 %, which takes 0.13 % off U above the
+    crests at any spacing; at twice that c0 it takes 0.03 %.
+    """
+    extra = ["U over the whole depth, rms %"]
+    table = Table("Condition 2 at three spacings, c0 = 40 U_max", bar_header(BARS) + extra)
     errors = []
     for spacing in ("2", "1.5", "1"):
-        name = "condition-2" if spacing == "2" else f"condition-2-{spacing}mm"
         # A periodic length of 0.1 m gives the same mean flow at half the cost.
-        settings = {} if spacing == "2" else {"numerics.spacing": f'"{spacing} mm"', "channel.length": '"0.1 m"'}
-        result = run(name, condition_case(2), settings)
+        result = run(f"condition-2-{spacing}mm-c40", condition_case(2),
+                     {"numerics.spacing": f'"{spacing} mm"', "channel.length": '"0.1 m"',
+                      "numerics.sound_speed": '"18.1 m/s"'})
         row_against_bars(table, f"dx {spacing} mm", result, BARS)
-        errors.append([result.values[key] for key in ("velocity_error_above_rms", "velocity_error_below_rms")])
-    for column, label in enumerate(("above", "below")):
-        table.checks += 1
-        if not errors[0][column] > errors[2][column]:
-            table.missed.append(f"the velocity error {label} the crest does not fall from dx 2 mm to 1 mm")
+        v = result.values
+        above, below = v["velocity_error_above_rms"], v["velocity_error_below_rms"]
+        share = v["crest"] / v["total_depth"]
+        whole = (share * below**2 + (1 - share) * above**2) ** 0.5
+        table.rows[-1].append(f"{100 * whole:.2f}")
+        errors.append([whole, below])
+    for column, label in enumerate(("over the whole depth", "below the crest")):
+        for coarse, fine, step in zip(errors, errors[1:], ("2 to 1.5 mm", "1.5 to 1 mm")):
+            table.checks += 1
+            if not fine[column] < coarse[column]:
+                table.missed.append(f"the velocity error {label} does not fall from dx {step}")
     return table
 
 
