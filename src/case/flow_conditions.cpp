@@ -94,6 +94,10 @@ Case paper() {
     c.turbulence.closure = ClosureKind::nezu_rodi;
     c.turbulence.zero = 0.0045;
     c.turbulence.stress_terms = StressTerms::shear;
+    // No eddy viscosity at the bed keeps the lowest rows in order; the hexagonal lattice does better there.
+    c.start.lattice = StartLattice::hexagonal;
+    c.numerics.smoothing_ratio = 2.1;
+    c.numerics.wall_layers = 5;
     return c;
 }
 

@@ -74,6 +74,7 @@ BenchmarkResult run_in(const Workload& workload, int repetitions, double seconds
     };
     run_for(0.3 * seconds);
     std::vector<double> per_step;
+    per_step.reserve(static_cast<std::size_t>(repetitions));
     const auto steps_before = simulation->clock().steps;
     const auto builds_before = simulation->clock().list_builds;
     for (int i = 0; i < repetitions; ++i) {

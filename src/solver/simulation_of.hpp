@@ -124,7 +124,7 @@ class SimulationOf final : public SimulationIn<D> {
     NeighbourList fluid_wall_;
     NeighbourList wall_fluid_;
     Displacement<D> moved_;
-    double skin_;  ///< reach of the lists beyond the kernel, m
+    double skin_ = 0.0;  ///< reach of the lists beyond the kernel, m
 
     bool keep_fields_ = true;  ///< in this step
     bool predictor_corrector_ = false;

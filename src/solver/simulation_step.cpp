@@ -69,7 +69,6 @@ SimulationOf<D, Real>::SimulationOf(const Case& c, const ColumnResult* column, P
           {.kernel = c.numerics.kernel, .viscosity = c.numerics.viscosity, .gradients = needs_gradients(c)})),
       particle_loops_(particle_loops<D, Real>()),
       column_width_(cluster_column_spacings(D) * c.numerics.spacing),
-      skin_(0.0),
       predictor_corrector_(c.numerics.stepping == Stepping::predictor_corrector) {
     particles_ = std::move(particles);
     scheme_ = make_scheme(c, column);
