@@ -2,7 +2,7 @@
 """Holds Riffle's 2D channel against its bars: the column twin, the momentum balance, Table 3.1.
 
   tests/validation/validate.py quick     condition 2 at 2 mm and its stirred twin (CI, some minutes)
-  tests/validation/validate.py full      all conditions, the paper's case, spacings, stirring, SPS (about half an hour on two cores)
+  tests/validation/validate.py full      all conditions, the paper's case, spacings, stirring, SPS (about a quarter of an hour on two cores)
 
 Prints one table per part and ends with status 1 when a bar is missed. --markdown FILE writes the tables too,
 --keep DIR keeps the results there, --reuse takes complete results that DIR already holds.
