@@ -83,7 +83,7 @@ Channel<D>::Channel(const std::string& scheme_name) : gradients(scheme_name == "
     domain = domain_of<D>(c);
     fixed_point = FixedPoint<D>(domain);
     column_width = cluster_column_spacings(D) * c.numerics.spacing;
-    range = 2.0 * scheme.smoothing_length + scheme.skin;
+    range = (2.0 + c.numerics.skin_in(D)) * scheme.smoothing_length;
 
     particles = initial_particles<D>(c, scheme, &column);
     particles.permute(spatial_order<D>(domain, positions(), column_width, 0.5 * c.numerics.spacing));
