@@ -6,7 +6,7 @@ build_packages=(
     libtomlplusplus-dev nlohmann-json3-dev
 )
 test_packages=(
-    libgtest-dev libgmock-dev librapidcheck-dev clang-format-14
+    libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev clang-format-14
     python3 python3-h5py python3-numpy python3-paraview chromium mount valgrind
 )
 lint_packages=(clang-tidy-14)
