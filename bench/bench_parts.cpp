@@ -52,20 +52,21 @@ void register_lists(const std::string& dimensions, const std::shared_ptr<Channel
 /// The search alone, without the arrays of the list.
 template <int D>
 void register_search(const std::string& suffix, InstructionSet set, const std::shared_ptr<Channel<D>>& c) {
-    measure("search/" + suffix, static_cast<double>(c->particles.size()), [c, find = search_of<D>(set)] {
-        const NeighbourSearch<D> search{
-            .i = &c->clusters, .j = &c->clusters, .fixed_point = &c->fixed_point, .range = c->range};
-        for (std::size_t begin = 0; begin < c->clusters.size(); begin += NeighbourBlock::size) {
-            NeighbourBlock block;
-            find(search, begin, std::min(c->clusters.size(), begin + NeighbourBlock::size), block);
-            benchmark::DoNotOptimize(block.neighbours);
-        }
-    });
+    measure("search/" + suffix, static_cast<double>(c->particles.size()),
+            [c, find = neighbour_search<D>(set)] {
+                const NeighbourSearch<D> search{
+                    .i = &c->clusters, .j = &c->clusters, .fixed_point = &c->fixed_point, .range = c->range};
+                for (std::size_t begin = 0; begin < c->clusters.size(); begin += NeighbourBlock::size) {
+                    NeighbourBlock block;
+                    find(search, begin, std::min(c->clusters.size(), begin + NeighbourBlock::size), block);
+                    benchmark::DoNotOptimize(block.neighbours);
+                }
+            });
 }
 
 template <int D>
 void register_sums(const std::string& suffix, InstructionSet set, const std::shared_ptr<Channel<D>>& c) {
-    const PairLoops<D, float> loops = pair_loops_of<D>(set, c->gradients);
+    const PairLoops<D, float> loops = pair_loops<D, float>({.gradients = c->gradients}, set);
     const auto sweep = [&](const std::string& name, double items, const Clusters<D>& clusters,
                            typename PairLoops<D, float>::Loop loop) {
         measure(name + "/" + suffix, items, [c, &clusters, loop] {
@@ -82,7 +83,7 @@ void register_sums(const std::string& suffix, InstructionSet set, const std::sha
 template <int D>
 void register_particle_loops(const std::string& suffix, InstructionSet set,
                              const std::shared_ptr<Channel<D>>& c) {
-    const ParticleLoops<D, float> loops = particle_loops_of<D>(set);
+    const ParticleLoops<D, float> loops = particle_loops<D, float>(set);
     const auto sweep = [&](const std::string& name, auto loop) {
         measure(name + "/" + suffix, static_cast<double>(c->particles.size()),
                 [c, loop] { Channel<D>::for_blocks(c->clusters, loop); });

@@ -5,18 +5,10 @@
 
 #include "particles/particles.hpp"
 #include "solver/scheme.hpp"
-#include "sph/loop_table.hpp"
+#include "sph/pair_loops.hpp"
+#include "sph/particle_loops.hpp"
 
 namespace riffle::bench {
-
-/// The loops of an instruction set, which the processor must offer.
-[[nodiscard]] LoopTable loops_of(InstructionSet set);
-template <int D>
-[[nodiscard]] NeighbourSearchFunction<D> search_of(InstructionSet set);
-template <int D>
-[[nodiscard]] PairLoops<D, float> pair_loops_of(InstructionSet set, bool gradients);
-template <int D>
-[[nodiscard]] ParticleLoops<D, float> particle_loops_of(InstructionSet set);
 
 /// A channel on a jittered lattice, as a simulation holds it in the middle of a step: particles in spatial
 /// order, clusters, lists, and all records that the loops read.
@@ -62,7 +54,6 @@ struct Channel {
     }
 
   private:
-    void pack_walls();
     void pack_fluid();
 };
 

@@ -62,6 +62,17 @@ struct Clusters {
 template <int D>
 using PositionView = std::array<std::span<const double>, static_cast<std::size_t>(D)>;
 
+/// Views of arrays of positions, one per axis.
+template <int D>
+[[nodiscard]] PositionView<D> position_view(
+    const std::array<std::vector<double>, static_cast<std::size_t>(D)>& position) {
+    PositionView<D> view;
+    for (std::size_t k = 0; k < D; ++k) {
+        view[k] = position[k];
+    }
+    return view;
+}
+
 /// Order in which particles follow each other in space: by column (width about `column_width`), then by bins
 /// of `bin_height` along the last axis; ties keep their old order. order[i] is the old index of particle i.
 template <int D>

@@ -27,9 +27,20 @@ struct ParticleFields {
     std::vector<double> drag_acceleration_x;     ///< of the bed drag (negative for u > 0)
 
     void resize(std::size_t n);
-    [[nodiscard]] std::array<std::vector<double>*, 8> all();
-    [[nodiscard]] std::array<const std::vector<double>*, 8> all() const;
+    /// All of them.
+    static constexpr std::array<std::vector<double> ParticleFields::*, 8> all();
 };
+
+constexpr std::array<std::vector<double> ParticleFields::*, 8> ParticleFields::all() {
+    return {&ParticleFields::pressure,
+            &ParticleFields::eddy_viscosity,
+            &ParticleFields::shear,
+            &ParticleFields::regularity,
+            &ParticleFields::pair_acceleration_x,
+            &ParticleFields::viscous_acceleration_x,
+            &ParticleFields::wall_acceleration_x,
+            &ParticleFields::drag_acceleration_x};
+}
 
 /// State that a run needs beside the particles to go on with the same bits.
 struct SimulationClock {

@@ -1,8 +1,5 @@
 // Density filters and XSPH: options that smooth over the neighbours.
 
-#include <algorithm>
-
-#include "base/parallel.hpp"
 #include "solver/simulation_of.hpp"
 
 namespace riffle {
@@ -55,6 +52,19 @@ double moving_least_squares(const FilterResult<D, Real>& f, std::size_t lane, do
 }  // namespace
 
 template <int D, class Real>
+template <class F>
+void SimulationOf<D, Real>::for_filter_blocks(const F& f) {
+    for_blocks(clusters_.size(), [&](Task& task, std::size_t begin, std::size_t end) {
+        loops_.filter(data_, begin, end, task.sums);
+        for_clusters(begin, end, [&](std::size_t first, std::size_t last, std::size_t lane) {
+            for (std::size_t i = first; i < last; ++i) {
+                f(task.sums.filter, i, lane + (i - first));
+            }
+        });
+    });
+}
+
+template <int D, class Real>
 void SimulationOf<D, Real>::filter_density() {
     const bool mls = case_.numerics.density_filter == DensityFilter::mls;
     for_filter_blocks([&](const FilterResult<D, Real>& sums, std::size_t particle, std::size_t lane) {
@@ -76,21 +86,6 @@ void SimulationOf<D, Real>::sweep_smoothed_velocity() {
             smoothed_velocity_[k][particle] =
                 case_.numerics.xsph * static_cast<double>(sums.velocity[k][lane]);
         }
-    });
-}
-
-template <int D, class Real>
-void SimulationOf<D, Real>::for_filter_blocks(
-    const std::function<void(const FilterResult<D, Real>&, std::size_t, std::size_t)>& f) {
-    parallel_blocks(clusters_.size(), block_clusters, [&](std::size_t begin, std::size_t end) {
-        BlockWork<D, Real> work;
-        work.slots.resize(fluid_fluid_.buffer_size());
-        loops_.filter(data_, begin, end, work);
-        for_clusters(begin, end, [&](std::size_t first, std::size_t last, std::size_t lane) {
-            for (std::size_t i = first; i < last; ++i) {
-                f(work.filter, i, lane + (i - first));
-            }
-        });
     });
 }
 

@@ -5,20 +5,13 @@
 #include <limits>
 
 #include "base/parallel.hpp"
+#include "solver/pair_setup.hpp"
 #include "solver/simulation_of.hpp"
+#include "sph/directed_pairs.hpp"
 
 namespace riffle {
 
 namespace {
-
-template <int D, class Arrays>
-PositionView<D> view(const Arrays& position) {
-    PositionView<D> result;
-    for (std::size_t k = 0; k < D; ++k) {
-        result[k] = position[k];
-    }
-    return result;
-}
 
 /// Clusters per task of a sweep without sums.
 constexpr std::size_t light_block = 128;
@@ -30,15 +23,15 @@ void SimulationOf<D, Real>::build_lists(bool sort) {
     const double spacing = case_.numerics.spacing;
     if (sort) {
         particles_.permute(
-            spatial_order<D>(domain_, view<D>(particles_.position), column_width_, 0.5 * spacing));
+            spatial_order<D>(domain_, position_view<D>(particles_.position), column_width_, 0.5 * spacing));
         ++clock_.list_builds;
         clock_.displacement_bound = 0.0;
         refer_to_particles();
     }
-    clusters_ =
-        build_clusters<D>(domain_, fixed_point_,
-                          view<D>(sort ? particles_.position : particles_.listed_position), column_width_);
-    const double range = 2.0 * scheme_.smoothing_length + skin_;
+    clusters_ = build_clusters<D>(domain_, fixed_point_,
+                                  position_view<D>(sort ? particles_.position : particles_.listed_position),
+                                  column_width_);
+    const double range = list_reach<D>(case_, scheme_);
     fluid_fluid_ = build_neighbour_list<D>(clusters_, clusters_, fixed_point_, range);
     if (walls_.size() > 0) {
         fluid_wall_ = build_neighbour_list<D>(clusters_, wall_clusters_, fixed_point_, range);
@@ -69,7 +62,7 @@ void SimulationOf<D, Real>::allocate() {
     // One record more than slots: it fills up turns of the loops.
     const std::size_t records = clusters_.slots() + 1;
     data_.motion.resize(records);
-    const bool gradients = closure_ || case_.numerics.pressure_form == PressureForm::corrected;
+    const bool gradients = needs_gradients(case_);
     if (gradients) {
         data_.stress.resize(records);
     } else {
@@ -118,47 +111,11 @@ void SimulationOf<D, Real>::make_walls() {
     if (walls_.size() == 0) {
         return;
     }
-    const PositionView<D> unsorted = view<D>(walls_.position);
+    const PositionView<D> unsorted = position_view<D>(walls_.position);
     walls_.permute(spatial_order<D>(domain_, unsorted, column_width_, 0.5 * case_.numerics.spacing));
-    wall_clusters_ = build_clusters<D>(domain_, fixed_point_, view<D>(walls_.position), column_width_);
-    pack_wall_records();
-}
-
-template <int D, class Real>
-void SimulationOf<D, Real>::pack_wall_records() {
-    const std::size_t slots = wall_clusters_.slots();
-    data_.wall_gradient.assign(slots + 1, {});
-    data_.wall_force.assign(slots + 1, {});
-    for (std::size_t slot = 0; slot < slots; ++slot) {
-        auto& gradient = data_.wall_gradient[slot];
-        auto& force = data_.wall_force[slot];
-        for (std::size_t k = 0; k < axes; ++k) {
-            gradient.x[k] = wall_clusters_.slot_position[k][slot];
-            force.x[k] = gradient.x[k];
-        }
-        const std::int32_t particle = wall_clusters_.particle_of(slot);
-        if (particle < 0) {
-            continue;
-        }
-        const auto i = static_cast<std::size_t>(particle);
-        for (std::size_t k = 0; k < axes * axes; ++k) {
-            // Dynamic particles are fluid that does not move: the whole velocity counts.
-            const double identity = k % (axes + 1) == 0 ? 1.0 : 0.0;
-            gradient.projector[k] = static_cast<Real>(wall_law_.dynamic ? identity : walls_.projector[k][i]);
-        }
-        // Water and end wall meet the surface at the same height: the wall continues the water, corrected
-        // like it, so that nothing varies along the surface at rest. Under a bed this would be friction (3 to
-        // 4 %).
-        gradient.continuation =
-            static_cast<Real>(!wall_law_.dynamic && walls_.normal[vertical][i] == 0.0 ? 1.0 : 0.0);
-        force.continuation = gradient.continuation;
-        gradient.volume = static_cast<Real>(walls_.volume[i]);
-        force.weight = static_cast<Real>(walls_.volume[i]);
-        force.viscous_weight = static_cast<Real>(wall_law_.no_slip ? walls_.volume[i] : 0.0);
-        force.viscosity_root = static_cast<Real>(std::sqrt(0.5 * scheme_.viscosity));
-    }
-    data_.wall_gradient.back().x = data_.wall_gradient.front().x;
-    data_.wall_force.back().x = data_.wall_force.front().x;
+    wall_clusters_ =
+        build_clusters<D>(domain_, fixed_point_, position_view<D>(walls_.position), column_width_);
+    pack_wall_records<D, Real>(case_, scheme_, walls_, wall_clusters_, data_);
 }
 
 // A list stays complete as long as no two particles of neighbouring clusters have moved against each other by
@@ -168,7 +125,7 @@ void SimulationOf<D, Real>::pack_wall_records() {
 // decides.
 template <int D, class Real>
 bool SimulationOf<D, Real>::lists_valid(double fraction) {
-    const double limit = fraction * skin_;
+    const double limit = fraction * case_.numerics.skin_in(D) * scheme_.smoothing_length;
     if (clock_.displacement_bound <= limit || loose_) {
         return clock_.displacement_bound <= limit;
     }
@@ -249,44 +206,8 @@ double SimulationOf<D, Real>::mean_listed_neighbours() const {
 
 template <int D, class Real>
 double SimulationOf<D, Real>::count_neighbours() const {
-    const double support = 2.0 * scheme_.smoothing_length;
-    const auto within = [&](const auto& a, const auto& b) {
-        double squared = 0.0;
-        for (std::size_t k = 0; k < axes; ++k) {
-            const double d = wrapped_difference(a.x[k], b.x[k]) * fixed_point_.unit(k);
-            squared += d * d;
-        }
-        return squared < support * support;
-    };
-    const std::int64_t pairs = reduce_blocks(
-        clusters_.size(), block_clusters, std::int64_t{0},
-        [&](std::size_t begin, std::size_t end) {
-            std::int64_t count = 0;
-            std::vector<std::int32_t> slots;
-            const auto add = [&](const NeighbourList& list, const auto& records, std::size_t cluster) {
-                slots.resize(list.buffer_size());
-                const std::size_t n = list.spell(cluster, slots.data());
-                for (std::size_t slot = cluster * cluster_size; slot < (cluster + 1) * cluster_size; ++slot) {
-                    if (clusters_.particle_of(slot) < 0) {
-                        continue;
-                    }
-                    for (std::size_t j = 0; j < n; ++j) {
-                        count +=
-                            within(data_.motion[slot], records[static_cast<std::size_t>(slots[j])]) ? 1 : 0;
-                    }
-                }
-            };
-            for (std::size_t cluster = begin; cluster < end; ++cluster) {
-                add(fluid_fluid_, data_.motion, cluster);
-                if (data_.fluid_wall != nullptr) {
-                    add(fluid_wall_, data_.wall_gradient, cluster);
-                }
-            }
-            return count;
-        },
-        [](std::int64_t a, std::int64_t b) { return a + b; });
-    const auto n = static_cast<double>(particles_.size());
-    return (static_cast<double>(pairs) - n) / n;  // without the particle itself
+    return count_directed_pairs(data_, clusters_, fixed_point_, 2.0 * scheme_.smoothing_length) /
+           static_cast<double>(particles_.size());
 }
 
 template <int D, class Real>
@@ -319,8 +240,8 @@ std::size_t SimulationOf<D, Real>::bytes() const {
         add(component);
     }
     add(density_rate_);
-    for (const auto* field : fields_.all()) {
-        add(*field);
+    for (const auto field : ParticleFields::all()) {
+        add(fields_.*field);
     }
     return total + fluid_fluid_.bytes() + fluid_wall_.bytes() + wall_fluid_.bytes();
 }

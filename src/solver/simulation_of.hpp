@@ -1,8 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <chrono>
-#include <functional>
 
+#include "base/parallel.hpp"
 #include "roughness/bed_drag.hpp"
 #include "solver/simulation.hpp"
 #include "solver/stirring.hpp"
@@ -60,7 +61,6 @@ class SimulationOf final : public SimulationIn<D> {
     void refer_to_particles();
     void repack();
     void make_walls();
-    void pack_wall_records();
     void fill_last_records();
     [[nodiscard]] bool lists_valid(double fraction);
     [[nodiscard]] bool has_loose_particles() const;
@@ -83,10 +83,11 @@ class SimulationOf final : public SimulationIn<D> {
     void filter_density();
     void sweep_smoothed_velocity();
     /// f(sums, particle, lane) for each particle.
-    void for_filter_blocks(
-        const std::function<void(const FilterResult<D, Real>&, std::size_t, std::size_t)>& f);
+    template <class F>
+    void for_filter_blocks(const F& f);
 
     // Stepping (simulation_step.cpp).
+    void take_step(double fields_due);
     [[nodiscard]] double choose_step() const;
     void check_state() const;
 
@@ -100,8 +101,31 @@ class SimulationOf final : public SimulationIn<D> {
     }
     template <class F>
     void at_heights(std::size_t begin, std::size_t end, LaneArray<double>& lanes, const F& f) const;
+    /// f(task, begin, end) for blocks of clusters, in parallel; each thread keeps its task from call to call.
     template <class F>
-    void for_blocks(std::size_t clusters, const F& f);
+    void for_blocks(std::size_t clusters, const F& f) const {
+        const std::size_t needed =
+            std::max({fluid_fluid_.buffer_size(), fluid_wall_.buffer_size(), wall_fluid_.buffer_size()});
+        parallel_blocks(clusters, block_clusters, [&](std::size_t begin, std::size_t end) {
+            thread_local Task task;
+            if (task.sums.slots.size() < needed) {
+                task.sums.slots.resize(needed);
+            }
+            f(task, begin, end);
+        });
+    }
+    /// Run f; while the parts of a step are measured, add its duration to `seconds`.
+    template <class F>
+    void timed(double& seconds, const F& f) const {
+        if (!profiling_) {
+            f();
+            return;
+        }
+        using Clock = std::chrono::steady_clock;
+        const auto start = Clock::now();
+        f();
+        seconds += std::chrono::duration<double>(Clock::now() - start).count();
+    }
 
     Case case_;
     WallLaw wall_law_;
@@ -124,7 +148,6 @@ class SimulationOf final : public SimulationIn<D> {
     NeighbourList fluid_wall_;
     NeighbourList wall_fluid_;
     Displacement<D> moved_;
-    double skin_ = 0.0;  ///< reach of the lists beyond the kernel, m
 
     bool keep_fields_ = true;  ///< in this step
     bool predictor_corrector_ = false;

@@ -3,58 +3,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "particles/lattice.hpp"
+#include "solver/pair_setup.hpp"
 #include "solver/simulation_of.hpp"
 
 namespace riffle {
 
-std::array<std::vector<double>*, 8> ParticleFields::all() {
-    return {&pressure,
-            &eddy_viscosity,
-            &shear,
-            &regularity,
-            &pair_acceleration_x,
-            &viscous_acceleration_x,
-            &wall_acceleration_x,
-            &drag_acceleration_x};
-}
-
-std::array<const std::vector<double>*, 8> ParticleFields::all() const {
-    return {&pressure,
-            &eddy_viscosity,
-            &shear,
-            &regularity,
-            &pair_acceleration_x,
-            &viscous_acceleration_x,
-            &wall_acceleration_x,
-            &drag_acceleration_x};
-}
-
 void ParticleFields::resize(std::size_t n) {
-    for (auto* values : all()) {
-        values->resize(n, 0.0);
+    for (const auto field : all()) {
+        (this->*field).resize(n, 0.0);
     }
 }
-
-namespace {
-
-/// Whether the velocity gradient and the correction matrix enter the equations.
-bool needs_gradients(const Case& c) {
-    return c.turbulence.closure != ClosureKind::none || c.numerics.pressure_form == PressureForm::corrected;
-}
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_between(Clock::time_point a, Clock::time_point b) {
-    return std::chrono::duration<double>(b - a).count();
-}
-
-}  // namespace
 
 template <int D, class Real>
 SimulationOf<D, Real>::SimulationOf(const Case& c, const ColumnResult* column, Particles<D> particles)
@@ -77,33 +40,8 @@ SimulationOf<D, Real>::SimulationOf(const Case& c, const ColumnResult* column, P
     for (std::size_t i = 0; i < walls_.size(); ++i) {
         wall_deviation_[i] = scheme_.hydrostatic_deviation(walls_.position[vertical][i]);
     }
-    const double h = scheme_.smoothing_length;
-    skin_ = c.numerics.skin_in(D) * h;
-    auto& constants = data_.constants;
-    for (std::size_t k = 0; k < axes; ++k) {
-        constants.unit[k] = static_cast<Real>(fixed_point_.unit(k) / h);
-    }
-    constants.h = static_cast<Real>(h);
-    constants.gradient_scale = static_cast<Real>(std::pow(h, -(D + 2)));
-    const double c0 = scheme_.state.sound_speed;
-    const bool diffusion = c.numerics.density_diffusion == DensityDiffusion::fourtakas;
-    constants.diffusion =
-        static_cast<Real>(diffusion ? c.numerics.density_diffusion_coefficient * h * c0 : 0.0);
-    constants.hydrostatic_gradient = static_cast<Real>(scheme_.normal_gravity / (c0 * c0));
-    constants.correct_pressure = c.numerics.pressure_form == PressureForm::corrected;
-    constants.correct_gradient = c.numerics.velocity_gradient == VelocityGradient::corrected;
-
-    particle_data_.domain = domain_;
-    particle_data_.fixed_point = fixed_point_;
-    particle_data_.state = scheme_.state;
-    particle_data_.density = scheme_.density;
-    particle_data_.viscosity = scheme_.viscosity;
-    particle_data_.gravity[0] = scheme_.streamwise_gravity;
-    particle_data_.gravity[vertical] = -scheme_.normal_gravity;
-    particle_data_.corrected = constants.correct_pressure;
-    particle_data_.closure = closure_ != nullptr;
-    particle_data_.two_point = closure_ == nullptr || c.numerics.eddy_stress == EddyStress::two_point;
-    particle_data_.shear_only = c.turbulence.stress_terms == StressTerms::shear;
+    data_.constants = pair_constants<D, Real>(c, scheme_, fixed_point_);
+    particle_data_ = particle_constants<D>(c, scheme_, domain_);
     refer_to_particles();
 
     check_state();
@@ -154,11 +92,16 @@ void SimulationOf<D, Real>::check_state() const {
 
 template <int D, class Real>
 void SimulationOf<D, Real>::step(double fields_due) {
-    const auto start = Clock::now();
-    if (!lists_valid(predictor_corrector_ ? 0.5 : 1.0)) {
-        build_lists(true);
-    }
-    profile_.lists += seconds_between(start, Clock::now());
+    timed(profile_.total, [&] { take_step(fields_due); });
+}
+
+template <int D, class Real>
+void SimulationOf<D, Real>::take_step(double fields_due) {
+    timed(profile_.lists, [&] {
+        if (!lists_valid(predictor_corrector_ ? 0.5 : 1.0)) {
+            build_lists(true);
+        }
+    });
     const auto& numerics = case_.numerics;
     if (numerics.density_filter != DensityFilter::none && clock_.steps > 0 &&
         clock_.steps % numerics.density_filter_interval == 0) {
@@ -176,9 +119,7 @@ void SimulationOf<D, Real>::step(double fields_due) {
     }
     const auto sweep = [&](double density_step, double wall_step, double motion_step) {
         sweep_gradients(density_step);
-        const auto before = Clock::now();
-        sweep_walls(wall_step);
-        profile_.walls += seconds_between(before, Clock::now());
+        timed(profile_.walls, [&] { sweep_walls(wall_step); });
         sweep_forces(motion_step);
     };
     if (predictor_corrector_) {
@@ -196,13 +137,12 @@ void SimulationOf<D, Real>::step(double fields_due) {
     clock_.time_step = dt;
     clock_.time += dt;
     ++clock_.steps;
-    profile_.total += seconds_between(start, Clock::now());
 }
 
 template <int D, class Real>
 void SimulationOf<D, Real>::drop_fields() {
-    for (auto* field : fields_.all()) {
-        std::vector<double>().swap(*field);
+    for (const auto field : ParticleFields::all()) {
+        std::vector<double>().swap(fields_.*field);
     }
 }
 

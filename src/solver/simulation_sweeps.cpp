@@ -1,7 +1,6 @@
 // The sweeps over the clusters that make up a force evaluation.
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -10,39 +9,6 @@
 #include "solver/simulation_of.hpp"
 
 namespace riffle {
-
-namespace {
-
-using Clock = std::chrono::steady_clock;
-
-/// Run f; with `on`, add its duration to `seconds`.
-template <class F>
-void timed(bool on, double& seconds, const F& f) {
-    if (!on) {
-        f();
-        return;
-    }
-    const auto start = Clock::now();
-    f();
-    seconds += std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-}  // namespace
-
-/// f(task, begin, end) for blocks of clusters, in parallel; each thread keeps its task from call to call.
-template <int D, class Real>
-template <class F>
-void SimulationOf<D, Real>::for_blocks(std::size_t clusters, const F& f) {
-    const std::size_t needed =
-        std::max({fluid_fluid_.buffer_size(), fluid_wall_.buffer_size(), wall_fluid_.buffer_size()});
-    parallel_blocks(clusters, block_clusters, [&](std::size_t begin, std::size_t end) {
-        thread_local Task task;
-        if (task.sums.slots.size() < needed) {
-            task.sums.slots.resize(needed);
-        }
-        f(task, begin, end);
-    });
-}
 
 /// A function of the height, f(heights, results), for the particles of a block, which follow each other in
 /// memory; the results by lane, zero in empty ones.
@@ -68,7 +34,7 @@ void SimulationOf<D, Real>::at_heights(std::size_t begin, std::size_t end, LaneA
 template <int D, class Real>
 void SimulationOf<D, Real>::sweep_gradients(double density_step) {
     for_blocks(clusters_.size(), [&](Task& task, std::size_t begin, std::size_t end) {
-        timed(profiling_, block_seconds_[begin / block_clusters].gradients,
+        timed(block_seconds_[begin / block_clusters].gradients,
               [&] { loops_.gradient(data_, begin, end, task.sums); });
         if (closure_) {
             at_heights(begin, end, task.particles.mixing_length,
@@ -176,7 +142,7 @@ void SimulationOf<D, Real>::sweep_forces(double step) {
     measure_stirring();
     for_blocks(clusters_.size(), [&](Task& task, std::size_t begin, std::size_t end) {
         const std::size_t block = begin / block_clusters;
-        timed(profiling_, block_seconds_[block].forces, [&] { loops_.force(data_, begin, end, task.sums); });
+        timed(block_seconds_[block].forces, [&] { loops_.force(data_, begin, end, task.sums); });
         if (drag_) {
             // Few clusters reach into the roughness.
             const double top = drag_->top();

@@ -72,7 +72,9 @@ auto single_or_double(S in_single, D in_double) {
     }
 }
 
-LoopTable table_of(InstructionSet set) {
+}  // namespace
+
+LoopTable loop_table(InstructionSet set) {
     switch (set) {
         case InstructionSet::avx512:
             return avx512::loop_table();
@@ -84,11 +86,9 @@ LoopTable table_of(InstructionSet set) {
     return baseline::loop_table();
 }
 
-}  // namespace
-
 template <int D, class Real>
 PairLoops<D, Real> pair_loops(const LoopOptions& options, InstructionSet set) {
-    const LoopTable table = table_of(set);
+    const LoopTable table = loop_table(set);
     constexpr bool single = std::is_same_v<Real, float>;
     if constexpr (D == 2) {
         return single_or_double<single>(table.plane_single, table.plane_double)(options);
@@ -112,8 +112,8 @@ template PairLoops<3, float> pair_loops<3, float>(const LoopOptions&, Instructio
 template PairLoops<3, double> pair_loops<3, double>(const LoopOptions&, InstructionSet);
 
 template <int D, class Real>
-ParticleLoops<D, Real> particle_loops() {
-    const LoopTable table = table_of(active_instruction_set());
+ParticleLoops<D, Real> particle_loops(InstructionSet set) {
+    const LoopTable table = loop_table(set);
     constexpr bool single = std::is_same_v<Real, float>;
     if constexpr (D == 2) {
         return single_or_double<single>(table.plane_particles_single, table.plane_particles_double);
@@ -122,19 +122,37 @@ ParticleLoops<D, Real> particle_loops() {
     }
 }
 
+template <int D, class Real>
+ParticleLoops<D, Real> particle_loops() {
+    return particle_loops<D, Real>(active_instruction_set());
+}
+
 template ParticleLoops<2, float> particle_loops<2, float>();
 template ParticleLoops<2, double> particle_loops<2, double>();
 template ParticleLoops<3, float> particle_loops<3, float>();
 template ParticleLoops<3, double> particle_loops<3, double>();
+template ParticleLoops<2, float> particle_loops<2, float>(InstructionSet);
+template ParticleLoops<2, double> particle_loops<2, double>(InstructionSet);
+template ParticleLoops<3, float> particle_loops<3, float>(InstructionSet);
+template ParticleLoops<3, double> particle_loops<3, double>(InstructionSet);
 
-template <>
-NeighbourSearchFunction<2> neighbour_search<2>() {
-    return table_of(active_instruction_set()).plane_search;
+template <int D>
+NeighbourSearchFunction<D> neighbour_search(InstructionSet set) {
+    if constexpr (D == 2) {
+        return loop_table(set).plane_search;
+    } else {
+        return loop_table(set).space_search;
+    }
 }
 
-template <>
-NeighbourSearchFunction<3> neighbour_search<3>() {
-    return table_of(active_instruction_set()).space_search;
+template <int D>
+NeighbourSearchFunction<D> neighbour_search() {
+    return neighbour_search<D>(active_instruction_set());
 }
+
+template NeighbourSearchFunction<2> neighbour_search<2>();
+template NeighbourSearchFunction<3> neighbour_search<3>();
+template NeighbourSearchFunction<2> neighbour_search<2>(InstructionSet);
+template NeighbourSearchFunction<3> neighbour_search<3>(InstructionSet);
 
 }  // namespace riffle

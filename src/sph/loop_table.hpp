@@ -2,6 +2,7 @@
 
 #include "sph/pair_loops.hpp"
 #include "sph/particle_loops.hpp"
+#include "sph/peak_rate.hpp"
 
 namespace riffle {
 
@@ -17,7 +18,11 @@ struct LoopTable {
     ParticleLoops<2, double> plane_particles_double;
     ParticleLoops<3, float> space_particles_single;
     ParticleLoops<3, double> space_particles_double;
+    PeakLoop peak;
 };
+
+/// The table of an instruction set, which the processor must offer (processor_offers).
+[[nodiscard]] LoopTable loop_table(InstructionSet set);
 
 namespace baseline {
 LoopTable loop_table();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -42,6 +43,11 @@ struct NeighbourList {
     /// their number without those.
     std::size_t spell(std::size_t cluster, std::int32_t* slots) const;
 
+    /// The same through a writer of 8 numbers: write.bits(base, mask, to) writes base plus the positions of
+    /// the mask's bits, and anything behind them; write.same(value, to) a value 8 times.
+    template <class Writer>
+    std::size_t spell(std::size_t cluster, std::int32_t* slots, const Writer& write) const;
+
     /// Bytes held.
     [[nodiscard]] std::size_t bytes() const;
 };
@@ -65,26 +71,35 @@ inline constexpr auto bit_position_table = bit_positions();
 
 }  // namespace detail
 
-[[gnu::always_inline]] inline std::size_t NeighbourList::spell(std::size_t cluster,
-                                                               std::int32_t* slots) const {
+template <class Writer>
+[[gnu::always_inline]] inline std::size_t NeighbourList::spell(std::size_t cluster, std::int32_t* slots,
+                                                               const Writer& write) const {
     const std::uint8_t* mask = masks.data() + mask_begin[cluster];
-    std::size_t n = 0;
-    for (std::size_t r = run_begin[cluster]; r < run_begin[cluster + 1]; ++r) {
-        std::int32_t base = runs[r].first * cluster_size;
-        for (std::int32_t c = 0; c < runs[r].count; ++c, base += cluster_size) {
-            const auto& position = detail::bit_position_table[*mask];
-            for (std::size_t l = 0; l < cluster_size;
-                 ++l) {  // all eight: the next cluster overwrites the rest
-                slots[n + l] = base + position[l];
-            }
-            n += static_cast<std::size_t>(__builtin_popcount(*mask));
-            ++mask;
+    const ClusterRun* const end = runs.data() + run_begin[cluster + 1];
+    std::int32_t* next = slots;
+    for (const ClusterRun* run = runs.data() + run_begin[cluster]; run != end; ++run) {
+        std::int32_t base = run->first * cluster_size;
+        for (std::int32_t c = 0; c < run->count; ++c, base += cluster_size, ++mask) {
+            write.bits(base, *mask, next);  // all eight: the next cluster overwrites the rest
+            next += __builtin_popcount(*mask);
         }
     }
-    for (std::size_t l = 0; l < lookahead; ++l) {
-        slots[n + l] = empty_slot;
+    for (std::size_t l = 0; l < lookahead; l += cluster_size) {
+        write.same(empty_slot, next + l);
     }
-    return n;
+    return static_cast<std::size_t>(next - slots);
+}
+
+inline std::size_t NeighbourList::spell(std::size_t cluster, std::int32_t* slots) const {
+    struct {
+        static void bits(std::int32_t base, std::uint8_t mask, std::int32_t* to) {
+            for (const std::uint8_t position : detail::bit_position_table[mask]) {
+                *to++ = base + position;
+            }
+        }
+        static void same(std::int32_t value, std::int32_t* to) { std::fill_n(to, cluster_size, value); }
+    } const plain;
+    return spell(cluster, slots, plain);
 }
 
 /// What a search writes for a block of i-clusters. Plain arrays that grow through functions outside of the

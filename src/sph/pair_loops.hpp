@@ -194,8 +194,10 @@ template <int D, class Real>
 [[nodiscard]] PairLoops<D, Real> pair_loops(const LoopOptions& options, InstructionSet set);
 [[nodiscard]] bool processor_offers(InstructionSet set);
 
-/// The search for neighbours of the set in use.
+/// The search for neighbours of the set in use, or of a given one, which the processor must offer.
 template <int D>
 [[nodiscard]] NeighbourSearchFunction<D> neighbour_search();
+template <int D>
+[[nodiscard]] NeighbourSearchFunction<D> neighbour_search(InstructionSet set);
 
 }  // namespace riffle

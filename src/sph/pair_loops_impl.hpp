@@ -113,34 +113,22 @@ RIFFLE_INLINE std::array<Lanes<Real>, N> fold_all(const std::array<Wide<Real>, N
     return result;
 }
 
-/// NeighbourList::spell() in lanes.
-RIFFLE_INLINE std::size_t spell(const NeighbourList& list, std::size_t cluster, std::int32_t* slots) {
-    using Slots = Lanes<std::int32_t>;
-    const std::uint8_t* mask = list.masks.data() + list.mask_begin[cluster];
-    const ClusterRun* run = list.runs.data() + list.run_begin[cluster];
-    const ClusterRun* const end = list.runs.data() + list.run_begin[cluster + 1];
-    std::int32_t* next = slots;
-    for (; run != end; ++run) {
-        Slots base(run->first * cluster_size);
-        for (std::int32_t c = 0; c < run->count; ++c, base += Slots(cluster_size)) {
-            // All eight are written; those of the next cluster overwrite the rest.
-            store_lanes(Slots(base + bit_positions(*mask)), next);
-            next += __builtin_popcount(*mask);
-            ++mask;
-        }
+/// NeighbourList::spell()'s writer in lanes.
+struct LaneWriter {
+    RIFFLE_INLINE static void bits(std::int32_t base, std::uint8_t mask, std::int32_t* to) {
+        store_lanes(Lanes<std::int32_t>(Lanes<std::int32_t>(base) + bit_positions(mask)), to);
     }
-    for (std::size_t l = 0; l < NeighbourList::lookahead; l += cluster_size) {
-        store_lanes(Slots(list.empty_slot), next + l);
+    RIFFLE_INLINE static void same(std::int32_t value, std::int32_t* to) {
+        store_lanes(Lanes<std::int32_t>(value), to);
     }
-    return static_cast<std::size_t>(next - slots);
-}
+};
 
 /// Call f(slot_a, slot_b, ahead) for the turns of a cluster's list; `ahead` is a slot of a later turn, to
 /// fetch.
 template <class Real, class F>
 RIFFLE_INLINE void for_turns(const NeighbourList& list, std::size_t cluster, std::int32_t* slots,
                              const F& f) {
-    const std::size_t count = spell(list, cluster, slots);
+    const std::size_t count = list.spell(cluster, slots, LaneWriter{});
     for (std::size_t n = 0; n < count; n += neighbours_per_turn<Real>) {
         f(static_cast<std::size_t>(slots[n]),
           static_cast<std::size_t>(slots[n + neighbours_per_turn<Real> - 1]),

@@ -16,7 +16,8 @@ LoopTable loop_table() {
             .plane_particles_single = particle_loops_of<2, float>(),
             .plane_particles_double = particle_loops_of<2, double>(),
             .space_particles_single = particle_loops_of<3, float>(),
-            .space_particles_double = particle_loops_of<3, double>()};
+            .space_particles_double = particle_loops_of<3, double>(),
+            .peak = peak_loop()};
 }
 
 }  // namespace riffle::RIFFLE_ISA

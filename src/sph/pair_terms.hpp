@@ -70,6 +70,7 @@ RIFFLE_INLINE Components<T, D> tensor_force(const T& weight_gradient, const Comp
 template <class T>
 RIFFLE_INLINE T viscosity_root(const T& viscosity) {
     using std::sqrt;
+    using std::experimental::sqrt;
     return sqrt(scalar_of<T>(0.5) * viscosity);
 }
 

@@ -99,8 +99,10 @@ struct ParticleLoops {
                         std::size_t begin, std::size_t end);
 };
 
-/// The loops of the instruction set in use.
+/// The loops of the instruction set in use, or of a given one, which the processor must offer.
 template <int D, class Real>
 [[nodiscard]] ParticleLoops<D, Real> particle_loops();
+template <int D, class Real>
+[[nodiscard]] ParticleLoops<D, Real> particle_loops(InstructionSet set);
 
 }  // namespace riffle

@@ -234,7 +234,7 @@ template <int D, class Real>
             }
             // mu/rho0 = (1 + s) nu; over (1 + s)^2 where the weight is a mass.
             const T viscosity = p.corrected ? T(density_ratio * nu) : T(nu / density_ratio);
-            const T root(sqrt(T(Real(0.5) * viscosity)));
+            const T root = viscosity_root(viscosity);
             const T wall_pressure(pressure * scale);
             if (!tensor) {
                 put_stress<PressureRecord<Real>, Real>(std::array<T, 1>{wall_pressure}, root,

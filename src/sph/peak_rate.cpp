@@ -4,27 +4,13 @@
 #include <chrono>
 #include <vector>
 
+#include "sph/loop_table.hpp"
+
 namespace riffle {
-
-namespace {
-
-PeakLoop loop_of(InstructionSet set) {
-    switch (set) {
-        case InstructionSet::avx512:
-            return avx512::peak_loop();
-        case InstructionSet::avx2:
-            return avx2::peak_loop();
-        case InstructionSet::baseline:
-            break;
-    }
-    return baseline::peak_loop();
-}
-
-}  // namespace
 
 double measure_peak_rate(InstructionSet set, double seconds, int repetitions) {
     using Clock = std::chrono::steady_clock;
-    const PeakLoop loop = loop_of(set);
+    const PeakLoop loop = loop_table(set).peak;
     // About 0.1 ms between two looks at the clock.
     constexpr std::int64_t turns = 50'000;
     volatile float kept = 0.0F;

@@ -20,13 +20,7 @@ struct Cloud {
 
     [[nodiscard]] std::size_t size() const { return position[0].size(); }
 
-    [[nodiscard]] PositionView<D> view() const {
-        PositionView<D> v;
-        for (std::size_t k = 0; k < D; ++k) {
-            v[k] = position[k];
-        }
-        return v;
-    }
+    [[nodiscard]] PositionView<D> view() const { return position_view<D>(position); }
 
     /// Squared distance to the nearest image.
     [[nodiscard]] double distance_squared(std::size_t i, std::size_t j) const {

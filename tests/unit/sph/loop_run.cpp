@@ -10,15 +10,6 @@ namespace riffle {
 
 namespace {
 
-template <int D>
-PositionView<D> view(const std::array<std::vector<double>, static_cast<std::size_t>(D)>& position) {
-    PositionView<D> result;
-    for (std::size_t k = 0; k < D; ++k) {
-        result[k] = position[k];
-    }
-    return result;
-}
-
 /// Clusters of the particles, and the slot of each.
 template <int D>
 Clusters<D> clusters_of(const PairSample<D>& sample,
@@ -33,13 +24,14 @@ Clusters<D> clusters_of(const PairSample<D>& sample,
         }
     }
     const std::vector<std::int32_t> order =
-        spatial_order<D>(sample.domain, view<D>(position), width, 0.5 * PairSample<D>::spacing);
+        spatial_order<D>(sample.domain, position_view<D>(position), width, 0.5 * PairSample<D>::spacing);
     for (std::size_t k = 0; k < D; ++k) {
         for (const std::int32_t i : order) {
             sorted[k].push_back(position[k][static_cast<std::size_t>(i)]);
         }
     }
-    Clusters<D> clusters = build_clusters<D>(sample.domain, sample.fixed_point, view<D>(sorted), width);
+    Clusters<D> clusters =
+        build_clusters<D>(sample.domain, sample.fixed_point, position_view<D>(sorted), width);
     slot_of.resize(particles.size());
     for (std::size_t slot = 0; slot < clusters.slots(); ++slot) {
         const std::int32_t i = clusters.particle_of(slot);

@@ -6,37 +6,9 @@
 #include <limits>
 
 #include "particle_set.hpp"
-#include "sph/loop_table.hpp"
 
 namespace riffle {
 namespace {
-
-LoopTable table_of(InstructionSet set) {
-    switch (set) {
-        case InstructionSet::avx512:
-            return avx512::loop_table();
-        case InstructionSet::avx2:
-            return avx2::loop_table();
-        case InstructionSet::baseline:
-            break;
-    }
-    return baseline::loop_table();
-}
-
-template <int D, class Real>
-ParticleLoops<D, Real> loops_of(InstructionSet set) {
-    const LoopTable table = table_of(set);
-    constexpr bool single = std::is_same_v<Real, float>;
-    if constexpr (D == 2 && single) {
-        return table.plane_particles_single;
-    } else if constexpr (D == 2) {
-        return table.plane_particles_double;
-    } else if constexpr (single) {
-        return table.space_particles_single;
-    } else {
-        return table.space_particles_double;
-    }
-}
 
 /// Rounding of a result of up to twenty operations in `Real`, relative to the size of its terms.
 template <class Real>
@@ -54,10 +26,10 @@ class ParticleLoopsTest : public testing::TestWithParam<InstructionSet> {
     template <class F>
     void for_all(const F& f) {
         for (const std::size_t count : {std::size_t{5}, std::size_t{300}}) {
-            f(loops_of<2, float>(GetParam()), std::make_unique<ParticleSet<2, float>>(count, 1));
-            f(loops_of<2, double>(GetParam()), std::make_unique<ParticleSet<2, double>>(count, 2));
-            f(loops_of<3, float>(GetParam()), std::make_unique<ParticleSet<3, float>>(count, 3));
-            f(loops_of<3, double>(GetParam()), std::make_unique<ParticleSet<3, double>>(count, 4));
+            f(particle_loops<2, float>(GetParam()), std::make_unique<ParticleSet<2, float>>(count, 1));
+            f(particle_loops<2, double>(GetParam()), std::make_unique<ParticleSet<2, double>>(count, 2));
+            f(particle_loops<3, float>(GetParam()), std::make_unique<ParticleSet<3, float>>(count, 3));
+            f(particle_loops<3, double>(GetParam()), std::make_unique<ParticleSet<3, double>>(count, 4));
         }
     }
 };

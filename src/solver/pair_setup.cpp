@@ -1,0 +1,111 @@
+#include "solver/pair_setup.hpp"
+
+#include <cmath>
+
+#include "sph/pair_terms.hpp"
+
+namespace riffle {
+
+bool needs_gradients(const Case& c) {
+    return c.turbulence.closure != ClosureKind::none || c.numerics.pressure_form == PressureForm::corrected;
+}
+
+template <int D>
+double list_reach(const Case& c, const Scheme& scheme) {
+    return (2.0 + c.numerics.skin_in(D)) * scheme.smoothing_length;
+}
+
+template <int D, class Real>
+PairConstants<D, Real> pair_constants(const Case& c, const Scheme& scheme, const FixedPoint<D>& fixed_point) {
+    const double h = scheme.smoothing_length;
+    const double c0 = scheme.state.sound_speed;
+    const bool diffusion = c.numerics.density_diffusion == DensityDiffusion::fourtakas;
+    PairConstants<D, Real> constants{};
+    for (std::size_t k = 0; k < D; ++k) {
+        constants.unit[k] = static_cast<Real>(fixed_point.unit(k) / h);
+    }
+    constants.h = static_cast<Real>(h);
+    constants.gradient_scale = static_cast<Real>(std::pow(h, -(D + 2)));
+    constants.diffusion =
+        static_cast<Real>(diffusion ? c.numerics.density_diffusion_coefficient * h * c0 : 0.0);
+    constants.hydrostatic_gradient = static_cast<Real>(scheme.normal_gravity / (c0 * c0));
+    constants.correct_pressure = c.numerics.pressure_form == PressureForm::corrected;
+    constants.correct_gradient = c.numerics.velocity_gradient == VelocityGradient::corrected;
+    return constants;
+}
+
+template <int D>
+ParticleData<D> particle_constants(const Case& c, const Scheme& scheme, const Domain<D>& domain) {
+    ParticleData<D> data;
+    data.domain = domain;
+    data.fixed_point = FixedPoint<D>(domain);
+    data.state = scheme.state;
+    data.density = scheme.density;
+    data.viscosity = scheme.viscosity;
+    data.gravity[0] = scheme.streamwise_gravity;
+    data.gravity[D - 1] = -scheme.normal_gravity;
+    data.corrected = c.numerics.pressure_form == PressureForm::corrected;
+    data.closure = c.turbulence.closure != ClosureKind::none;
+    data.two_point = !data.closure || c.numerics.eddy_stress == EddyStress::two_point;
+    data.shear_only = c.turbulence.stress_terms == StressTerms::shear;
+    return data;
+}
+
+template <int D, class Real>
+void pack_wall_records(const Case& c, const Scheme& scheme, const WallParticles<D>& walls,
+                       const Clusters<D>& clusters, PairData<D, Real>& data) {
+    constexpr auto axes = static_cast<std::size_t>(D);
+    const WallLaw law = wall_law(c);
+    const std::size_t slots = clusters.slots();
+    data.wall_gradient.assign(slots + 1, {});
+    data.wall_force.assign(slots + 1, {});
+    for (std::size_t slot = 0; slot < slots; ++slot) {
+        auto& gradient = data.wall_gradient[slot];
+        auto& force = data.wall_force[slot];
+        for (std::size_t k = 0; k < axes; ++k) {
+            gradient.x[k] = clusters.slot_position[k][slot];
+            force.x[k] = gradient.x[k];
+        }
+        const std::int32_t particle = clusters.particle_of(slot);
+        if (particle < 0) {
+            continue;
+        }
+        const auto i = static_cast<std::size_t>(particle);
+        for (std::size_t k = 0; k < axes * axes; ++k) {
+            // Dynamic particles are fluid that does not move: the whole velocity counts.
+            const double identity = k % (axes + 1) == 0 ? 1.0 : 0.0;
+            gradient.projector[k] = static_cast<Real>(law.dynamic ? identity : walls.projector[k][i]);
+        }
+        // Water and end wall meet the surface at the same height: the wall continues the water, corrected
+        // like it, so that nothing varies along the surface at rest. Under a bed this would be friction (3 to
+        // 4 %).
+        gradient.continuation =
+            static_cast<Real>(!law.dynamic && walls.normal[axes - 1][i] == 0.0 ? 1.0 : 0.0);
+        force.continuation = gradient.continuation;
+        gradient.volume = static_cast<Real>(walls.volume[i]);
+        force.weight = gradient.volume;
+        force.viscous_weight = law.no_slip ? gradient.volume : Real(0);
+        force.viscosity_root = static_cast<Real>(viscosity_root(scheme.viscosity));
+    }
+    data.wall_gradient.back().x = data.wall_gradient.front().x;
+    data.wall_force.back().x = data.wall_force.front().x;
+}
+
+template double list_reach<2>(const Case&, const Scheme&);
+template double list_reach<3>(const Case&, const Scheme&);
+template PairConstants<2, float> pair_constants(const Case&, const Scheme&, const FixedPoint<2>&);
+template PairConstants<2, double> pair_constants(const Case&, const Scheme&, const FixedPoint<2>&);
+template PairConstants<3, float> pair_constants(const Case&, const Scheme&, const FixedPoint<3>&);
+template PairConstants<3, double> pair_constants(const Case&, const Scheme&, const FixedPoint<3>&);
+template ParticleData<2> particle_constants(const Case&, const Scheme&, const Domain<2>&);
+template ParticleData<3> particle_constants(const Case&, const Scheme&, const Domain<3>&);
+template void pack_wall_records(const Case&, const Scheme&, const WallParticles<2>&, const Clusters<2>&,
+                                PairData<2, float>&);
+template void pack_wall_records(const Case&, const Scheme&, const WallParticles<2>&, const Clusters<2>&,
+                                PairData<2, double>&);
+template void pack_wall_records(const Case&, const Scheme&, const WallParticles<3>&, const Clusters<3>&,
+                                PairData<3, float>&);
+template void pack_wall_records(const Case&, const Scheme&, const WallParticles<3>&, const Clusters<3>&,
+                                PairData<3, double>&);
+
+}  // namespace riffle

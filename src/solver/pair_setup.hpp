@@ -1,0 +1,34 @@
+#pragma once
+
+#include "boundary/wall.hpp"
+#include "solver/scheme.hpp"
+#include "sph/pair_loops.hpp"
+#include "sph/particle_loops.hpp"
+
+namespace riffle {
+
+// What the loops are given of a case: by the simulation, and by whoever runs the loops without one.
+
+/// Whether the velocity gradient and the correction matrix enter the equations of a case.
+[[nodiscard]] bool needs_gradients(const Case& c);
+
+/// Reach of the neighbour lists, m.
+template <int D>
+[[nodiscard]] double list_reach(const Case& c, const Scheme& scheme);
+
+/// Constants of the pair sums.
+template <int D, class Real>
+[[nodiscard]] PairConstants<D, Real> pair_constants(const Case& c, const Scheme& scheme,
+                                                    const FixedPoint<D>& fixed_point);
+
+/// Constants of the particle loops; the arrays and clusters are left for the caller.
+template <int D>
+[[nodiscard]] ParticleData<D> particle_constants(const Case& c, const Scheme& scheme,
+                                                 const Domain<D>& domain);
+
+/// Records of the walls: position, projector and volume, one record more than slots.
+template <int D, class Real>
+void pack_wall_records(const Case& c, const Scheme& scheme, const WallParticles<D>& walls,
+                       const Clusters<D>& clusters, PairData<D, Real>& data);
+
+}  // namespace riffle
