@@ -16,6 +16,14 @@ namespace {
 /// Clusters per task of a sweep without sums.
 constexpr std::size_t light_block = 128;
 
+/// Blocks of a wave (SweepOrder): few, so that what a wave reads and writes stays in the second-level cache;
+/// with several threads enough that waiting for each other at its end costs little.
+std::size_t wave_blocks() {
+    constexpr std::size_t alone = 8;
+    constexpr std::size_t each = 32;
+    return single_thread() ? alone : each * static_cast<std::size_t>(thread_count());
+}
+
 }  // namespace
 
 template <int D, class Real>
@@ -39,6 +47,11 @@ void SimulationOf<D, Real>::build_lists(bool sort) {
         data_.fluid_wall = &fluid_wall_;
         data_.wall_fluid = &wall_fluid_;
     }
+    const bool walled = walls_.size() > 0;
+    order_ = order_sweeps({.fluid_fluid = &fluid_fluid_,
+                           .fluid_wall = walled ? &fluid_wall_ : nullptr,
+                           .wall_fluid = walled ? &wall_fluid_ : nullptr},
+                          wave_blocks());
     loose_ = has_loose_particles();
     clusters_.release_boxes();
     data_.fluid_fluid = &fluid_fluid_;

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <chrono>
+#include <span>
 
 #include "base/parallel.hpp"
 #include "roughness/bed_drag.hpp"
 #include "solver/simulation.hpp"
 #include "solver/stirring.hpp"
+#include "solver/sweep_order.hpp"
 #include "sph/pair_loops.hpp"
 #include "sph/particle_loops.hpp"
 #include "turbulence/closure.hpp"
@@ -48,6 +50,12 @@ class SimulationOf final : public SimulationIn<D> {
         BlockWork<D, Real> sums;
         ParticleWork<D, Real> particles;
     };
+    /// What an evaluation advances by how much, s.
+    struct StageSteps {
+        double density = 0.0;
+        double wall = 0.0;  ///< density of dynamic walls
+        double motion = 0.0;
+    };
     /// Time of the pair sums of a block, s.
     struct BlockSeconds {
         double gradients = 0.0;
@@ -66,12 +74,14 @@ class SimulationOf final : public SimulationIn<D> {
     [[nodiscard]] bool has_loose_particles() const;
 
     // Sweeps (simulation_sweeps.cpp).
-    void sweep_gradients(double density_step);
-    void sweep_walls(double step);
+    /// One evaluation of all rates, the motion that follows from it, and the packing of the moved particles.
+    void evaluate(const StageSteps& steps);
+    void evaluate_gradients(Task& task, std::size_t begin, std::size_t end, double density_step);
+    void evaluate_walls(Task& task, std::size_t begin, std::size_t end, double step);
+    void evaluate_forces(Task& task, std::size_t begin, std::size_t end, double step);
     void update_wall(std::size_t slot, std::size_t particle, const WallResult<D, Real>& sums,
                      std::size_t lane, double step);
     void wet_wall(std::size_t slot, std::size_t particle, double pressure);
-    void sweep_forces(double step);
     void gather_motion(double step);
     void advance_predictor_corrector(Task& task, std::size_t begin, std::size_t end, double step);
     void measure_stirring();
@@ -103,16 +113,26 @@ class SimulationOf final : public SimulationIn<D> {
     void at_heights(std::size_t begin, std::size_t end, LaneArray<double>& lanes, const F& f) const;
     /// f(task, begin, end) for blocks of clusters, in parallel; each thread keeps its task from call to call.
     template <class F>
+    void for_blocks(std::size_t clusters, std::span<const std::uint32_t> blocks, const F& f) const {
+        parallel_blocks(blocks.size(), 1, [&](std::size_t i, std::size_t) {
+            const std::size_t begin = block_clusters * blocks[i];
+            f(this_task(), begin, std::min(begin + block_clusters, clusters));
+        });
+    }
+    /// The same for all blocks.
+    template <class F>
     void for_blocks(std::size_t clusters, const F& f) const {
+        parallel_blocks(clusters, block_clusters,
+                        [&](std::size_t begin, std::size_t end) { f(this_task(), begin, end); });
+    }
+    [[nodiscard]] Task& this_task() const {
+        thread_local Task task;
         const std::size_t needed =
             std::max({fluid_fluid_.buffer_size(), fluid_wall_.buffer_size(), wall_fluid_.buffer_size()});
-        parallel_blocks(clusters, block_clusters, [&](std::size_t begin, std::size_t end) {
-            thread_local Task task;
-            if (task.sums.slots.size() < needed) {
-                task.sums.slots.resize(needed);
-            }
-            f(task, begin, end);
-        });
+        if (task.sums.slots.size() < needed) {
+            task.sums.slots.resize(needed);
+        }
+        return task;
     }
     /// Run f; while the parts of a step are measured, add its duration to `seconds`.
     template <class F>
@@ -147,6 +167,7 @@ class SimulationOf final : public SimulationIn<D> {
     NeighbourList fluid_fluid_;
     NeighbourList fluid_wall_;
     NeighbourList wall_fluid_;
+    SweepOrder order_;
     Displacement<D> moved_;
 
     bool keep_fields_ = true;  ///< in this step

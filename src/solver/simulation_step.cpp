@@ -117,22 +117,17 @@ void SimulationOf<D, Real>::take_step(double fields_due) {
     if (keep_fields_) {
         fields_.resize(particles_.size());
     }
-    const auto sweep = [&](double density_step, double wall_step, double motion_step) {
-        sweep_gradients(density_step);
-        timed(profile_.walls, [&] { sweep_walls(wall_step); });
-        sweep_forces(motion_step);
-    };
     if (predictor_corrector_) {
         saved_ = particles_;
         const double begin = clock_.time;
-        sweep(0.0, 0.5 * dt, 0.5 * dt);
+        evaluate({.density = 0.0, .wall = 0.5 * dt, .motion = 0.5 * dt});
         clock_.time = begin + 0.5 * dt;
-        sweep(0.0, 0.5 * dt, dt);
+        evaluate({.density = 0.0, .wall = 0.5 * dt, .motion = dt});
         clock_.time = begin;
     } else {
         // Density, pressure, walls, forces, velocity, position, each with the newest of the others (numerics
         // of the default scheme, docs/theory.md). The drag is implicit: u1 + dt beta u1|u1| = u*.
-        sweep(dt, dt, dt);
+        evaluate({.density = dt, .wall = dt, .motion = dt});
     }
     clock_.time_step = dt;
     clock_.time += dt;

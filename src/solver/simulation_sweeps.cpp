@@ -32,24 +32,53 @@ void SimulationOf<D, Real>::at_heights(std::size_t begin, std::size_t end, LaneA
 }
 
 template <int D, class Real>
-void SimulationOf<D, Real>::sweep_gradients(double density_step) {
-    for_blocks(clusters_.size(), [&](Task& task, std::size_t begin, std::size_t end) {
-        timed(block_seconds_[begin / block_clusters].gradients,
-              [&] { loops_.gradient(data_, begin, end, task.sums); });
-        if (closure_) {
-            at_heights(begin, end, task.particles.mixing_length,
-                       [&](auto z, auto result) { closure_->mixing_lengths(z, result); });
-        }
-        particle_loops_.stress(particle_data_, data_, task.sums, task.particles, density_step, begin, end);
-        if (predictor_corrector_) {
-            for_clusters(begin, end, [&](std::size_t first, std::size_t last, std::size_t lane) {
-                std::copy_n(&task.particles.density_rate[lane], last - first, &density_rate_[first]);
-            });
-        }
-        if (keep_fields_) {
-            keep_stress_fields(task, begin, end);
-        }
-    });
+void SimulationOf<D, Real>::evaluate(const StageSteps& steps) {
+    measure_stirring();
+    for (std::size_t wave = 0; wave < order_.waves; ++wave) {
+        for_blocks(clusters_.size(), order_.gradients.blocks(wave),
+                   [&](Task& task, std::size_t begin, std::size_t end) {
+                       evaluate_gradients(task, begin, end, steps.density);
+                   });
+        timed(profile_.walls, [&] {
+            for_blocks(wall_clusters_.size(), order_.walls.blocks(wave),
+                       [&](Task& task, std::size_t begin, std::size_t end) {
+                           evaluate_walls(task, begin, end, steps.wall);
+                       });
+        });
+        for_blocks(clusters_.size(), order_.forces.blocks(wave),
+                   [&](Task& task, std::size_t begin, std::size_t end) {
+                       evaluate_forces(task, begin, end, steps.motion);
+                   });
+        for_blocks(clusters_.size(), order_.packing.blocks(wave),
+                   [&](Task&, std::size_t begin, std::size_t end) {
+                       // A faulty position has no integer code; it is reported below.
+                       if (!block_advance_[begin / block_clusters].fault) {
+                           particle_loops_.pack(particle_data_, data_, moved_, begin, end);
+                       }
+                   });
+    }
+    gather_motion(steps.motion);
+    fill_last_records();
+}
+
+template <int D, class Real>
+void SimulationOf<D, Real>::evaluate_gradients(Task& task, std::size_t begin, std::size_t end,
+                                               double density_step) {
+    timed(block_seconds_[begin / block_clusters].gradients,
+          [&] { loops_.gradient(data_, begin, end, task.sums); });
+    if (closure_) {
+        at_heights(begin, end, task.particles.mixing_length,
+                   [&](auto z, auto result) { closure_->mixing_lengths(z, result); });
+    }
+    particle_loops_.stress(particle_data_, data_, task.sums, task.particles, density_step, begin, end);
+    if (predictor_corrector_) {
+        for_clusters(begin, end, [&](std::size_t first, std::size_t last, std::size_t lane) {
+            std::copy_n(&task.particles.density_rate[lane], last - first, &density_rate_[first]);
+        });
+    }
+    if (keep_fields_) {
+        keep_stress_fields(task, begin, end);
+    }
 }
 
 template <int D, class Real>
@@ -69,20 +98,15 @@ void SimulationOf<D, Real>::keep_stress_fields(const Task& task, std::size_t beg
 }
 
 template <int D, class Real>
-void SimulationOf<D, Real>::sweep_walls(double step) {
-    if (walls_.size() == 0) {
-        return;
-    }
-    for_blocks(wall_clusters_.size(), [&](Task& task, std::size_t begin, std::size_t end) {
-        loops_.wall(data_, begin, end, task.sums);
-        for (std::size_t slot = begin * cluster_size; slot < end * cluster_size; ++slot) {
-            const std::int32_t particle = wall_clusters_.particle_of(slot);
-            if (particle >= 0) {
-                update_wall(slot, static_cast<std::size_t>(particle), task.sums.wall,
-                            slot - begin * cluster_size, step);
-            }
+void SimulationOf<D, Real>::evaluate_walls(Task& task, std::size_t begin, std::size_t end, double step) {
+    loops_.wall(data_, begin, end, task.sums);
+    for (std::size_t slot = begin * cluster_size; slot < end * cluster_size; ++slot) {
+        const std::int32_t particle = wall_clusters_.particle_of(slot);
+        if (particle >= 0) {
+            update_wall(slot, static_cast<std::size_t>(particle), task.sums.wall, slot - begin * cluster_size,
+                        step);
         }
-    });
+    }
 }
 
 template <int D, class Real>
@@ -138,56 +162,50 @@ void SimulationOf<D, Real>::wet_wall(std::size_t slot, std::size_t particle, dou
 }
 
 template <int D, class Real>
-void SimulationOf<D, Real>::sweep_forces(double step) {
-    measure_stirring();
-    for_blocks(clusters_.size(), [&](Task& task, std::size_t begin, std::size_t end) {
-        const std::size_t block = begin / block_clusters;
-        timed(block_seconds_[block].forces, [&] { loops_.force(data_, begin, end, task.sums); });
-        if (drag_) {
-            // Few clusters reach into the roughness.
-            const double top = drag_->top();
-            const std::vector<double>& height = particles_.position[vertical];
+void SimulationOf<D, Real>::evaluate_forces(Task& task, std::size_t begin, std::size_t end, double step) {
+    const std::size_t block = begin / block_clusters;
+    timed(block_seconds_[block].forces, [&] { loops_.force(data_, begin, end, task.sums); });
+    if (drag_) {
+        // Few clusters reach into the roughness.
+        const double top = drag_->top();
+        const std::vector<double>& height = particles_.position[vertical];
+        for_clusters(begin, end, [&](std::size_t first, std::size_t last, std::size_t lane) {
+            std::fill_n(&task.particles.drag[lane], cluster_size, 0.0);
+            double lowest = height[first];
+            for (std::size_t i = first + 1; i < last; ++i) {
+                lowest = std::min(lowest, height[i]);
+            }
+            if (lowest <= top) {
+                drag_->coefficients({&height[first], last - first},
+                                    {&task.particles.drag[lane], last - first});
+            }
+        });
+    }
+    if (stirring_.active()) {
+        add_stirring(task, begin, end);
+    }
+    const bool smoothed = case_.numerics.xsph != 0.0;
+    if (smoothed) {
+        for (std::size_t k = 0; k < axes; ++k) {
             for_clusters(begin, end, [&](std::size_t first, std::size_t last, std::size_t lane) {
-                std::fill_n(&task.particles.drag[lane], cluster_size, 0.0);
-                double lowest = height[first];
-                for (std::size_t i = first + 1; i < last; ++i) {
-                    lowest = std::min(lowest, height[i]);
-                }
-                if (lowest <= top) {
-                    drag_->coefficients({&height[first], last - first},
-                                        {&task.particles.drag[lane], last - first});
-                }
+                std::fill_n(&task.particles.transport[k][lane], cluster_size, 0.0);
+                std::copy_n(&smoothed_velocity_[k][first], last - first, &task.particles.transport[k][lane]);
             });
         }
-        if (stirring_.active()) {
-            add_stirring(task, begin, end);
-        }
-        const bool smoothed = case_.numerics.xsph != 0.0;
-        if (smoothed) {
-            for (std::size_t k = 0; k < axes; ++k) {
-                for_clusters(begin, end, [&](std::size_t first, std::size_t last, std::size_t lane) {
-                    std::fill_n(&task.particles.transport[k][lane], cluster_size, 0.0);
-                    std::copy_n(&smoothed_velocity_[k][first], last - first,
-                                &task.particles.transport[k][lane]);
-                });
-            }
-        }
-        if (predictor_corrector_) {
-            advance_predictor_corrector(task, begin, end, step);
-        } else {
-            block_advance_[block] = particle_loops_.advance(particle_data_, task.sums, task.particles,
-                                                            {.step = step,
-                                                             .drag = drag_ != nullptr,
-                                                             .acceleration = stirring_.active(),
-                                                             .transport = smoothed},
-                                                            begin, end);
-        }
-        if (keep_fields_) {
-            keep_force_fields(task, begin, end);
-        }
-    });
-    gather_motion(step);
-    repack();
+    }
+    if (predictor_corrector_) {
+        advance_predictor_corrector(task, begin, end, step);
+    } else {
+        block_advance_[block] = particle_loops_.advance(particle_data_, task.sums, task.particles,
+                                                        {.step = step,
+                                                         .drag = drag_ != nullptr,
+                                                         .acceleration = stirring_.active(),
+                                                         .transport = smoothed},
+                                                        begin, end);
+    }
+    if (keep_fields_) {
+        keep_force_fields(task, begin, end);
+    }
 }
 
 // What the blocks say of the motion: faults, the largest acceleration, and a bound of how far any two

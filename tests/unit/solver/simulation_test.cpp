@@ -13,17 +13,9 @@ namespace riffle {
 namespace {
 
 using test::Channel;
+using test::expect_same_bits;
 using test::small_channel;
 using testing::HasSubstr;
-
-void expect_same_bits(const Particles<2>& a, const Particles<2>& b) {
-    for (std::size_t k = 0; k < 2; ++k) {
-        EXPECT_EQ(a.position[k], b.position[k]);
-        EXPECT_EQ(a.velocity[k], b.velocity[k]);
-    }
-    EXPECT_EQ(a.density_deviation, b.density_deviation);
-    EXPECT_EQ(a.id, b.id);
-}
 
 TEST(Simulation, GivesTheSameBitsForAnyNumberOfThreads) {
     Case c = small_channel();

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include "case/case.hpp"
 #include "column/column.hpp"
 #include "solver/simulation.hpp"
@@ -49,6 +51,16 @@ template <int D>
         place[static_cast<std::size_t>(particles.id[i])] = i;
     }
     return place;
+}
+
+template <int D>
+void expect_same_bits(const Particles<D>& a, const Particles<D>& b) {
+    for (std::size_t k = 0; k < a.position.size(); ++k) {
+        EXPECT_EQ(a.position[k], b.position[k]);
+        EXPECT_EQ(a.velocity[k], b.velocity[k]);
+    }
+    EXPECT_EQ(a.density_deviation, b.density_deviation);
+    EXPECT_EQ(a.id, b.id);
 }
 
 }  // namespace riffle::test

@@ -15,6 +15,7 @@
 namespace riffle {
 namespace {
 
+using test::expect_same_bits;
 using test::small_channel;
 using testing::AllOf;
 using testing::AnyOf;
@@ -25,15 +26,6 @@ Case disordered_channel() {
     Case c = small_channel(3);
     c.start.jitter = 0.2;
     return c;
-}
-
-void expect_same_bits(const Particles<3>& a, const Particles<3>& b) {
-    for (std::size_t k = 0; k < 3; ++k) {
-        EXPECT_EQ(a.position[k], b.position[k]);
-        EXPECT_EQ(a.velocity[k], b.velocity[k]);
-    }
-    EXPECT_EQ(a.density_deviation, b.density_deviation);
-    EXPECT_EQ(a.id, b.id);
 }
 
 TEST(Space, GivesTheSameBitsForAnyNumberOfThreads) {
