@@ -8,6 +8,9 @@
 #include <numeric>
 #include <vector>
 
+#include "statistics/autocorrelation.hpp"
+#include "statistics/record.hpp"
+
 namespace riffle {
 
 namespace {
@@ -22,18 +25,6 @@ constexpr std::size_t largest_record = 16384;
 /// a measure of their noise.
 constexpr std::size_t smallest_blocked_record = 256;
 
-/// Sokal's window: the sum stops at the first lag of at least this many integral times. The truncated tail
-/// of an exponential correlation is exp(-5).
-constexpr double window_factor = 5.0;
-
-double average(std::span<const double> x) {
-    // Shifted by the first sample: a constant record gives its value to the bit.
-    const double shift = x.front();
-    const double sum =
-        std::accumulate(x.begin(), x.end(), 0.0, [shift](double s, double v) { return s + (v - shift); });
-    return shift + sum / static_cast<double>(x.size());
-}
-
 double lagged_product(std::span<const double> x, std::size_t lag) {
     return std::inner_product(x.begin() + static_cast<std::ptrdiff_t>(lag), x.end(), x.begin(), 0.0);
 }
@@ -44,25 +35,22 @@ double lagged_product(std::span<const double> x, std::size_t lag) {
 double windowed_covariance_sum(std::span<const double> x, double fitted) {
     const auto n = static_cast<double>(x.size());
     const double variance = lagged_product(x, 0) / n;
-    double integral_time = 0.5;
-    std::size_t lag = 0;
-    while (lag + 1 < x.size() / 2 && static_cast<double>(lag) < window_factor * integral_time) {
-        ++lag;
-        integral_time += lagged_product(x, lag) / n / variance;
-    }
-    const double bias = 1.0 + fitted * (2.0 * static_cast<double>(lag) + 1.0) / n;
+    const IntegralScale integral =
+        windowed_integral_scale([&](std::size_t lag) { return lagged_product(x, lag) / n / variance; },
+                                std::max<std::size_t>(x.size() / 2, 1) - 1);
+    const double bias = 1.0 + fitted * (2.0 * static_cast<double>(integral.window) + 1.0) / n;
     // Never more effective samples than samples: negative correlation is not used to narrow the interval.
-    return 2.0 * std::max(integral_time, 0.5) * variance * bias;
+    return 2.0 * std::max(integral.scale, 0.5) * variance * bias;
 }
 
 std::vector<double> block_means(std::span<const double> x, std::size_t block) {
     std::vector<double> means(x.size() / block);
-    for (std::size_t i = 0; i < means.size(); ++i) means[i] = average(x.subspan(i * block, block));
+    for (std::size_t i = 0; i < means.size(); ++i) means[i] = mean_of(x.subspan(i * block, block));
     return means;
 }
 
 void remove_mean(std::vector<double>& x) {
-    const double mean = average(x);
+    const double mean = mean_of(x);
     for (double& v : x) v -= mean;
 }
 
@@ -97,31 +85,32 @@ bool constant(std::span<const double> x) {
 
 MeanEstimate mean_with_confidence(std::span<const double> samples) {
     MeanEstimate result;
+    result.mean = mean_of(samples);
+    // Zeros in the gaps add nothing to the lagged products: their sum over all lags is, gaps or not, the
+    // square of the number of samples times the variance of the mean.
+    std::vector<double> centred(samples.begin(), samples.end());
+    std::size_t count = 0;
+    for (double& v : centred) {
+        if (!std::isnan(v)) ++count;
+        v = std::isnan(v) ? 0.0 : v - result.mean;
+    }
+    const auto present = static_cast<double>(count);
     result.integral_time = 0.5;
-    result.effective_samples = static_cast<double>(samples.size());
-    if (samples.empty()) {
-        result.mean = std::numeric_limits<double>::quiet_NaN();
+    result.effective_samples = present;
+    if (count < 2) {
         result.half_width = infinity;
         return result;
     }
-    result.mean = average(samples);
-    if (samples.size() == 1) {
-        result.half_width = infinity;
-        return result;
-    }
-    if (constant(samples)) return result;
+    const double sum_of_squares = lagged_product(centred, 0);
+    if (sum_of_squares == 0.0) return result;
 
     const auto n = static_cast<double>(samples.size());
-    std::vector<double> centred(samples.begin(), samples.end());
-    for (double& v : centred) v -= result.mean;
-    const double sum_of_squares = lagged_product(centred, 0);
-    result.standard_deviation = std::sqrt(sum_of_squares / (n - 1.0));
-
-    const double sum = covariance_sum(centred, 1.0);
-    const double variance = sum_of_squares / n;
+    result.standard_deviation = std::sqrt(sum_of_squares / (present - 1.0));
+    const double sum = covariance_sum(centred, 1.0) * (n / present);
+    const double variance = sum_of_squares / present;
     result.integral_time = std::max(0.5 * sum / variance, 0.5);
-    result.effective_samples = std::clamp(n * variance / sum, 1.0, n);
-    result.half_width = student_factor(result.effective_samples - 1.0) * std::sqrt(sum / n);
+    result.effective_samples = std::clamp(present * variance / sum, 1.0, present);
+    result.half_width = student_factor(result.effective_samples - 1.0) * std::sqrt(sum / present);
     return result;
 }
 
@@ -132,10 +121,13 @@ TrendEstimate trend_with_confidence(std::span<const double> samples) {
         result.half_width = infinity;
         return result;
     }
-    if (constant(samples)) return result;
+    if (constant(samples)) {
+        result.effective_samples = static_cast<double>(samples.size());
+        return result;
+    }
 
     const auto n = static_cast<double>(samples.size());
-    const double mean = average(samples);
+    const double mean = mean_of(samples);
     const double middle = 0.5 * (n - 1.0);
     const double spread = n * (n * n - 1.0) / 12.0;  // sum of (i - middle)^2
     double moment = 0.0;
@@ -148,11 +140,19 @@ TrendEstimate trend_with_confidence(std::span<const double> samples) {
     for (std::size_t i = 0; i < samples.size(); ++i) {
         residual[i] = samples[i] - mean - result.slope * (static_cast<double>(i) - middle);
     }
+    if (std::isnan(result.slope)) {
+        result.half_width = infinity;
+        return result;
+    }
     const double sum = covariance_sum(residual, 2.0);
-    if (sum == 0.0) return result;
+    if (sum == 0.0) {
+        result.effective_samples = n;
+        return result;
+    }
     const double variance = lagged_product(residual, 0) / n;
-    const double effective_samples = std::min(n * variance / sum, n);
-    result.half_width = student_factor(effective_samples - 2.0) * std::sqrt(sum / spread);
+    result.effective_samples = std::min(n * variance / sum, n);
+    result.standard_error = std::sqrt(sum / spread);
+    result.half_width = student_factor(result.effective_samples - 2.0) * result.standard_error;
     return result;
 }
 

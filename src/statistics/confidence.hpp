@@ -15,12 +15,17 @@ struct MeanEstimate {
 
 /// Mean of an equally spaced record with its 95 % interval: the variance of the mean is inflated by the
 /// integrated autocorrelation time (Sokal's self-consistent window), Student's t on the effective samples.
+/// Gaps (not-a-number) are left out, of the mean and of the lagged products; the effective samples are then
+/// at most those that are there.
 [[nodiscard]] MeanEstimate mean_with_confidence(std::span<const double> samples);
 
-/// Linear trend of an equally spaced record with a 95 % interval that takes correlation into account.
+/// Linear trend of an equally spaced record with a 95 % interval that takes correlation into account. A gap
+/// (not-a-number) makes the slope not-a-number with an infinite interval.
 struct TrendEstimate {
-    double slope = 0;       ///< per sample
-    double half_width = 0;  ///< of the 95 % interval of the slope
+    double slope = 0;              ///< per sample
+    double half_width = 0;         ///< of the 95 % interval of the slope
+    double standard_error = 0;     ///< of the slope
+    double effective_samples = 0;  ///< two less are the degrees of freedom of Student's t
 };
 [[nodiscard]] TrendEstimate trend_with_confidence(std::span<const double> samples);
 

@@ -7,35 +7,22 @@
 #include <random>
 #include <vector>
 
+#include "synthetic.hpp"
+
 namespace riffle {
 namespace {
 
 constexpr double truth = 3.0;
 
-/// First-order autoregressive record of mean `truth` and standard deviation 1, started in its steady state.
-/// Integral time 1/2 + sum phi^k = (1 + phi)/(2 (1 - phi)).
+/// The record around `truth`.
 std::vector<double> autoregressive(std::size_t n, double phi, std::mt19937_64& generator) {
-    std::normal_distribution<double> normal;
-    std::vector<double> x(n);
-    double state = normal(generator);
-    for (double& v : x) {
-        v = truth + state;
-        state = phi * state + std::sqrt(1 - phi * phi) * normal(generator);
-    }
+    std::vector<double> x = synthetic::autoregressive(n, phi, generator);
+    for (double& v : x) v += truth;
     return x;
 }
 
-double integral_time(double phi) { return 0.5 * (1 + phi) / (1 - phi); }
-
-template <class Trial>
-double coverage(int trials, Trial covered) {
-    int count = 0;
-    for (int i = 0; i < trials; ++i) {
-        std::mt19937_64 generator(static_cast<std::uint64_t>(1000 + i));
-        count += covered(generator) ? 1 : 0;
-    }
-    return static_cast<double>(count) / trials;
-}
+using synthetic::integral_scale;
+using synthetic::share;
 
 struct Record {
     double phi;
@@ -46,27 +33,27 @@ class Autoregressive : public testing::TestWithParam<Record> {};
 // 600 trials of a 95 % interval scatter by 0.9 % (one standard deviation): 92-98 % is three of them.
 TEST_P(Autoregressive, IntervalCoversTheMean) {
     const auto [phi, n] = GetParam();
-    const double share = coverage(600, [&](std::mt19937_64& generator) {
+    const double covered = share(600, [&](std::mt19937_64& generator) {
         const MeanEstimate e = mean_with_confidence(autoregressive(n, phi, generator));
         return std::abs(e.mean - truth) <= e.half_width;
     });
-    std::printf("phi %.2f n %zu: mean covered %.1f %%\n", phi, n, 100 * share);
-    EXPECT_GE(share, 0.92);
-    EXPECT_LE(share, 0.98);
+    std::printf("phi %.2f n %zu: mean covered %.1f %%\n", phi, n, 100 * covered);
+    EXPECT_GE(covered, 0.92);
+    EXPECT_LE(covered, 0.98);
 }
 
 TEST_P(Autoregressive, IntervalCoversTheTrend) {
     const auto [phi, n] = GetParam();
     const double slope = 1e-3;
-    const double share = coverage(600, [&](std::mt19937_64& generator) {
+    const double covered = share(600, [&](std::mt19937_64& generator) {
         std::vector<double> x = autoregressive(n, phi, generator);
         for (std::size_t i = 0; i < n; ++i) x[i] += slope * static_cast<double>(i);
         const TrendEstimate e = trend_with_confidence(x);
         return std::abs(e.slope - slope) <= e.half_width;
     });
-    std::printf("phi %.2f n %zu: trend covered %.1f %%\n", phi, n, 100 * share);
-    EXPECT_GE(share, 0.92);
-    EXPECT_LE(share, 0.98);
+    std::printf("phi %.2f n %zu: trend covered %.1f %%\n", phi, n, 100 * covered);
+    EXPECT_GE(covered, 0.92);
+    EXPECT_LE(covered, 0.98);
 }
 
 TEST_P(Autoregressive, FindsTheIntegralTime) {
@@ -78,8 +65,8 @@ TEST_P(Autoregressive, FindsTheIntegralTime) {
         sum += mean_with_confidence(autoregressive(n, phi, generator)).integral_time;
     }
     // The largest of the blocked estimates lies above the truth by design.
-    EXPECT_GT(sum / trials, 0.90 * integral_time(phi));
-    EXPECT_LT(sum / trials, 1.30 * integral_time(phi));
+    EXPECT_GT(sum / trials, 0.90 * integral_scale(phi));
+    EXPECT_LT(sum / trials, 1.30 * integral_scale(phi));
 }
 
 INSTANTIATE_TEST_SUITE_P(Records, Autoregressive,
@@ -96,14 +83,14 @@ TEST(MeanWithConfidence, WhiteNoiseIsTheTextbookInterval) {
 
 TEST(MeanWithConfidence, FastOscillationDoesNotHideASlowComponent) {
     // Sound or waves on top of slow turbulence: the oscillation has ten times the variance of the rest.
-    const double share = coverage(300, [](std::mt19937_64& generator) {
+    const double covered = share(300, [](std::mt19937_64& generator) {
         std::vector<double> x = autoregressive(10000, 0.99, generator);
         for (std::size_t i = 0; i < x.size(); ++i) x[i] += 4.5 * std::sin(0.7 * static_cast<double>(i));
         const MeanEstimate e = mean_with_confidence(x);
         return std::abs(e.mean - truth) <= e.half_width;
     });
-    std::printf("oscillation: covered %.1f %%\n", 100 * share);
-    EXPECT_GE(share, 0.92);
+    std::printf("oscillation: covered %.1f %%\n", 100 * covered);
+    EXPECT_GE(covered, 0.92);
 }
 
 TEST(MeanWithConfidence, LongRecordsAreBlockedWithoutChangingTheAnswer) {
@@ -111,9 +98,25 @@ TEST(MeanWithConfidence, LongRecordsAreBlockedWithoutChangingTheAnswer) {
     const std::vector<double> x = autoregressive(200000, 0.9, generator);
     const MeanEstimate e = mean_with_confidence(x);
     // The bounds of FindsTheIntegralTime.
-    EXPECT_GT(e.integral_time, 0.90 * integral_time(0.9));
-    EXPECT_LT(e.integral_time, 1.30 * integral_time(0.9));
+    EXPECT_GT(e.integral_time, 0.90 * integral_scale(0.9));
+    EXPECT_LT(e.integral_time, 1.30 * integral_scale(0.9));
     EXPECT_NEAR(e.standard_deviation, 1.0, 0.05);
+}
+
+TEST(MeanWithConfidence, GapsAreLeftOut) {
+    // Whole stretches and single samples missing; the band of the coverage test above.
+    for (const std::size_t length : {std::size_t{1}, std::size_t{100}}) {
+        const double covered = share(600, [&](std::mt19937_64& generator) {
+            std::vector<double> x = autoregressive(3000, 0.9, generator);
+            synthetic::cut_gaps(x, 0.4, length, generator);
+            const MeanEstimate e = mean_with_confidence(x);
+            EXPECT_LE(e.effective_samples, 1801);
+            return std::abs(e.mean - truth) <= e.half_width;
+        });
+        std::printf("gaps of %zu: mean covered %.1f %%\n", length, 100 * covered);
+        EXPECT_GE(covered, 0.92);
+        EXPECT_LE(covered, 0.98);
+    }
 }
 
 TEST(MeanWithConfidence, ConstantRecordIsExact) {
