@@ -1,32 +1,14 @@
 #include "statistics/autocorrelation.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <complex>
 #include <limits>
 #include <string>
 
 #include "base/error.hpp"
-#include "statistics/fourier.hpp"
+#include "statistics/lagged_products.hpp"
 #include "statistics/record.hpp"
 
 namespace riffle {
-
-namespace {
-
-/// Sums of products x(t) x(t + lag) for lag 0 ... largest_lag.
-std::vector<double> lagged_products(std::span<const double> x, std::size_t largest_lag) {
-    const FourierTransform transform(fast_length(x.size() + largest_lag));
-    std::vector<double> padded(transform.length());
-    std::copy(x.begin(), x.end(), padded.begin());
-    std::vector<Complex> spectrum = transform.forward_real(padded);
-    for (Complex& v : spectrum) v = std::norm(v);
-    std::vector<double> products = transform.inverse_real(spectrum);
-    products.resize(largest_lag + 1);
-    return products;
-}
-
-}  // namespace
 
 std::vector<double> autocovariance(std::span<const double> record, std::size_t largest_lag,
                                    LagDivisor divisor) {
