@@ -47,7 +47,6 @@ Moments moments(std::span<const double> record) {
     result.effective_of_variance = square.effective_samples;
     if (square.mean == 0.0) {
         result.skewness = result.excess_kurtosis = undefined;
-        result.effective_of_shape = mean.effective_samples;
         return result;
     }
     const double correction = bias_correction(mean.effective_samples);
@@ -75,7 +74,6 @@ Moments moments(std::span<const double> record) {
     });
     result.skewness = {third, skewness.half_width};
     result.excess_kurtosis = {fourth - 3.0, kurtosis.half_width};
-    result.effective_of_shape = skewness.effective_samples;
     return result;
 }
 

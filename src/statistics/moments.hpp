@@ -30,9 +30,6 @@ struct Moments {
     double integral_scale = 0.5;       ///< of the fluctuation, in samples
     double effective_samples = 0;      ///< of the mean
     double effective_of_variance = 0;  ///< effective samples of the squared fluctuation
-    /// Effective samples of z^3 - 3 z, z the fluctuation over its standard deviation: those of the skewness,
-    /// and of how far the shape of the distribution is known.
-    double effective_of_shape = 0;
 };
 [[nodiscard]] Moments moments(std::span<const double> record);
 
