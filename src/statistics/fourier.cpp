@@ -129,8 +129,8 @@ class FourierTransform::Implementation {
             values.resize(length_ / 2 + 1);
             return values;
         }
+        prepare_half();
         const std::size_t half = length_ / 2;
-        if (!half_) prepare_half();
         std::vector<Complex> packed(half);
         for (std::size_t j = 0; j < half; ++j) packed[j] = {record[2 * j], record[2 * j + 1]};
         (*half_)(packed);
@@ -143,8 +143,45 @@ class FourierTransform::Implementation {
         return spectrum;
     }
 
+    /// The way back from there.
+    [[nodiscard]] std::vector<double> inverse_real(std::span<const Complex> spectrum) const {
+        std::vector<double> record(length_);
+        if (length_ % 2 != 0) {
+            std::vector<Complex> values(length_);
+            values[0] = spectrum[0].real();
+            for (std::size_t k = 1; k <= length_ / 2; ++k) {
+                values[length_ - k] = spectrum[k];
+                values[k] = std::conj(spectrum[k]);
+            }
+            forward(values);
+            const double factor = 1.0 / static_cast<double>(length_);
+            std::transform(values.begin(), values.end(), record.begin(),
+                           [factor](const Complex& v) { return factor * v.real(); });
+            return record;
+        }
+        prepare_half();
+        const std::size_t half = length_ / 2;
+        const auto at = [&](std::size_t k) {
+            return k % half == 0 ? Complex(spectrum[k].real()) : spectrum[k];
+        };
+        std::vector<Complex> packed(half);
+        for (std::size_t k = 0; k < half; ++k) {
+            const Complex a = at(k);
+            const Complex b = std::conj(at(half - k));
+            packed[k] = std::conj(a + b + Complex(0.0, 1.0) * std::conj(twiddles_[k]) * (a - b));
+        }
+        (*half_)(packed);
+        const double factor = 1.0 / static_cast<double>(length_);
+        for (std::size_t j = 0; j < half; ++j) {
+            record[2 * j] = factor * packed[j].real();
+            record[2 * j + 1] = -factor * packed[j].imag();
+        }
+        return record;
+    }
+
   private:
     void prepare_half() const {
+        if (half_) return;
         const std::size_t half = length_ / 2;
         half_.emplace(half);
         twiddles_.resize(half + 1);
@@ -187,19 +224,8 @@ std::vector<Complex> FourierTransform::forward_real(std::span<const double> reco
 }
 
 std::vector<double> FourierTransform::inverse_real(std::span<const Complex> spectrum) const {
-    const std::size_t n = length();
-    require_length(spectrum.size(), n / 2 + 1, "the spectrum of a real record");
-    std::vector<Complex> values(n);
-    values[0] = spectrum[0].real();
-    for (std::size_t k = 1; k <= n / 2; ++k) {
-        values[k] = spectrum[k];
-        values[n - k] = std::conj(spectrum[k]);
-    }
-    if (n % 2 == 0) values[n / 2] = spectrum[n / 2].real();
-    inverse(values);
-    std::vector<double> record(n);
-    std::transform(values.begin(), values.end(), record.begin(), [](const Complex& v) { return v.real(); });
-    return record;
+    require_length(spectrum.size(), length() / 2 + 1, "the spectrum of a real record");
+    return implementation_->inverse_real(spectrum);
 }
 
 std::vector<Complex> fourier_transform(std::span<const double> record) {

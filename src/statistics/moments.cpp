@@ -78,7 +78,9 @@ Moments moments(std::span<const double> record) {
 }
 
 Covariance covariance(std::span<const double> a, std::span<const double> b) {
-    const auto [x, y] = fluctuations_of(a, b, "covariance");
+    const PairOfFluctuations pair = fluctuations_of(a, b, "covariance");
+    const Fluctuations& x = pair.first;
+    const Fluctuations& y = pair.second;
     Covariance result;
     result.samples = x.count;
     double xx = 0.0;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t smallest_record = 8;
 constexpr double largest_automatic_bins = 200;
-constexpr double largest_bins = 100000;
+constexpr double largest_bins = 2000;
 
 double gaussian_distribution(double z) { return 0.5 * std::erfc(-z / std::numbers::sqrt2); }
 
@@ -99,22 +99,58 @@ double chosen_width(double asked, const Moments& m, double range) {
     }
     if (!(width > 0.0) || !(range / width < largest_bins)) {
         throw InputError("probability density: bins of " + std::to_string(asked) + " over a range of " +
-                         std::to_string(range) +
-                         "; the width must be positive and make less than 100000 bins");
+                         std::to_string(range) + "; the width must be positive and make less than 2000 bins");
     }
     return width;
 }
 
-/// Half-width of the share of the samples in a bin.
-double half_width_of_share(std::span<const double> record, double from, double to, double fallback_samples) {
-    std::vector<double> inside(record.begin(), record.end());
-    for (double& v : inside) {
-        if (!std::isnan(v)) v = v >= from && v < to ? 1.0 : 0.0;
+/// Bins of a width about the mean, from the one with the smallest sample to the one with the largest.
+struct Bins {
+    double mean, width;
+    long first, count;
+
+    [[nodiscard]] long of(double sample) const {
+        return std::lround(std::floor((sample - mean) / width + 0.5)) - first;
     }
-    const MeanEstimate share = mean_with_confidence(inside);
-    const bool known = share.standard_deviation > 0.0;
-    const double samples = known ? share.effective_samples : fallback_samples;
-    const double centre = (share.mean * samples + 2.0) / (samples + 4.0);
+    [[nodiscard]] double centre(long bin) const { return mean + static_cast<double>(first + bin) * width; }
+};
+
+Bins bins_of(const std::vector<double>& sorted, double mean, double width) {
+    Bins bins{mean, width, 0, 0};
+    bins.first = bins.of(sorted.front());
+    bins.count = bins.of(sorted.back()) + 1;
+    return bins;
+}
+
+/// For each bin the share of the samples in it, as a record: one value for each block of consecutive samples,
+/// so that a long record costs no more for each bin than mean_with_confidence() needs; not-a-number for a
+/// block of gaps.
+std::vector<std::vector<double>> shares_of_blocks(std::span<const double> record, const Bins& bins) {
+    constexpr std::size_t most_blocks = 16384;
+    const std::size_t block = (record.size() + most_blocks - 1) / most_blocks;
+    const std::size_t blocks = (record.size() + block - 1) / block;
+    std::vector<std::vector<double>> shares(static_cast<std::size_t>(bins.count),
+                                            std::vector<double>(blocks));
+    std::vector<double> present(blocks);
+    for (std::size_t i = 0; i < record.size(); ++i) {
+        if (std::isnan(record[i])) continue;
+        shares[static_cast<std::size_t>(bins.of(record[i]))][i / block] += 1.0;
+        present[i / block] += 1.0;
+    }
+    for (std::vector<double>& share : shares) {
+        for (std::size_t b = 0; b < blocks; ++b) share[b] /= present[b];
+    }
+    return shares;
+}
+
+/// Half-width of the share of `count` samples in a bin.
+double half_width_of_share(const std::vector<double>& share_of_blocks, double share, double count,
+                           double fallback_samples) {
+    const MeanEstimate mean = mean_with_confidence(share_of_blocks);
+    const double variance = mean.standard_deviation * mean.standard_deviation / mean.effective_samples;
+    const double samples =
+        variance > 0.0 ? std::clamp(share * (1.0 - share) / variance, 1.0, count) : fallback_samples;
+    const double centre = (share * samples + 2.0) / (samples + 4.0);
     return 1.96 * std::sqrt(centre * (1.0 - centre) / (samples + 4.0));
 }
 
@@ -133,21 +169,20 @@ ProbabilityDensity probability_density(std::span<const double> record, double bi
     const double deviation = result.moments.standard_deviation.value;
     const double width = chosen_width(bin_width, result.moments, sorted.back() - sorted.front());
     result.bin_width = width;
-    const long first = std::lround(std::floor((sorted.front() - mean) / width + 0.5));
-    const long last = std::lround(std::floor((sorted.back() - mean) / width + 0.5));
+    const Bins bins = bins_of(sorted, mean, width);
+    const std::vector<std::vector<double>> shares = shares_of_blocks(record, bins);
+    std::vector<double> samples(shares.size());
+    for (const double v : sorted) samples[static_cast<std::size_t>(bins.of(v))] += 1.0;
     const auto count = static_cast<double>(sorted.size());
-    auto sample = sorted.begin();
-    for (long bin = first; bin <= last; ++bin) {
-        const double from = mean + (static_cast<double>(bin) - 0.5) * width;
-        const double to = mean + (static_cast<double>(bin) + 0.5) * width;
-        const auto end = bin == last ? sorted.end() : std::lower_bound(sample, sorted.end(), to);
-        result.centre.push_back(mean + static_cast<double>(bin) * width);
-        result.density.push_back(static_cast<double>(end - sample) / (count * width));
-        sample = end;
-        const double half = half_width_of_share(record, from, to, result.moments.effective_samples);
+    for (std::size_t bin = 0; bin < shares.size(); ++bin) {
+        const double centre = bins.centre(static_cast<long>(bin));
+        const double share = samples[bin] / count;
+        result.centre.push_back(centre);
+        result.density.push_back(share / width);
+        const double half = half_width_of_share(shares[bin], share, count, result.moments.effective_samples);
         result.half_width.push_back(half / width);
-        result.gaussian.push_back((gaussian_distribution((to - mean) / deviation) -
-                                   gaussian_distribution((from - mean) / deviation)) /
+        result.gaussian.push_back((gaussian_distribution((centre + 0.5 * width - mean) / deviation) -
+                                   gaussian_distribution((centre - 0.5 * width - mean) / deviation)) /
                                   width);
     }
     result.test = test_of(record, sorted, result.moments);

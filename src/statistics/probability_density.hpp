@@ -32,7 +32,7 @@ struct ProbabilityDensity {
 /// most half a standard deviation and at least what makes 200 bins of the range. Intervals: correlation of
 /// being in the bin taken into account; Agresti & Coull (1998), so that empty bins have one, too. Gaps
 /// (not-a-number) are left out. Throws InputError for an infinite sample, a constant record, fewer than eight
-/// samples, or a bin width that is negative or makes more than 100 000 bins.
+/// samples, or a bin width that is negative or makes 2000 bins or more.
 [[nodiscard]] ProbabilityDensity probability_density(std::span<const double> record, double bin_width = 0);
 
 /// The test alone. Mean and deviation are fitted, so the p-value is that of Lilliefors' distribution, by the

@@ -97,7 +97,9 @@ Quadrants quadrant_analysis(std::span<const double> u, std::span<const double> w
         throw InputError("quadrant analysis: a hole size of " + std::to_string(hole) +
                          "; it must not be negative");
     }
-    const auto [x, y] = fluctuations_of(u, w, "quadrant analysis");
+    const PairOfFluctuations pair = fluctuations_of(u, w, "quadrant analysis");
+    const Fluctuations& x = pair.first;
+    const Fluctuations& y = pair.second;
     const std::size_t n = x.values.size();
     std::vector<double> record(n, std::numeric_limits<double>::quiet_NaN());
     for (std::size_t i = 0; i < n; ++i) {

@@ -17,7 +17,7 @@ struct SettlingCurve {
 
 /// At `points` numbers of samples, evenly spaced, the last being the whole record; at all where there are
 /// fewer. Gaps (not-a-number) are left out. Throws InputError for an empty record or no points.
-[[nodiscard]] SettlingCurve settling_curve(std::span<const double> record, std::size_t points = 200);
+[[nodiscard]] SettlingCurve settling_curve(std::span<const double> record, std::size_t points = 100);
 
 /// Number of samples after which the running mean stays within `band` of the mean of the whole record. The
 /// running mean ends at that mean, so the answer says something only where it is small against the record's
