@@ -1,170 +1,126 @@
 #include "hydraulics/log_law.hpp"
 
-#include <Eigen/Dense>
-#include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
-#include <boost/math/tools/minima.hpp>
 #include <cmath>
-#include <cstddef>
-#include <vector>
+#include <limits>
+#include <optional>
+#include <string>
 
-#include "base/error.hpp"
 #include "hydraulics/channel_laws.hpp"
+#include "statistics/separable_fit.hpp"
 
 namespace riffle {
 
 namespace {
 
-struct Points {
-    std::vector<double> z;
-    std::vector<double> velocity;
-};
+// The law as a line: u = slope ln(z - z_0) + offset.
+constexpr Eigen::Index slope = 0;
+constexpr Eigen::Index offset = 1;
 
-Points points_between(std::span<const double> z, std::span<const double> velocity, double from, double to) {
-    if (z.size() != velocity.size()) {
-        throw InputError("log-law fit: heights and velocities differ in number");
-    }
-    Points points;
-    for (std::size_t i = 0; i < z.size(); ++i) {
-        if (z[i] < from || z[i] > to) continue;
-        points.z.push_back(z[i]);
-        points.velocity.push_back(velocity[i]);
-    }
-    return points;
+Eigen::MatrixXd line_basis(const Eigen::ArrayXd& height) {
+    Eigen::MatrixXd basis(height.size(), 2);
+    basis.col(slope) = height.log();
+    basis.col(offset).setOnes();
+    return basis;
 }
 
-/// Least-squares line u = slope ln(z - zero_plane) + offset.
-struct Line {
-    double slope = 0;
-    double offset = 0;
-    double sum_of_squares = 0;
-};
-
-Line fit_line(const Points& points, double zero_plane) {
-    const auto n = static_cast<double>(points.z.size());
-    double mean_log = 0;
-    double mean_velocity = 0;
-    for (std::size_t i = 0; i < points.z.size(); ++i) {
-        mean_log += std::log(points.z[i] - zero_plane) / n;
-        mean_velocity += points.velocity[i] / n;
-    }
-    double spread = 0;
-    double moment = 0;
-    for (std::size_t i = 0; i < points.z.size(); ++i) {
-        const double x = std::log(points.z[i] - zero_plane) - mean_log;
-        spread += x * x;
-        moment += x * (points.velocity[i] - mean_velocity);
-    }
-    Line line;
-    line.slope = moment / spread;
-    line.offset = mean_velocity - line.slope * mean_log;
-    for (std::size_t i = 0; i < points.z.size(); ++i) {
-        const double misfit =
-            points.velocity[i] - line.offset - line.slope * std::log(points.z[i] - zero_plane);
-        line.sum_of_squares += misfit * misfit;
-    }
-    return line;
-}
-
-/// Values and 95 % half widths from the fitted line. `unknowns` is 2, or 3 when the plane was fitted too.
-LogLawFit describe(const Points& points, const Line& line, double zero_plane, double kappa, double from,
-                   double to, int unknowns) {
+LogLawFit start(const FitPoints& points, double zero_plane) {
     LogLawFit fit;
-    fit.from = from;
-    fit.to = to;
+    static_cast<FitQuality&>(fit) = points.quality();
     fit.zero_plane = zero_plane;
-    fit.friction_velocity = kappa * line.slope;
+    return fit;
+}
+
+void fail(LogLawFit& fit, const std::string& why_not) {
+    static_cast<FitQuality&>(fit) = failed(fit, why_not);
+}
+
+/// Values and intervals from slope and offset/slope of the fitted line.
+void describe(LogLawFit& fit, const FittedValue& steepness, const FittedValue& ratio, double kappa,
+              const Eigen::VectorXd& residuals) {
+    static_cast<FitQuality&>(fit) = succeeded(fit, residuals);
+    const FittedValue friction = linear_of(steepness, kappa);
     // offset = u_* (8.5 - ln(k_s)/kappa) = slope (8.5 kappa - ln k_s)
-    fit.equivalent_roughness = std::exp(rough_log_law_constant * kappa - line.offset / line.slope);
-    const auto n = static_cast<Eigen::Index>(points.z.size());
-    fit.residual_rms = std::sqrt(line.sum_of_squares / static_cast<double>(n));
-    if (!(line.slope > 0.0) || !std::isfinite(fit.equivalent_roughness)) return fit;
-    fit.valid = true;
-
-    // Jacobian with respect to slope, offset and plane; parameter covariance by linear propagation.
-    Eigen::MatrixXd jacobian(n, unknowns);
-    for (Eigen::Index i = 0; i < n; ++i) {
-        const double height = points.z[static_cast<std::size_t>(i)] - zero_plane;
-        jacobian(i, 0) = std::log(height);
-        jacobian(i, 1) = 1.0;
-        if (unknowns == 3) jacobian(i, 2) = -line.slope / height;
+    const FittedValue roughness = exponential_of(linear_of(ratio, -1.0, rough_log_law_constant * kappa));
+    fit.friction_velocity = friction.value;
+    fit.friction_velocity_half_width = friction.half_width;
+    fit.friction_velocity_interval = friction.interval;
+    fit.equivalent_roughness = roughness.value;
+    fit.equivalent_roughness_half_width = roughness.half_width;
+    fit.equivalent_roughness_interval = roughness.interval;
+    if (!(steepness.value > 0.0)) {
+        fail(fit, "the velocity does not rise with the logarithm of the height");
+    } else if (!std::isfinite(fit.equivalent_roughness)) {
+        fail(fit, "the fitted roughness is beyond all numbers: the velocity hardly rises with height");
     }
-    const auto freedom = static_cast<double>(n - unknowns);
-    const Eigen::MatrixXd covariance =
-        (line.sum_of_squares / freedom) * (jacobian.transpose() * jacobian).inverse();
-    const double factor =
-        boost::math::quantile(boost::math::complement(boost::math::students_t(freedom), 0.025));
-    Eigen::VectorXd log_roughness_gradient = Eigen::VectorXd::Zero(unknowns);
-    log_roughness_gradient(0) = line.offset / (line.slope * line.slope);
-    log_roughness_gradient(1) = -1.0 / line.slope;
-    const double log_roughness_variance = log_roughness_gradient.dot(covariance * log_roughness_gradient);
-    fit.friction_velocity_half_width = factor * kappa * std::sqrt(covariance(0, 0));
-    fit.equivalent_roughness_half_width =
-        factor * fit.equivalent_roughness * std::sqrt(log_roughness_variance);
-    if (unknowns == 3) fit.zero_plane_half_width = factor * std::sqrt(covariance(2, 2));
-    return fit;
-}
-
-LogLawFit no_fit(double from, double to, double zero_plane) {
-    LogLawFit fit;
-    fit.from = from;
-    fit.to = to;
-    fit.zero_plane = zero_plane;
-    return fit;
 }
 
 }  // namespace
 
+LogLawFit fit_log_law(const VelocityPoints& points, double kappa, FitRange range) {
+    const FitPoints used(points, range);
+    LogLawFit fit = start(used, points.zero_plane);
+    fit.zero_plane_interval = {points.zero_plane, points.zero_plane};
+    constexpr Eigen::Index fewest = 3;
+    if (const std::string why = used.obstacle(fewest); !why.empty()) {
+        fail(fit, why);
+        return fit;
+    }
+    const auto line = fit_linear(line_basis(used.height.array()), used.velocity, used.uncertainty);
+    if (!line) {
+        fail(fit, "the points do not determine a line: their heights must differ");
+        return fit;
+    }
+    describe(fit, coefficient(*line, slope), coefficient_ratio(*line, offset, slope), kappa, line->residuals);
+    return fit;
+}
+
 LogLawFit fit_log_law(std::span<const double> z, std::span<const double> velocity, double kappa,
                       double zero_plane, double from, double to) {
-    const Points points = points_between(z, velocity, from, to);
-    constexpr std::size_t fewest = 3;
-    const bool above_plane =
-        std::all_of(points.z.begin(), points.z.end(), [zero_plane](double v) { return v > zero_plane; });
-    if (points.z.size() < fewest || !above_plane) return no_fit(from, to, zero_plane);
-    return describe(points, fit_line(points, zero_plane), zero_plane, kappa, from, to, 2);
+    return fit_log_law(VelocityPoints{z, velocity, {}, zero_plane}, kappa, {from, to});
+}
+
+LogLawFit fit_log_law_with_zero_plane(const VelocityPoints& points, double kappa, FitRange range) {
+    VelocityPoints free = points;
+    free.zero_plane = 0.0;
+    const FitPoints used(free, range);
+    LogLawFit fit = start(used, std::numeric_limits<double>::quiet_NaN());
+    constexpr Eigen::Index fewest = 4;
+    if (used.height.size() < fewest) {
+        fail(fit, used.obstacle(fewest));
+        return fit;
+    }
+    const double lowest = used.height.minCoeff();
+    const double extent = used.height.maxCoeff() - lowest;
+    if (!(extent > 0.0)) {
+        fail(fit, "all points lie at one height");
+        return fit;
+    }
+    // The nonlinear parameter is the logarithm of the plane's distance below the lowest point.
+    const auto basis = [&](double log_distance) {
+        return line_basis(used.height.array() - (lowest - std::exp(log_distance)));
+    };
+    const SeparableFit search(basis, used.velocity, used.uncertainty, std::log(1e-3 * extent),
+                              std::log(3.0 * extent));
+    if (!search.determined()) {
+        fail(fit,
+             "no zero plane between 0.001 and 3 times the height of the range below the lowest point fits "
+             "best: "
+             "the points do not lie on a log law, or scatter too much to tell its zero plane");
+        return fit;
+    }
+    const FittedValue distance = exponential_of(search.parameter());
+    const FittedValue plane = linear_of(distance, -1.0, lowest);
+    fit.zero_plane = plane.value;
+    fit.zero_plane_half_width = plane.half_width;
+    fit.zero_plane_interval = plane.interval;
+    describe(fit, search.coefficient(slope), search.coefficient_ratio(offset, slope), kappa,
+             search.linear().residuals);
+    return fit;
 }
 
 LogLawFit fit_log_law_with_zero_plane(std::span<const double> z, std::span<const double> velocity,
                                       double kappa, double from, double to) {
-    const Points points = points_between(z, velocity, from, to);
-    constexpr std::size_t fewest = 4;
-    if (points.z.size() < fewest) return no_fit(from, to, from);
-    const auto extremes = std::minmax_element(points.z.begin(), points.z.end());
-    const double lowest = *extremes.first;
-    const double range = *extremes.second - lowest;
-
-    // The misfit as a function of the distance of the plane below the lowest point, on a logarithmic scale:
-    // scanned, because it may have more than one minimum, then refined.
-    const auto misfit = [&](double log_distance) {
-        return fit_line(points, lowest - std::exp(log_distance)).sum_of_squares;
-    };
-    const double nearest = std::log(1e-3 * range);
-    const double farthest = std::log(3.0 * range);
-    constexpr int steps = 200;
-    const double step = (farthest - nearest) / steps;
-    int best = 0;
-    double smallest = misfit(nearest);
-    for (int i = 1; i <= steps; ++i) {
-        const double value = misfit(nearest + i * step);
-        if (value < smallest) {
-            smallest = value;
-            best = i;
-        }
-    }
-    const bool at_the_edge = best == 0 || best == steps;
-    double log_distance = nearest + best * step;
-    if (!at_the_edge) {
-        constexpr int bits = 40;
-        log_distance =
-            boost::math::tools::brent_find_minima(misfit, log_distance - step, log_distance + step, bits)
-                .first;
-    }
-    const double zero_plane = lowest - std::exp(log_distance);
-    LogLawFit fit = describe(points, fit_line(points, zero_plane), zero_plane, kappa, from, to, 3);
-    // A plane at the edge of the search is no minimum: the points do not lie on a log law.
-    if (at_the_edge) fit.valid = false;
-    return fit;
+    return fit_log_law_with_zero_plane(VelocityPoints{z, velocity}, kappa, {from, to});
 }
 
 }  // namespace riffle
