@@ -1,5 +1,7 @@
 #include "hydraulics/channel_laws.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <numbers>
 
@@ -33,16 +35,20 @@ double friction_velocity_from_slope(double gravity_component, double depth) {
     return std::sqrt(gravity_component * depth);
 }
 
-double colebrook_white_friction_factor(double equivalent_roughness, double hydraulic_radius,
-                                       double reynolds) {
+double colebrook_white_friction_factor(double equivalent_roughness, double hydraulic_radius, double reynolds,
+                                       const ColebrookWhiteConstants& constants) {
     if (!(equivalent_roughness >= 0.0) || !(hydraulic_radius > 0.0) || !(reynolds > 0.0)) {
         throw InputError("Colebrook-White needs k_s >= 0, a hydraulic radius > 0 and a Reynolds number > 0");
     }
-    constexpr double c1 = 2.0;
-    constexpr double c2 = 12.0;
-    constexpr double c3 = 2.5;
-    const double rough = equivalent_roughness / (c2 * hydraulic_radius);
-    const double smooth = c3 / reynolds;
+    const double c1 = constants.c1;
+    const double rough = equivalent_roughness / (constants.c2 * hydraulic_radius);
+    const double smooth = constants.c3 / reynolds;
+    if (!(rough < 1.0)) {
+        throw InputError(
+            fmt::format("Colebrook-White has no solution for k_s = {:.4g} times the hydraulic radius: needs "
+                        "less than {:.4g}",
+                        equivalent_roughness / hydraulic_radius, constants.c2));
+    }
     // Newton on x = 1/sqrt(f): x + c1 log10(rough + smooth x) = 0, increasing and concave in x: from a point
     // left of the root every later iterate stays left of it and rises to it.
     double x = 1e-3;
@@ -55,6 +61,13 @@ double colebrook_white_friction_factor(double equivalent_roughness, double hydra
     }
     return 1.0 / (x * x);
 }
+
+double velocity_from_friction_factor(double gravity_component, double hydraulic_radius,
+                                     double friction_factor) {
+    return std::sqrt(8.0 * gravity_component * hydraulic_radius / friction_factor);
+}
+
+double velocity_ratio(double friction_factor) { return std::sqrt(8.0 / friction_factor); }
 
 double roughness_reynolds_number(double equivalent_roughness, double friction_velocity,
                                  double kinematic_viscosity) {

@@ -31,11 +31,34 @@ inline constexpr double rough_log_law_constant = 8.5;
 /// Friction velocity of uniform flow, sqrt(g S0 R), m/s. `gravity_component` is g S0.
 [[nodiscard]] double friction_velocity_from_slope(double gravity_component, double depth);
 
-/// Friction factor of Colebrook and White for channels (thesis 2.9) with Henderson's constants for the wide
-/// channel: 1/sqrt(f) = -2 log10(k_s/(12 R) + 2.5/(Re sqrt(f))), Re = 4 R U/nu. Throws InputError unless
-/// k_s >= 0, R > 0 and Re > 0.
-[[nodiscard]] double colebrook_white_friction_factor(double equivalent_roughness, double hydraulic_radius,
-                                                     double reynolds);
+/// Constants of the equation of Colebrook and White for channels (thesis 2.9).
+struct ColebrookWhiteConstants {
+    const char* source;
+    double c1;
+    double c2;
+    double c3;
+};
+
+/// Rows of Yen's (2002) table of constants; Henderson's are those of the wide channel. The others stand in
+/// the thesis without a check against their sources.
+inline constexpr ColebrookWhiteConstants henderson_wide_channel{"Henderson, wide channel", 2.0, 12.0, 2.5};
+inline constexpr ColebrookWhiteConstants full_pipe{"full pipe", 2.0, 14.83, 2.52};
+inline constexpr ColebrookWhiteConstants keulegan_channel{"Keulegan", 2.03, 11.09, 3.41};
+inline constexpr ColebrookWhiteConstants rouse_channel{"Rouse", 2.03, 10.95, 1.70};
+
+/// Friction factor of Colebrook and White for channels (thesis 2.9):
+/// 1/sqrt(f) = -c1 log10(k_s/(c2 R) + c3/(Re sqrt(f))), Re = 4 R U/nu. Throws InputError unless k_s >= 0,
+/// R > 0, Re > 0 and the equation has a root with f > 0, which it lacks for k_s/R beyond about c2.
+[[nodiscard]] double colebrook_white_friction_factor(
+    double equivalent_roughness, double hydraulic_radius, double reynolds,
+    const ColebrookWhiteConstants& constants = henderson_wide_channel);
+
+/// Velocity of uniform flow from a friction factor, U = sqrt(8 g S0 R/f) (thesis 2.6), m/s.
+[[nodiscard]] double velocity_from_friction_factor(double gravity_component, double hydraulic_radius,
+                                                   double friction_factor);
+
+/// U/u_* = sqrt(8/f) (thesis 2.6-2.8: the same as C/sqrt(g) and R^(1/6)/(n sqrt(g))).
+[[nodiscard]] double velocity_ratio(double friction_factor);
 
 enum class RoughnessClass { smooth, transitional, rough };
 

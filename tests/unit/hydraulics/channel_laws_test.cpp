@@ -60,6 +60,26 @@ TEST(ColebrookWhite, SolvesItsEquation) {
     EXPECT_THROW((void)colebrook_white_friction_factor(-0.01, 0.1, 1e5), InputError);
 }
 
+TEST(ColebrookWhite, SolvesItsEquationWithTheConstantsOfEachSource) {
+    for (const ColebrookWhiteConstants& c :
+         {henderson_wide_channel, full_pipe, keulegan_channel, rouse_channel}) {
+        for (const double k : {0.0, 1e-4, 0.1, 0.499}) {
+            const double f = colebrook_white_friction_factor(k, 0.05, 5e4, c);
+            const double right = -c.c1 * std::log10(k / (c.c2 * 0.05) + c.c3 / (5e4 * std::sqrt(f)));
+            EXPECT_NEAR(1 / std::sqrt(f), right, 1e-11) << c.source << ' ' << k;
+        }
+        // A roughness so large that the logarithm of (2.9) vanishes has no friction factor.
+        EXPECT_THROW((void)colebrook_white_friction_factor(1.01 * c.c2, 1.0, 1e5, c), InputError);
+    }
+}
+
+TEST(ColebrookWhite, GivesTheVelocityThatHasItsFrictionFactor) {
+    const double f = colebrook_white_friction_factor(0.02, 0.05, 4 * 0.05 * 0.3 / 1e-6);
+    const double velocity = velocity_from_friction_factor(9.81 * 0.004, 0.05, f);
+    EXPECT_NEAR(friction_factor(9.81 * 0.004, 0.05, velocity), f, 1e-14);
+    EXPECT_NEAR(velocity_ratio(f), velocity / friction_velocity_from_slope(9.81 * 0.004, 0.05), 1e-12);
+}
+
 TEST(RoughnessClass, HasItsLimits) {
     EXPECT_EQ(roughness_class(4.9), RoughnessClass::smooth);
     EXPECT_EQ(roughness_class(5.0), RoughnessClass::transitional);
