@@ -1,0 +1,196 @@
+#include "laboratory/velocity_series.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+#include "base/error.hpp"
+#include "laboratory/timed_table.hpp"
+#include "laboratory/unit.hpp"
+#include "statistics/confidence.hpp"
+
+namespace riffle {
+
+namespace {
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+std::optional<std::size_t> find_column(const CsvTable& table, std::string_view lower,
+                                       std::string_view upper) {
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+        if (table.columns[i].name == lower || table.columns[i].name == upper) return i;
+    }
+    return std::nullopt;
+}
+
+double position(const CsvTable& table, std::string_view key) {
+    const auto text = table.comment_value(key);
+    if (!text) return not_a_number;
+    const auto value = parse_quantity(*text, "m");
+    if (!value) {
+        throw FileError(fmt::format("{}: expected a length in the comment \"# {}: 12 mm\", got \"{}\"",
+                                    table.path.string(), key, *text));
+    }
+    return *value;
+}
+
+/// Rows whose correlation is too low.
+std::vector<bool> poor_rows(const CsvTable& table, std::optional<std::size_t> column, double lowest) {
+    std::vector<bool> poor(table.lines.size(), false);
+    if (!column) return poor;
+    const std::vector<double>& values = table.columns[*column].values;
+    for (std::size_t row = 0; row < poor.size(); ++row) poor[row] = values[row] < lowest;
+    return poor;
+}
+
+/// Statistics with the standard uncertainty of a mean.
+SeriesStatistic mean_of(std::span<const double> samples) {
+    if (samples.size() < 2) return {not_a_number, not_a_number};
+    const MeanEstimate estimate = mean_with_confidence(samples);
+    return {estimate.mean, estimate.standard_deviation / std::sqrt(estimate.effective_samples)};
+}
+
+std::vector<double> products(std::span<const double> a, double mean_a, std::span<const double> b,
+                             double mean_b) {
+    std::vector<double> result;
+    result.reserve(a.size());
+    for (std::size_t i = 0; i < a.size(); ++i) result.push_back((a[i] - mean_a) * (b[i] - mean_b));
+    return result;
+}
+
+/// Root mean square about the mean: the root of the mean square, whose uncertainty is halved over the root.
+SeriesStatistic rms_of(std::span<const double> samples, double mean) {
+    const SeriesStatistic square = mean_of(products(samples, mean, samples, mean));
+    const double root = std::sqrt(square.value);
+    return {root, root > 0.0 ? 0.5 * square.uncertainty / root : square.uncertainty};
+}
+
+}  // namespace
+
+VelocitySeries read_velocity_series(const std::filesystem::path& path, const VelocitySeriesOptions& options) {
+    const CsvTable table = read_csv_table(path, MissingValues::allowed);
+    VelocitySeries series;
+    series.source = path;
+    series.title = table.comment_value("title").value_or("");
+    series.comments = table.comments;
+    series.x = position(table, "x");
+    series.y = position(table, "y");
+    series.z = position(table, "z");
+    const auto [sampling, time_column] =
+        sampling_of(table, options.sampling_frequency, options.time_tolerance, series.warnings);
+    series.start = sampling.start;
+    series.sampling_frequency = sampling.frequency;
+
+    const auto correlation = find_column(table, "correlation", "Correlation");
+    const std::vector<bool> poor = poor_rows(table, correlation, options.lowest_correlation);
+    std::vector<bool> used(table.columns.size(), false);
+    if (time_column) used[*time_column] = true;
+    if (correlation) used[*correlation] = true;
+    struct Entry {
+        std::string_view lower, upper;
+        VelocityComponent* component;
+    };
+    for (const Entry& entry :
+         {Entry{"u", "U", &series.u}, Entry{"v", "V", &series.v}, Entry{"w", "W", &series.w}}) {
+        const auto column = find_column(table, entry.lower, entry.upper);
+        if (!column) continue;
+        used[*column] = true;
+        std::vector<double> values = column_in_si(table, *column, "m/s");
+        std::size_t refused = 0;
+        for (std::size_t row = 0; row < values.size(); ++row) {
+            if (!poor[row] || std::isnan(values[row])) continue;
+            values[row] = not_a_number;
+            ++refused;
+        }
+        entry.component->values = on_even_grid(sampling, values);
+        entry.component->quality = repair_record(entry.component->values, options.repair, refused);
+        if (std::string sentence = describe(entry.component->quality, entry.lower); !sentence.empty()) {
+            series.warnings.push_back(std::move(sentence));
+        }
+    }
+    if (series.u.values.empty()) {
+        throw FileError(fmt::format("{}: expected a column \"u [m/s]\" of velocities", path.string()));
+    }
+    for (std::size_t i = 0; i < used.size(); ++i) {
+        if (!used[i]) series.warnings.push_back(fmt::format("{} is not used", table.column_name(i)));
+    }
+    return series;
+}
+
+PointStatistics point_statistics(const VelocitySeries& series) {
+    const auto given = [](const VelocityComponent& c) { return !c.values.empty(); };
+    const auto has_value = [&](const VelocityComponent& c, std::size_t i) {
+        return !given(c) || !std::isnan(c.values[i]);
+    };
+    std::vector<double> u;
+    std::vector<double> v;
+    std::vector<double> w;
+    for (std::size_t i = 0; i < series.u.values.size(); ++i) {
+        if (!has_value(series.u, i) || !has_value(series.v, i) || !has_value(series.w, i)) continue;
+        u.push_back(series.u.values[i]);
+        if (given(series.v)) v.push_back(series.v.values[i]);
+        if (given(series.w)) w.push_back(series.w.values[i]);
+    }
+    PointStatistics result;
+    result.samples = u.size();
+    result.u = mean_of(u);
+    result.v = mean_of(v);
+    result.w = mean_of(w);
+    result.u_rms = rms_of(u, result.u.value);
+    result.v_rms = rms_of(v, result.v.value);
+    result.w_rms = rms_of(w, result.w.value);
+    result.reynolds_stress = {not_a_number, not_a_number};
+    if (given(series.w)) {
+        const SeriesStatistic covariance = mean_of(products(u, result.u.value, w, result.w.value));
+        result.reynolds_stress = {-covariance.value, covariance.uncertainty};
+    }
+    return result;
+}
+
+ProfileRecord profile_of_series(std::span<const VelocitySeries> series) {
+    std::vector<const VelocitySeries*> sorted;
+    for (const VelocitySeries& point : series) {
+        if (std::isnan(point.z)) {
+            throw InputError(fmt::format("{}: expected the height of the point, as a comment \"# z: 12 mm\"",
+                                         point.source.string()));
+        }
+        sorted.push_back(&point);
+    }
+    std::sort(sorted.begin(), sorted.end(), [](const auto* a, const auto* b) { return a->z < b->z; });
+    ProfileRecord record;
+    using Q = ProfileQuantity;
+    for (const Q quantity : {Q::velocity, Q::spanwise_velocity, Q::vertical_velocity, Q::streamwise_rms,
+                             Q::spanwise_rms, Q::vertical_rms, Q::reynolds_stress}) {
+        record.columns.push_back({quantity, {}, {}});
+    }
+    for (const VelocitySeries* point : sorted) {
+        if (!record.z.empty() && !(point->z > record.z.back())) {
+            throw InputError(fmt::format("{}: another file has the same height, z = {:.6g} m",
+                                         point->source.string(), point->z));
+        }
+        record.z.push_back(point->z);
+        record.lines.push_back(0);
+        const PointStatistics s = point_statistics(*point);
+        const SeriesStatistic* const statistics[] = {
+            &s.u, &s.v, &s.w, &s.u_rms, &s.v_rms, &s.w_rms, &s.reynolds_stress};
+        for (std::size_t i = 0; i < record.columns.size(); ++i) {
+            record.columns[i].values.push_back(statistics[i]->value);
+            record.columns[i].uncertainty.push_back(statistics[i]->uncertainty);
+        }
+        for (const std::string& warning : point->warnings) {
+            record.warnings.push_back(fmt::format("z = {:.4g} m: {}", point->z, warning));
+        }
+    }
+    if (!sorted.empty()) record.source = sorted.front()->source.parent_path();
+    // A component that no file has is no column.
+    std::erase_if(record.columns, [](const ProfileColumn& column) {
+        return find_gaps(column.values).missing == column.values.size();
+    });
+    return record;
+}
+
+}  // namespace riffle
