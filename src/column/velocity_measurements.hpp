@@ -14,10 +14,9 @@ struct VelocityMeasurements {
     std::vector<double> uncertainty;  ///< standard uncertainty of the velocity, m/s; empty: not given
 };
 
-/// Read the CSV file `measured.velocity_profile` of the case: lines z, u [, u_uncertainty] in SI with z above
-/// the datum; one heading line, empty lines and lines that start with # are passed over. Throws FileError
-/// with file and line if it cannot be read, holds something else than numbers, or has a point outside the
-/// water.
+/// Read the CSV file `measured.velocity_profile` of the case as read_profile_record does (z above the datum,
+/// u and, if there is one, its uncertainty; SI or with units in the header). Throws FileError with file and
+/// line if it cannot be read, has no u or misses one, or has a point outside the water.
 [[nodiscard]] VelocityMeasurements read_velocity_measurements(const Case& c);
 
 /// The measured rough log law (thesis 2.3) with the case's measured u_* and k_s, at `points` evenly spaced
