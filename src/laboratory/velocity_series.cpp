@@ -11,11 +11,13 @@
 #include "base/error.hpp"
 #include "laboratory/timed_table.hpp"
 #include "laboratory/unit.hpp"
-#include "statistics/confidence.hpp"
 
 namespace riffle {
 
 namespace {
+
+/// Half-width of a 95 % interval over the standard uncertainty.
+constexpr double normal_quantile = 1.96;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
@@ -47,26 +49,13 @@ std::vector<bool> poor_rows(const CsvTable& table, std::optional<std::size_t> co
     return poor;
 }
 
-/// Statistics with the standard uncertainty of a mean.
-SeriesStatistic mean_of(std::span<const double> samples) {
-    if (samples.size() < 2) return {not_a_number, not_a_number};
-    const MeanEstimate estimate = mean_with_confidence(samples);
-    return {estimate.mean, estimate.standard_deviation / std::sqrt(estimate.effective_samples)};
-}
-
-std::vector<double> products(std::span<const double> a, double mean_a, std::span<const double> b,
-                             double mean_b) {
-    std::vector<double> result;
-    result.reserve(a.size());
-    for (std::size_t i = 0; i < a.size(); ++i) result.push_back((a[i] - mean_a) * (b[i] - mean_b));
-    return result;
-}
-
-/// Root mean square about the mean: the root of the mean square, whose uncertainty is halved over the root.
-SeriesStatistic rms_of(std::span<const double> samples, double mean) {
-    const SeriesStatistic square = mean_of(products(samples, mean, samples, mean));
-    const double root = std::sqrt(square.value);
-    return {root, root > 0.0 ? 0.5 * square.uncertainty / root : square.uncertainty};
+/// Mean and root mean square of a component, where it was measured.
+void take_moments(const VelocityComponent& component, Estimate& mean, Estimate& rms) {
+    mean = rms = {not_a_number, not_a_number};
+    if (component.values.empty()) return;
+    const Moments m = moments(component.values);
+    mean = m.mean;
+    rms = m.standard_deviation;
 }
 
 }  // namespace
@@ -122,31 +111,15 @@ VelocitySeries read_velocity_series(const std::filesystem::path& path, const Vel
 }
 
 PointStatistics point_statistics(const VelocitySeries& series) {
-    const auto given = [](const VelocityComponent& c) { return !c.values.empty(); };
-    const auto has_value = [&](const VelocityComponent& c, std::size_t i) {
-        return !given(c) || !std::isnan(c.values[i]);
-    };
-    std::vector<double> u;
-    std::vector<double> v;
-    std::vector<double> w;
-    for (std::size_t i = 0; i < series.u.values.size(); ++i) {
-        if (!has_value(series.u, i) || !has_value(series.v, i) || !has_value(series.w, i)) continue;
-        u.push_back(series.u.values[i]);
-        if (given(series.v)) v.push_back(series.v.values[i]);
-        if (given(series.w)) w.push_back(series.w.values[i]);
-    }
     PointStatistics result;
-    result.samples = u.size();
-    result.u = mean_of(u);
-    result.v = mean_of(v);
-    result.w = mean_of(w);
-    result.u_rms = rms_of(u, result.u.value);
-    result.v_rms = rms_of(v, result.v.value);
-    result.w_rms = rms_of(w, result.w.value);
+    result.samples = series.u.values.size() - find_gaps(series.u.values).missing;
+    take_moments(series.u, result.u, result.u_rms);
+    take_moments(series.v, result.v, result.v_rms);
+    take_moments(series.w, result.w, result.w_rms);
     result.reynolds_stress = {not_a_number, not_a_number};
-    if (given(series.w)) {
-        const SeriesStatistic covariance = mean_of(products(u, result.u.value, w, result.w.value));
-        result.reynolds_stress = {-covariance.value, covariance.uncertainty};
+    if (!series.w.values.empty()) {
+        const Estimate product = covariance(series.u.values, series.w.values).covariance;
+        result.reynolds_stress = {-product.value, product.half_width};
     }
     return result;
 }
@@ -175,11 +148,11 @@ ProfileRecord profile_of_series(std::span<const VelocitySeries> series) {
         record.z.push_back(point->z);
         record.lines.push_back(0);
         const PointStatistics s = point_statistics(*point);
-        const SeriesStatistic* const statistics[] = {
+        const Estimate* const statistics[] = {
             &s.u, &s.v, &s.w, &s.u_rms, &s.v_rms, &s.w_rms, &s.reynolds_stress};
         for (std::size_t i = 0; i < record.columns.size(); ++i) {
             record.columns[i].values.push_back(statistics[i]->value);
-            record.columns[i].uncertainty.push_back(statistics[i]->uncertainty);
+            record.columns[i].uncertainty.push_back(statistics[i]->half_width / normal_quantile);
         }
         for (const std::string& warning : point->warnings) {
             record.warnings.push_back(fmt::format("z = {:.4g} m: {}", point->z, warning));

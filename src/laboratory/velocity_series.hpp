@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <span>
@@ -8,6 +9,7 @@
 
 #include "laboratory/profile_record.hpp"
 #include "laboratory/record_repair.hpp"
+#include "statistics/moments.hpp"
 
 namespace riffle {
 
@@ -45,20 +47,14 @@ struct VelocitySeriesOptions {
 [[nodiscard]] VelocitySeries read_velocity_series(const std::filesystem::path& path,
                                                   const VelocitySeriesOptions& options = {});
 
-/// A statistic of a record with its standard uncertainty, which takes the correlation of successive samples
-/// into account (mean_with_confidence); both not a number where the record has fewer than two samples.
-struct SeriesStatistic {
-    double value = 0;
-    double uncertainty = 0;
-};
-
-/// Statistics of the velocities at a point, over the samples at which all components that were measured have
-/// a value. Components that were not are not numbers.
+/// Statistics of the velocities at a point with 95 % intervals that take the correlation of successive
+/// samples into account (statistics/moments.hpp). Each is over the samples that have its components; those
+/// that were not measured are not numbers. InputError for fewer than two samples.
 struct PointStatistics {
-    std::size_t samples = 0;  ///< used
-    SeriesStatistic u, v, w;
-    SeriesStatistic u_rms, v_rms, w_rms;
-    SeriesStatistic reynolds_stress;  ///< -u'w', m2/s2
+    std::size_t samples = 0;  ///< with a value of u
+    Estimate u, v, w;
+    Estimate u_rms, v_rms, w_rms;
+    Estimate reynolds_stress;  ///< -u'w', m2/s2
 };
 [[nodiscard]] PointStatistics point_statistics(const VelocitySeries& series);
 

@@ -86,9 +86,10 @@ TEST(VelocitySeries, ExampleHasItsKnownAnswer) {
     EXPECT_EQ(series.u.quality.left, 0U);
     const PointStatistics s = point_statistics(series);
     EXPECT_EQ(s.samples, 2500U);
-    // A fixed sample: four standard uncertainties.
-    const auto expect = [](const SeriesStatistic& statistic, double truth) {
-        EXPECT_NEAR(statistic.value, truth, 4 * statistic.uncertainty);
+    // A fixed sample of seven 95 % intervals: each misses in one of twenty, twice its width in one of ten
+    // thousand.
+    const auto expect = [](const Estimate& statistic, double truth) {
+        EXPECT_NEAR(statistic.value, truth, 2 * statistic.half_width);
     };
     expect(s.u, 0.28);
     expect(s.v, 0.0);
@@ -99,7 +100,7 @@ TEST(VelocitySeries, ExampleHasItsKnownAnswer) {
     expect(s.reynolds_stress, 0.00144);
     // The integral time of memory 0.8 is (1 + 0.8)/(2 (1 - 0.8)) = 4.5 samples, so that 2500 samples are
     // worth 278.
-    EXPECT_NEAR(s.u.uncertainty, 0.080 / std::sqrt(2500 / 9.0), 0.3 * 0.0048);
+    EXPECT_NEAR(s.u.half_width, 1.96 * 0.080 / std::sqrt(2500 / 9.0), 0.3 * 0.0094);
 }
 
 TEST(VelocitySeries, MakeAProfile) {
@@ -112,8 +113,12 @@ TEST(VelocitySeries, MakeAProfile) {
     const ProfileRecord profile = profile_of_series(series);
     EXPECT_EQ(profile.z, (std::vector<double>{0.01, 0.03}));
     EXPECT_NEAR(profile.find(Q::velocity)->values[0], 0.21, 1e-15);
-    EXPECT_NEAR(profile.find(Q::streamwise_rms)->values[1], 0.01, 1e-15);
-    EXPECT_NEAR(profile.find(Q::reynolds_stress)->values[0], 2e-4, 1e-15);
+    const PointStatistics point = point_statistics(series[1]);  // of the lower point
+    EXPECT_GT(point.u_rms.value, 0.0);
+    EXPECT_EQ(profile.find(Q::streamwise_rms)->values[0], point.u_rms.value);
+    EXPECT_GT(point.reynolds_stress.value, 0.0);  // u' and w' are opposed
+    EXPECT_EQ(profile.find(Q::reynolds_stress)->values[0], point.reynolds_stress.value);
+    EXPECT_DOUBLE_EQ(profile.find(Q::velocity)->uncertainty[0], point.u.half_width / 1.96);
     EXPECT_EQ(profile.find(Q::spanwise_velocity), nullptr);
     const std::vector<VelocitySeries> same{series[0], series[0]};
     EXPECT_THAT(message_of([&] { return profile_of_series(same); }), HasSubstr("the same height"));
