@@ -1,0 +1,255 @@
+#include "analysis/space_time.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "base/error.hpp"
+
+namespace riffle {
+
+namespace {
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+/// Mean of the wet values; not-a-number where there is none.
+double wet_mean(std::span<const double> values) {
+    double sum = 0.0;
+    std::size_t wet = 0;
+    for (const double v : values) {
+        if (std::isnan(v)) continue;
+        sum += v;
+        ++wet;
+    }
+    return wet == 0 ? not_a_number : sum / static_cast<double>(wet);
+}
+
+/// Take the mean, or the line through the values over `times`, from the wet values of a record.
+void remove_line(std::span<const double> times, std::vector<double>& record, bool trend) {
+    const double mean = wet_mean(record);
+    double mean_time = 0.0;
+    double wet = 0.0;
+    for (std::size_t j = 0; j < record.size(); ++j) {
+        if (std::isnan(record[j])) continue;
+        record[j] -= mean;
+        mean_time += times[j];
+        wet += 1.0;
+    }
+    if (!trend || wet < 3.0) return;
+    mean_time /= wet;
+    double moment = 0.0;
+    double spread = 0.0;
+    for (std::size_t j = 0; j < record.size(); ++j) {
+        if (std::isnan(record[j])) continue;
+        moment += (times[j] - mean_time) * record[j];
+        spread += (times[j] - mean_time) * (times[j] - mean_time);
+    }
+    const double slope = moment / spread;
+    for (std::size_t j = 0; j < record.size(); ++j) record[j] -= slope * (times[j] - mean_time);
+}
+
+/// The wet ones of the values.
+std::vector<double> wet_values(std::vector<double> values) {
+    std::erase_if(values, [](double v) { return std::isnan(v); });
+    return values;
+}
+
+/// Value at time t of the column, rows first and first + 1 around it.
+double interpolate(const SpaceTime& data, std::size_t column, std::size_t first, double t) {
+    const std::size_t begin = first == 0 ? 0 : first - 1;
+    const std::size_t end = std::min(first + 3, data.rows());
+    double cubic = 0.0;
+    for (std::size_t a = begin; a < end; ++a) {
+        double weight = data.at(a, column);
+        for (std::size_t b = begin; b < end; ++b) {
+            if (b != a) weight *= (t - data.times[b]) / (data.times[a] - data.times[b]);
+        }
+        cubic += weight;
+    }
+    if (!std::isnan(cubic)) return cubic;
+    const double share = (t - data.times[first]) / (data.times[first + 1] - data.times[first]);
+    if (share <= 0.0) return data.at(first, column);
+    if (share >= 1.0) return data.at(first + 1, column);
+    return (1.0 - share) * data.at(first, column) + share * data.at(first + 1, column);
+}
+
+}  // namespace
+
+std::vector<double> SpaceTime::record(std::size_t column) const {
+    std::vector<double> result(rows());
+    for (std::size_t j = 0; j < result.size(); ++j) result[j] = at(j, column);
+    return result;
+}
+
+SpaceTime make_space_time(std::span<const double> x, std::span<const double> times,
+                          std::span<const double> values, std::optional<double> period) {
+    if (x.size() < 2) throw InputError("record along a line: at least two columns are needed");
+    if (values.size() != x.size() * times.size()) {
+        throw InputError(
+            fmt::format("record along a line: {} values for {} columns and {} times; {} were expected",
+                        values.size(), x.size(), times.size(), x.size() * times.size()));
+    }
+    SpaceTime data;
+    data.first_x = x.front();
+    data.columns = x.size();
+    data.spacing = (x.back() - x.front()) / static_cast<double>(x.size() - 1);
+    data.periodic = period.has_value();
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        if (!(std::abs(x[i] - data.x(i)) <= 1e-3 * data.spacing)) {
+            throw InputError(fmt::format(
+                "record along a line: column {} is at x = {:.6g} m, but {:.6g} m would continue the even "
+                "spacing of {:.6g} m; choose evenly spaced columns in ascending order",
+                i + 1, x[i], data.x(i), data.spacing));
+        }
+    }
+    if (period && std::abs(*period - data.length()) > 0.01 * data.spacing) {
+        throw InputError(fmt::format(
+            "record along a line: the period {:.6g} m is not that of {} columns {:.6g} m apart, {:.6g} m",
+            *period, data.columns, data.spacing, data.length()));
+    }
+    for (std::size_t j = 1; j < times.size(); ++j) {
+        if (!(times[j] > times[j - 1])) {
+            throw InputError(
+                fmt::format("record along a line: time {:.6g} s (number {}) does not follow {:.6g} s",
+                            times[j], j + 1, times[j - 1]));
+        }
+    }
+    data.times.assign(times.begin(), times.end());
+    data.values.assign(values.begin(), values.end());
+    return data;
+}
+
+SpaceTime rows_of(const SpaceTime& data, std::size_t first, std::size_t count) {
+    if (first > data.rows() || count > data.rows() - first) {
+        throw InputError(fmt::format("record along a line: rows {} to {} of {} were asked for", first + 1,
+                                     first + count, data.rows()));
+    }
+    SpaceTime part = data;
+    const auto begin = static_cast<std::ptrdiff_t>(first);
+    const auto end = static_cast<std::ptrdiff_t>(first + count);
+    const auto width = static_cast<std::ptrdiff_t>(data.columns);
+    part.times.assign(data.times.begin() + begin, data.times.begin() + end);
+    part.values.assign(data.values.begin() + begin * width, data.values.begin() + end * width);
+    return part;
+}
+
+MeanEstimate mean_level(const SpaceTime& data) {
+    std::vector<double> level(data.rows());
+    for (std::size_t j = 0; j < level.size(); ++j) level[j] = wet_mean(data.row(j));
+    return mean_with_confidence(wet_values(std::move(level)));
+}
+
+double dry_share(const SpaceTime& data) {
+    if (data.values.empty()) return 0.0;
+    const auto dry =
+        std::count_if(data.values.begin(), data.values.end(), [](double v) { return std::isnan(v); });
+    return static_cast<double>(dry) / static_cast<double>(data.values.size());
+}
+
+SpaceTime fluctuation(const SpaceTime& data, const FluctuationOptions& options) {
+    SpaceTime result = data;
+    for (std::size_t i = 0; i < data.columns; ++i) {
+        std::vector<double> record = data.record(i);
+        remove_line(data.times, record, options.remove_trend);
+        for (std::size_t j = 0; j < data.rows(); ++j) result.values[j * data.columns + i] = record[j];
+    }
+    if (options.remove_line_mean) {
+        for (std::size_t j = 0; j < data.rows(); ++j) {
+            const double mean = wet_mean(result.row(j));
+            for (double& v : result.row(j)) v -= mean;
+        }
+    }
+    return result;
+}
+
+DeviationEstimate standard_deviation(const SpaceTime& fluctuation) {
+    std::vector<double> mean_square(fluctuation.rows());
+    for (std::size_t j = 0; j < mean_square.size(); ++j) {
+        std::vector<double> squares(fluctuation.row(j).begin(), fluctuation.row(j).end());
+        for (double& v : squares) v *= v;
+        mean_square[j] = wet_mean(squares);
+    }
+    const MeanEstimate variance = mean_with_confidence(wet_values(std::move(mean_square)));
+    DeviationEstimate result;
+    result.value = std::sqrt(variance.mean);
+    if (!(variance.mean > 0.0)) return result;
+    result.half_width = variance.half_width / (2.0 * result.value);
+    const double error =
+        variance.standard_deviation * variance.standard_deviation / variance.effective_samples;
+    result.effective_samples = 2.0 * variance.mean * variance.mean / error;
+    if (fluctuation.rows() > 1) {
+        result.integral_time = variance.integral_time *
+                               (fluctuation.times.back() - fluctuation.times.front()) /
+                               static_cast<double>(fluctuation.rows() - 1);
+    }
+    return result;
+}
+
+double sampling_interval(const SpaceTime& data) {
+    if (data.rows() < 2) throw InputError("record along a line: at least two times are needed");
+    std::vector<double> intervals(data.rows());
+    std::adjacent_difference(data.times.begin(), data.times.end(), intervals.begin());
+    const auto middle = intervals.begin() + static_cast<std::ptrdiff_t>((intervals.size() + 1) / 2);
+    std::nth_element(intervals.begin() + 1, middle, intervals.end());
+    return *middle;
+}
+
+SpaceTime resample_evenly(const SpaceTime& data, double largest_gap) {
+    const double median = sampling_interval(data);
+    for (std::size_t j = 1; j < data.rows(); ++j) {
+        const double gap = data.times[j] - data.times[j - 1];
+        if (gap > largest_gap * median) {
+            throw InputError(
+                fmt::format("record along a line: no sample between {:.6g} s and {:.6g} s, where the "
+                            "interval is {:.3g} s; "
+                            "choose a window that begins at {:.6g} s or ends at {:.6g} s",
+                            data.times[j - 1], data.times[j], median, data.times[j], data.times[j - 1]));
+        }
+    }
+    const double start = data.times.front();
+    const double duration = data.times.back() - start;
+    const auto intervals = static_cast<std::size_t>(std::max(1.0, std::round(duration / median)));
+    SpaceTime result = data;
+    result.times.resize(intervals + 1);
+    result.values.resize(result.times.size() * data.columns);
+    std::size_t first = 0;
+    for (std::size_t j = 0; j <= intervals; ++j) {
+        const double t = start + duration * static_cast<double>(j) / static_cast<double>(intervals);
+        while (first + 2 < data.rows() && data.times[first + 1] <= t) ++first;
+        result.times[j] = t;
+        for (std::size_t i = 0; i < data.columns; ++i) {
+            result.values[j * data.columns + i] = interpolate(data, i, first, t);
+        }
+    }
+    return result;
+}
+
+void require_wet(const SpaceTime& data, const char* purpose) {
+    for (std::size_t n = 0; n < data.values.size(); ++n) {
+        if (std::isnan(data.values[n])) {
+            throw InputError(fmt::format(
+                "{}: no surface at x = {:.6g} m, t = {:.6g} s ({:.2g} % of the points are dry); choose "
+                "columns and a "
+                "window that stay wet",
+                purpose, data.x(n % data.columns), data.times[n / data.columns], 100.0 * dry_share(data)));
+        }
+    }
+}
+
+void require_even_times(const SpaceTime& data, const char* purpose, double tolerance) {
+    if (data.rows() < 2) throw InputError(fmt::format("{}: at least two times are needed", purpose));
+    const double interval = (data.times.back() - data.times.front()) / static_cast<double>(data.rows() - 1);
+    for (std::size_t j = 0; j < data.rows(); ++j) {
+        const double even = data.times.front() + interval * static_cast<double>(j);
+        if (std::abs(data.times[j] - even) > tolerance * interval) {
+            throw InputError(
+                fmt::format("{}: time {:.6g} s stands where {:.6g} s would be even; resample first", purpose,
+                            data.times[j], even));
+        }
+    }
+}
+
+}  // namespace riffle
