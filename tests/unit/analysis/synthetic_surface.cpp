@@ -21,19 +21,31 @@ double spectrum_shape(const RandomSurface& s, double k) {
     return r / (2.0 * std::sqrt(pi)) * (half(k - peak) + half(k + peak));
 }
 
+/// Columns and times without values.
+SpaceTime frame_of(const SurfaceGrid& grid) {
+    SpaceTime data;
+    data.columns = grid.columns;
+    data.spacing = grid.spacing;
+    data.first_x = 0.5 * grid.spacing;
+    data.periodic = grid.periodic;
+    for (std::size_t j = 0; j < grid.rows; ++j) data.times.push_back(static_cast<double>(j) * grid.interval);
+    return data;
+}
+
+void add_noise(SpaceTime& data, double deviation, std::mt19937_64& generator) {
+    if (!(deviation > 0.0)) return;
+    std::normal_distribution<double> normal(0.0, deviation);
+    for (double& value : data.values) value += normal(generator);
+}
+
 }  // namespace
 
 SpaceTime synthetic_surface(const SurfaceGrid& grid, const RandomSurface& surface,
                             const std::function<double(double)>& omega, double fastest) {
     std::mt19937_64 generator(surface.seed);
     std::normal_distribution<double> normal;
-    SpaceTime data;
-    data.columns = grid.columns;
-    data.spacing = grid.spacing;
-    data.first_x = 0.5 * grid.spacing;
-    data.periodic = grid.periodic;
+    SpaceTime data = frame_of(grid);
     data.values.assign(grid.rows * grid.columns, surface.mean);
-    for (std::size_t j = 0; j < grid.rows; ++j) data.times.push_back(static_cast<double>(j) * grid.interval);
 
     const double duration = static_cast<double>(grid.rows) * grid.interval;
     const double reach = data.length() + fastest * duration;
@@ -55,13 +67,36 @@ SpaceTime synthetic_surface(const SurfaceGrid& grid, const RandomSurface& surfac
             }
         }
     }
-    if (surface.noise > 0.0) {
-        for (double& value : data.values) value += surface.noise * normal(generator);
-    }
+    add_noise(data, surface.noise, generator);
     return data;
 }
 
 SpaceTime travelling_surface(const SurfaceGrid& grid, const RandomSurface& surface, double celerity) {
+    // Where the surface moves by a simple fraction of the spacing per interval, one line holds all of it.
+    const double shift = celerity * grid.interval / grid.spacing;
+    for (int parts = 1; parts <= 8 && !grid.periodic && shift > 0.0; ++parts) {
+        const double steps = shift * parts;
+        if (std::abs(steps - std::round(steps)) > 1e-9) continue;
+        const auto m = static_cast<std::size_t>(parts);
+        const auto n = static_cast<std::size_t>(std::lround(steps));
+        SurfaceGrid line = grid;
+        line.spacing = grid.spacing / parts;
+        line.columns = (grid.rows - 1) * n + (grid.columns - 1) * m + 1;
+        line.rows = 1;
+        RandomSurface smooth = surface;
+        smooth.noise = 0.0;
+        const SpaceTime profile = synthetic_surface(
+            line, smooth, [](double) { return 0.0; }, 0.0);
+        SpaceTime data = frame_of(grid);
+        for (std::size_t j = 0; j < grid.rows; ++j) {
+            for (std::size_t i = 0; i < grid.columns; ++i) {
+                data.values.push_back(profile.values[(grid.rows - 1 - j) * n + i * m]);
+            }
+        }
+        std::mt19937_64 generator(surface.seed + 1000000);
+        add_noise(data, surface.noise, generator);
+        return data;
+    }
     return synthetic_surface(
         grid, surface, [celerity](double k) { return celerity * k; }, std::abs(celerity));
 }

@@ -1,0 +1,125 @@
+#include "analysis/celerity_ridge.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/error.hpp"
+#include "statistics/jackknife.hpp"
+
+namespace riffle {
+
+namespace {
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double usable_share = 0.8;  // of the highest wavenumber and frequency
+constexpr double smallest_energy = 0.01;
+constexpr std::ptrdiff_t lobe = 2;  // half width of the Hann window's main lobe, steps
+
+/// Density at wavenumber k > 0 (column i, its negative at column `opposite`) over signed frequencies,
+/// ascending.
+std::vector<double> over_signed_frequency(const WaveSpectrum& s, std::size_t i, std::size_t opposite) {
+    std::vector<double> result;
+    for (std::size_t m = s.frequency.size(); m-- > 1;) result.push_back(s.at(m, opposite));
+    // At zero frequency the two directions share one value.
+    for (std::size_t m = 0; m < s.frequency.size(); ++m) {
+        result.push_back(m == 0 ? s.at(0, i) + s.at(0, opposite) : s.at(m, i));
+    }
+    return result;
+}
+
+double median(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+/// Energy-weighted mean frequency over mean wavenumber. The taper of a line that is not periodic spreads each
+/// wave over some wavenumbers about its own: a regression of frequency on wavenumber would lose slope by it.
+double ratio_of_means(const std::vector<RidgePoint>& ridge) {
+    double frequency = 0.0;
+    double wavenumber = 0.0;
+    for (const RidgePoint& p : ridge) {
+        frequency += p.energy * p.frequency;
+        wavenumber += p.energy * p.wavenumber;
+    }
+    return wavenumber > 0.0 ? frequency / wavenumber : not_a_number;
+}
+
+}  // namespace
+
+std::vector<RidgePoint> spectral_ridge(const WaveSpectrum& spectrum, double smallest_contrast) {
+    std::vector<RidgePoint> ridge;
+    const double highest_frequency = spectrum.frequency.back();
+    const double highest_wavenumber = spectrum.wavenumber.back();
+    const auto zero = static_cast<std::size_t>(
+        std::lower_bound(spectrum.wavenumber.begin(), spectrum.wavenumber.end(), -1e-9 * highest_wavenumber) -
+        spectrum.wavenumber.begin());
+    for (std::size_t order = 1; zero + order < spectrum.wavenumber.size() && order <= zero; ++order) {
+        const double k = spectrum.wavenumber[zero + order];
+        if (k > usable_share * highest_wavenumber) break;
+        const std::vector<double> density = over_signed_frequency(spectrum, zero + order, zero - order);
+        const auto n = static_cast<std::ptrdiff_t>(density.size());
+        const std::ptrdiff_t peak = std::max_element(density.begin(), density.end()) - density.begin();
+        const double floor = median(density);
+        if (!(density[static_cast<std::size_t>(peak)] > smallest_contrast * floor)) continue;
+        double sum = 0.0;
+        double moment = 0.0;
+        for (std::ptrdiff_t m = std::max<std::ptrdiff_t>(0, peak - lobe); m <= std::min(n - 1, peak + lobe);
+             ++m) {
+            const double excess = std::max(0.0, density[static_cast<std::size_t>(m)] - floor);
+            sum += excess;
+            moment += excess * static_cast<double>(m - n / 2) * spectrum.frequency_step;
+        }
+        ridge.push_back({k, moment / sum, sum * spectrum.wavenumber_step * spectrum.frequency_step});
+    }
+    double largest = 0.0;
+    for (const RidgePoint& p : ridge) largest = std::max(largest, p.energy);
+    std::erase_if(ridge, [largest](const RidgePoint& p) { return p.energy < smallest_energy * largest; });
+    const auto aliased = std::find_if(ridge.begin(), ridge.end(), [&](const RidgePoint& p) {
+        return std::abs(p.frequency) > usable_share * highest_frequency;
+    });
+    ridge.erase(aliased, ridge.end());
+    return ridge;
+}
+
+RidgeCelerity ridge_celerity(const SpaceTime& fluctuation, std::size_t blocks) {
+    const std::size_t rows = fluctuation.rows();
+    if (blocks < 2 || rows / blocks < 8) {
+        throw InputError(
+            fmt::format("celerity of the ridge: {} times in {} blocks; at least two blocks of 8 are needed",
+                        rows, blocks));
+    }
+    const std::size_t segment = rows / blocks;
+    std::vector<double> densities;
+    RidgeCelerity result;
+    for (std::size_t b = 0; b < blocks; ++b) {
+        result.spectrum =
+            wave_spectrum(rows_of(fluctuation, b * (rows - segment) / (blocks - 1), segment), segment);
+        densities.insert(densities.end(), result.spectrum.density.begin(), result.spectrum.density.end());
+    }
+    const std::size_t width = result.spectrum.density.size();
+    std::vector<double> without;
+    for (std::size_t b = 0; b < blocks; ++b) {
+        result.spectrum.density = mean_without(densities, width, b);
+        without.push_back(ratio_of_means(spectral_ridge(result.spectrum)));
+    }
+    result.spectrum.density = mean_without(densities, width, blocks);
+    result.spectrum.segments = blocks;
+    result.ridge = spectral_ridge(result.spectrum);
+    result.celerity = {ratio_of_means(result.ridge), jackknife_half_width(without)};
+    double energy = 0.0;
+    double sum = 0.0;
+    for (const RidgePoint& p : result.ridge) {
+        const double off = p.frequency / p.wavenumber - result.celerity.value;
+        sum += p.energy * off * off;
+        energy += p.energy;
+        result.largest_wavenumber = p.wavenumber;
+    }
+    result.deviation = energy > 0.0 ? std::sqrt(sum / energy) : not_a_number;
+    return result;
+}
+
+}  // namespace riffle

@@ -1,0 +1,142 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+
+#include "analysis/celerity_ridge.hpp"
+#include "analysis/celerity_tracking.hpp"
+#include "analysis/gravity_capillary_waves.hpp"
+#include "base/error.hpp"
+#include "synthetic_surface.hpp"
+
+namespace riffle {
+namespace {
+
+// Bands: 95 % intervals in 100 trials scatter by 2.2 %: 88.5-100 % is three standard deviations.
+constexpr int trials = 100;
+constexpr int least_covered = 89;
+constexpr double celerity = 0.3;
+
+/// New patterns pass all the time; a crest moves by half a spacing per interval.
+SpaceTime open_line(std::uint64_t seed, double noise) {
+    return travelling_surface({.columns = 40, .spacing = 0.01, .rows = 1200, .interval = 1.0 / 60.0},
+                              {.period = 0.12, .correlation_radius = 0.09, .noise = noise, .seed = seed},
+                              celerity);
+}
+
+/// What trials found.
+struct Found {
+    int covered = 0;
+    double mean = 0, width = 0;
+
+    void add(const Estimate& e) {
+        covered += std::abs(e.value - celerity) <= e.half_width ? 1 : 0;
+        mean += e.value / trials;
+        width += e.half_width / trials;
+    }
+    void check(const char* name, double relative_bias) const {
+        std::printf("%s: covered %d %%, mean %.5f, half-width %.5f m/s\n", name, covered * 100 / trials, mean,
+                    width);
+        EXPECT_NEAR(mean, celerity, relative_bias * celerity) << name;
+    }
+};
+
+TEST(CrestTracking, FollowsATravellingSurface) {
+    Found found;
+    for (std::uint64_t seed = 1; seed <= trials; ++seed) {
+        found.add(track_crests(open_line(seed, 0.0), {.expected_celerity = 0.25}).celerity);
+    }
+    // The parabola through three points shifts a crest of 12 spacings' wavelength by less than 0.3 % of it.
+    found.check("crests", 0.003);
+}
+
+TEST(CrestTracking, FollowsATravellingSurfaceUnderNoise) {
+    Found found;
+    for (std::uint64_t seed = 1; seed <= trials; ++seed) {
+        found.add(
+            track_crests(open_line(seed, 2e-4), {.expected_celerity = 0.28, .smoothing = 0.02}).celerity);
+    }
+    found.check("crests under noise", 0.01);
+}
+
+TEST(CrestTracking, FollowsPatternsAroundAPeriodicChannel) {
+    const SpaceTime surface = travelling_surface(
+        {.columns = 40, .spacing = 0.01, .periodic = true, .rows = 600, .interval = 1.0 / 60.0},
+        {.period = 0.1, .correlation_radius = 0.2}, celerity);
+    const CrestCelerity found = track_crests(surface, {.expected_celerity = 0.28});
+    EXPECT_NEAR(found.celerity.value, celerity, 0.003);
+    ASSERT_FALSE(found.tracks.empty());
+    // 10 s of 0.3 m/s: around the 0.4 m seven times.
+    double longest = 0;
+    for (const CrestTrack& t : found.tracks)
+        longest = std::max(longest, t.positions.back() - t.positions.front());
+    EXPECT_GT(longest, 1.0);
+}
+
+TEST(CrestTracking, UpstreamIsNegative) {
+    const SpaceTime surface =
+        travelling_surface({.columns = 60, .spacing = 0.01, .rows = 600, .interval = 1.0 / 60.0},
+                           {.period = 0.12, .correlation_radius = 0.09}, -0.2);
+    EXPECT_NEAR(track_crests(surface, {.expected_celerity = -0.15}).celerity.value, -0.2, 0.003);
+}
+
+TEST(CrestTracking, WithoutCrestsThereIsNoCelerity) {
+    SpaceTime flat = open_line(1, 0.0);
+    for (double& v : flat.values) v = 0.0;
+    const CrestCelerity found = track_crests(flat, {.expected_celerity = 0.3});
+    EXPECT_TRUE(std::isnan(found.celerity.value));
+    EXPECT_TRUE(std::isinf(found.celerity.half_width));
+    EXPECT_THROW((void)track_crests(rows_of(flat, 0, 20), {}), InputError);
+}
+
+TEST(RidgeCelerity, OfATravellingSurface) {
+    Found clean, noisy;
+    for (std::uint64_t seed = 1; seed <= trials; ++seed) {
+        clean.add(ridge_celerity(open_line(seed, 0.0)).celerity);
+        noisy.add(ridge_celerity(open_line(seed, 5e-4)).celerity);
+    }
+    clean.check("ridge", 0.01);
+    noisy.check("ridge under noise", 0.01);
+}
+
+TEST(RidgeCelerity, StopsBeforeTheAliases) {
+    // At 10 Hz patterns of less than 6 cm are beyond the sampling.
+    const SpaceTime surface =
+        travelling_surface({.columns = 40, .spacing = 0.01, .rows = 3000, .interval = 0.1},
+                           {.period = 0.12, .correlation_radius = 0.03}, celerity);
+    const RidgeCelerity found = ridge_celerity(surface);
+    EXPECT_LE(found.largest_wavenumber,
+              0.8 * found.spectrum.frequency.back() / celerity + found.spectrum.wavenumber_step);
+    EXPECT_NEAR(found.celerity.value, celerity, 0.02 * celerity);
+}
+
+TEST(RidgeCelerity, OfGravityWavesIsTheirPhaseSpeed) {
+    const GravityCapillaryWaves law{.depth = 0.05, .velocity = 0.3};
+    for (const bool downstream : {true, false}) {
+        const auto omega = [&](double k) {
+            return downstream ? law.downstream_frequency(k) : law.upstream_frequency(k);
+        };
+        const SurfaceGrid grid{
+            .columns = 100, .spacing = 0.01, .periodic = true, .rows = 3000, .interval = 0.02};
+        const RidgeCelerity found =
+            ridge_celerity(synthetic_surface(grid, {.period = 0.15, .correlation_radius = 0.3}, omega, 1.0));
+        // Waves of 0.12-0.2 m about the mean one.
+        EXPECT_NEAR(found.celerity.value, omega(41.9) / 41.9, 0.01);
+        EXPECT_EQ(found.celerity.value > 0.0, downstream);
+        for (const RidgePoint& p : found.ridge) {
+            EXPECT_NEAR(p.frequency, omega(p.wavenumber), 0.5 * found.spectrum.frequency_step);
+        }
+    }
+}
+
+TEST(RidgeCelerity, OfNoiseIsNotDetermined) {
+    SpaceTime noise =
+        travelling_surface({.columns = 40, .rows = 4000}, {.deviation = 0.0, .noise = 1e-3}, 0.3);
+    const RidgeCelerity found = ridge_celerity(noise, 20);
+    EXPECT_TRUE(std::isnan(found.celerity.value) ||
+                !(found.celerity.half_width < std::abs(found.celerity.value)));
+    EXPECT_THROW((void)ridge_celerity(rows_of(noise, 0, 30), 10), InputError);
+}
+
+}  // namespace
+}  // namespace riffle
