@@ -16,7 +16,7 @@ namespace {
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double usable_share = 0.8;  // of the highest wavenumber and frequency
 constexpr double smallest_energy = 0.01;
-constexpr std::ptrdiff_t lobe = 2;  // half width of the Hann window's main lobe, steps
+constexpr std::size_t hann_lobe = 2;  // half width of its main lobe, steps
 
 /// Density at wavenumber k > 0 (column i, its negative at column `opposite`) over signed frequencies,
 /// ascending.
@@ -50,7 +50,9 @@ double ratio_of_means(const std::vector<RidgePoint>& ridge) {
 
 }  // namespace
 
-std::vector<RidgePoint> spectral_ridge(const WaveSpectrum& spectrum, double smallest_contrast) {
+std::vector<RidgePoint> spectral_ridge(const WaveSpectrum& spectrum, std::size_t lobe,
+                                       double smallest_contrast) {
+    const auto reach = static_cast<std::ptrdiff_t>(lobe);
     std::vector<RidgePoint> ridge;
     const double highest_frequency = spectrum.frequency.back();
     const double highest_wavenumber = spectrum.wavenumber.back();
@@ -67,7 +69,7 @@ std::vector<RidgePoint> spectral_ridge(const WaveSpectrum& spectrum, double smal
         if (!(density[static_cast<std::size_t>(peak)] > smallest_contrast * floor)) continue;
         double sum = 0.0;
         double moment = 0.0;
-        for (std::ptrdiff_t m = std::max<std::ptrdiff_t>(0, peak - lobe); m <= std::min(n - 1, peak + lobe);
+        for (std::ptrdiff_t m = std::max<std::ptrdiff_t>(0, peak - reach); m <= std::min(n - 1, peak + reach);
              ++m) {
             const double excess = std::max(0.0, density[static_cast<std::size_t>(m)] - floor);
             sum += excess;
@@ -101,14 +103,25 @@ RidgeCelerity ridge_celerity(const SpaceTime& fluctuation, std::size_t blocks) {
         densities.insert(densities.end(), result.spectrum.density.begin(), result.spectrum.density.end());
     }
     const std::size_t width = result.spectrum.density.size();
-    std::vector<double> without;
-    for (std::size_t b = 0; b < blocks; ++b) {
-        result.spectrum.density = mean_without(densities, width, b);
-        without.push_back(ratio_of_means(spectral_ridge(result.spectrum)));
-    }
     result.spectrum.density = mean_without(densities, width, blocks);
     result.spectrum.segments = blocks;
-    result.ridge = spectral_ridge(result.spectrum);
+    std::size_t lobe = hann_lobe;
+    if (!fluctuation.periodic) {
+        // The taper along the line spreads each wave over its lobe in wavenumber, and so over this in
+        // frequency.
+        const double first = std::abs(ratio_of_means(spectral_ridge(result.spectrum, lobe)));
+        const double steps =
+            hann_lobe * result.spectrum.wavenumber_step * first / result.spectrum.frequency_step;
+        const auto most = static_cast<double>(result.spectrum.frequency.size());
+        if (steps > hann_lobe) lobe = static_cast<std::size_t>(std::ceil(std::min(steps, most)));
+    }
+    result.ridge = spectral_ridge(result.spectrum, lobe);
+    std::vector<double> without;
+    WaveSpectrum rest = result.spectrum;
+    for (std::size_t b = 0; b < blocks; ++b) {
+        rest.density = mean_without(densities, width, b);
+        without.push_back(ratio_of_means(spectral_ridge(rest, lobe)));
+    }
     result.celerity = {ratio_of_means(result.ridge), jackknife_half_width(without)};
     double energy = 0.0;
     double sum = 0.0;

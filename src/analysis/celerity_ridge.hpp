@@ -28,11 +28,11 @@ struct RidgeCelerity {
 };
 
 /// The ridge of a spectrum: for each k > 0 the largest value over both directions, its frequency the centroid
-/// of the lobe around (two steps to each side) above the floor, the median over frequencies. Wavenumbers
+/// of the lobe around (`lobe` steps to each side) above the floor, the median over frequencies. Wavenumbers
 /// count where the peak is at least `smallest_contrast` times the floor and holds 1 % of the energy of the
 /// largest, from the lowest up to where the ridge comes near the highest frequency or the highest wavenumber
 /// (80 % of each), beyond which its aliases begin.
-[[nodiscard]] std::vector<RidgePoint> spectral_ridge(const WaveSpectrum& spectrum,
+[[nodiscard]] std::vector<RidgePoint> spectral_ridge(const WaveSpectrum& spectrum, std::size_t lobe = 2,
                                                      double smallest_contrast = 8.0);
 
 /// Celerity from the ridge of wave_spectrum(), the record cut into `blocks` whose segments are the blocks. It

@@ -47,8 +47,8 @@ std::vector<double> smoothed(const SpaceTime& data, std::size_t j, double deviat
     return result;
 }
 
-/// Positions of the local maxima above a height, by the parabola through three points; m. None within `margin`
-/// columns of the ends of a line, where the smoothing sees one side only and would shift them.
+/// Positions of the local maxima above a height, by the parabola through three points; m. None within
+/// `margin` columns of the ends of a line, where the smoothing sees one side only and would shift them.
 std::vector<double> crests(const SpaceTime& data, const std::vector<double>& row, double height,
                            std::size_t margin) {
     const std::size_t n = row.size();
@@ -181,8 +181,8 @@ CrestCelerity track_crests(const SpaceTime& fluctuation, const CrestOptions& opt
     std::size_t count = 0;
     for (std::size_t j = 0; j < smooth.rows(); ++j) {
         const std::span<const double> row = smooth.row(j);
-        found.push_back(crests(smooth, {row.begin(), row.end()}, height,
-                               smoothing_reach(smooth, options.smoothing)));
+        found.push_back(
+            crests(smooth, {row.begin(), row.end()}, height, smoothing_reach(smooth, options.smoothing)));
         count += found.back().size();
     }
     const double mean_distance = fluctuation.length() * static_cast<double>(fluctuation.rows()) /

@@ -1,0 +1,203 @@
+#include "analysis/celerity_correlation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+
+#include "base/error.hpp"
+#include "base/parallel.hpp"
+#include "statistics/jackknife.hpp"
+#include "statistics/lagged_products.hpp"
+#include "statistics/peak.hpp"
+
+namespace riffle {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+/// Normalised cross-correlations of all distances, distance after distance, each over the lags.
+struct Correlations {
+    std::vector<std::size_t> columns;  ///< apart; the first is 0
+    std::size_t lags = 0;              ///< to each side
+    double interval = 0.0;             ///< s
+    double spacing = 0.0;              ///< m
+    std::vector<double> values;
+
+    [[nodiscard]] std::size_t width() const { return 2 * lags + 1; }
+    [[nodiscard]] std::span<const double> of(std::size_t d) const {
+        return std::span(values).subspan(d * width(), width());
+    }
+    [[nodiscard]] double distance(std::size_t d) const { return static_cast<double>(columns[d]) * spacing; }
+};
+
+/// Records of the columns within some rows.
+std::vector<std::vector<double>> records_of(const SpaceTime& data, std::size_t begin, std::size_t end) {
+    std::vector<std::vector<double>> records(data.columns);
+    for (std::size_t i = 0; i < data.columns; ++i) {
+        for (std::size_t j = begin; j < end; ++j) {
+            records[i].push_back(data.at(j, i));
+        }
+    }
+    return records;
+}
+
+/// Mean products over the pairs of columns of a block, unbiased in the lag.
+std::vector<double> block_products(const SpaceTime& data, const Correlations& shape, std::size_t begin,
+                                   std::size_t end) {
+    const std::vector<std::vector<double>> records = records_of(data, begin, end);
+    const auto n = static_cast<double>(end - begin);
+    std::vector<double> result;
+    for (const std::size_t apart : shape.columns) {
+        const std::size_t pairs = data.periodic ? data.columns : data.columns - apart;
+        std::vector<double> sum(shape.width(), 0.0);
+        for (std::size_t i = 0; i < pairs; ++i) {
+            const std::vector<double> products =
+                lagged_products(records[i], records[(i + apart) % data.columns], shape.lags);
+            for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += products[k];
+        }
+        for (std::size_t k = 0; k < sum.size(); ++k) {
+            const double lag = std::abs(static_cast<double>(k) - static_cast<double>(shape.lags));
+            result.push_back(sum[k] / static_cast<double>(pairs) / (n - lag));
+        }
+    }
+    return result;
+}
+
+/// Half the time between a record's own maximum at lag zero and its first minimum; the lags where there is none.
+double oscillation(const Correlations& c) {
+    const std::span<const double> own = c.of(0);
+    for (std::size_t k = c.lags + 1; k + 1 < own.size(); ++k) {
+        if (own[k] <= own[k - 1] && own[k] < own[k + 1]) return static_cast<double>(k - c.lags);
+    }
+    return static_cast<double>(c.lags);
+}
+
+struct Extreme {
+    double lag = not_a_number;  ///< in intervals
+    double correlation = 0.0;
+};
+
+/// The largest |R| that is a local extreme within `reach` of the expected lag.
+Extreme extreme_near(std::span<const double> r, double expected, double reach) {
+    const auto middle = static_cast<double>(r.size() / 2);
+    Extreme best;
+    for (std::size_t k = 1; k + 1 < r.size(); ++k) {
+        if (std::abs(static_cast<double>(k) - middle - expected) > reach) continue;
+        const double size = std::abs(r[k]);
+        const double sign = r[k] < 0.0 ? -1.0 : 1.0;
+        if (size < sign * r[k - 1] || size < sign * r[k + 1] || size <= std::abs(best.correlation)) continue;
+        const ParabolaExtreme p = parabola_extreme(r[k - 1], r[k], r[k + 1]);
+        best = {static_cast<double>(k) - middle + p.offset, p.value};
+    }
+    return best;
+}
+
+struct Line {
+    double celerity = not_a_number;
+    std::vector<Extreme> extremes;  ///< of the distances that were found
+};
+
+/// Follow the extreme from the shortest distance on, and fit the line through the origin: lag = distance/celerity.
+Line follow(const Correlations& c, double smallest_correlation) {
+    Line line;
+    const double step = oscillation(c);
+    double moment = 0.0;
+    double spread = 0.0;
+    for (std::size_t d = 1; d < c.columns.size(); ++d) {
+        const double slowness = spread > 0.0 ? moment / spread : 0.0;
+        // Nothing is known of the first: it may be up to the half oscillation away.
+        const Extreme e = extreme_near(c.of(d), slowness * c.distance(d), d == 1 ? step : 0.67 * step);
+        if (!(std::abs(e.correlation) >= smallest_correlation)) break;
+        const double weight = e.correlation * e.correlation;
+        moment += weight * c.distance(d) * e.lag;
+        spread += weight * c.distance(d) * c.distance(d);
+        line.extremes.push_back(e);
+    }
+    if (moment != 0.0) line.celerity = spread / (moment * c.interval);
+    return line;
+}
+
+/// The products of distance 0 at lag 0 are the variance.
+std::vector<double> normalised(std::vector<double> products, std::size_t lags) {
+    const double variance = products[lags];
+    for (double& v : products) v /= variance;
+    return products;
+}
+
+std::vector<std::size_t> columns_apart(const SpaceTime& data, const StationOptions& options) {
+    const double wanted = options.largest_distance > 0.0 ? options.largest_distance : 0.5 * data.length();
+    const std::size_t most = data.periodic ? data.columns / 2 : data.columns - 1;
+    const auto largest = std::min(static_cast<std::size_t>(wanted / data.spacing + 1e-6), most);
+    std::vector<std::size_t> result = {0};
+    const std::size_t count = std::min(options.distances, largest);
+    for (std::size_t d = 1; d <= count; ++d) result.push_back(d * largest / count);
+    return result;
+}
+
+}  // namespace
+
+StationCelerity station_celerity(const SpaceTime& fluctuation, const StationOptions& options) {
+    const std::size_t rows = fluctuation.rows();
+    if (options.blocks < 2 || rows / options.blocks < 16) {
+        throw InputError(fmt::format("celerity of stations: {} times in {} blocks; at least two blocks of 16 are needed",
+                                     rows, options.blocks));
+    }
+    require_wet(fluctuation, "celerity of stations");
+    require_even_times(fluctuation, "celerity of stations", 0.5);
+    Correlations c;
+    c.columns = columns_apart(fluctuation, options);
+    c.spacing = fluctuation.spacing;
+    c.interval = (fluctuation.times.back() - fluctuation.times.front()) / static_cast<double>(rows - 1);
+    c.lags = rows / options.blocks / 4;
+    if (options.largest_lag > 0.0) {
+        c.lags = std::clamp<std::size_t>(static_cast<std::size_t>(options.largest_lag / c.interval), 2,
+                                         rows / options.blocks / 2);
+    }
+    const std::size_t width = c.columns.size() * c.width();
+    std::vector<double> blocks(options.blocks * width);
+    parallel_blocks(options.blocks, 1, [&](std::size_t b, std::size_t) {
+        const std::vector<double> products =
+            block_products(fluctuation, c, b * rows / options.blocks, (b + 1) * rows / options.blocks);
+        std::copy(products.begin(), products.end(), blocks.begin() + static_cast<std::ptrdiff_t>(b * width));
+    });
+
+    std::vector<double> without;
+    std::vector<std::vector<double>> lags_without(c.columns.size());
+    for (std::size_t b = 0; b < options.blocks; ++b) {
+        c.values = normalised(mean_without(blocks, width, b), c.lags);
+        const Line line = follow(c, options.smallest_correlation);
+        without.push_back(line.celerity);
+        for (std::size_t d = 1; d < c.columns.size(); ++d) {
+            lags_without[d].push_back(d <= line.extremes.size() ? line.extremes[d - 1].lag * c.interval : not_a_number);
+        }
+    }
+    c.values = normalised(mean_without(blocks, width, options.blocks), c.lags);
+    const Line line = follow(c, options.smallest_correlation);
+
+    StationCelerity result;
+    result.celerity = {line.celerity, jackknife_half_width(without)};
+    result.used = line.extremes.size();
+    for (std::size_t d = 0; d < c.columns.size(); ++d) {
+        StationCorrelation s;
+        s.distance = c.distance(d);
+        s.correlation.assign(c.of(d).begin(), c.of(d).end());
+        for (std::size_t k = 0; k < c.width(); ++k) {
+            s.lag.push_back((static_cast<double>(k) - static_cast<double>(c.lags)) * c.interval);
+        }
+        s.extreme_lag = {d == 0 ? 0.0 : not_a_number, d == 0 ? 0.0 : infinity};
+        s.extreme_correlation = d == 0 ? 1.0 : not_a_number;
+        if (d > 0 && d <= line.extremes.size()) {
+            s.extreme_lag = {line.extremes[d - 1].lag * c.interval, jackknife_half_width(lags_without[d])};
+            s.extreme_correlation = line.extremes[d - 1].correlation;
+        }
+        result.stations.push_back(std::move(s));
+    }
+    return result;
+}
+
+}  // namespace riffle
