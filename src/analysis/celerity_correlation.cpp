@@ -9,8 +9,8 @@
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
+#include "statistics/fourier.hpp"
 #include "statistics/jackknife.hpp"
-#include "statistics/lagged_products.hpp"
 #include "statistics/peak.hpp"
 
 namespace riffle {
@@ -35,44 +35,45 @@ struct Correlations {
     [[nodiscard]] double distance(std::size_t d) const { return static_cast<double>(columns[d]) * spacing; }
 };
 
-/// Records of the columns within some rows.
-std::vector<std::vector<double>> records_of(const SpaceTime& data, std::size_t begin, std::size_t end) {
-    std::vector<std::vector<double>> records(data.columns);
-    for (std::size_t i = 0; i < data.columns; ++i) {
-        for (std::size_t j = begin; j < end; ++j) {
-            records[i].push_back(data.at(j, i));
-        }
-    }
-    return records;
-}
-
-/// Mean products over the pairs of columns of a block, unbiased in the lag.
+/// Mean products over the pairs of columns of a block, unbiased in the lag. Through the transforms of the
+/// columns' records, padded with zeros: their products are summed over the pairs before going back.
 std::vector<double> block_products(const SpaceTime& data, const Correlations& shape, std::size_t begin,
                                    std::size_t end) {
-    const std::vector<std::vector<double>> records = records_of(data, begin, end);
-    const auto n = static_cast<double>(end - begin);
+    const std::size_t n = end - begin;
+    const FourierTransform transform(fast_length(n + shape.lags + 1));
+    std::vector<std::vector<Complex>> spectra(data.columns);
+    std::vector<double> record(transform.length(), 0.0);
+    for (std::size_t i = 0; i < data.columns; ++i) {
+        for (std::size_t j = 0; j < n; ++j) record[j] = data.at(begin + j, i);
+        spectra[i] = transform.forward_real(record);
+    }
     std::vector<double> result;
     for (const std::size_t apart : shape.columns) {
         const std::size_t pairs = data.periodic ? data.columns : data.columns - apart;
-        std::vector<double> sum(shape.width(), 0.0);
+        std::vector<Complex> sum(spectra.front().size());
         for (std::size_t i = 0; i < pairs; ++i) {
-            const std::vector<double> products =
-                lagged_products(records[i], records[(i + apart) % data.columns], shape.lags);
-            for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += products[k];
+            const std::vector<Complex>& a = spectra[i];
+            const std::vector<Complex>& b = spectra[(i + apart) % data.columns];
+            for (std::size_t m = 0; m < sum.size(); ++m) sum[m] += std::conj(a[m]) * b[m];
         }
-        for (std::size_t k = 0; k < sum.size(); ++k) {
-            const double lag = std::abs(static_cast<double>(k) - static_cast<double>(shape.lags));
-            result.push_back(sum[k] / static_cast<double>(pairs) / (n - lag));
+        const std::vector<double> products = transform.inverse_real(sum);
+        for (std::size_t k = 0; k < shape.width(); ++k) {
+            // Negative lags stand at the end of the transform.
+            const bool negative = k < shape.lags;
+            const std::size_t lag = negative ? shape.lags - k : k - shape.lags;
+            const double value = products[negative ? products.size() - lag : lag];
+            result.push_back(value / static_cast<double>(pairs) / static_cast<double>(n - lag));
         }
     }
     return result;
 }
 
-/// Half the time between a record's own maximum at lag zero and its first minimum; the lags where there is none.
+/// About half the period of a record's own oscillation: twice the lag at which its correlation first falls
+/// below zero, at most the lags.
 double oscillation(const Correlations& c) {
     const std::span<const double> own = c.of(0);
-    for (std::size_t k = c.lags + 1; k + 1 < own.size(); ++k) {
-        if (own[k] <= own[k - 1] && own[k] < own[k + 1]) return static_cast<double>(k - c.lags);
+    for (std::size_t k = c.lags; k < own.size(); ++k) {
+        if (own[k] < 0.0) return std::min(2.0 * static_cast<double>(k - c.lags), static_cast<double>(c.lags));
     }
     return static_cast<double>(c.lags);
 }
@@ -102,7 +103,8 @@ struct Line {
     std::vector<Extreme> extremes;  ///< of the distances that were found
 };
 
-/// Follow the extreme from the shortest distance on, and fit the line through the origin: lag = distance/celerity.
+/// Follow the extreme from the shortest distance on, and fit the line through the origin: lag =
+/// distance/celerity.
 Line follow(const Correlations& c, double smallest_correlation) {
     Line line;
     const double step = oscillation(c);
@@ -144,8 +146,9 @@ std::vector<std::size_t> columns_apart(const SpaceTime& data, const StationOptio
 StationCelerity station_celerity(const SpaceTime& fluctuation, const StationOptions& options) {
     const std::size_t rows = fluctuation.rows();
     if (options.blocks < 2 || rows / options.blocks < 16) {
-        throw InputError(fmt::format("celerity of stations: {} times in {} blocks; at least two blocks of 16 are needed",
-                                     rows, options.blocks));
+        throw InputError(
+            fmt::format("celerity of stations: {} times in {} blocks; at least two blocks of 16 are needed",
+                        rows, options.blocks));
     }
     require_wet(fluctuation, "celerity of stations");
     require_even_times(fluctuation, "celerity of stations", 0.5);
@@ -153,10 +156,10 @@ StationCelerity station_celerity(const SpaceTime& fluctuation, const StationOpti
     c.columns = columns_apart(fluctuation, options);
     c.spacing = fluctuation.spacing;
     c.interval = (fluctuation.times.back() - fluctuation.times.front()) / static_cast<double>(rows - 1);
-    c.lags = rows / options.blocks / 4;
+    c.lags = rows / options.blocks / 2;
     if (options.largest_lag > 0.0) {
-        c.lags = std::clamp<std::size_t>(static_cast<std::size_t>(options.largest_lag / c.interval), 2,
-                                         rows / options.blocks / 2);
+        c.lags =
+            std::clamp<std::size_t>(static_cast<std::size_t>(options.largest_lag / c.interval), 2, c.lags);
     }
     const std::size_t width = c.columns.size() * c.width();
     std::vector<double> blocks(options.blocks * width);
@@ -173,7 +176,8 @@ StationCelerity station_celerity(const SpaceTime& fluctuation, const StationOpti
         const Line line = follow(c, options.smallest_correlation);
         without.push_back(line.celerity);
         for (std::size_t d = 1; d < c.columns.size(); ++d) {
-            lags_without[d].push_back(d <= line.extremes.size() ? line.extremes[d - 1].lag * c.interval : not_a_number);
+            lags_without[d].push_back(d <= line.extremes.size() ? line.extremes[d - 1].lag * c.interval
+                                                                : not_a_number);
         }
     }
     c.values = normalised(mean_without(blocks, width, options.blocks), c.lags);

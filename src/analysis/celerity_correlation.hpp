@@ -10,12 +10,12 @@
 namespace riffle {
 
 /// Temporal cross-correlation between stations a distance apart (thesis 4.7), its mean over all pairs of
-/// columns at that distance: R(t_l) = <h'_m(t) h'_n(t + t_l)> / <h'^2>, n downstream of m, the variance that of the
-/// whole line.
+/// columns at that distance: R(t_l) = <h'_m(t) h'_n(t + t_l)> / <h'^2>, n downstream of m, the variance that
+/// of the whole line.
 struct StationCorrelation {
     double distance = 0.0;            ///< m
     std::vector<double> lag;          ///< s, from the most negative
-    std::vector<double> correlation;  ///< R
+    std::vector<double> correlation;  ///< R; unbiased in the lag, so beyond 1 by chance
     /// The extreme that belongs to the passing patterns; not-a-number with an infinite interval where none is
     /// found.
     Estimate extreme_lag;              ///< s
@@ -26,7 +26,7 @@ struct StationCorrelation {
 struct StationOptions {
     double largest_distance = 0.0;  ///< m; 0: half of the line
     std::size_t distances = 12;     ///< at most so many, evenly spread
-    double largest_lag = 0.0;       ///< s; 0: a quarter of a block
+    double largest_lag = 0.0;       ///< s; 0, and at most: half of a block
     /// The sequence ends where |R| of the extreme falls below this.
     double smallest_correlation = 0.3;
     std::size_t blocks = 10;  ///< of time, for the interval
@@ -49,6 +49,7 @@ struct StationCelerity {
 /// patterns (aliases) are not mistaken for it as long as the first distance is short beside them. Around a
 /// periodic channel a pattern also arrives after length/celerity: distances end at half the length.
 /// `fluctuation`: mean zero, even times. Throws InputError for dry points or blocks of less than 16 times.
-[[nodiscard]] StationCelerity station_celerity(const SpaceTime& fluctuation, const StationOptions& options = {});
+[[nodiscard]] StationCelerity station_celerity(const SpaceTime& fluctuation,
+                                               const StationOptions& options = {});
 
 }  // namespace riffle

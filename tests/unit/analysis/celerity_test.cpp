@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 
 #include "analysis/celerity_correlation.hpp"
 #include "analysis/celerity_ridge.hpp"
@@ -100,7 +102,7 @@ TEST(StationCelerity, OfATravellingSurface) {
         noisy.add(station_celerity(open_line(seed, 5e-4)).celerity);
     }
     // The parabola through three lags of 1/24 of the pattern's period.
-    clean.check("stations", 0.003, 0);
+    clean.check("stations", 0.003, least_covered);
     noisy.check("stations under noise", 0.003, least_covered);
 }
 
@@ -112,38 +114,46 @@ TEST(StationCelerity, LagsOfTheExtremesFollowTheDistance) {
     for (const StationCorrelation& s : found.stations) {
         // 4 mm are 1 % of the line and a tenth of the pattern.
         EXPECT_NEAR(s.extreme_lag.value * celerity, s.distance, 0.004) << s.distance;
-        // Noise of 0.3 of the deviation leaves 1/(1 + 0.09) of the correlation.
+        // Noise of 0.3 of the deviation leaves 1/(1 + 0.09) of the correlation. The variance of two thirds of
+        // the 6 m of surface, one sample in 0.06 m, scatters by 18 % beside that of all of it, which it is
+        // part of.
         if (s.distance > 0.0) {
-            EXPECT_NEAR(s.extreme_correlation, 1.0 / 1.09, 0.1);
+            EXPECT_NEAR(s.extreme_correlation, 1.0 / 1.09, 0.3);
         }
     }
 }
 
 TEST(StationCelerity, PatternsThatChangeSignAreFollowed) {
-    // Two waves of one frequency whose patterns turn into their negative on the way (Horoshenkov's oscillons).
+    // Every pattern turns into its negative while it travels 0.12 m: the extreme there is a minimum.
     SpaceTime surface = open_line(5, 0.0);
+    const SpaceTime other = open_line(6, 0.0);
     for (std::size_t j = 0; j < surface.rows(); ++j) {
+        const double phase = std::numbers::pi * surface.times[j] * celerity / 0.12;
         for (std::size_t i = 0; i < surface.columns; ++i) {
-            surface.row(j)[i] *= std::cos(2.0 * 3.14159265358979 * (surface.times[j] * celerity + surface.x(i)) / 0.5);
+            surface.row(j)[i] = surface.at(j, i) * std::cos(phase) + other.at(j, i) * std::sin(phase);
         }
     }
-    const StationCelerity found = station_celerity(surface, {.largest_distance = 0.3});
-    EXPECT_GT(found.celerity.value, 0.0);
+    const StationCelerity found = station_celerity(surface, {.largest_distance = 0.16, .distances = 16});
+    EXPECT_NEAR(found.stations[12].distance, 0.12, 1e-12);
+    EXPECT_LT(found.stations[12].extreme_correlation, -0.5);
+    EXPECT_NEAR(found.stations[12].extreme_lag.value, 0.12 / celerity, 0.05 * 0.12 / celerity);
 }
 
 TEST(StationCelerity, UpstreamIsNegativeAndNoiseHasNone) {
-    const SpaceTime upstream = travelling_surface({.columns = 60, .spacing = 0.01, .rows = 1200, .interval = 1.0 / 60.0},
-                                                  {.period = 0.12, .correlation_radius = 0.09}, -0.2);
+    const SpaceTime upstream =
+        travelling_surface({.columns = 60, .spacing = 0.01, .rows = 1200, .interval = 1.0 / 60.0},
+                           {.period = 0.12, .correlation_radius = 0.09}, -0.2);
     EXPECT_NEAR(station_celerity(upstream).celerity.value, -0.2, 0.002);
-    const SpaceTime noise = travelling_surface({.columns = 40, .rows = 4000}, {.deviation = 0.0, .noise = 1e-3}, 0.3);
+    const SpaceTime noise =
+        travelling_surface({.columns = 40, .rows = 4000}, {.deviation = 0.0, .noise = 1e-3}, 0.3);
     EXPECT_TRUE(std::isnan(station_celerity(noise).celerity.value));
     EXPECT_THROW((void)station_celerity(rows_of(noise, 0, 30)), InputError);
 }
 
 TEST(StationCelerity, APeriodicChannelIsFollowedToHalfItsLength) {
-    const SpaceTime surface =
-        travelling_surface({.columns = 40, .spacing = 0.01, .periodic = true, .rows = 2000, .interval = 1.0 / 60.0},
-                           {.period = 0.1, .correlation_radius = 0.2, .noise = 2e-4}, celerity);
+    const SpaceTime surface = travelling_surface(
+        {.columns = 40, .spacing = 0.01, .periodic = true, .rows = 2000, .interval = 1.0 / 60.0},
+        {.period = 0.1, .correlation_radius = 0.2, .noise = 2e-4}, celerity);
     const StationCelerity found = station_celerity(surface, {.largest_distance = 1.0});
     EXPECT_NEAR(found.stations.back().distance, 0.2, 1e-12);
     EXPECT_NEAR(found.celerity.value, celerity, 0.01 * celerity);
@@ -155,7 +165,8 @@ TEST(RidgeCelerity, OfATravellingSurface) {
         clean.add(ridge_celerity(open_line(seed, 0.0)).celerity);
         noisy.add(ridge_celerity(open_line(seed, 5e-4)).celerity);
     }
-    clean.check("ridge", 0.003, least_covered);
+    // Without noise the interval is 0.15 % and does not contain the bias of where the ridge is cut, 0.1 %.
+    clean.check("ridge", 0.003, 0);
     noisy.check("ridge under noise", 0.003, least_covered);
 }
 
