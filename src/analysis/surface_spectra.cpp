@@ -5,10 +5,13 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <span>
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "statistics/fourier.hpp"
+#include "statistics/jackknife.hpp"
+#include "statistics/welch.hpp"
 
 namespace riffle {
 
@@ -74,6 +77,48 @@ WavenumberSpectrum wavenumber_spectrum(const SpaceTime& fluctuation) {
         result.wavenumber.push_back(static_cast<double>(k) * result.step);
         result.density.push_back(mean.mean);
         result.half_width.push_back(mean.half_width);
+    }
+    return result;
+}
+
+FrequencySpectrum frequency_spectrum(const SpaceTime& fluctuation, std::size_t blocks) {
+    constexpr const char* purpose = "spectrum in frequency";
+    require_wet(fluctuation, purpose);
+    require_even_times(fluctuation, purpose);
+    const std::size_t rows = fluctuation.rows();
+    if (blocks < 2 || rows / blocks < 8) {
+        throw InputError(fmt::format("{}: {} times in {} blocks; at least two blocks of 8 are needed",
+                                     purpose, rows, blocks));
+    }
+    const std::size_t length = rows / blocks;
+    const double rate =
+        static_cast<double>(rows - 1) / (fluctuation.times.back() - fluctuation.times.front());
+    const WelchSegments segment(length, {.segment_length = length});
+    FrequencySpectrum result;
+    result.blocks = blocks;
+    result.resolution = rate / static_cast<double>(length);
+    result.frequency = one_sided_frequencies(length, 1.0 / rate);
+    const std::size_t width = result.frequency.size();
+    std::vector<double> densities(blocks * width, 0.0);
+    for (std::size_t i = 0; i < fluctuation.columns; ++i) {
+        const std::vector<double> record = fluctuation.record(i);
+        for (std::size_t b = 0; b < blocks; ++b) {
+            const std::size_t first = b * (rows - length) / (blocks - 1);
+            const std::vector<Complex> values = segment.spectrum(std::span(record).subspan(first, length), 0);
+            for (std::size_t m = 0; m < width; ++m) {
+                densities[b * width + m] +=
+                    std::norm(values[m]) / rate / static_cast<double>(fluctuation.columns);
+            }
+        }
+    }
+    result.density = mean_without(densities, width, blocks);
+    std::vector<std::vector<double>> logarithms(width);
+    for (std::size_t b = 0; b < blocks; ++b) {
+        const std::vector<double> rest = mean_without(densities, width, b);
+        for (std::size_t m = 0; m < width; ++m) logarithms[m].push_back(std::log(rest[m]));
+    }
+    for (const std::vector<double>& values : logarithms) {
+        result.factor.push_back(std::exp(jackknife_half_width(values)));
     }
     return result;
 }

@@ -24,6 +24,22 @@ struct WavenumberSpectrum {
 /// the window weighs it.
 [[nodiscard]] WavenumberSpectrum wavenumber_spectrum(const SpaceTime& fluctuation);
 
+/// Spectrum in frequency, mean over the line.
+struct FrequencySpectrum {
+    std::vector<double> frequency;  ///< 0 to half the sampling rate, Hz
+    std::vector<double> density;    ///< of an elevation m2/Hz
+    /// The 95 % interval lies between the density divided and multiplied by this factor. By the jackknife
+    /// over the blocks in the logarithm (Thomson & Chave 1991), so the columns may depend on each other:
+    /// those that see the same patterns pass are one.
+    std::vector<double> factor;
+    double resolution = 0.0;  ///< sum of density times resolution: the variance, Hz
+    std::size_t blocks = 0;
+};
+
+/// Mean of the spectra of all columns over `blocks` of time, each detrended and under a Hann window: variance
+/// slower than a block is left out. Throws InputError for fewer than two blocks or less than 8 times in each.
+[[nodiscard]] FrequencySpectrum frequency_spectrum(const SpaceTime& fluctuation, std::size_t blocks = 10);
+
 /// Spectrum in wavenumber and frequency. k > 0 with omega > 0 travels downstream, towards larger x; k < 0
 /// with omega > 0 upstream.
 struct WaveSpectrum {
