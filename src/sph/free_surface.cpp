@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 #include "base/parallel.hpp"
@@ -11,91 +12,137 @@ namespace riffle {
 
 namespace {
 
-/// Particles sorted into columns of width about 2h.
-class Columns {
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t places_per_block = 16;
+
+/// One horizontal axis cut into stretches of at least the support.
+class AxisBins {
   public:
-    Columns(const Domain<2>& domain, std::span<const double> x, double support)
-        : lower_(domain.lower[0]), extent_(domain.extent(0)), periodic_(domain.periodic[0]) {
+    AxisBins() = default;
+    AxisBins(double lower, double extent, bool periodic, double support)
+        : lower_(lower), extent_(extent), periodic_(periodic) {
         count_ = std::max(1, static_cast<int>(extent_ / support));
-        members_.resize(static_cast<std::size_t>(count_));
-        for (std::size_t i = 0; i < x.size(); ++i) {
-            members_[static_cast<std::size_t>(index(x[i]))].push_back(i);
-        }
     }
 
-    /// Indices of the particles in the columns around x.
-    void around(double x, std::vector<std::size_t>& result) const {
-        result.clear();
-        const int centre = index(x);
-        for (int c = centre - 1; c <= centre + 1; ++c) {
-            int column = c;
-            if (periodic_ && count_ >= 3) {
-                column = (c + count_) % count_;
-            } else if (c < 0 || c >= count_) {
-                continue;
-            }
-            const auto& members = members_[static_cast<std::size_t>(column)];
-            result.insert(result.end(), members.begin(), members.end());
-        }
+    [[nodiscard]] int count() const { return count_; }
+    [[nodiscard]] int index(double x) const {
+        return std::clamp(static_cast<int>((x - lower_) / extent_ * count_), 0, count_ - 1);
     }
-
+    /// The bin `offset` after that of x; -1 outside.
+    [[nodiscard]] int beside(double x, int offset) const {
+        const int bin = index(x) + offset;
+        if (periodic_ && count_ >= 3) return (bin + count_) % count_;
+        return bin < 0 || bin >= count_ ? -1 : bin;
+    }
     [[nodiscard]] double distance(double a, double b) const {
         const double d = a - b;
         return periodic_ ? d - extent_ * std::nearbyint(d / extent_) : d;
     }
 
   private:
-    [[nodiscard]] int index(double x) const {
-        return std::clamp(static_cast<int>((x - lower_) / extent_ * count_), 0, count_ - 1);
+    double lower_ = 0.0;
+    double extent_ = 0.0;
+    bool periodic_ = false;
+    int count_ = 1;
+};
+
+/// Particles sorted by their horizontal position into columns of about 2h.
+template <int D>
+class Columns {
+  public:
+    explicit Columns(const FluidParticles<D>& fluid) : fluid_(fluid) {
+        std::size_t total = 1;
+        for (std::size_t k = 0; k + 1 < D; ++k) {
+            axes_[k] = AxisBins(fluid.domain.lower[k], fluid.domain.extent(static_cast<int>(k)),
+                                fluid.domain.periodic[k], 2.0 * fluid.smoothing_length);
+            total *= static_cast<std::size_t>(axes_[k].count());
+        }
+        members_.resize(total);
+        for (std::size_t i = 0; i < fluid.volume.size(); ++i) {
+            std::array<int, static_cast<std::size_t>(D - 1)> bins{};
+            for (std::size_t k = 0; k + 1 < D; ++k) bins[k] = axes_[k].index(fluid.position[k][i]);
+            members_[flat(bins)].push_back(i);
+        }
     }
 
-    double lower_;
-    double extent_;
-    bool periodic_;
-    int count_ = 1;
+    /// Indices of the particles in the columns around a place.
+    void around(const Vec<D - 1>& place, std::vector<std::size_t>& result) const {
+        result.clear();
+        for (int first = -1; first <= 1; ++first) {
+            std::array<int, static_cast<std::size_t>(D - 1)> bins{};
+            bins[0] = axes_[0].beside(place[0], first);
+            if constexpr (D == 2) {
+                append(bins, result);
+            } else {
+                for (int second = -1; second <= 1; ++second) {
+                    bins[1] = axes_[1].beside(place[1], second);
+                    append(bins, result);
+                }
+            }
+        }
+    }
+
+    /// Square of the horizontal distance of a particle, m2.
+    [[nodiscard]] double horizontal_squared(const Vec<D - 1>& place, std::size_t particle) const {
+        double squared = 0.0;
+        for (std::size_t k = 0; k + 1 < D; ++k) {
+            const double d = axes_[k].distance(place[k], fluid_.position[k][particle]);
+            squared += d * d;
+        }
+        return squared;
+    }
+
+    [[nodiscard]] double height(std::size_t particle) const { return fluid_.position[D - 1][particle]; }
+
+  private:
+    using Bins = std::array<int, static_cast<std::size_t>(D - 1)>;
+
+    [[nodiscard]] std::size_t flat(const Bins& bins) const {
+        auto result = static_cast<std::size_t>(bins[0]);
+        if constexpr (D == 3) {
+            result = result * static_cast<std::size_t>(axes_[1].count()) + static_cast<std::size_t>(bins[1]);
+        }
+        return result;
+    }
+    void append(const Bins& bins, std::vector<std::size_t>& result) const {
+        if (std::any_of(bins.begin(), bins.end(), [](int b) { return b < 0; })) return;
+        const auto& members = members_[flat(bins)];
+        result.insert(result.end(), members.begin(), members.end());
+    }
+
+    const FluidParticles<D>& fluid_;
+    std::array<AxisBins, static_cast<std::size_t>(D - 1)> axes_;
     std::vector<std::vector<std::size_t>> members_;
 };
 
-double gradient_factor(KernelKind kernel, double q) {
-    return visit_kernel<2>(kernel, [q](auto chosen) { return decltype(chosen)::gradient_factor(q); });
-}
-
-}  // namespace
-
-std::vector<double> surface_elevation(const Domain<2>& domain, std::span<const double> position_x,
-                                      std::span<const double> position_z, std::span<const double> volume,
-                                      KernelKind kernel, double smoothing_length, std::span<const double> x) {
-    const double h = smoothing_length;
-    const double scale = 1.0 / (h * h * h * h);
-    const Columns columns(domain, position_x, 2.0 * h);
-    std::vector<double> elevation(x.size());
-    constexpr double threshold = 1.0;  // half of the dimension
-    parallel_blocks(x.size(), 16, [&](std::size_t begin, std::size_t end) {
+/// Elevation where a sum over particles, term(particle, squared distance), first reaches the threshold on the
+/// way down.
+template <int D, class Term>
+std::vector<double> scan_from_above(const FluidParticles<D>& fluid, std::span<const Vec<D - 1>> at,
+                                    double threshold, const Term& term) {
+    const double h = fluid.smoothing_length;
+    const Columns<D> columns(fluid);
+    std::vector<double> elevation(at.size());
+    parallel_blocks(at.size(), places_per_block, [&](std::size_t begin, std::size_t end) {
         std::vector<std::size_t> near;
         for (std::size_t n = begin; n < end; ++n) {
-            columns.around(x[n], near);
+            columns.around(at[n], near);
             double top = -std::numeric_limits<double>::infinity();
-            for (const std::size_t j : near) {
-                top = std::max(top, position_z[j]);
-            }
-            const auto divergence = [&](double z) {
+            for (const std::size_t j : near) top = std::max(top, columns.height(j));
+            const auto field = [&](double z) {
                 double sum = 0.0;
                 for (const std::size_t j : near) {
-                    const double rz = z - position_z[j];
-                    if (std::abs(rz) >= 2.0 * h) {
-                        continue;
-                    }
-                    const double rx = columns.distance(x[n], position_x[j]);
-                    const double squared = rx * rx + rz * rz;
-                    sum -= volume[j] * squared * gradient_factor(kernel, std::sqrt(squared) / h) * scale;
+                    const double rz = z - columns.height(j);
+                    if (std::abs(rz) >= 2.0 * h) continue;
+                    sum += term(j, columns.horizontal_squared(at[n], j) + rz * rz);
                 }
                 return sum;
             };
-            elevation[n] = std::numeric_limits<double>::quiet_NaN();
+            elevation[n] = not_a_number;
             const double step = 0.25 * h;
             double above = top + 2.0 * h;
-            for (double z = above - step; z > domain.lower[1] && !near.empty(); z -= step) {
-                if (divergence(z) < threshold) {
+            for (double z = above - step; z > fluid.domain.lower[D - 1] && !near.empty(); z -= step) {
+                if (field(z) < threshold) {
                     above = z;
                     continue;
                 }
@@ -103,7 +150,7 @@ std::vector<double> surface_elevation(const Domain<2>& domain, std::span<const d
                 double high = above;
                 for (int bisection = 0; bisection < 30; ++bisection) {
                     const double middle = 0.5 * (low + high);
-                    (divergence(middle) < threshold ? high : low) = middle;
+                    (field(middle) < threshold ? high : low) = middle;
                 }
                 elevation[n] = 0.5 * (low + high);
                 break;
@@ -111,6 +158,128 @@ std::vector<double> surface_elevation(const Domain<2>& domain, std::span<const d
         }
     });
     return elevation;
+}
+
+/// Volume fraction at a particle: sum V_b W_ab over all particles, itself included.
+template <int D, class Kernel>
+double fraction_at(const Columns<D>& columns, const FluidParticles<D>& fluid, std::size_t particle,
+                   std::vector<std::size_t>& near, Kernel) {
+    const double h = fluid.smoothing_length;
+    Vec<D - 1> place{};
+    for (std::size_t k = 0; k + 1 < D; ++k) place[k] = fluid.position[k][particle];
+    columns.around(place, near);
+    double sum = 0.0;
+    for (const std::size_t j : near) {
+        const double rz = columns.height(particle) - columns.height(j);
+        const double squared = columns.horizontal_squared(place, j) + rz * rz;
+        sum += fluid.volume[j] * Kernel::value(std::sqrt(squared) / h);
+    }
+    return sum / std::pow(h, D);
+}
+
+}  // namespace
+
+template <int D>
+std::vector<double> surface_by_position_divergence(const FluidParticles<D>& fluid,
+                                                   std::span<const Vec<D - 1>> at, double threshold) {
+    const double h = fluid.smoothing_length;
+    const double scale = 1.0 / (D == 2 ? h * h * h * h : h * h * h * h * h);
+    return visit_kernel<D>(fluid.kernel, [&](auto kernel) {
+        return scan_from_above<D>(fluid, at, threshold, [&](std::size_t j, double squared) {
+            return -fluid.volume[j] * squared * decltype(kernel)::gradient_factor(std::sqrt(squared) / h) *
+                   scale;
+        });
+    });
+}
+
+template <int D>
+std::vector<double> surface_by_volume_fraction(const FluidParticles<D>& fluid, std::span<const Vec<D - 1>> at,
+                                               double threshold) {
+    const double h = fluid.smoothing_length;
+    const double scale = 1.0 / std::pow(h, D);
+    return visit_kernel<D>(fluid.kernel, [&](auto kernel) {
+        return scan_from_above<D>(fluid, at, threshold, [&](std::size_t j, double squared) {
+            return fluid.volume[j] * decltype(kernel)::value(std::sqrt(squared) / h) * scale;
+        });
+    });
+}
+
+template <int D>
+std::vector<double> surface_by_density_ratio(const FluidParticles<D>& fluid, std::span<const Vec<D - 1>> at,
+                                             double ratio) {
+    const Columns<D> columns(fluid);
+    std::vector<double> elevation(at.size(), not_a_number);
+    visit_kernel<D>(fluid.kernel, [&](auto kernel) {
+        parallel_blocks(at.size(), places_per_block, [&](std::size_t begin, std::size_t end) {
+            std::vector<std::size_t> near, around_particle;
+            for (std::size_t n = begin; n < end; ++n) {
+                columns.around(at[n], near);
+                std::erase_if(near, [&](std::size_t j) {
+                    const double spacing = std::pow(fluid.volume[j], 1.0 / D);
+                    return columns.horizontal_squared(at[n], j) > spacing * spacing;
+                });
+                std::sort(near.begin(), near.end(), [&](std::size_t a, std::size_t b) {
+                    return columns.height(a) > columns.height(b);
+                });
+                for (const std::size_t j : near) {
+                    if (fraction_at(columns, fluid, j, around_particle, kernel) >= ratio) continue;
+                    elevation[n] = columns.height(j);
+                    break;
+                }
+            }
+        });
+    });
+    return elevation;
+}
+
+template <int D>
+std::vector<double> surface_by_depth_sum(const FluidParticles<D>& fluid, std::span<const Vec<D - 1>> at,
+                                         double bed_level) {
+    const double h = fluid.smoothing_length;
+    const double scale = 1.0 / std::pow(h, D - 1);
+    const Columns<D> columns(fluid);
+    std::vector<double> elevation(at.size(), not_a_number);
+    visit_kernel<D - 1>(fluid.kernel, [&](auto kernel) {
+        parallel_blocks(at.size(), places_per_block, [&](std::size_t begin, std::size_t end) {
+            std::vector<std::size_t> near;
+            for (std::size_t n = begin; n < end; ++n) {
+                columns.around(at[n], near);
+                double depth = 0.0;
+                for (const std::size_t j : near) {
+                    const double q = std::sqrt(columns.horizontal_squared(at[n], j)) / h;
+                    depth += fluid.volume[j] * decltype(kernel)::value(q) * scale;
+                }
+                if (depth > 0.0) elevation[n] = bed_level + depth;
+            }
+        });
+    });
+    return elevation;
+}
+
+template std::vector<double> surface_by_position_divergence<2>(const FluidParticles<2>&,
+                                                               std::span<const Vec<1>>, double);
+template std::vector<double> surface_by_position_divergence<3>(const FluidParticles<3>&,
+                                                               std::span<const Vec<2>>, double);
+template std::vector<double> surface_by_volume_fraction<2>(const FluidParticles<2>&, std::span<const Vec<1>>,
+                                                           double);
+template std::vector<double> surface_by_volume_fraction<3>(const FluidParticles<3>&, std::span<const Vec<2>>,
+                                                           double);
+template std::vector<double> surface_by_density_ratio<2>(const FluidParticles<2>&, std::span<const Vec<1>>,
+                                                         double);
+template std::vector<double> surface_by_density_ratio<3>(const FluidParticles<3>&, std::span<const Vec<2>>,
+                                                         double);
+template std::vector<double> surface_by_depth_sum<2>(const FluidParticles<2>&, std::span<const Vec<1>>,
+                                                     double);
+template std::vector<double> surface_by_depth_sum<3>(const FluidParticles<3>&, std::span<const Vec<2>>,
+                                                     double);
+
+std::vector<double> surface_elevation(const Domain<2>& domain, std::span<const double> position_x,
+                                      std::span<const double> position_z, std::span<const double> volume,
+                                      KernelKind kernel, double smoothing_length, std::span<const double> x) {
+    const FluidParticles<2> fluid{domain, {position_x, position_z}, volume, kernel, smoothing_length};
+    std::vector<Vec<1>> at;
+    for (const double place : x) at.push_back({place});
+    return surface_by_position_divergence<2>(fluid, at);
 }
 
 }  // namespace riffle

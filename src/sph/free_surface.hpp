@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -8,10 +9,53 @@
 
 namespace riffle {
 
-/// Elevation of the free surface (m above the bed level) over each x, by the divergence of the position
-/// (thesis 2.60): -sum V_j r_ij.grad W falls from D inside the water to 0 outside, and to D/2 on the surface
-/// itself, which is the threshold used here (the thesis' 1.4 in 2D lies 0.5 h below it). Scanned from above.
-/// NaN where no water is found. `position`, `volume`: of the fluid particles.
+/// The fluid particles that a surface is looked for in, D = 2 or 3; the last axis is the vertical one.
+template <int D>
+struct FluidParticles {
+    Domain<D> domain;
+    std::array<std::span<const double>, static_cast<std::size_t>(D)> position;  ///< m
+    std::span<const double> volume;                                             ///< m2 in 2D, m3 in 3D
+    KernelKind kernel = KernelKind::wendland_c2;
+    double smoothing_length = 0.0;  ///< h, m
+};
+
+// Each of these gives the elevation of the free surface (m, on the axis of the domain) over each horizontal
+// position of `at`; not-a-number where no water is found. How far they are off: docs/free-surface.md.
+
+/// By the divergence of the position (thesis 2.60): -sum V_j r_ij.grad W falls from D inside the water to 0
+/// outside, and to D/2 on the surface itself. Scanned from above to `threshold`; the thesis' 1.4 in 2D lies
+/// 0.5 h below the surface.
+template <int D>
+[[nodiscard]] std::vector<double> surface_by_position_divergence(const FluidParticles<D>& fluid,
+                                                                 std::span<const Vec<D - 1>> at,
+                                                                 double threshold = 0.5 * D);
+
+/// By the contour of the volume fraction sum V_j W(r - r_j), 1 inside the water, 1/2 on its surface. Scanned
+/// from above to `threshold`.
+template <int D>
+[[nodiscard]] std::vector<double> surface_by_volume_fraction(const FluidParticles<D>& fluid,
+                                                             std::span<const Vec<D - 1>> at,
+                                                             double threshold = 0.5);
+
+/// By the density ratio of the particles (Koshizuka, Nobe & Oka 1998, with the kernel's sum for the number
+/// density): those with rho_a/rho0 = sum V_b W_ab < `ratio` (0.8-0.99 in the literature) are of the surface.
+/// The highest of them within one spacing of the place: a particle's centre, so half a spacing below the
+/// surface.
+template <int D>
+[[nodiscard]] std::vector<double> surface_by_density_ratio(const FluidParticles<D>& fluid,
+                                                           std::span<const Vec<D - 1>> at,
+                                                           double ratio = 0.9);
+
+/// By the depth of the water column (Tis Isat; thesis chapter 2, its printed form mended): sum V_j W(|x -
+/// x_j|) with the kernel of D - 1 dimensions, above `bed_level`. It has the water's volume exactly; it knows
+/// nothing of where in the column the water is, so drops, voids and overhangs count as depth, and what lies
+/// below the bed level among roughness elements does, too.
+template <int D>
+[[nodiscard]] std::vector<double> surface_by_depth_sum(const FluidParticles<D>& fluid,
+                                                       std::span<const Vec<D - 1>> at,
+                                                       double bed_level = 0.0);
+
+/// surface_by_position_divergence() of a plane flow at half of the bulk value: what a run records.
 [[nodiscard]] std::vector<double> surface_elevation(const Domain<2>& domain,
                                                     std::span<const double> position_x,
                                                     std::span<const double> position_z,
