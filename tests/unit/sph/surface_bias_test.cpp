@@ -139,15 +139,21 @@ const std::vector<Arrangement> arrangements = {
 };
 
 TEST(FreeSurfaceBias, Table) {
-    for (const auto& [kernel, name] : {std::pair{KernelKind::wendland_c2, "Wendland C2"},
-                                       std::pair{KernelKind::cubic_spline, "cubic spline"}}) {
-        std::printf("%s, h = 1.5 dx\n| method |", name);
+    struct Setting {
+        KernelKind kernel;
+        const char* name;
+        double h_over_dx;
+    };
+    for (const Setting& setting : {Setting{KernelKind::wendland_c2, "Wendland C2", 2.0},
+                                   Setting{KernelKind::wendland_c2, "Wendland C2", 1.5},
+                                   Setting{KernelKind::cubic_spline, "cubic spline", 1.5}}) {
+        std::printf("%s, h = %.1f dx\n| method |", setting.name, setting.h_over_dx);
         for (const Arrangement& a : arrangements) std::printf(" %s |", a.name.c_str());
         std::printf("\n");
         for (const NamedMethod& m : methods()) {
             std::printf("| %s |", m.name.c_str());
             for (const Arrangement& a : arrangements) {
-                const Deviation d = deviation(m, a, kernel, 1.5);
+                const Deviation d = deviation(m, a, setting.kernel, setting.h_over_dx);
                 EXPECT_TRUE(std::isfinite(d.bias)) << m.name << ", " << a.name;
                 std::printf(" %+.2f ± %.2f |", d.bias, d.scatter);
             }
@@ -157,18 +163,21 @@ TEST(FreeSurfaceBias, Table) {
 }
 
 TEST(FreeSurfaceBias, TableOfAmplitudes) {
-    std::printf(
-        "amplitude of waves of half a spacing, found over true (Wendland C2, h = 1.5 dx)\n| method |");
     const std::vector<int> counts = {1, 2, 3, 5, 6, 10};
-    for (const int waves : counts) std::printf(" %d dx |", columns / waves);
-    std::printf("\n");
-    for (const NamedMethod& m : methods()) {
-        std::printf("| %s |", m.name.c_str());
-        for (const int waves : counts) {
-            const Arrangement wave{.name = "wave", .amplitude = 0.5, .waves = waves};
-            std::printf(" %.2f |", amplitude_ratio(m, wave, KernelKind::wendland_c2, 1.5));
-        }
+    for (const double h_over_dx : {2.0, 1.5}) {
+        std::printf(
+            "amplitude of waves of half a spacing, found over true (Wendland C2, h = %.1f dx)\n| method |",
+            h_over_dx);
+        for (const int waves : counts) std::printf(" %d dx |", columns / waves);
         std::printf("\n");
+        for (const NamedMethod& m : methods()) {
+            std::printf("| %s |", m.name.c_str());
+            for (const int waves : counts) {
+                const Arrangement wave{.name = "wave", .amplitude = 0.5, .waves = waves};
+                std::printf(" %.2f |", amplitude_ratio(m, wave, KernelKind::wendland_c2, h_over_dx));
+            }
+            std::printf("\n");
+        }
     }
     // Long waves are found as they are: the contours are parallel to the surface where it is straight.
     for (const std::size_t method : {0UL, 2UL}) {
