@@ -6,7 +6,9 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <utility>
 
+#include "analysis/stations.hpp"
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "statistics/fourier.hpp"
@@ -18,42 +20,47 @@ namespace riffle {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr const char* purpose = "celerity of stations";
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+/// Pairs of records a distance apart.
+struct PairsAtDistance {
+    double distance = 0.0;  ///< m
+    std::vector<std::pair<std::size_t, std::size_t>> records;
+};
 
 /// Normalised cross-correlations of all distances, distance after distance, each over the lags.
 struct Correlations {
-    std::vector<std::size_t> columns;  ///< apart; the first is 0
-    std::size_t lags = 0;              ///< to each side
-    double interval = 0.0;             ///< s
-    double spacing = 0.0;              ///< m
+    std::vector<PairsAtDistance> pairs;  ///< the first of distance zero
+    std::size_t lags = 0;                ///< to each side
+    double interval = 0.0;               ///< s
     std::vector<double> values;
 
     [[nodiscard]] std::size_t width() const { return 2 * lags + 1; }
     [[nodiscard]] std::span<const double> of(std::size_t d) const {
         return std::span(values).subspan(d * width(), width());
     }
-    [[nodiscard]] double distance(std::size_t d) const { return static_cast<double>(columns[d]) * spacing; }
+    [[nodiscard]] double distance(std::size_t d) const { return pairs[d].distance; }
 };
 
-/// Mean products over the pairs of columns of a block, unbiased in the lag. Through the transforms of the
-/// columns' records, padded with zeros: their products are summed over the pairs before going back.
-std::vector<double> block_products(const SpaceTime& data, const Correlations& shape, std::size_t begin,
-                                   std::size_t end) {
+/// Mean products over the pairs of each distance, within a block, unbiased in the lag. Through the transforms
+/// of the records, padded with zeros: their products are summed over the pairs before going back.
+std::vector<double> block_products(std::span<const std::vector<double>> records, const Correlations& shape,
+                                   std::size_t begin, std::size_t end) {
     const std::size_t n = end - begin;
     const FourierTransform transform(fast_length(n + shape.lags + 1));
-    std::vector<std::vector<Complex>> spectra(data.columns);
-    std::vector<double> record(transform.length(), 0.0);
-    for (std::size_t i = 0; i < data.columns; ++i) {
-        for (std::size_t j = 0; j < n; ++j) record[j] = data.at(begin + j, i);
-        spectra[i] = transform.forward_real(record);
+    std::vector<std::vector<Complex>> spectra;
+    std::vector<double> padded(transform.length(), 0.0);
+    for (const std::vector<double>& record : records) {
+        std::copy_n(record.begin() + static_cast<std::ptrdiff_t>(begin), n, padded.begin());
+        spectra.push_back(transform.forward_real(padded));
     }
     std::vector<double> result;
-    for (const std::size_t apart : shape.columns) {
-        const std::size_t pairs = data.periodic ? data.columns : data.columns - apart;
+    for (const PairsAtDistance& pairs : shape.pairs) {
         std::vector<Complex> sum(spectra.front().size());
-        for (std::size_t i = 0; i < pairs; ++i) {
-            const std::vector<Complex>& a = spectra[i];
-            const std::vector<Complex>& b = spectra[(i + apart) % data.columns];
+        for (const auto& [first, second] : pairs.records) {
+            const std::vector<Complex>& a = spectra[first];
+            const std::vector<Complex>& b = spectra[second];
             for (std::size_t m = 0; m < sum.size(); ++m) sum[m] += std::conj(a[m]) * b[m];
         }
         const std::vector<double> products = transform.inverse_real(sum);
@@ -62,7 +69,8 @@ std::vector<double> block_products(const SpaceTime& data, const Correlations& sh
             const bool negative = k < shape.lags;
             const std::size_t lag = negative ? shape.lags - k : k - shape.lags;
             const double value = products[negative ? products.size() - lag : lag];
-            result.push_back(value / static_cast<double>(pairs) / static_cast<double>(n - lag));
+            result.push_back(value / static_cast<double>(pairs.records.size()) /
+                             static_cast<double>(n - lag));
         }
     }
     return result;
@@ -110,7 +118,7 @@ Line follow(const Correlations& c, double smallest_correlation) {
     const double step = oscillation(c);
     double moment = 0.0;
     double spread = 0.0;
-    for (std::size_t d = 1; d < c.columns.size(); ++d) {
+    for (std::size_t d = 1; d < c.pairs.size(); ++d) {
         const double slowness = spread > 0.0 ? moment / spread : 0.0;
         // Nothing is known of the first: it may be up to the half oscillation away.
         const Extreme e = extreme_near(c.of(d), slowness * c.distance(d), d == 1 ? step : 0.67 * step);
@@ -131,51 +139,63 @@ std::vector<double> normalised(std::vector<double> products, std::size_t lags) {
     return products;
 }
 
-std::vector<std::size_t> columns_apart(const SpaceTime& data, const StationOptions& options) {
+/// Pairs of columns of a line, at evenly spread distances.
+std::vector<PairsAtDistance> pairs_of_line(const SpaceTime& data, const StationOptions& options) {
     const double wanted = options.largest_distance > 0.0 ? options.largest_distance : 0.5 * data.length();
     const std::size_t most = data.periodic ? data.columns / 2 : data.columns - 1;
     const auto largest = std::min(static_cast<std::size_t>(wanted / data.spacing + 1e-6), most);
-    std::vector<std::size_t> result = {0};
     const std::size_t count = std::min(options.distances, largest);
-    for (std::size_t d = 1; d <= count; ++d) result.push_back(d * largest / count);
+    std::vector<PairsAtDistance> result;
+    for (std::size_t d = 0; d <= count; ++d) {
+        const std::size_t apart = count == 0 ? 0 : d * largest / count;
+        PairsAtDistance pairs{static_cast<double>(apart) * data.spacing, {}};
+        for (std::size_t i = 0; i < (data.periodic ? data.columns : data.columns - apart); ++i) {
+            pairs.records.emplace_back(i, (i + apart) % data.columns);
+        }
+        result.push_back(std::move(pairs));
+    }
     return result;
 }
 
-}  // namespace
-
-StationCelerity station_celerity(const SpaceTime& fluctuation, const StationOptions& options) {
-    const std::size_t rows = fluctuation.rows();
-    if (options.blocks < 2 || rows / options.blocks < 16) {
-        throw InputError(
-            fmt::format("celerity of stations: {} times in {} blocks; at least two blocks of 16 are needed",
-                        rows, options.blocks));
+/// Every pair of stations a distance of its own, after all stations with themselves.
+std::vector<PairsAtDistance> pairs_of_stations(std::span<const StationRecord> stations,
+                                               double largest_distance) {
+    std::vector<PairsAtDistance> result(1);
+    for (std::size_t i = 0; i < stations.size(); ++i) result[0].records.emplace_back(i, i);
+    for (const StationPair& pair : pairs_by_distance(stations)) {
+        if (largest_distance > 0.0 && pair.distance > largest_distance) break;
+        result.push_back({pair.distance, {{pair.upstream, pair.downstream}}});
     }
-    require_wet(fluctuation, "celerity of stations");
-    require_even_times(fluctuation, "celerity of stations", 0.5);
-    Correlations c;
-    c.columns = columns_apart(fluctuation, options);
-    c.spacing = fluctuation.spacing;
-    c.interval = (fluctuation.times.back() - fluctuation.times.front()) / static_cast<double>(rows - 1);
+    return result;
+}
+
+StationCelerity celerity_of(std::span<const std::vector<double>> records, Correlations c,
+                            const StationOptions& options) {
+    const std::size_t rows = records.front().size();
+    if (options.blocks < 2 || rows / options.blocks < 16) {
+        throw InputError(fmt::format("{}: {} times in {} blocks; at least two blocks of 16 are needed",
+                                     purpose, rows, options.blocks));
+    }
     c.lags = rows / options.blocks / 2;
     if (options.largest_lag > 0.0) {
         c.lags =
             std::clamp<std::size_t>(static_cast<std::size_t>(options.largest_lag / c.interval), 2, c.lags);
     }
-    const std::size_t width = c.columns.size() * c.width();
+    const std::size_t width = c.pairs.size() * c.width();
     std::vector<double> blocks(options.blocks * width);
     parallel_blocks(options.blocks, 1, [&](std::size_t b, std::size_t) {
         const std::vector<double> products =
-            block_products(fluctuation, c, b * rows / options.blocks, (b + 1) * rows / options.blocks);
+            block_products(records, c, b * rows / options.blocks, (b + 1) * rows / options.blocks);
         std::copy(products.begin(), products.end(), blocks.begin() + static_cast<std::ptrdiff_t>(b * width));
     });
 
     std::vector<double> without;
-    std::vector<std::vector<double>> lags_without(c.columns.size());
+    std::vector<std::vector<double>> lags_without(c.pairs.size());
     for (std::size_t b = 0; b < options.blocks; ++b) {
         c.values = normalised(mean_without(blocks, width, b), c.lags);
         const Line line = follow(c, options.smallest_correlation);
         without.push_back(line.celerity);
-        for (std::size_t d = 1; d < c.columns.size(); ++d) {
+        for (std::size_t d = 1; d < c.pairs.size(); ++d) {
             lags_without[d].push_back(d <= line.extremes.size() ? line.extremes[d - 1].lag * c.interval
                                                                 : not_a_number);
         }
@@ -186,7 +206,7 @@ StationCelerity station_celerity(const SpaceTime& fluctuation, const StationOpti
     StationCelerity result;
     result.celerity = {line.celerity, jackknife_half_width(without)};
     result.used = line.extremes.size();
-    for (std::size_t d = 0; d < c.columns.size(); ++d) {
+    for (std::size_t d = 0; d < c.pairs.size(); ++d) {
         StationCorrelation s;
         s.distance = c.distance(d);
         s.correlation.assign(c.of(d).begin(), c.of(d).end());
@@ -202,6 +222,39 @@ StationCelerity station_celerity(const SpaceTime& fluctuation, const StationOpti
         result.stations.push_back(std::move(s));
     }
     return result;
+}
+
+}  // namespace
+
+StationCelerity station_celerity(const SpaceTime& fluctuation, const StationOptions& options) {
+    require_wet(fluctuation, purpose);
+    require_even_times(fluctuation, purpose, 0.5);
+    Correlations c;
+    c.pairs = pairs_of_line(fluctuation, options);
+    c.interval =
+        (fluctuation.times.back() - fluctuation.times.front()) / static_cast<double>(fluctuation.rows() - 1);
+    std::vector<std::vector<double>> records;
+    for (std::size_t i = 0; i < fluctuation.columns; ++i) records.push_back(fluctuation.record(i));
+    return celerity_of(records, std::move(c), options);
+}
+
+StationCelerity station_celerity(std::span<const StationRecord> stations, double interval,
+                                 const StationOptions& options) {
+    if (!(interval > 0.0))
+        throw InputError(fmt::format("{}: the interval {:.4g} s is not above 0", purpose, interval));
+    const std::vector<StationRecord> scaled = normalised_stations(stations, purpose);
+    Correlations c;
+    c.pairs = pairs_of_stations(scaled, options.largest_distance);
+    c.interval = interval;
+    std::vector<std::vector<double>> records;
+    for (const StationRecord& s : scaled) {
+        if (std::any_of(s.values.begin(), s.values.end(), [](double v) { return std::isnan(v); })) {
+            throw InputError(fmt::format("{}: the record at x = {:.6g} m has gaps; choose a window without",
+                                         purpose, s.x));
+        }
+        records.push_back(s.values);
+    }
+    return celerity_of(records, std::move(c), options);
 }
 
 }  // namespace riffle

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
+#include <span>
 #include <vector>
 
 #include "analysis/space_time.hpp"
@@ -38,8 +38,8 @@ struct StationCelerity {
     /// the lags weighted by R^2; interval by the jackknife over blocks of time. Not-a-number where no lag was
     /// found.
     Estimate celerity;
-    std::vector<StationCorrelation> stations;
-    std::size_t used = 0;  ///< distances, from the shortest on
+    std::vector<StationCorrelation> stations;  ///< by distance; the first is a station with itself
+    std::size_t used = 0;                      ///< distances, from the shortest on
 };
 
 /// The velocity at which what one station sees arrives at the next, over the distances and times that
@@ -50,6 +50,14 @@ struct StationCelerity {
 /// periodic channel a pattern also arrives after length/celerity: distances end at half the length.
 /// `fluctuation`: mean zero, even times. Throws InputError for dry points or blocks of less than 16 times.
 [[nodiscard]] StationCelerity station_celerity(const SpaceTime& fluctuation,
+                                               const StationOptions& options = {});
+
+/// The same of a few stations at uneven places, such as wave probes, sampled at `interval` (s): every pair is
+/// a distance of its own, those up to `largest_distance` are used (0: all), `distances` is not. Each record
+/// is less its mean and over its own deviation, as (4.7) is printed. The nearest two stations must be closer
+/// than half a pattern. Throws InputError as above, and for fewer than two stations or records of different
+/// lengths.
+[[nodiscard]] StationCelerity station_celerity(std::span<const StationRecord> stations, double interval,
                                                const StationOptions& options = {});
 
 }  // namespace riffle

@@ -39,6 +39,13 @@ struct SpaceTime {
     [[nodiscard]] std::vector<double> record(std::size_t column) const;
 };
 
+/// The record of one wave probe of a few at uneven places, mean removed or not. Not-a-number where nothing
+/// was measured.
+struct StationRecord {
+    double x = 0.0;  ///< m
+    std::vector<double> values;
+};
+
 /// Make a SpaceTime of coordinates `x`, `times` and values[j * x.size() + i]. With `period` (m) the line
 /// closes on itself. Throws InputError, naming what is wrong, where sizes disagree, x is not evenly spaced
 /// (to 1e-3 of the spacing), times do not increase, or the period is not that of the columns.

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <span>
 
+#include "analysis/stations.hpp"
 #include "base/error.hpp"
 #include "statistics/jackknife.hpp"
 #include "statistics/least_squares.hpp"
@@ -108,16 +109,46 @@ std::optional<Eigen::VectorXd> solve(const Problem& problem, const Eigen::Vector
     return fit->parameters;
 }
 
+/// Correlation and intervals from the covariances of the blocks.
+void evaluate(SpatialCorrelation& c) {
+    const std::size_t lags = c.distance.size();
+    c.correlation = normalised(mean_without(c.block_covariance, lags, none_left_out));
+    std::vector<std::vector<double>> without(lags);
+    for (std::size_t b = 0; b < c.blocks; ++b) {
+        const std::vector<double> w = normalised(mean_without(c.block_covariance, lags, b));
+        for (std::size_t lag = 0; lag < lags; ++lag) without[lag].push_back(w[lag]);
+    }
+    for (const std::vector<double>& values : without) c.half_width.push_back(jackknife_half_width(values));
+}
+
+void require_blocks(std::size_t times, std::size_t blocks) {
+    if (blocks == 0 || times < 2 * blocks) {
+        throw InputError(fmt::format(
+            "spatial correlation: {} times do not make {} blocks; use a longer window or fewer blocks", times,
+            blocks));
+    }
+}
+
+/// Mean product over some samples that both records have.
+double mean_product(const std::vector<double>& a, const std::vector<double>& b, std::size_t begin,
+                    std::size_t end) {
+    double sum = 0.0;
+    double count = 0.0;
+    for (std::size_t j = begin; j < end; ++j) {
+        const double product = a[j] * b[j];
+        if (std::isnan(product)) continue;
+        sum += product;
+        count += 1.0;
+    }
+    return sum / count;
+}
+
 }  // namespace
 
 SpatialCorrelation spatial_correlation(const SpaceTime& fluctuation, double largest_distance,
                                        std::size_t blocks) {
     const std::size_t rows = fluctuation.rows();
-    if (blocks == 0 || rows < 2 * blocks) {
-        throw InputError(fmt::format(
-            "spatial correlation: {} times do not make {} blocks; use a longer window or fewer blocks", rows,
-            blocks));
-    }
+    require_blocks(rows, blocks);
     const std::size_t most = fluctuation.periodic ? fluctuation.columns / 2 : fluctuation.columns - 1;
     const auto wanted =
         static_cast<std::size_t>(std::max(0.0, largest_distance / fluctuation.spacing + 1e-6));
@@ -136,16 +167,34 @@ SpatialCorrelation spatial_correlation(const SpaceTime& fluctuation, double larg
                 lagged_covariance(fluctuation, b * rows / blocks, (b + 1) * rows / blocks, lag));
         }
     }
-    result.correlation = normalised(mean_without(result.block_covariance, lags, none_left_out));
-    std::vector<std::vector<double>> without(lags);
-    for (std::size_t b = 0; b < blocks; ++b) {
-        const std::vector<double> w = normalised(mean_without(result.block_covariance, lags, b));
-        for (std::size_t lag = 0; lag < lags; ++lag) without[lag].push_back(w[lag]);
-    }
     for (std::size_t lag = 0; lag < lags; ++lag) {
         result.distance.push_back(static_cast<double>(lag) * fluctuation.spacing);
-        result.half_width.push_back(jackknife_half_width(without[lag]));
     }
+    evaluate(result);
+    return result;
+}
+
+SpatialCorrelation spatial_correlation(std::span<const StationRecord> stations, std::size_t blocks) {
+    const std::vector<StationRecord> scaled = normalised_stations(stations, "spatial correlation");
+    const std::size_t rows = scaled.front().values.size();
+    require_blocks(rows, blocks);
+    const std::vector<StationPair> pairs = pairs_by_distance(scaled);
+    SpatialCorrelation result;
+    result.blocks = blocks;
+    result.distance.push_back(0.0);
+    for (const StationPair& pair : pairs) result.distance.push_back(pair.distance);
+    for (std::size_t b = 0; b < blocks; ++b) {
+        const std::size_t begin = b * rows / blocks;
+        const std::size_t end = (b + 1) * rows / blocks;
+        double own = 0.0;
+        for (const StationRecord& s : scaled) own += mean_product(s.values, s.values, begin, end);
+        result.block_covariance.push_back(own / static_cast<double>(scaled.size()));
+        for (const StationPair& pair : pairs) {
+            result.block_covariance.push_back(
+                mean_product(scaled[pair.upstream].values, scaled[pair.downstream].values, begin, end));
+        }
+    }
+    evaluate(result);
     return result;
 }
 

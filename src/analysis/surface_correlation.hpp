@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "analysis/space_time.hpp"
@@ -12,7 +13,7 @@ namespace riffle {
 /// The spatial correlation of a fluctuation, W(rho) = <eta'(x) eta'(x + rho)> / <eta'^2>, over all pairs of
 /// points at a distance and all times.
 struct SpatialCorrelation {
-    std::vector<double> distance;     ///< 0, spacing, ... , m
+    std::vector<double> distance;     ///< from 0 up, m
     std::vector<double> correlation;  ///< 1 at zero
     std::vector<double> half_width;   ///< of the 95 % intervals, by the jackknife over blocks of time
     std::optional<double> period;     ///< of a periodic line, m
@@ -26,6 +27,13 @@ struct SpatialCorrelation {
 /// periodic channel is one sample however long it is watched, and no interval from one run tells that.
 /// Throws InputError for fewer rows than two per block or no distance beyond zero.
 [[nodiscard]] SpatialCorrelation spatial_correlation(const SpaceTime& fluctuation, double largest_distance,
+                                                     std::size_t blocks = 10);
+
+/// The same of a few stations at uneven places, such as wave probes: zero and the distances of all pairs,
+/// each with its own <eta'_m eta'_n>/sqrt(<eta'_m^2> <eta'_n^2>), the means removed. Throws InputError for
+/// fewer than two stations, records of different lengths, a record without variance, or fewer samples than
+/// two per block.
+[[nodiscard]] SpatialCorrelation spatial_correlation(std::span<const StationRecord> stations,
                                                      std::size_t blocks = 10);
 
 /// Horoshenkov's function (Horoshenkov, Nichols, Tait & Maximov 2013; thesis 2.32), no factor 2 in the

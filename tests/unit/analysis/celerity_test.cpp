@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <vector>
 
 #include "analysis/celerity_correlation.hpp"
 #include "analysis/celerity_ridge.hpp"
@@ -15,9 +16,10 @@
 namespace riffle {
 namespace {
 
-// Bands: 95 % intervals in 100 trials scatter by 2.2 %: 88.5-100 % is three standard deviations.
+// The jackknife of ten blocks covers some 92 % where 95 % are meant; in 100 trials that scatters by 2.7 %,
+// and 84 % is three standard deviations.
 constexpr int trials = 100;
-constexpr int least_covered = 89;
+constexpr int least_covered = 84;
 constexpr double celerity = 0.3;
 
 /// New patterns pass all the time; a crest moves by half a spacing per interval.
@@ -157,6 +159,31 @@ TEST(StationCelerity, APeriodicChannelIsFollowedToHalfItsLength) {
     const StationCelerity found = station_celerity(surface, {.largest_distance = 1.0});
     EXPECT_NEAR(found.stations.back().distance, 0.2, 1e-12);
     EXPECT_NEAR(found.celerity.value, celerity, 0.01 * celerity);
+}
+
+/// Records of wave probes at the thesis' places: 0, 28, 120.3 and 300.3 mm, here to the nearest 10 mm.
+std::vector<StationRecord> probes(const SpaceTime& line) {
+    std::vector<StationRecord> stations;
+    for (const std::size_t column : {30UL, 0UL, 3UL, 12UL}) {
+        stations.push_back({line.x(column), line.record(column)});
+        for (double& v : stations.back().values) v += 0.05;  // a mean level
+    }
+    return stations;
+}
+
+TEST(StationCelerity, OfWaveProbesAtUnevenPlaces) {
+    Found found;
+    for (std::uint64_t seed = 1; seed <= trials; ++seed) {
+        const StationCelerity c = station_celerity(probes(open_line(seed, 3e-4)), 1.0 / 60.0);
+        ASSERT_EQ(c.stations.size(), 7U);  // zero and six pairs
+        found.add(c.celerity);
+    }
+    found.check("probes", 0.003, least_covered);
+    std::vector<StationRecord> flat = probes(open_line(1, 0.0));
+    for (double& v : flat[2].values) v = 0.05;
+    EXPECT_THROW((void)station_celerity(flat, 1.0 / 60.0), InputError);
+    flat.resize(1);
+    EXPECT_THROW((void)station_celerity(flat, 1.0 / 60.0), InputError);
 }
 
 TEST(RidgeCelerity, OfATravellingSurface) {

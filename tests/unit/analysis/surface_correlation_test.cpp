@@ -103,6 +103,25 @@ TEST(SurfaceCorrelation, OfAPeriodicLineKnowsItsImages) {
     EXPECT_LT(fit.correlation_radius.half_width, 0.02);
 }
 
+TEST(SurfaceCorrelation, OfStationsIsThatOfTheLine) {
+    // Probes at uneven places along one line see what the line sees at their distances.
+    const SpaceTime line = travelling_surface({.columns = 40, .spacing = 0.01, .rows = 3000, .interval = 0.1},
+                                              {.period = 0.12, .correlation_radius = 0.09, .seed = 9}, 0.3);
+    std::vector<StationRecord> stations;
+    for (const std::size_t column : {0UL, 2UL, 7UL, 17UL})
+        stations.push_back({line.x(column), line.record(column)});
+    const SpatialCorrelation c = spatial_correlation(stations);
+    ASSERT_EQ(c.distance.size(), 7U);
+    for (std::size_t i = 0; i < c.distance.size(); ++i) {
+        // 90 m of surface, one sample in 0.06 m: 0.026; four of them.
+        EXPECT_NEAR(c.correlation[i], horoshenkov_correlation(c.distance[i], 0.12, 0.09), 0.1)
+            << c.distance[i];
+    }
+    const auto fit = fit_surface_correlation(c, {.white_noise = false});
+    EXPECT_NEAR(fit.characteristic_period.value, 0.12, 2.0 * fit.characteristic_period.half_width);
+    EXPECT_LT(fit.characteristic_period.half_width, 0.02);
+}
+
 TEST(SurfaceCorrelation, RefusesTooShortRecords) {
     const SpaceTime data = travelling_surface({.columns = 10, .rows = 12}, {}, 0.3);
     EXPECT_THROW((void)spatial_correlation(data, 0.05, 10), InputError);
