@@ -43,11 +43,23 @@ struct Correlations {
     [[nodiscard]] double distance(std::size_t d) const { return pairs[d].distance; }
 };
 
-/// Mean products over the pairs of each distance, within a block, unbiased in the lag. Through the transforms
-/// of the records, padded with zeros: their products are summed over the pairs before going back.
+/// Sums of the squares of a record's samples from `begin` on: 0, 1, 2 ... of them, added to `sum`.
+void add_running_squares(std::span<const double> record, std::vector<double>& sum) {
+    double squares = 0.0;
+    for (std::size_t j = 0; j < record.size(); ++j) {
+        squares += record[j] * record[j];
+        sum[j + 1] += squares;
+    }
+}
+
+/// Mean products over the pairs of each distance within a block, for each lag over the samples that it
+/// leaves; after those of all distances the mean squares of the same samples of the first records, then of
+/// the second. Through the transforms of the records, padded with zeros: their products are summed over the
+/// pairs before going back.
 std::vector<double> block_products(std::span<const std::vector<double>> records, const Correlations& shape,
                                    std::size_t begin, std::size_t end) {
     const std::size_t n = end - begin;
+    const std::size_t width = shape.pairs.size() * shape.width();
     const FourierTransform transform(fast_length(n + shape.lags + 1));
     std::vector<std::vector<Complex>> spectra;
     std::vector<double> padded(transform.length(), 0.0);
@@ -55,22 +67,31 @@ std::vector<double> block_products(std::span<const std::vector<double>> records,
         std::copy_n(record.begin() + static_cast<std::ptrdiff_t>(begin), n, padded.begin());
         spectra.push_back(transform.forward_real(padded));
     }
-    std::vector<double> result;
-    for (const PairsAtDistance& pairs : shape.pairs) {
+    std::vector<double> result(3 * width);
+    for (std::size_t d = 0; d < shape.pairs.size(); ++d) {
         std::vector<Complex> sum(spectra.front().size());
-        for (const auto& [first, second] : pairs.records) {
+        std::vector<double> squares_first(n + 1, 0.0);
+        std::vector<double> squares_second(n + 1, 0.0);
+        for (const auto& [first, second] : shape.pairs[d].records) {
             const std::vector<Complex>& a = spectra[first];
             const std::vector<Complex>& b = spectra[second];
             for (std::size_t m = 0; m < sum.size(); ++m) sum[m] += std::conj(a[m]) * b[m];
+            add_running_squares(std::span(records[first]).subspan(begin, n), squares_first);
+            add_running_squares(std::span(records[second]).subspan(begin, n), squares_second);
         }
         const std::vector<double> products = transform.inverse_real(sum);
         for (std::size_t k = 0; k < shape.width(); ++k) {
-            // Negative lags stand at the end of the transform.
+            // Negative lags stand at the end of the transform. The later record gives its last samples.
             const bool negative = k < shape.lags;
             const std::size_t lag = negative ? shape.lags - k : k - shape.lags;
-            const double value = products[negative ? products.size() - lag : lag];
-            result.push_back(value / static_cast<double>(pairs.records.size()) /
-                             static_cast<double>(n - lag));
+            const std::vector<double>& earlier = negative ? squares_second : squares_first;
+            const std::vector<double>& later = negative ? squares_first : squares_second;
+            const double count =
+                static_cast<double>(shape.pairs[d].records.size()) * static_cast<double>(n - lag);
+            const std::size_t at = d * shape.width() + k;
+            result[at] = products[negative ? products.size() - lag : lag] / count;
+            result[at + width] = earlier[n - lag] / count;
+            result[at + 2 * width] = (later[n] - later[lag]) / count;
         }
     }
     return result;
@@ -93,7 +114,8 @@ struct Extreme {
 
 /// The largest |R| that is a local extreme within `reach` of the expected lag.
 Extreme extreme_near(std::span<const double> r, double expected, double reach) {
-    const auto middle = static_cast<double>(r.size() / 2);
+    const std::size_t centre = r.size() / 2;
+    const auto middle = static_cast<double>(centre);
     Extreme best;
     for (std::size_t k = 1; k + 1 < r.size(); ++k) {
         if (std::abs(static_cast<double>(k) - middle - expected) > reach) continue;
@@ -132,11 +154,12 @@ Line follow(const Correlations& c, double smallest_correlation) {
     return line;
 }
 
-/// The products of distance 0 at lag 0 are the variance.
-std::vector<double> normalised(std::vector<double> products, std::size_t lags) {
-    const double variance = products[lags];
-    for (double& v : products) v /= variance;
-    return products;
+/// Mean products over the roots of the mean squares that belong to them.
+std::vector<double> normalised(std::vector<double> means) {
+    const std::size_t width = means.size() / 3;
+    for (std::size_t i = 0; i < width; ++i) means[i] /= std::sqrt(means[i + width] * means[i + 2 * width]);
+    means.resize(width);
+    return means;
 }
 
 /// Pairs of columns of a line, at evenly spread distances.
@@ -181,7 +204,7 @@ StationCelerity celerity_of(std::span<const std::vector<double>> records, Correl
         c.lags =
             std::clamp<std::size_t>(static_cast<std::size_t>(options.largest_lag / c.interval), 2, c.lags);
     }
-    const std::size_t width = c.pairs.size() * c.width();
+    const std::size_t width = 3 * c.pairs.size() * c.width();
     std::vector<double> blocks(options.blocks * width);
     parallel_blocks(options.blocks, 1, [&](std::size_t b, std::size_t) {
         const std::vector<double> products =
@@ -192,7 +215,7 @@ StationCelerity celerity_of(std::span<const std::vector<double>> records, Correl
     std::vector<double> without;
     std::vector<std::vector<double>> lags_without(c.pairs.size());
     for (std::size_t b = 0; b < options.blocks; ++b) {
-        c.values = normalised(mean_without(blocks, width, b), c.lags);
+        c.values = normalised(mean_without(blocks, width, b));
         const Line line = follow(c, options.smallest_correlation);
         without.push_back(line.celerity);
         for (std::size_t d = 1; d < c.pairs.size(); ++d) {
@@ -200,7 +223,7 @@ StationCelerity celerity_of(std::span<const std::vector<double>> records, Correl
                                                                 : not_a_number);
         }
     }
-    c.values = normalised(mean_without(blocks, width, options.blocks), c.lags);
+    c.values = normalised(mean_without(blocks, width, options.blocks));
     const Line line = follow(c, options.smallest_correlation);
 
     StationCelerity result;

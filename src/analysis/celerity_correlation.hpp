@@ -9,13 +9,13 @@
 
 namespace riffle {
 
-/// Temporal cross-correlation between stations a distance apart (thesis 4.7), its mean over all pairs of
-/// columns at that distance: R(t_l) = <h'_m(t) h'_n(t + t_l)> / <h'^2>, n downstream of m, the variance that
-/// of the whole line.
+/// Temporal cross-correlation between stations a distance apart (thesis 4.7), over all pairs of columns at
+/// that distance: R(t_l) = <h'_m(t) h'_n(t + t_l)> / sqrt(<h'_m^2> <h'_n^2>), n downstream of m, each mean
+/// over the samples that the lag leaves.
 struct StationCorrelation {
     double distance = 0.0;            ///< m
     std::vector<double> lag;          ///< s, from the most negative
-    std::vector<double> correlation;  ///< R; unbiased in the lag, so beyond 1 by chance
+    std::vector<double> correlation;  ///< R
     /// The extreme that belongs to the passing patterns; not-a-number with an infinite interval where none is
     /// found.
     Estimate extreme_lag;              ///< s

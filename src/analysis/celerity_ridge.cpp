@@ -67,13 +67,14 @@ std::vector<RidgePoint> spectral_ridge(const WaveSpectrum& spectrum, std::size_t
         const std::ptrdiff_t peak = std::max_element(density.begin(), density.end()) - density.begin();
         const double floor = median(density);
         if (!(density[static_cast<std::size_t>(peak)] > smallest_contrast * floor)) continue;
+        const std::ptrdiff_t zero_frequency = n / 2;
         double sum = 0.0;
         double moment = 0.0;
         for (std::ptrdiff_t m = std::max<std::ptrdiff_t>(0, peak - reach); m <= std::min(n - 1, peak + reach);
              ++m) {
             const double excess = std::max(0.0, density[static_cast<std::size_t>(m)] - floor);
             sum += excess;
-            moment += excess * static_cast<double>(m - n / 2) * spectrum.frequency_step;
+            moment += excess * static_cast<double>(m - zero_frequency) * spectrum.frequency_step;
         }
         ridge.push_back({k, moment / sum, sum * spectrum.wavenumber_step * spectrum.frequency_step});
     }
