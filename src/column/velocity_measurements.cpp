@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
+#include <system_error>
 
 #include "base/error.hpp"
 #include "hydraulics/channel_laws.hpp"
@@ -14,6 +15,11 @@ namespace riffle {
 
 VelocityMeasurements read_velocity_measurements(const Case& c) {
     const std::filesystem::path& path = c.measured.velocity_profile;
+    std::error_code error;
+    if (!std::filesystem::exists(path, error)) {
+        throw FileError(fmt::format(
+            "{}: cannot be read (measured.velocity_profile): give an existing CSV file", path.string()));
+    }
     const ProfileRecord record = read_profile_record(path);
     const ProfileColumn* velocity = record.find(ProfileQuantity::velocity);
     if (velocity == nullptr) {
