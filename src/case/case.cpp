@@ -12,7 +12,7 @@ bool Case::same_parameters(const Case& other) const {
     return title == other.title && description == other.description && channel == other.channel &&
            bed == other.bed && turbulence == other.turbulence && fluid == other.fluid &&
            numerics == other.numerics && start == other.start && stirring == other.stirring &&
-           run == other.run && output == other.output && measured == other.measured;
+           run == other.run && output == other.output && measured == other.measured && probes == other.probes;
 }
 
 }  // namespace riffle

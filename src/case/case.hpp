@@ -33,6 +33,7 @@ enum class Precision { single_precision, double_precision };
 enum class StartKind { column, uniform, rest, power_law, results, standing_wave, taylor_green };
 enum class StartLattice { square, hexagonal };
 enum class RunUntil { time, converged };
+enum class ProbeKind { velocity, wave, surface_line, grid, flow_rate, force };
 
 /// [channel]
 struct Channel {
@@ -151,11 +152,12 @@ struct Run {
 /// [output]
 struct Output {
     double series_interval = 0.02;      ///< s
-    double surface_interval = 0.02;     ///< s
+    double surface_interval = 0.01;     ///< s; 100 Hz: waves of 20 Hz are sampled five times a period
     double profile_interval = 0.01;     ///< s between samples of the time averages
     double snapshot_interval = 1.0;     ///< s; 0: none
     double checkpoint_interval = 60.0;  ///< s of wall-clock time
     double progress_interval = 1.0;     ///< s of wall-clock time
+    bool standard_probes = true;        ///< whether the instruments of the case's kind record without asking
 
     bool operator==(const Output&) const = default;
 };
@@ -174,6 +176,29 @@ struct Measured {
     bool operator==(const Measured&) const = default;
 };
 
+/// [[probe]]: an instrument that records while the run goes on. Which members a kind uses is said in the key
+/// table.
+struct Probe {
+    std::string name;
+    ProbeKind kind = ProbeKind::velocity;
+    double sampling_frequency = 0.0;  ///< Hz
+    double start = 0.0;               ///< simulated time from which it records, s
+    std::vector<double> x;            ///< m; velocity: one, or as many as z
+    std::vector<double> z;            ///< m above the bed level; velocity: one, or as many as x
+    double sampling_length = 0.0;     ///< velocity: height of the measuring volume, m; 0: a point
+    std::optional<double> spacing;    ///< surface line, grid: between points, m; unset: from the particles'
+    std::optional<double> x_from;     ///< grid, m; unset: the whole channel, bed to surface
+    std::optional<double> x_to;
+    std::optional<double> z_from;
+    std::optional<double> z_to;
+    double averaging_time = 1.0;  ///< grid: length of a window, s
+
+    bool operator==(const Probe&) const = default;
+};
+
+/// First letters of the names of the instruments that record without asking; no other may begin so.
+inline constexpr const char* standard_probe_prefix = "standard_";
+
 /// A case: everything that defines a run. The only source of a run's parameters.
 struct Case {
     std::string title;
@@ -188,11 +213,14 @@ struct Case {
     Run run;
     Output output;
     Measured measured;
+    std::vector<Probe> probes;
 
     /// File it was read from; empty for a text without a file. Relative file names in a case are relative to
     /// the folder of its file, and are made absolute when it is read.
     std::filesystem::path path;
     std::string text;  ///< complete TOML text of the case, overrides applied: reading it gives this case
+
+    std::vector<std::string> probe_places;  ///< where each probe stands, for messages: "case.toml:12:1"
 
     /// Whether both cases define the same run: all parameters, but not where they were read from.
     [[nodiscard]] bool same_parameters(const Case& other) const;

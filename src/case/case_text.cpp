@@ -8,14 +8,16 @@ namespace riffle {
 std::string case_text(const Case& c) {
     std::string text;
     for (const SectionKeys& section : key_table()) {
-        if (!section.name.empty()) {
-            text += "\n[" + section.name + "]\n";
-        }
-        for (const Key& key : section.keys) {
-            if (key.applies.strictly && !key_applies(key, c)) {
-                continue;
+        for (std::size_t item = 0; item < section.count(c); ++item) {
+            if (!section.name.empty()) {
+                text += "\n" + section.heading() + "\n";
             }
-            text += key.name + " = " + value_text(key, key.get(c)) + "\n";
+            for (const Key& key : section.keys) {
+                if (key.applies.strictly && !key_applies(key, c, item)) {
+                    continue;
+                }
+                text += key.name + " = " + value_text(key, key.get(c, item)) + "\n";
+            }
         }
     }
     return text;

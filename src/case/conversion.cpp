@@ -19,6 +19,7 @@ std::string raw_text(const RawValue& raw) {
         std::string operator()(double value) const { return fmt::format("{}", value); }
         std::string operator()(const std::string& value) const { return toml_string(value); }
         std::string operator()(const OtherValue& value) const { return value.kind; }
+        std::string operator()(const RawList&) const { return "an array"; }
     };
     return std::visit(Text{}, raw);
 }
@@ -58,8 +59,7 @@ std::string how_to_write(const Key& key) {
 }
 
 std::string wrong(const Key& key, const RawValue& raw, const std::string& advice) {
-    return fmt::format("{} = {}: expected {}; {}", shown_name(key.section, key.name), raw_text(raw),
-                       expectation(key), advice);
+    return fmt::format("{} = {}: expected {}; {}", shown_name(key), raw_text(raw), expectation(key), advice);
 }
 
 std::variant<Value, std::string> checked_number(const Key& key, const RawValue& raw, double number) {
@@ -132,10 +132,58 @@ std::variant<Value, std::string> convert_number(const Key& key, const RawValue& 
     return wrong(key, raw, how_to_write(key));
 }
 
+/// The part of a raw value that is no list.
+struct Single {
+    RawScalar operator()(const RawList&) const { return OtherValue{"an array"}; }
+    template <class T>
+    RawScalar operator()(const T& scalar) const {
+        return scalar;
+    }
+};
+
+/// A list of numbers; a single one is a list of one.
+std::variant<Value, std::string> convert_list(const Key& key, const RawValue& raw) {
+    std::vector<RawScalar> items;
+    if (const auto* const list = std::get_if<RawList>(&raw)) {
+        items = list->items;
+    } else {
+        items.push_back(std::visit(Single{}, raw));
+    }
+    if (items.empty()) {
+        return fmt::format("{} = []: expected {}; give at least one", shown_name(key), expectation(key));
+    }
+    std::vector<double> numbers;
+    for (const RawScalar& item : items) {
+        auto converted =
+            convert_number(key, std::visit([](const auto& scalar) { return RawValue(scalar); }, item));
+        if (auto* const message = std::get_if<std::string>(&converted)) {
+            return std::move(*message);
+        }
+        numbers.push_back(std::get<double>(std::get<Value>(converted)));
+    }
+    return Value(std::move(numbers));
+}
+
+template <class F>
+std::string list_text(const std::vector<double>& numbers, const F& text) {
+    if (numbers.size() == 1) {
+        return text(numbers.front());
+    }
+    std::string list;
+    for (const double number : numbers) {
+        list += (list.empty() ? "" : ", ") + text(number);
+    }
+    return "[" + list + "]";
+}
+
 }  // namespace
 
-std::string shown_name(const std::string& section, const std::string& key) {
-    return section.empty() ? key : fmt::format("[{}] {}", section, key);
+std::string shown_name(const Key& key) {
+    if (key.section.empty()) {
+        return key.name;
+    }
+    return key.repeated ? fmt::format("[[{}]] {}", key.section, key.name)
+                        : fmt::format("[{}] {}", key.section, key.name);
 }
 
 std::string range_text(const Key& key) {
@@ -182,6 +230,7 @@ std::string expectation(const Key& key) {
     }
     const std::string range = range_text(key);
     text += range.empty() ? "" : " " + range;
+    text += key.list ? ", or a list of them" : "";
     if (!key.unset_word.empty()) {
         text += fmt::format(", or \"{}\"", key.unset_word);
     }
@@ -192,6 +241,9 @@ std::variant<Value, std::string> convert(const Key& key, const RawValue& raw) {
     const auto* const text = std::get_if<std::string>(&raw);
     if (text != nullptr && !key.unset_word.empty() && *text == key.unset_word) {
         return Value();
+    }
+    if (key.list) {
+        return convert_list(key, raw);
     }
     switch (key.type) {
         case ValueType::number:
@@ -231,17 +283,23 @@ std::string value_text(const Key& key, const Value& value) {
         std::string operator()(const Diameters& diameters) const {
             return fmt::format("\"{} D\"", diameters.multiple);
         }
+        std::string operator()(const std::vector<double>& numbers) const {
+            return list_text(numbers, [](double number) { return number_text(number); });
+        }
     };
     return std::visit(Text{key}, value);
 }
 
 std::string handy_value_text(const Key& key, const Value& value) {
-    const auto* const number = std::get_if<double>(&value);
-    if (number == nullptr) {
-        return value_text(key, value);
+    const auto handy = [&](double number) {
+        const std::string text = quantity_text(number, key.dimension);
+        return key.dimension == Dimension::none ? text : toml_string(text);
+    };
+    if (const auto* const numbers = std::get_if<std::vector<double>>(&value)) {
+        return list_text(*numbers, handy);
     }
-    const std::string text = quantity_text(*number, key.dimension);
-    return key.dimension == Dimension::none ? text : toml_string(text);
+    const auto* const number = std::get_if<double>(&value);
+    return number != nullptr ? handy(*number) : value_text(key, value);
 }
 
 }  // namespace riffle

@@ -23,7 +23,7 @@ namespace riffle {
 /// The same for people, with handy units: "50 mm" (reads back as the same value).
 [[nodiscard]] std::string handy_value_text(const Key& key, const Value& value);
 
-/// Name for messages: "[channel] slope".
-[[nodiscard]] std::string shown_name(const std::string& section, const std::string& key);
+/// Name for messages: "[channel] slope", "[[probe]] name".
+[[nodiscard]] std::string shown_name(const Key& key);
 
 }  // namespace riffle

@@ -17,6 +17,10 @@ double Diameters::length(double diameter) const {
     return rounded;
 }
 
+std::string Key::id(std::size_t item) const {
+    return repeated ? section + "[" + std::to_string(item) + "]." + name : id();
+}
+
 std::optional<double> Key::number_of(const Value& value) {
     if (const auto* const number = std::get_if<double>(&value)) {
         return *number;

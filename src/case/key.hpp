@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -25,8 +27,9 @@ struct Diameters {
 };
 
 /// A value of a key after reading: unset (the key's unset word, "auto" say), or what its type says. Numbers
-/// are SI; words and file names are strings.
-using Value = std::variant<std::monostate, bool, long long, double, std::string, Diameters>;
+/// are SI; words and file names are strings; lists are of numbers.
+using Value =
+    std::variant<std::monostate, bool, long long, double, std::string, Diameters, std::vector<double>>;
 
 /// What a key holds.
 enum class ValueType { number, integer, boolean, word, text, file };
@@ -65,12 +68,22 @@ struct Key {
     std::string example;       ///< a right value, as written in a case file
     bool required = false;
     bool accepts_diameters = false;
+    bool list = false;      ///< one number or a list of them; empty: not given
+    bool repeated = false;  ///< of a section that may stand several times, [[section]]
     Applies applies;
-    std::function<Value(const Case&)> get;
-    std::function<void(Case&, const Value&)> set;
+    std::function<Value(const Case&, std::size_t item)> read;
+    std::function<void(Case&, const Value&, std::size_t item)> write;
+
+    /// The value in a case. `item`: which of the sections of this name, where it is a repeated one; behind
+    /// the last one the default.
+    [[nodiscard]] Value get(const Case& c, std::size_t item = 0) const { return read(c, item); }
+    /// Set the value; an `item` that is not yet there is made.
+    void set(Case& c, const Value& value, std::size_t item = 0) const { write(c, value, item); }
 
     /// "section.key", or "key" before the first section.
     [[nodiscard]] std::string id() const { return section.empty() ? name : section + "." + name; }
+    /// The same for one of several sections of a name: "probe[2].name".
+    [[nodiscard]] std::string id(std::size_t item) const;
 
     /// The number of `value`, for numbers and integers.
     [[nodiscard]] static std::optional<double> number_of(const Value& value);
@@ -146,6 +159,13 @@ struct Binding<std::filesystem::path> {
     static std::filesystem::path from_value(const Value& value) { return std::get<std::string>(value); }
 };
 
+template <>
+struct Binding<std::vector<double>> {
+    static constexpr ValueType type = ValueType::number;
+    static Value to_value(const std::vector<double>& member) { return member; }
+    static std::vector<double> from_value(const Value& value) { return std::get<std::vector<double>>(value); }
+};
+
 template <class Enum>
 requires std::is_enum_v<Enum>
 struct Binding<Enum> {
@@ -175,6 +195,7 @@ Key make_key(std::string section, std::string name, std::string meaning) {
     if constexpr (std::is_same_v<T, std::optional<double>>) {
         key.unset_word = "auto";
     }
+    key.list = std::is_same_v<T, std::vector<double>>;
     return key;
 }
 
@@ -185,9 +206,29 @@ template <class Section, class T>
 Key make_key(std::string section, std::string name, Section Case::*part, T Section::*member,
              std::string meaning) {
     Key key = detail::make_key<T>(std::move(section), std::move(name), std::move(meaning));
-    key.get = [part, member](const Case& c) { return detail::Binding<T>::to_value(c.*part.*member); };
-    key.set = [part, member](Case& c, const Value& value) {
+    key.read = [part, member](const Case& c, std::size_t) {
+        return detail::Binding<T>::to_value(c.*part.*member);
+    };
+    key.write = [part, member](Case& c, const Value& value, std::size_t) {
         c.*part.*member = detail::Binding<T>::from_value(value);
+    };
+    return key;
+}
+
+/// A key bound to a member of each item of a repeated section.
+template <class Item, class T>
+Key make_key(std::string section, std::string name, std::vector<Item> Case::*items, T Item::*member,
+             std::string meaning) {
+    Key key = detail::make_key<T>(std::move(section), std::move(name), std::move(meaning));
+    key.repeated = true;
+    key.read = [items, member](const Case& c, std::size_t item) {
+        const std::vector<Item>& list = c.*items;
+        return detail::Binding<T>::to_value(item < list.size() ? list[item].*member : Item{}.*member);
+    };
+    key.write = [items, member](Case& c, const Value& value, std::size_t item) {
+        std::vector<Item>& list = c.*items;
+        list.resize(std::max(list.size(), item + 1));
+        list[item].*member = detail::Binding<T>::from_value(value);
     };
     return key;
 }
@@ -196,8 +237,10 @@ Key make_key(std::string section, std::string name, Section Case::*part, T Secti
 template <class T>
 Key make_key(std::string name, T Case::*member, std::string meaning) {
     Key key = detail::make_key<T>("", std::move(name), std::move(meaning));
-    key.get = [member](const Case& c) { return detail::Binding<T>::to_value(c.*member); };
-    key.set = [member](Case& c, const Value& value) { c.*member = detail::Binding<T>::from_value(value); };
+    key.read = [member](const Case& c, std::size_t) { return detail::Binding<T>::to_value(c.*member); };
+    key.write = [member](Case& c, const Value& value, std::size_t) {
+        c.*member = detail::Binding<T>::from_value(value);
+    };
     return key;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "case/probe_keys.hpp"
 #include "case/units.hpp"
 
 namespace riffle {
@@ -267,8 +268,10 @@ Key until_key() {
     key.unset_meaning =
         "until the depth-mean velocity is known within `run.tolerance`, at most `run.maximum_time`";
     key.example = "\"60 s\"";
-    key.get = [](const Case& c) { return c.run.until == RunUntil::converged ? Value() : Value(c.run.time); };
-    key.set = [](Case& c, const Value& value) {
+    key.read = [](const Case& c, std::size_t) {
+        return c.run.until == RunUntil::converged ? Value() : Value(c.run.time);
+    };
+    key.write = [](Case& c, const Value& value, std::size_t) {
         const auto* const end = std::get_if<double>(&value);
         c.run.until = end ? RunUntil::time : RunUntil::converged;
         c.run.time = end ? *end : c.run.time;
@@ -322,6 +325,9 @@ SectionKeys output() {
     s.keys.push_back(
         key("progress_interval", &Output::progress_interval, "Wall-clock time between progress lines.")
             .greater_than(0));
+    s.keys.push_back(make_key("output", "standard_probes", &Case::output, &Output::standard_probes,
+                              "Whether the instruments that suit the case record without being asked for; "
+                              "`riffle check` lists them."));
     return s;
 }
 
@@ -354,11 +360,18 @@ SectionKeys measured() {
 }
 
 std::vector<SectionKeys> make_table() {
-    return {heading(), channel(),  bed(), turbulence(), fluid(),   numerics(),
-            start(),   stirring(), run(), output(),     measured()};
+    return {heading(), channel(),  bed(), turbulence(), fluid(),    numerics(),
+            start(),   stirring(), run(), output(),     measured(), probe_keys()};
 }
 
 }  // namespace
+
+std::string SectionKeys::heading() const {
+    if (name.empty()) {
+        return "";
+    }
+    return repeated() ? "[[" + name + "]]" : "[" + name + "]";
+}
 
 const std::vector<SectionKeys>& key_table() {
     static const std::vector<SectionKeys> table = make_table();
@@ -387,18 +400,18 @@ const Key* find_key(std::string_view id) {
     return dot == std::string_view::npos ? find_key("", id) : find_key(id.substr(0, dot), id.substr(dot + 1));
 }
 
-bool key_applies(const Key& key, const Case& c) {
+bool key_applies(const Key& key, const Case& c, std::size_t item) {
     if (key.applies.id.empty()) {
         return true;
     }
     const Key& other = *find_key(key.applies.id);
-    const Value value = other.get(c);
+    const Value value = other.get(c, item);
     const auto* const text = std::get_if<std::string>(&value);
     const std::string now = text != nullptr                                 ? *text
                             : std::holds_alternative<std::monostate>(value) ? other.unset_word
                                                                             : std::string();
     return std::find(key.applies.words.begin(), key.applies.words.end(), now) != key.applies.words.end() &&
-           key_applies(other, c);
+           key_applies(other, c, item);
 }
 
 }  // namespace riffle

@@ -14,6 +14,14 @@ struct SectionKeys {
     std::string name;  ///< empty: the keys before the first section
     std::string meaning;
     std::vector<Key> keys;
+    /// For a section that may stand several times, [[name]]: how often a case has it. Empty for the others.
+    std::function<std::size_t(const Case&)> items = {};
+
+    [[nodiscard]] bool repeated() const { return static_cast<bool>(items); }
+    /// How often a case has the section.
+    [[nodiscard]] std::size_t count(const Case& c) const { return repeated() ? items(c) : 1; }
+    /// Its line in a case file: "[channel]", "[[probe]]"; empty before the first section.
+    [[nodiscard]] std::string heading() const;
 };
 
 /// All sections and keys of the case file.
@@ -28,7 +36,7 @@ struct SectionKeys {
 /// The key "section.key", or nullptr.
 [[nodiscard]] const Key* find_key(std::string_view id);
 
-/// Whether the key has an effect in a case (its `applies` holds).
-[[nodiscard]] bool key_applies(const Key& key, const Case& c);
+/// Whether the key has an effect in a case (its `applies` holds), in a repeated section in that `item`.
+[[nodiscard]] bool key_applies(const Key& key, const Case& c, std::size_t item = 0);
 
 }  // namespace riffle

@@ -62,14 +62,15 @@ std::string unknown_key(const std::string& section, const std::string& name) {
     for (const Key& key : find_section(section)->keys) {
         names.push_back(key.name);
     }
-    const std::string where = section.empty() ? "before the first section" : fmt::format("in [{}]", section);
+    const std::string heading = find_section(section)->heading();
+    const std::string where = section.empty() ? "before the first section" : "in " + heading;
     const auto meant = nearest_name(name, names);
     const auto home = section_with(name);
     std::string advice;
     if (home && home->empty()) {
         advice = ": it stands before the first section";
     } else if (home) {
-        advice = fmt::format(": it belongs in [{}]", *home);
+        advice = ": it belongs in " + find_section(*home)->heading();
     } else if (meant) {
         advice = fmt::format(": did you mean `{}`?", *meant);
     }
@@ -87,6 +88,12 @@ void apply_overrides(Document& document, const std::vector<Override>& overrides,
             problems.add(place, unknown_section(section));
             continue;
         }
+        if (find_section(section)->repeated()) {
+            problems.add(place, fmt::format("options cannot change [[{0}]], of which there may be several: "
+                                            "change the case file",
+                                            section));
+            continue;
+        }
         std::erase_if(document.entries,
                       [&](const Entry& entry) { return entry.section == section && entry.key == name; });
         const Key* const key = find_key(section, name);
@@ -100,23 +107,40 @@ void apply_overrides(Document& document, const std::vector<Override>& overrides,
     }
 }
 
-/// The values of all right entries by key, and where they stand.
-std::map<const Key*, Value> collect_values(const Document& document, Places& places, Problems& problems) {
+/// A key, and in which of the sections of its name.
+using KeyItem = std::pair<const Key*, std::size_t>;
+using Values = std::map<KeyItem, Value>;
+
+std::string not_as_section(const SectionKeys& section) {
+    return fmt::format("`{}` is a section{}: write {} on a line of its own and its keys below", section.name,
+                       section.repeated() ? " that may stand several times" : "", section.heading());
+}
+
+/// Report sections that are not known or not written as they must be, and keep their places.
+void check_sections(const Document& document, Places& places, Problems& problems) {
     for (const SectionMention& section : document.sections) {
-        if (find_section(section.name) == nullptr) {
+        const SectionKeys* const known = find_section(section.name);
+        if (known == nullptr) {
             problems.add(section.place, unknown_section(section.name));
+        } else if (known->repeated() != section.repeated) {
+            problems.add(section.place, not_as_section(*known));
+        } else if (section.repeated) {
+            places.set(fmt::format("{}[{}]", section.name, section.item), section.place);
         }
     }
-    std::map<const Key*, Value> values;
+}
+
+/// The values of all right entries by key, and where they stand.
+Values collect_values(const Document& document, Places& places, Problems& problems) {
+    check_sections(document, places, problems);
+    Values values;
     for (const Entry& entry : document.entries) {
-        if (find_section(entry.section) == nullptr) {
+        const SectionKeys* const section = find_section(entry.section);
+        if (section == nullptr || section->repeated() != entry.repeated) {
             continue;  // reported with its section
         }
         if (entry.section.empty() && find_section(entry.key) != nullptr && !entry.key.empty()) {
-            problems.add(entry.key_place,
-                         fmt::format("`{0}` is a section: write [{0}] on a line of its own and its "
-                                     "keys below",
-                                     entry.key));
+            problems.add(entry.key_place, not_as_section(*find_section(entry.key)));
             continue;
         }
         const Key* const key = find_key(entry.section, entry.key);
@@ -124,35 +148,62 @@ std::map<const Key*, Value> collect_values(const Document& document, Places& pla
             problems.add(entry.key_place, unknown_key(entry.section, entry.key));
             continue;
         }
-        places.set(key->id(), entry.value_place);
+        places.set(key->id(entry.item), entry.value_place);
         auto converted = convert(*key, entry.value);
         if (auto* const message = std::get_if<std::string>(&converted)) {
             problems.add(entry.value_place, std::move(*message));
         } else {
-            values[key] = std::get<Value>(std::move(converted));
+            values[{key, entry.item}] = std::get<Value>(std::move(converted));
         }
     }
     return values;
 }
 
-void require_key(const Key& key, const Places& places, Problems& problems) {
-    if (!places.given(key.id())) {
-        problems.add(places.of(""), fmt::format("{} is missing: {} Give {}, for example {} = {}",
-                                                shown_name(key.section, key.name), key.meaning,
-                                                expectation(key), key.name, key.example));
+void require_key(const Key& key, std::size_t item, const Places& places, Problems& problems) {
+    if (!places.given(key.id(item))) {
+        // In a repeated section at its own line, else at the file.
+        problems.add(places.of(key.repeated ? fmt::format("{}[{}]", key.section, item) : ""),
+                     fmt::format("{} is missing: {} Give {}, for example {} = {}", shown_name(key),
+                                 key.meaning, expectation(key), key.name, key.example));
+    }
+}
+
+/// How many items of each repeated section the document has.
+std::size_t items_of(const Document& document, const SectionKeys& section) {
+    std::size_t items = section.repeated() ? 0 : 1;
+    for (const SectionMention& mention : document.sections) {
+        if (section.repeated() && mention.repeated && mention.name == section.name) {
+            items = std::max(items, mention.item + 1);
+        }
+    }
+    return items;
+}
+
+void require_keys(const Case& c, const Document& document, const Places& places, Problems& problems) {
+    for (const SectionKeys& section : key_table()) {
+        for (std::size_t item = 0; item < items_of(document, section); ++item) {
+            for (const Key& key : section.keys) {
+                if (key.required) {
+                    require_key(key, item, places, problems);
+                }
+            }
+        }
+    }
+    if (c.bed.kind == BedKind::spheres) {
+        require_key(*find_key("bed.roughness_height"), 0, places, problems);
     }
 }
 
 /// Defaults that follow from other keys.
-void set_dependent_defaults(Case& c, const std::map<const Key*, Value>& values) {
-    const auto preset = values.find(find_key("numerics.preset"));
+void set_dependent_defaults(Case& c, const Values& values) {
+    const auto preset = values.find({find_key("numerics.preset"), 0});
     if (preset != values.end()) {
-        preset->first->set(c, preset->second);
+        preset->first.first->set(c, preset->second);
         c.numerics = preset_numerics(c.numerics.preset);
     }
-    const auto kind = values.find(find_key("bed.kind"));
+    const auto kind = values.find({find_key("bed.kind"), 0});
     if (kind != values.end()) {
-        kind->first->set(c, kind->second);
+        kind->first.first->set(c, kind->second);
         if (c.bed.kind != BedKind::spheres) {
             c.bed.roughness_height = 0.0;
             c.bed.datum_below_crest = 0.0;
@@ -160,29 +211,37 @@ void set_dependent_defaults(Case& c, const std::map<const Key*, Value>& values) 
     }
 }
 
-Case assemble(const std::map<const Key*, Value>& values, Places& places, Problems& problems) {
+/// Set a key of the case, if it goes with what is set already.
+void set_key(Case& c, const Key& key, std::size_t item, const Value& value, const Places& places,
+             Problems& problems) {
+    if (key.applies.strictly && !key_applies(key, c, item)) {
+        // An option such as --set run.until=1s supersedes what the file says for the other choice.
+        const Place& place = places.of(key.id(item));
+        if (place.option || !places.of(key.applies.id).option) {
+            problems.add(place,
+                         fmt::format("{} goes only with {} = \"{}\": remove one of the two", shown_name(key),
+                                     key.applies.id, fmt::join(key.applies.words, "\", \"")));
+        }
+        return;
+    }
+    const auto* const diameters = std::get_if<Diameters>(&value);
+    key.set(c, diameters != nullptr ? Value(diameters->length(c.bed.sphere_diameter)) : value, item);
+}
+
+Case assemble(const Values& values, const Document& document, const Places& places, Problems& problems) {
     Case c;
     set_dependent_defaults(c, values);
     for (const SectionKeys& section : key_table()) {
-        for (const Key& key : section.keys) {
-            const auto given = values.find(&key);
-            if (given == values.end()) {
-                continue;
-            }
-            if (key.applies.strictly && !key_applies(key, c)) {
-                // An option such as --set run.until=1s supersedes what the file says for the other choice.
-                const bool superseded = !places.of(key.id()).option && places.of(key.applies.id).option;
-                if (!superseded) {
-                    problems.add(places.of(key.id()),
-                                 fmt::format("{} goes only with {} = \"{}\": remove one of the two",
-                                             shown_name(key.section, key.name), key.applies.id,
-                                             key.applies.words.front()));
+        for (std::size_t item = 0; item < items_of(document, section); ++item) {
+            for (const Key& key : section.keys) {
+                const auto given = values.find({&key, item});
+                const Key* const other = find_key(key.applies.id);
+                const bool other_wrong = other != nullptr && places.given(other->id(item)) &&
+                                         !values.contains({other, item});  // reported already
+                if (given != values.end() && !other_wrong) {
+                    set_key(c, key, item, given->second, places, problems);
                 }
-                continue;
             }
-            const auto* const diameters = std::get_if<Diameters>(&given->second);
-            key.set(c,
-                    diameters != nullptr ? Value(diameters->length(c.bed.sphere_diameter)) : given->second);
         }
     }
     return c;
@@ -204,16 +263,10 @@ Case parse_case(const std::string& text, const std::string& name, const std::fil
     apply_overrides(document, overrides, problems);
     Places places(Place{name, 0, 0, false});
     const auto values = collect_values(document, places, problems);
-    Case c = assemble(values, places, problems);
-    for (const SectionKeys& section : key_table()) {
-        for (const Key& key : section.keys) {
-            if (key.required) {
-                require_key(key, places, problems);
-            }
-        }
-    }
-    if (c.bed.kind == BedKind::spheres) {
-        require_key(*find_key("bed.roughness_height"), places, problems);
+    Case c = assemble(values, document, places, problems);
+    require_keys(c, document, places, problems);
+    for (std::size_t i = 0; i < c.probes.size(); ++i) {
+        c.probe_places.push_back(places.of(fmt::format("probe[{}]", i)).text());
     }
     c.path = path;
     c.start.file = resolved(c.start.file, path);

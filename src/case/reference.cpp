@@ -26,7 +26,8 @@ std::string type_text(const Key& key) {
         case ValueType::number: {
             const std::string_view name =
                 key.dimension == Dimension::none ? "a number" : dimension_name(key.dimension);
-            return std::string(name.substr(name.find(' ') + 1));  // without its article
+            return std::string(name.substr(name.find(' ') + 1)) +  // without its article
+                   (key.list ? " or list" : "");
         }
         case ValueType::integer:
             return "whole number";
@@ -66,7 +67,8 @@ std::string meaning_text(const Key& key) {
 }
 
 std::string section_page(const SectionKeys& section) {
-    std::string page = section.name.empty() ? "\n## Heading\n\n" : fmt::format("\n## [{}]\n\n", section.name);
+    std::string page =
+        section.name.empty() ? "\n## Heading\n\n" : fmt::format("\n## {}\n\n", section.heading());
     page += section.meaning +
             "\n\n| key | type | unit | default | range | meaning |\n|---|---|---|---|---|---|\n";
     for (const Key& key : section.keys) {
@@ -109,7 +111,7 @@ std::string unit_page() {
         "`\"50 mm\"`, `\"2.5cm\"`, `\"1e-6 m2/s\"`.\n\n| | units |\n|---|---|\n";
     for (const Dimension dimension :
          {Dimension::length, Dimension::time, Dimension::velocity, Dimension::acceleration,
-          Dimension::kinematic_viscosity, Dimension::density, Dimension::discharge}) {
+          Dimension::kinematic_viscosity, Dimension::density, Dimension::discharge, Dimension::frequency}) {
         page += fmt::format("| {} | {} |\n", dimension_name(dimension), unit_list(dimension));
     }
     return page;

@@ -47,6 +47,7 @@ Json number_schema(const Key& key) {
     return schema;
 }
 
+/// What a single value of a key may be.
 Json choices(const Key& key) {
     Json list = Json::array();
     switch (key.type) {
@@ -78,6 +79,9 @@ Json choices(const Key& key) {
 
 Json key_schema(const Key& key) {
     Json list = choices(key);
+    if (key.list) {
+        list.push_back({{"type", "array"}, {"minItems", 1}, {"items", {{"oneOf", list}}}});
+    }
     Json schema = list.size() == 1 ? list.front() : Json{{"oneOf", list}};
     schema["description"] = key.meaning;
     if (!key.required && key.default_note.empty()) {
@@ -118,8 +122,10 @@ std::string case_schema_json() {
         if (section.name.empty()) {
             continue;
         }
-        const Json inner = section_schema(section);
-        if (inner.contains("required")) {
+        Json inner = section_schema(section);
+        if (section.repeated()) {
+            inner = {{"type", "array"}, {"items", inner}};
+        } else if (inner.contains("required")) {
             required.push_back(section.name);
         }
         schema["properties"][section.name] = inner;

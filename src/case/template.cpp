@@ -72,6 +72,43 @@ Case defaults_of(const Case& c) {
     return defaults;
 }
 
+/// What a repeated section looks like, all of it as comments.
+std::string section_example(const SectionKeys& section) {
+    std::string text =
+        "\n" + comment(section.meaning + " What one may hold:") + fmt::format("#   {}\n", section.heading());
+    for (const Key& key : section.keys) {
+        std::istringstream about(key_comment(key));
+        for (std::string line; std::getline(about, line);) {
+            text += "#   " + line + "\n";
+        }
+        if (!key.applies.id.empty()) {
+            text +=
+                comment(fmt::format("only with {} = \"{}\"", key.applies.id.substr(section.name.size() + 1),
+                                    fmt::join(key.applies.words, "\", \"")),
+                        "  # ");
+        }
+        text += fmt::format("#   {} = {}\n", key.name,
+                            key.example.empty() ? handy_value_text(key, key.get(Case{})) : key.example);
+    }
+    return text;
+}
+
+/// The sections of a repeated kind that a case has.
+std::string section_items(const SectionKeys& section, const Case& c) {
+    std::string text;
+    for (std::size_t item = 0; item < section.count(c); ++item) {
+        text += fmt::format("\n{}\n", section.heading());
+        for (const Key& key : section.keys) {
+            const Value value = key.get(c, item);
+            if (!(key.applies.strictly && !key_applies(key, c, item))) {
+                text += fmt::format("{}{} = {}\n", key.required || value != key.get(Case{}) ? "" : "#",
+                                    key.name, handy_value_text(key, value));
+            }
+        }
+    }
+    return text;
+}
+
 }  // namespace
 
 std::string case_template(const Case& c) {
@@ -81,8 +118,12 @@ std::string case_template(const Case& c) {
         "# A case of Riffle. Lines with `#key = value` show defaults: remove the # to change them.\n"
         "# Numbers are SI; a text in quotes may carry a unit: \"50 mm\", \"0.3 m/s\", \"2 min\".\n\n";
     for (const SectionKeys& section : key_table()) {
+        if (section.repeated()) {
+            text += section_example(section) + section_items(section, c);
+            continue;
+        }
         if (!section.name.empty()) {
-            text += fmt::format("\n[{}]\n", section.name) + comment(without_ticks(section.meaning)) + "\n";
+            text += fmt::format("\n{}\n", section.heading()) + comment(without_ticks(section.meaning)) + "\n";
         }
         for (const Key& key : section.keys) {
             if (key.applies.strictly && !key_applies(key, c)) {

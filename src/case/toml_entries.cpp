@@ -20,7 +20,7 @@ Place place_of(const toml::source_region& source, const std::string& name) {
     return {name, source.begin.line, source.begin.column, false};
 }
 
-RawValue raw_value(const toml::node& node) {
+RawScalar raw_scalar(const toml::node& node) {
     if (const auto boolean = node.as_boolean()) {
         return boolean->get();
     }
@@ -40,6 +40,17 @@ RawValue raw_value(const toml::node& node) {
         return OtherValue{"an array"};
     }
     return OtherValue{"a date or time"};
+}
+
+RawValue raw_value(const toml::node& node) {
+    if (const toml::array* const array = node.as_array()) {
+        RawList list;
+        for (const toml::node& item : *array) {
+            list.items.push_back(raw_scalar(item));
+        }
+        return list;
+    }
+    return std::visit([](const auto& scalar) { return RawValue(scalar); }, raw_scalar(node));
 }
 
 std::string line_of(const std::string& text, unsigned line) {
@@ -96,20 +107,31 @@ Document read_toml(const std::string& text, const std::string& name) {
                                      advice(error.description(), line_of(text, place.line))));
     }
     Document document;
+    const auto add_section = [&](SectionMention section, const toml::table& table) {
+        for (const auto& [key, node] : table) {
+            document.entries.push_back({section.name, std::string(key.str()), raw_value(node),
+                                        place_of(key.source(), name), place_of(node.source(), name),
+                                        section.item, section.repeated});
+        }
+        document.sections.push_back(std::move(section));
+    };
     for (const auto& [key, node] : root) {
         const std::string key_text(key.str());
+        const toml::array* const array = node.as_array();
+        if (array != nullptr && array->is_array_of_tables()) {
+            std::size_t item = 0;
+            for (const toml::node& part : *array) {
+                add_section({key_text, place_of(part.source(), name), item++, true}, *part.as_table());
+            }
+            continue;
+        }
         const toml::table* const table = node.as_table();
         if (table == nullptr) {
             document.entries.push_back(
                 {"", key_text, raw_value(node), place_of(key.source(), name), place_of(node.source(), name)});
             continue;
         }
-        document.sections.push_back({key_text, place_of(key.source(), name)});
-        for (const auto& [inner_key, inner_node] : *table) {
-            document.entries.push_back({key_text, std::string(inner_key.str()), raw_value(inner_node),
-                                        place_of(inner_key.source(), name),
-                                        place_of(inner_node.source(), name)});
-        }
+        add_section({key_text, place_of(key.source(), name)}, *table);
     }
     return document;
 }

@@ -23,7 +23,14 @@ struct OtherValue {
     std::string kind;
 };
 
-using RawValue = std::variant<bool, long long, double, std::string, OtherValue>;
+using RawScalar = std::variant<bool, long long, double, std::string, OtherValue>;
+
+/// An array, for keys that take a list.
+struct RawList {
+    std::vector<RawScalar> items;
+};
+
+using RawValue = std::variant<bool, long long, double, std::string, OtherValue, RawList>;
 
 /// One `key = value` of a case file, before it is looked at.
 struct Entry {
@@ -32,12 +39,16 @@ struct Entry {
     RawValue value;
     Place key_place;
     Place value_place;
+    std::size_t item = 0;   ///< which of the sections [[section]] of this name
+    bool repeated = false;  ///< under [[section]], not [section]
 };
 
 /// A section of a case file, known or not.
 struct SectionMention {
     std::string name;
     Place place;
+    std::size_t item = 0;   ///< which of the sections [[name]]
+    bool repeated = false;  ///< [[name]], not [name]
 };
 
 /// The entries and sections of a case file.

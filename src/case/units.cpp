@@ -19,10 +19,11 @@ constexpr std::array<Unit, 3> acceleration_units{{{"m/s2", 1, 1}, {"cm/s2", 1, 1
 constexpr std::array<Unit, 3> viscosity_units{{{"m2/s", 1, 1}, {"cm2/s", 1, 1e4}, {"mm2/s", 1, 1e6}}};
 constexpr std::array<Unit, 2> density_units{{{"kg/m3", 1, 1}, {"g/cm3", 1000, 1}}};
 constexpr std::array<Unit, 2> discharge_units{{{"m3/s", 1, 1}, {"l/s", 1, 1000}}};
+constexpr std::array<Unit, 2> frequency_units{{{"Hz", 1, 1}, {"kHz", 1000, 1}}};
 
-constexpr std::array dimensions{Dimension::length,       Dimension::time,    Dimension::velocity,
-                                Dimension::acceleration, Dimension::density, Dimension::kinematic_viscosity,
-                                Dimension::discharge};
+constexpr std::array dimensions{Dimension::length,       Dimension::time,     Dimension::velocity,
+                                Dimension::acceleration, Dimension::density,  Dimension::kinematic_viscosity,
+                                Dimension::discharge,    Dimension::frequency};
 
 void replace_all(std::string& text, std::string_view from, std::string_view to) {
     for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) {
@@ -58,6 +59,8 @@ std::span<const Unit> units_of(Dimension dimension) {
             return density_units;
         case Dimension::discharge:
             return discharge_units;
+        case Dimension::frequency:
+            return frequency_units;
     }
     return {};
 }
@@ -80,6 +83,8 @@ std::string_view dimension_name(Dimension dimension) {
             return "a density";
         case Dimension::discharge:
             return "a discharge";
+        case Dimension::frequency:
+            return "a frequency";
     }
     return "";
 }

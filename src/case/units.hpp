@@ -17,6 +17,7 @@ enum class Dimension {
     kinematic_viscosity,
     density,
     discharge,
+    frequency,
 };
 
 /// A unit: value in SI = value * multiplier / divisor. Two whole numbers, so that "50 mm" is exactly 0.05.

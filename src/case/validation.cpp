@@ -5,6 +5,7 @@
 #include <system_error>
 #include <utility>
 
+#include "case/probe_validation.hpp"
 #include "case/units.hpp"
 
 namespace riffle {
@@ -286,6 +287,7 @@ class Validation {
 
 void validate(const Case& c, const Places& places, bool check_files, Problems& problems) {
     Validation(c, places, problems).run(check_files);
+    validate_probes(c, places, problems);
 }
 
 }  // namespace riffle

@@ -218,6 +218,19 @@ struct Words<RunUntil> {
     }};
 };
 
+template <>
+struct Words<ProbeKind> {
+    static constexpr std::array<Word, 6> list{{
+        {"velocity", "u and w at points, as an acoustic Doppler velocimeter gives them"},
+        {"wave", "elevation of the surface at positions along the channel"},
+        {"surface_line", "elevation of the surface on an even line over the whole channel"},
+        {"grid",
+         "means and second moments of u and w on a grid, window by window, as from image velocimetry"},
+        {"flow_rate", "discharge per unit width through sections, and the depth there"},
+        {"force", "drag and friction of the bed, its normal force, and the weight component, per unit width"},
+    }};
+};
+
 /// The word of the case file for an option.
 template <class Enum>
 requires std::is_enum_v<Enum>

@@ -20,6 +20,42 @@ struct CheckVerb {
     bool json = false;
 };
 
+/// A table of the instruments with what each costs.
+void print_probes(const Forecast& f) {
+    double bytes = 0.0;
+    double share = 0.0;
+    for (const ProbeForecast& p : f.probes) {
+        bytes += p.bytes;
+        share += p.time_share;
+    }
+    if (!f.probes.empty()) {
+        fmt::print("  {:<22} {} in all, {:.2g} % of the time\n", "probes", size_text(bytes), 100.0 * share);
+    }
+    for (const ProbeForecast& p : f.probes) {
+        fmt::print("    {:<20} {}, {:.4g} Hz, {:.0f} samples of {} point{}, {}, {:.2g} %\n", p.name, p.kind,
+                   p.sampling_frequency, p.samples, p.points, p.points == 1 ? "" : "s", size_text(p.bytes),
+                   100.0 * p.time_share);
+    }
+    for (const std::string& note : f.probe_notes) {
+        fmt::print("    {}\n", note);
+    }
+}
+
+nlohmann::ordered_json probes_json(const Forecast& f) {
+    auto list = nlohmann::ordered_json::array();
+    for (const ProbeForecast& p : f.probes) {
+        list.push_back({{"name", p.name},
+                        {"kind", p.kind},
+                        {"standard", p.standard},
+                        {"sampling_frequency", p.sampling_frequency},
+                        {"points", p.points},
+                        {"samples", p.samples},
+                        {"bytes", p.bytes},
+                        {"time_share", p.time_share}});
+    }
+    return list;
+}
+
 void print_forecast(const Case& c, const Forecast& f) {
     const auto row = [](const char* label, const std::string& text) {
         fmt::print("  {:<22} {}\n", label, text);
@@ -42,6 +78,7 @@ void print_forecast(const Case& c, const Forecast& f) {
                             duration_text(f.wall_seconds), f.updates_per_second * 1e-6));
     row("memory", size_text(f.memory_bytes));
     row("disk", fmt::format("at most {}", size_text(f.disk_bytes)));
+    print_probes(f);
 }
 
 void print_json(const Forecast& f, const std::vector<std::string>& warnings) {
@@ -56,6 +93,8 @@ void print_json(const Forecast& f, const std::vector<std::string>& warnings) {
                                          {"wall_seconds", f.wall_seconds},
                                          {"memory_bytes", f.memory_bytes},
                                          {"disk_bytes", f.disk_bytes},
+                                         {"probes", probes_json(f)},
+                                         {"probe_notes", f.probe_notes},
                                          {"warnings", warnings}};
     fmt::print("{}\n", json.dump(2));
 }

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include "base/parallel.hpp"
+#include "case/words.hpp"
+#include "instruments/probe_set.hpp"
 #include "output/results_file.hpp"
 #include "particles/lattice.hpp"
 #include "solver/profile_blocks.hpp"
@@ -55,6 +58,66 @@ double memory_bytes(const Case& c, const Forecast& f, const RecordedBytes& recor
            recorded.kept + waiting;
 }
 
+using Clock = std::chrono::steady_clock;
+
+/// Mean duration of f, s, over repetitions of some milliseconds in all.
+template <class F>
+double mean_seconds(const F& f) {
+    constexpr double enough = 4e-3;
+    constexpr int most = 200;
+    f();  // cold
+    const auto start = Clock::now();
+    int repetitions = 0;
+    double seconds = 0.0;
+    while (seconds < enough && repetitions < most) {
+        f();
+        ++repetitions;
+        seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    }
+    return seconds / repetitions;
+}
+
+/// Cost of the instruments, measured with samples of the present state. `step_seconds`: of a step.
+void forecast_probes(const Case& c, const Simulation& simulation, double step_seconds, Forecast& f) {
+    const Scheme& scheme = simulation.scheme();
+    const ProbeSet probes(c, largest_step(c, scheme));
+    f.probe_notes = probes.notes();
+    const auto make_view = [&] {
+        return FluidView(simulation.particles(), domain_of(c), c.numerics.kernel, scheme.density,
+                         scheme.smoothing_length);
+    };
+    const FluidView view = make_view();
+    const FlowState state = flow_state(simulation, &view);
+    // Instruments that are due together share one view: its cost is that of the fastest, by frequency.
+    double fastest = 0.0;
+    double sum = 0.0;
+    for (const auto& member : probes.members()) {
+        if (member.instrument->looks_at_fluid()) {
+            fastest = std::max(fastest, member.instrument->probe().sampling_frequency);
+            sum += member.instrument->probe().sampling_frequency;
+        }
+    }
+    const double view_seconds = sum > 0.0 ? mean_seconds([&] { (void)make_view(); }) * fastest / sum : 0.0;
+    for (const auto& member : probes.members()) {
+        Instrument& instrument = *member.instrument;
+        const Probe& probe = instrument.probe();
+        ProbeForecast p{.name = probe.name,
+                        .kind = std::string(word(probe.kind)),
+                        .standard = member.standard,
+                        .sampling_frequency = probe.sampling_frequency,
+                        .points = instrument.points()};
+        const double seconds = mean_seconds([&] {
+                                   instrument.sample(state);
+                                   (void)instrument.take();
+                               }) +
+                               (instrument.looks_at_fluid() ? view_seconds : 0.0);
+        p.samples = std::max(0.0, std::floor((f.end_time - probe.start) * probe.sampling_frequency + 1e-9));
+        p.bytes = recorded_rows(instrument, f.end_time) * static_cast<double>(instrument.row_bytes());
+        p.time_share = seconds * probe.sampling_frequency * f.time_step / step_seconds;
+        f.probes.push_back(std::move(p));
+    }
+}
+
 }  // namespace
 
 Forecast forecast_run(const Case& c, int threads) {
@@ -89,7 +152,6 @@ Forecast forecast_run(const Case& c, int threads) {
     }
 
     // A few steps of the case itself, the first (cold) ones left out.
-    using Clock = std::chrono::steady_clock;
     for (int i = 0; i < 5; ++i) {
         simulation->step();
     }
@@ -106,7 +168,11 @@ Forecast forecast_run(const Case& c, int threads) {
     f.updates_per_second =
         static_cast<double>(f.particles) * simulation->evaluations_per_step() * steps / seconds;
     f.wall_seconds = f.steps * seconds / steps;
-    const RecordedBytes recorded = recorded_bytes(c, static_cast<double>(f.particles), f.end_time);
+    forecast_probes(c, *simulation, seconds / steps, f);
+    RecordedBytes recorded = recorded_bytes(c, static_cast<double>(f.particles), f.end_time);
+    for (const ProbeForecast& probe : f.probes) {
+        recorded.written += probe.bytes;
+    }
     f.memory_bytes = memory_bytes(c, f, recorded, static_cast<double>(simulation->bytes()));
     // The state is in the results and in two checkpoints.
     f.disk_bytes = recorded.kept + recorded.written + 3.0 * recorded.state;

@@ -1,11 +1,25 @@
 #pragma once
 
-#include <cstdint>
+#include <cstddef>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "case/case.hpp"
 
 namespace riffle {
+
+/// What an instrument of a run will cost.
+struct ProbeForecast {
+    std::string name;
+    std::string kind;
+    bool standard = false;            ///< records without being asked for
+    double sampling_frequency = 0.0;  ///< Hz
+    std::size_t points = 0;           ///< of each sample
+    double samples = 0.0;             ///< to end_time
+    double bytes = 0.0;               ///< of its records, before compression
+    double time_share = 0.0;          ///< of the time of the steps, measured with samples of the case itself
+};
 
 /// What a run will need, for `riffle check`. The speed is measured by a few steps of the case itself.
 struct Forecast {
@@ -26,6 +40,8 @@ struct Forecast {
     double memory_bytes = 0.0;
     double disk_bytes = 0.0;  ///< results and two checkpoints, before compression
     std::optional<double> relaxation_time;
+    std::vector<ProbeForecast> probes;
+    std::vector<std::string> probe_notes;  ///< what the standard instruments leave out, and why
 };
 
 /// Forecast a run on this machine (takes a fraction of a second for small cases).

@@ -4,13 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numeric>
+#include <optional>
 
 #include "base/error.hpp"
 #include "particles/lattice.hpp"
 #include "solver/content.hpp"
-#include "sph/free_surface.hpp"
 
 namespace riffle {
 
@@ -51,10 +52,21 @@ void add_field(Content& content, const std::string& path, std::size_t components
 
 }  // namespace
 
+FlowState flow_state(const Simulation& simulation, const FluidView* fluid) {
+    return {.time = simulation.clock().time,
+            .streamwise_gravity = simulation.scheme().streamwise_gravity,
+            .particles = &simulation.particles(),
+            .fluid = fluid,
+            .drag_x = simulation.fields().drag_acceleration_x,
+            .wall_x = simulation.fields().wall_acceleration_x,
+            .wall_z = simulation.fields().wall_acceleration_z};
+}
+
 Recorder::Recorder(const Case& c, const ColumnResult* column)
     : case_(c),
       series_(c),
       profiles_(c, column),
+      probes_(c, largest_step(c, make_scheme(c, column))),
       mean_level_(c.total_depth()),
       has_surface_(c.channel.top == Top::free_surface) {
     const Lattice lattice = lattice_of(c);
@@ -69,7 +81,7 @@ double Recorder::fields_due() const {
     };
     const Output& output = case_.output;
     return std::min({next(output.series_interval, due_.series), next(output.profile_interval, due_.profile),
-                     next(output.snapshot_interval, due_.snapshot)});
+                     next(output.snapshot_interval, due_.snapshot), probes_.forces_due()});
 }
 
 void Recorder::record(const Simulation& simulation) {
@@ -77,11 +89,22 @@ void Recorder::record(const Simulation& simulation) {
     const Output& output = case_.output;
     const bool series_due = is_due(time, output.series_interval, due_.series);
     const bool surface_due = is_due(time, output.surface_interval, due_.surface);
+    // One view of the fluid serves the surface and all instruments.
+    const bool started = simulation.clock().steps > 0;
+    std::optional<FluidView> fluid;
+    if ((has_surface_ && surface_due) || (started && probes_.due_for_fluid(time))) {
+        const Scheme& scheme = simulation.scheme();
+        fluid.emplace(simulation.particles(), domain_of(case_), case_.numerics.kernel, scheme.density,
+                      scheme.smoothing_length);
+    }
     if (has_surface_ && surface_due) {
-        record_surface(simulation);
+        record_surface(time, *fluid);
     }
     // Before the first evaluation there are no forces to average.
-    if (simulation.clock().steps > 0) {
+    if (started) {
+        if (probes_.due(time)) {
+            record_probes(simulation, fluid ? &*fluid : nullptr);
+        }
         if (series_due) {
             series_.sample(simulation, mean_level_);
         }
@@ -94,15 +117,12 @@ void Recorder::record(const Simulation& simulation) {
     }
 }
 
-void Recorder::record_surface(const Simulation& simulation) {
-    const Particles<2>& p = simulation.particles();
-    std::vector<double> volume(p.size());
-    for (std::size_t i = 0; i < p.size(); ++i) {
-        volume[i] = p.mass[i] / (case_.fluid.density * (1.0 + p.density_deviation[i]));
-    }
-    const std::vector<double> elevation =
-        surface_elevation(domain_of(case_), p.position[0], p.position[1], volume, case_.numerics.kernel,
-                          simulation.scheme().smoothing_length, surface_x_);
+void Recorder::record_probes(const Simulation& simulation, const FluidView* fluid) {
+    probes_.record(flow_state(simulation, fluid));
+}
+
+void Recorder::record_surface(double time, const FluidView& fluid) {
+    const std::vector<double> elevation = fluid.surface_at(surface_x_);
     double sum = 0.0;
     double count = 0.0;
     for (const double e : elevation) {
@@ -112,7 +132,7 @@ void Recorder::record_surface(const Simulation& simulation) {
             count += 1.0;
         }
     }
-    new_surface_time_.push_back(simulation.clock().time);
+    new_surface_time_.push_back(time);
     mean_level_ = count > 0.0 ? sum / count : std::numeric_limits<double>::quiet_NaN();
 }
 
@@ -160,7 +180,8 @@ std::size_t Recorder::pending_bytes() const {
     const std::size_t series = (series_.rows() - taken_series_) * series_.columns().size() * sizeof(double);
     const std::size_t blocks = (profiles_.blocks().size() - taken_blocks_) * profiles_.layers() *
                                profile_quantities * sizeof(double);
-    return series + blocks + new_surface_.size() * sizeof(float) + new_snapshot_bytes_;
+    return series + blocks + new_surface_.size() * sizeof(float) + new_snapshot_bytes_ +
+           probes_.pending_bytes();
 }
 
 Content Recorder::take_new_rows() {
@@ -207,11 +228,14 @@ Content Recorder::take_new_rows() {
         new_surface_ = {};
         add_array(content, "/surface/x", surface_x_, "m", "distance along the channel");
     }
+    Content probes = probes_.take_new_rows();
+    std::move(probes.datasets.begin(), probes.datasets.end(), std::back_inserter(content.datasets));
+    std::move(probes.attributes.begin(), probes.attributes.end(), std::back_inserter(content.attributes));
     return content;
 }
 
 std::map<std::string, std::size_t> Recorder::rows() const {
-    std::map<std::string, std::size_t> rows;
+    std::map<std::string, std::size_t> rows = probes_.rows();
     for (const SeriesColumn& column : series_.columns()) {
         rows["/time_series/" + column.name] = taken_series_;
     }
@@ -240,6 +264,7 @@ void Recorder::save(Content& checkpoint) const {
     add_array(checkpoint, "/recorder/block_sums", profiles_.current().sums, "1",
               "sums of the block that is being filled");
     add_array(checkpoint, "/recorder/snapshot_times", snapshot_times_, "s", "times of the snapshots so far");
+    probes_.save(checkpoint);
 }
 
 void Recorder::restore(const Content& checkpoint, const ResultsReader& results) {
@@ -254,6 +279,7 @@ void Recorder::restore(const Content& checkpoint, const ResultsReader& results) 
     snapshot_times_ =
         std::get<std::vector<double>>(checkpoint_dataset(checkpoint, "/recorder/snapshot_times").values);
 
+    probes_.restore(checkpoint);
     for (SeriesColumn& column : series_.columns()) {
         column.values = results.read_doubles("/time_series/" + column.name);
         column.values.resize(taken_series_);

@@ -7,6 +7,7 @@
 
 #include "case/case.hpp"
 #include "column/column.hpp"
+#include "instruments/probe_set.hpp"
 #include "output/dataset.hpp"
 #include "output/results_file.hpp"
 #include "solver/profile_blocks.hpp"
@@ -15,7 +16,8 @@
 
 namespace riffle {
 
-/// Everything that a run records on the way: time series, surface, profile blocks, snapshots. What is due is
+/// Everything that a run records on the way: time series, surface, profile blocks, snapshots, and
+/// the records of the instruments. What is due is
 /// decided by the simulated time alone, so that a resumed run records the same rows.
 class Recorder {
   public:
@@ -52,12 +54,14 @@ class Recorder {
     struct Due {
         double series = 0.0, surface = 0.0, profile = 0.0, snapshot = 0.0;
     };
-    void record_surface(const Simulation& simulation);
+    void record_surface(double time, const FluidView& fluid);
+    void record_probes(const Simulation& simulation, const FluidView* fluid);
     void record_snapshot(const Simulation& simulation);
 
     Case case_;
     TimeSeries series_;
     ProfileSampler profiles_;
+    ProbeSet probes_;
     Due due_;
     std::vector<double> surface_x_;
     double mean_level_ = 0.0;
@@ -72,6 +76,10 @@ class Recorder {
     Content new_snapshots_;
     std::size_t new_snapshot_bytes_ = 0;
 };
+
+/// The present state of a simulation, for instruments; `fluid`: of the same state, null where none looks at
+/// it.
+[[nodiscard]] FlowState flow_state(const Simulation& simulation, const FluidView* fluid);
 
 /// Bytes of recorded data that may wait in memory before they are written out.
 inline constexpr std::size_t pending_limit = std::size_t{256} << 20U;

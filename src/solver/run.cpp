@@ -5,9 +5,11 @@
 #include <array>
 
 #include "base/error.hpp"
+#include "instruments/probe_set.hpp"
 #include "output/checkpoint_file.hpp"
 #include "solver/recorder.hpp"
 #include "solver/run_session.hpp"
+#include "solver/start.hpp"
 
 namespace riffle {
 
@@ -27,12 +29,24 @@ void make_folder(const fs::path& folder) {
 /// Keys that a resumed run may change: they leave the state valid.
 bool may_change(const std::string& key) {
     constexpr std::array<const char*, 2> steps = {"numerics.courant_number", "numerics.time_step"};
-    return key.rfind("run.", 0) == 0 || key.rfind("output.", 0) == 0 || key == steps[0] || key == steps[1];
+    // A record that begins or ends in the middle would have gaps that no reader expects.
+    return key != "output.standard_probes" &&
+           (key.rfind("run.", 0) == 0 || key.rfind("output.", 0) == 0 || key == steps[0] || key == steps[1]);
+}
+
+/// Refuse probes that the time step cannot serve, before anything is written.
+void check_probes(const Case& c) {
+    std::optional<ColumnResult> column;
+    if (has_column(c)) {
+        column = solve_column(c);
+    }
+    (void)ProbeSet(c, largest_step(c, make_scheme(c, column ? &*column : nullptr)));
 }
 
 }  // namespace
 
 RunOutcome run_case(const Case& c, const RunOptions& options) {
+    check_probes(c);
     make_folder(options.folder);
     const RunFiles files{options.folder};
     if (!options.overwrite && (fs::exists(files.results()) || fs::exists(files.checkpoint()))) {
@@ -64,10 +78,11 @@ RunOutcome resume_run(const RunOptions& options, const fs::path& checkpoint,
     }
     for (const Override& o : overrides) {
         if (!may_change(o.key)) {
-            throw InputError(
-                fmt::format("--set {}: a resumed run may change only the keys of [run] and [output], "
-                            "numerics.courant_number and numerics.time_step; start a new run for this",
-                            o.key));
+            throw InputError(fmt::format(
+                "--set {}: a resumed run may change only the keys of [run] and [output], "
+                "numerics.courant_number and numerics.time_step, and not output.standard_probes; start a new "
+                "run for this",
+                o.key));
         }
     }
     const Content saved = CheckpointFile::read(from);

@@ -50,6 +50,10 @@ Scheme make_scheme(const Case& c, const ColumnResult* column) {
     return scheme;
 }
 
+double largest_step(const Case& c, const Scheme& scheme) {
+    return c.numerics.time_step.value_or(scheme.acoustic_step);
+}
+
 double force_limited_step(const Scheme& scheme, double largest_acceleration) {
     return largest_acceleration > 0.0 ? 0.25 * std::sqrt(scheme.smoothing_length / largest_acceleration)
                                       : std::numeric_limits<double>::infinity();

@@ -26,6 +26,9 @@ struct Scheme {
 /// Derive the scheme; `column` is the twin of the case where it has one (nullptr: no steady shear flow).
 [[nodiscard]] Scheme make_scheme(const Case& c, const ColumnResult* column);
 
+/// Bound of the time step of a run, s: the fixed step, or that of the Courant number and the viscosity.
+[[nodiscard]] double largest_step(const Case& c, const Scheme& scheme);
+
 /// Step by the largest acceleration: 0.25 sqrt(h/|a|) (Monaghan & Kos 1999; thesis 2.53).
 [[nodiscard]] double force_limited_step(const Scheme& scheme, double largest_acceleration);
 

@@ -24,14 +24,15 @@ struct ParticleFields {
     std::vector<double> pair_acceleration_x;     ///< of the pressure pairs
     std::vector<double> viscous_acceleration_x;  ///< of viscosity and closure
     std::vector<double> wall_acceleration_x;     ///< part of both from walls
+    std::vector<double> wall_acceleration_z;     ///< the same, normal to the bed
     std::vector<double> drag_acceleration_x;     ///< of the bed drag (negative for u > 0)
 
     void resize(std::size_t n);
     /// All of them.
-    static constexpr std::array<std::vector<double> ParticleFields::*, 8> all();
+    static constexpr std::array<std::vector<double> ParticleFields::*, 9> all();
 };
 
-constexpr std::array<std::vector<double> ParticleFields::*, 8> ParticleFields::all() {
+constexpr std::array<std::vector<double> ParticleFields::*, 9> ParticleFields::all() {
     return {&ParticleFields::pressure,
             &ParticleFields::eddy_viscosity,
             &ParticleFields::shear,
@@ -39,6 +40,7 @@ constexpr std::array<std::vector<double> ParticleFields::*, 8> ParticleFields::a
             &ParticleFields::pair_acceleration_x,
             &ParticleFields::viscous_acceleration_x,
             &ParticleFields::wall_acceleration_x,
+            &ParticleFields::wall_acceleration_z,
             &ParticleFields::drag_acceleration_x};
 }
 

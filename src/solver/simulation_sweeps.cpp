@@ -248,6 +248,8 @@ void SimulationOf<D, Real>::keep_force_fields(const Task& task, std::size_t begi
             fields_.viscous_acceleration_x[i] =
                 factor * static_cast<double>(task.sums.force.viscous[0][lane]);
             fields_.wall_acceleration_x[i] = factor * static_cast<double>(task.sums.force.wall[0][lane]);
+            fields_.wall_acceleration_z[i] =
+                factor * static_cast<double>(task.sums.force.wall[vertical][lane]);
             fields_.drag_acceleration_x[i] = drag_ ? task.particles.drag_force[lane] : 0.0;
         }
     });

@@ -115,6 +115,53 @@ class Columns {
     std::vector<std::vector<std::size_t>> members_;
 };
 
+/// A particle near a place: the square of its horizontal distance, and its height.
+struct Near {
+    std::size_t particle;
+    double horizontal_squared;
+    double height;
+};
+
+/// Sum of term(particle, squared distance) at a height over the particles within 2h.
+template <class Term>
+double sum_at(double z, const std::vector<Near>& near, double h, const Term& term) {
+    double sum = 0.0;
+    for (const Near& n : near) {
+        const double rz = z - n.height;
+        const double squared = n.horizontal_squared + rz * rz;
+        if (squared < 4.0 * h * h) sum += term(n.particle, squared);
+    }
+    return sum;
+}
+
+/// Where a field passes the threshold between a height inside the water and one above it, to 1e-7 h: by false
+/// position, with the Illinois rule against one end that stays.
+template <class Field>
+double crossing(const Field& field, double threshold, double inside, double outside, double h) {
+    double f_inside = field(inside) - threshold;
+    double f_outside = field(outside) - threshold;
+    int last = 0;
+    constexpr int most = 60;
+    const auto between = [&] { return (f_inside * outside - f_outside * inside) / (f_inside - f_outside); };
+    for (int i = 0; i < most && std::abs(outside - inside) > 1e-7 * h; ++i) {
+        const double z = between();
+        const double f = field(z) - threshold;
+        if (f == 0.0) return z;
+        if (f > 0.0) {
+            inside = z;
+            f_inside = f;
+            f_outside *= last == 1 ? 0.5 : 1.0;
+            last = 1;
+        } else {
+            outside = z;
+            f_outside = f;
+            f_inside *= last == -1 ? 0.5 : 1.0;
+            last = -1;
+        }
+    }
+    return between();
+}
+
 /// Elevation where a sum over particles, term(particle, squared distance), first reaches the threshold on the
 /// way down.
 template <int D, class Term>
@@ -122,37 +169,37 @@ std::vector<double> scan_from_above(const FluidParticles<D>& fluid, std::span<co
                                     double threshold, const Term& term) {
     const double h = fluid.smoothing_length;
     const Columns<D> columns(fluid);
-    std::vector<double> elevation(at.size());
+    std::vector<double> elevation(at.size(), not_a_number);
     parallel_blocks(at.size(), places_per_block, [&](std::size_t begin, std::size_t end) {
-        std::vector<std::size_t> near;
+        std::vector<std::size_t> around;
+        std::vector<Near> band;
         for (std::size_t n = begin; n < end; ++n) {
-            columns.around(at[n], near);
+            columns.around(at[n], around);
             double top = -std::numeric_limits<double>::infinity();
-            for (const std::size_t j : near) top = std::max(top, columns.height(j));
-            const auto field = [&](double z) {
-                double sum = 0.0;
-                for (const std::size_t j : near) {
-                    const double rz = z - columns.height(j);
-                    if (std::abs(rz) >= 2.0 * h) continue;
-                    sum += term(j, columns.horizontal_squared(at[n], j) + rz * rz);
+            for (const std::size_t j : around) top = std::max(top, columns.height(j));
+            // The particles that reach a stretch of heights, from `low` up.
+            double low = std::numeric_limits<double>::infinity();
+            const auto gather = [&](double from, double to) {
+                low = from;
+                band.clear();
+                for (const std::size_t j : around) {
+                    const double height = columns.height(j);
+                    if (height <= from - 2.0 * h || height >= to + 2.0 * h) continue;
+                    const double squared = columns.horizontal_squared(at[n], j);
+                    if (squared < 4.0 * h * h) band.push_back({j, squared, height});
                 }
-                return sum;
             };
-            elevation[n] = not_a_number;
+            const auto field = [&](double z) { return sum_at(z, band, h, term); };
             const double step = 0.25 * h;
             double above = top + 2.0 * h;
-            for (double z = above - step; z > fluid.domain.lower[D - 1] && !near.empty(); z -= step) {
+            for (double z = above - step; z > fluid.domain.lower[D - 1] && !around.empty(); z -= step) {
+                if (z < low) gather(z - 3.0 * h, above);
                 if (field(z) < threshold) {
                     above = z;
                     continue;
                 }
-                double low = z;
-                double high = above;
-                for (int bisection = 0; bisection < 30; ++bisection) {
-                    const double middle = 0.5 * (low + high);
-                    (field(middle) < threshold ? high : low) = middle;
-                }
-                elevation[n] = 0.5 * (low + high);
+                gather(z, above);
+                elevation[n] = crossing(field, threshold, z, above, h);
                 break;
             }
         }

@@ -24,6 +24,42 @@ OF_THE_MACHINE = {
 }
 
 
+# An instrument of each kind, at home in a channel of SMALL; at frequencies that no other record has.
+PROBES = """
+[[probe]]
+name = "adv"
+kind = "velocity"
+sampling_frequency = "77 Hz"
+x = "30 mm"
+z = ["5 mm", "20 mm", "40 mm", "60 mm"]
+sampling_length = "4 mm"
+[[probe]]
+name = "gauges"
+kind = "wave"
+sampling_frequency = "90 Hz"
+x = [0, "28 mm"]
+[[probe]]
+name = "line"
+kind = "surface_line"
+sampling_frequency = "30 Hz"
+[[probe]]
+name = "piv"
+kind = "grid"
+sampling_frequency = "55 Hz"
+averaging_time = "0.07 s"
+start = "0.05 s"
+[[probe]]
+name = "sections"
+kind = "flow_rate"
+sampling_frequency = "40 Hz"
+x = [0, 0.01, 0.02, 0.03, 0.04, 0.05]
+[[probe]]
+name = "forces"
+kind = "force"
+sampling_frequency = "50 Hz"
+"""
+
+
 def until(seconds):
     return ["--set", f'run.until="{seconds} s"']
 
@@ -102,10 +138,16 @@ class CommandLineTest(unittest.TestCase):
             self.assertIn(words, result.stderr, command)
         return result
 
-    def run_small(self, name, seconds, *options, threads=1):
+    def case_with_probes(self):
+        """Flow condition 2 with an instrument of each kind beside the standard ones."""
+        path = self.folder / "probes.toml"
+        path.write_text(CASE.read_text() + PROBES)
+        return path
+
+    def run_small(self, name, seconds, *options, threads=1, case=CASE):
         """A short run in self.folder/name; its folder."""
         folder = self.folder / name
-        self.succeed("run", CASE, "-o", folder, "-j", threads, "-q", *SMALL, *until(seconds), *options)
+        self.succeed("run", case, "-o", folder, "-j", threads, "-q", *SMALL, *until(seconds), *options)
         return folder
 
     def assert_same_results(self, first, second, leave_out=()):

@@ -34,6 +34,23 @@ class BadInput(CommandLineTest):
         refuse("slope 0.004\n", "flume.toml:1", "key = value")
         refuse("", "[channel]")
 
+    def test_instruments(self):
+        case = self.folder / "flume.toml"
+        text = CASE.read_text()
+        line = text.count("\n") + 1
+
+        def refuse(kind, lines, *says):
+            case.write_text(f'{text}[[probe]]\nname = "p"\nkind = "{kind}"\n{lines}')
+            target = self.folder / "run"
+            self.fail_with(2, "run", case, "-o", target, *SMALL, says=[f"flume.toml:{line}", "[[probe]]", *says])
+            self.assertFalse(target.exists(), "a refused case leaves a folder behind")
+
+        # The time step decides, and that of the small case is known before the run only.
+        refuse("force", "sampling_frequency = 9e3\n", "sampling_frequency", "9000 Hz", "at most", "every second step")
+        line += 4
+        refuse("wave", 'sampling_frequency = "50 Hz"\nx = "1 m"\n', "x = 1 m is outside of the channel")
+        refuse("grid", 'sampling_frequency = "50 Hz"\nspacing = "0.1 mm"\n', "too fine")
+
     def test_damaged_case_files_never_crash_the_command(self):
         text = CASE.read_bytes()
         case = self.folder / "damaged.toml"

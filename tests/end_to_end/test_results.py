@@ -3,9 +3,9 @@ import re
 import subprocess
 import sys
 
-from riffle_cli import SKIPPED, SOURCE, CommandLineTest, every, main
+from riffle_cli import SKIPPED, SMALL, SOURCE, CommandLineTest, every, main, until
 
-UNITS = {"m", "s", "m/s", "1/s", "m2/s", "Pa", "kg/m3", "N/m3", "J/m", "kg/m", "1"}
+UNITS = {"m", "s", "m/s", "1/s", "m2/s", "m2/s2", "Pa", "kg/m3", "N/m3", "N/m", "J/m", "kg/m", "1"}
 
 
 def documented():
@@ -46,13 +46,14 @@ class Results(CommandLineTest):
     def test_every_documented_dataset_is_there_and_every_dataset_is_documented(self):
         import h5py
 
-        folder = self.run_small("run", 0.45, *every(snapshot=0.2))
+        folder = self.run_small("run", 0.45, *every(snapshot=0.2), case=self.case_with_probes())
         documents, summary = documented()
         found = {}
 
         def visit(name, item):
             if isinstance(item, h5py.Dataset):
-                found["/" + re.sub(r"\d{5}", "NNNNN", name)] = dict(item.attrs)
+                name = re.sub(r"^/probes/[\w-]+/", "/probes/NAME/", "/" + re.sub(r"\d{5}", "NNNNN", name), count=1)
+                found[name] = dict(item.attrs)
 
         with h5py.File(folder / "results.h5", "r") as file:
             file.visititems(visit)
@@ -87,10 +88,61 @@ class Results(CommandLineTest):
             self.assertAlmostEqual(file["summary"].attrs["mean_level"], 0.056, delta=0.001)
 
     def test_any_number_of_threads_gives_the_same_bits(self):
-        one = self.run_small("one", 0.45, *every(snapshot=0.2), threads=1)
+        case = self.case_with_probes()
+        one = self.run_small("one", 0.45, *every(snapshot=0.2), threads=1, case=case)
         for threads in (2, 3):
             self.assert_same_results(one, self.run_small(f"threads-{threads}", 0.45, *every(snapshot=0.2),
-                                                         threads=threads))
+                                                         threads=threads, case=case))
+
+    def test_the_instruments_record_what_check_forecasts(self):
+        import h5py
+        import json
+
+        case = self.case_with_probes()
+        folder = self.run_small("run", 0.45, case=case)
+        forecast = json.loads(self.succeed("check", case, "--json", *SMALL, *until(0.45)).stdout)
+        with h5py.File(folder / "results.h5") as file:
+            probes = file["probes"]
+            self.assertEqual({p["name"] for p in forecast["probes"]}, set(probes))
+            for probe in forecast["probes"]:
+                group = probes[probe["name"]]
+                self.assertEqual(group.attrs["kind"], probe["kind"])
+                self.assertEqual(group.attrs["standard"], probe["standard"])
+                self.assertEqual(group.attrs["sampling_frequency"], probe["sampling_frequency"])
+                recorded = sum(data.nbytes for name, data in group.items() if name not in ("x", "z"))
+                # The last sample may wait for a step beyond the end, or the end lie a step behind it.
+                row = recorded / max(1, group["time"].size)
+                self.assertLessEqual(abs(recorded - probe["bytes"]), row, probe["name"])
+                self.assertGreater(probe["time_share"], 0)
+
+    def test_the_instruments_agree_with_the_other_records(self):
+        import h5py
+        import numpy
+
+        # Force balance and time series at the same instants: every 0.02 s.
+        folder = self.run_small("run", 0.45, *every(series=0.02, surface=0.01), case=self.case_with_probes())
+        with h5py.File(folder / "results.h5") as file:
+            series, force = file["time_series"], file["probes/forces"]
+            same = numpy.isin(force["time"][...], series["time"][...])
+            self.assertGreater(same.sum(), 15)
+            rows = numpy.isin(series["time"][...], force["time"][...])
+            weight = force["weight_component"][...][same]
+            for name, ratio in (("bed_drag", "drag_over_gravity"), ("wall_force", "wall_over_gravity")):
+                difference = force[name][...][same] / weight - series[ratio][...][rows]
+                self.assertLess(abs(difference).max(), 1e-9, name)  # sums of the same terms
+            # The walls carry the water: 0.056 m of it over 0.06 m, and weak sound goes up and down in it.
+            carried = 1000 * 9.81 * 0.056 * 0.06
+            self.assertAlmostEqual(force["wall_normal_force"][...].mean() / carried, 1.0, delta=0.02)
+            # Flow rate: its mean over even sections is the momentum of the water over density and length.
+            sections = file["probes/sections"]
+            u = sections["flow_rate"][...] / sections["depth"][...]
+            mean = series["total_mean_velocity"][...].mean()
+            self.assertLess(abs(u.mean() / mean - 1), 0.01)
+            # The point at 20 mm lies on the column's profile that the run starts from.
+            column = numpy.interp([0.02, 0.04], file["column/z"][...], file["column/velocity"][...])
+            measured = file["probes/adv/velocity"][...][:, 1:3].mean(axis=0)
+            self.assertLess(abs(measured / column - 1).max(), 0.02)
+            self.assertTrue(numpy.isnan(file["probes/adv/velocity"][...][:, 3]).all(), "60 mm is in the air")
 
     def test_a_run_can_start_from_results(self):
         import h5py

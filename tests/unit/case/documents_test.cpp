@@ -42,14 +42,16 @@ TEST(Documents, SchemaKnowsEveryKey) {
     EXPECT_EQ(schema["$schema"], "https://json-schema.org/draft/2020-12/schema");
     EXPECT_EQ(schema["required"], nlohmann::json::array({"channel"}));
     for (const SectionKeys& section : key_table()) {
-        const auto& properties =
-            section.name.empty() ? schema["properties"] : schema["properties"][section.name]["properties"];
+        const auto& named = section.name.empty() ? schema : schema["properties"][section.name];
+        const auto& object = section.repeated() ? named["items"] : named;
+        const auto& properties = object["properties"];
         for (const Key& key : section.keys) {
             ASSERT_TRUE(properties.contains(key.name)) << key.id();
             EXPECT_EQ(properties[key.name]["description"], key.meaning);
         }
         if (!section.name.empty()) {
-            EXPECT_EQ(schema["properties"][section.name]["additionalProperties"], false);
+            EXPECT_EQ(object["additionalProperties"], false);
+            EXPECT_EQ(named["type"], section.repeated() ? "array" : "object");
             EXPECT_EQ(properties.size(), section.keys.size());
         }
     }

@@ -190,6 +190,41 @@ Value any_value(const Key& key) {
     return {};
 }
 
+/// A valid probe of any kind in a channel of at least 0.1 m and a depth of at least 0.03 m.
+Probe any_probe(const Case& c, const std::string& name) {
+    Probe p;
+    p.name = name;
+    p.kind = static_cast<ProbeKind>(*rc::gen::inRange<std::size_t>(0, Words<ProbeKind>::list.size()));
+    p.sampling_frequency = *number_between(10.0, 200.0);
+    const auto positions = [](double high) {
+        std::vector<double> list(*rc::gen::inRange<std::size_t>(1, 4));
+        for (double& value : list) {
+            value = *number_between(1e-3, high);
+        }
+        return list;
+    };
+    const bool section = p.kind == ProbeKind::flow_rate;
+    if (p.kind == ProbeKind::velocity || p.kind == ProbeKind::wave || section) {
+        p.x = positions(c.channel.length);
+    }
+    if (p.kind == ProbeKind::velocity) {
+        p.x.resize(1);
+        p.z = positions(0.02);
+        p.sampling_length = *number_between(0.0, 0.01);
+    }
+    if (p.kind == ProbeKind::surface_line || p.kind == ProbeKind::grid) {
+        p.spacing = *number_between(0.02, 0.05);
+    }
+    if (p.kind == ProbeKind::grid) {
+        p.spacing = c.channel.length / 20.0;
+        p.x_to = *number_between(0.05, 0.1);
+        p.z_from = *number_between(0.0, 0.01);
+        p.averaging_time = *number_between(0.2, 0.4) * c.run.time;
+        p.sampling_frequency = 100.0 / c.run.time;
+    }
+    return p;
+}
+
 /// A valid case with many of its keys changed.
 Case any_case() {
     Case c = parse(smallest);
@@ -215,7 +250,7 @@ Case any_case() {
                                          "run.average_from"};
     for (const SectionKeys& section : key_table()) {
         for (const Key& key : section.keys) {
-            if (std::find(fixed.begin(), fixed.end(), key.id()) == fixed.end() &&
+            if (!section.repeated() && std::find(fixed.begin(), fixed.end(), key.id()) == fixed.end() &&
                 *rc::gen::arbitrary<bool>()) {
                 key.set(c, any_value(key));
             }
@@ -229,6 +264,10 @@ Case any_case() {
     c.bed.datum_below_crest = c.bed.roughness_height * *number_between(0.0, 1.0);
     c.turbulence.zero = *number_between(0.0, 0.02);
     c.fluid.gravity = *number_between(0.1, 20.0);
+    const int probes = *rc::gen::inRange(0, 4);
+    for (int i = 0; i < probes; ++i) {
+        c.probes.push_back(any_probe(c, "probe-" + std::to_string(i)));
+    }
     return c;
 }
 
@@ -299,6 +338,8 @@ TEST(RoundTrip, EveryKeyIsBoundToItsOwnMember) {
                 value = std::string(key.words.back().name == std::get<std::string>(value)
                                         ? key.words.front().name
                                         : key.words.back().name);
+            } else if (auto* const list = std::get_if<std::vector<double>>(&value)) {
+                list->push_back(0.125);
             } else if (std::holds_alternative<std::monostate>(value)) {
                 value = 0.125;
             } else {

@@ -1,0 +1,71 @@
+#include "instruments/instrument.hpp"
+
+#include <numeric>
+#include <stdexcept>
+#include <utility>
+
+namespace riffle {
+
+namespace {
+
+template <class T>
+std::size_t row_size(const InstrumentRecord& record, const std::vector<T>&) {
+    return std::accumulate(record.row_shape.begin(), record.row_shape.end(), sizeof(T), std::multiplies<>());
+}
+
+}  // namespace
+
+std::size_t InstrumentRecord::row_bytes() const {
+    return std::visit([&](const auto& list) { return row_size(*this, list); }, values);
+}
+
+void InstrumentRecord::add(double value) {
+    std::visit([&]<class T>(std::vector<T>& list) { list.push_back(static_cast<T>(value)); }, values);
+}
+
+std::size_t Instrument::row_bytes() const {
+    return std::accumulate(records_.begin(), records_.end(), std::size_t{0},
+                           [](std::size_t sum, const auto& record) { return sum + record.row_bytes(); });
+}
+
+std::vector<InstrumentRecord> Instrument::take() {
+    std::vector<InstrumentRecord> taken = records_;
+    for (InstrumentRecord& record : records_) {
+        std::visit([](auto& list) { list.clear(); }, record.values);
+    }
+    rows_ = 0;
+    return taken;
+}
+
+void Instrument::add_axis(std::string name, std::string long_name, std::vector<double> values) {
+    axes_.push_back({std::move(name), "m", std::move(long_name), std::move(values)});
+}
+
+void Instrument::add_record(std::string name, std::string unit, std::string long_name,
+                            std::vector<std::size_t> row_shape, bool in_double) {
+    InstrumentRecord record{std::move(name), std::move(unit), std::move(long_name), std::move(row_shape), {}};
+    if (in_double) {
+        record.values = std::vector<double>();
+    }
+    records_.push_back(std::move(record));
+}
+
+std::unique_ptr<Instrument> make_instrument(const Probe& probe, const Case& c) {
+    switch (probe.kind) {
+        case ProbeKind::velocity:
+            return make_velocity_points(probe, c);
+        case ProbeKind::wave:
+            return make_wave_probes(probe, c);
+        case ProbeKind::surface_line:
+            return make_surface_line(probe, c);
+        case ProbeKind::grid:
+            return make_velocity_grid(probe, c);
+        case ProbeKind::flow_rate:
+            return make_flow_rate_sections(probe, c);
+        case ProbeKind::force:
+            return make_bed_force(probe, c);
+    }
+    throw std::logic_error("an instrument that instrument.cpp does not list");
+}
+
+}  // namespace riffle

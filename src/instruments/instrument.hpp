@@ -1,0 +1,109 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "case/case.hpp"
+#include "instruments/fluid_view.hpp"
+
+namespace riffle {
+
+/// The state after a step, for instruments.
+struct FlowState {
+    double time = 0.0;                ///< s
+    double streamwise_gravity = 0.0;  ///< m/s2
+    const Particles<2>* particles = nullptr;
+    const FluidView* fluid = nullptr;  ///< where an instrument `looks_at_fluid`
+    /// Accelerations by particle, m/s2, where an instrument `needs_forces`.
+    std::span<const double> drag_x = {}, wall_x = {}, wall_z = {};
+};
+
+/// An array that an instrument fills: one row per sample, or per averaging window.
+struct InstrumentRecord {
+    std::string name;
+    std::string unit;
+    std::string long_name;
+    std::vector<std::size_t> row_shape;  ///< empty: one number
+    std::variant<std::vector<float>, std::vector<double>> values;
+
+    /// Bytes of a row.
+    [[nodiscard]] std::size_t row_bytes() const;
+    /// Add a number to the row that is being made.
+    void add(double value);
+};
+
+/// An array that stays as it is: positions.
+struct InstrumentAxis {
+    std::string name;
+    std::string unit;
+    std::string long_name;
+    std::vector<double> values;
+};
+
+/// An instrument: what it samples becomes rows of its records, kept until they are taken. A new kind is a
+/// file with a class of this base and a line in make_instrument (instrument.cpp).
+class Instrument {
+  public:
+    virtual ~Instrument() = default;
+
+    /// Take one sample; adds a row, or part of one that is averaged.
+    virtual void sample(const FlowState& state) = 0;
+
+    /// Whether sample() uses FlowState::fluid, and the forces.
+    [[nodiscard]] virtual bool looks_at_fluid() const { return true; }
+    [[nodiscard]] virtual bool needs_forces() const { return false; }
+
+    /// Points of a sample, for the forecast.
+    [[nodiscard]] virtual std::size_t points() const = 0;
+    /// Rows per simulated time, 1/s.
+    [[nodiscard]] virtual double row_frequency() const { return probe_.sampling_frequency; }
+
+    /// What an unfinished row needs to be gone on with, for the checkpoint.
+    [[nodiscard]] virtual std::vector<double> unfinished() const { return {}; }
+    virtual void restore_unfinished(const std::vector<double>& /*saved*/) {}
+
+    [[nodiscard]] const Probe& probe() const { return probe_; }
+    [[nodiscard]] const std::vector<InstrumentAxis>& axes() const { return axes_; }
+    [[nodiscard]] const std::vector<InstrumentRecord>& records() const { return records_; }
+    /// Bytes of a row of all records.
+    [[nodiscard]] std::size_t row_bytes() const;
+    /// Rows not yet taken.
+    [[nodiscard]] std::size_t rows() const { return rows_; }
+    /// The records with these rows, which are then forgotten here.
+    [[nodiscard]] std::vector<InstrumentRecord> take();
+
+  protected:
+    explicit Instrument(Probe probe) : probe_(std::move(probe)) {}
+
+    /// Declare arrays, in the constructor. The first record of every instrument is its time.
+    void add_axis(std::string name, std::string long_name, std::vector<double> values);
+    void add_record(std::string name, std::string unit, std::string long_name,
+                    std::vector<std::size_t> row_shape, bool in_double = false);
+
+    [[nodiscard]] InstrumentRecord& record(std::size_t index) { return records_[index]; }
+    /// To be called once all records have their row.
+    void end_row() { ++rows_; }
+
+  private:
+    Probe probe_;
+    std::vector<InstrumentAxis> axes_;
+    std::vector<InstrumentRecord> records_;
+    std::size_t rows_ = 0;
+};
+
+// The instruments (one file each);.
+[[nodiscard]] std::unique_ptr<Instrument> make_velocity_points(const Probe& probe, const Case& c);
+[[nodiscard]] std::unique_ptr<Instrument> make_wave_probes(const Probe& probe, const Case& c);
+[[nodiscard]] std::unique_ptr<Instrument> make_surface_line(const Probe& probe, const Case& c);
+[[nodiscard]] std::unique_ptr<Instrument> make_velocity_grid(const Probe& probe, const Case& c);
+[[nodiscard]] std::unique_ptr<Instrument> make_flow_rate_sections(const Probe& probe, const Case& c);
+[[nodiscard]] std::unique_ptr<Instrument> make_bed_force(const Probe& probe, const Case& c);
+
+/// The instrument of an entry of [[probe]]. The one place where a kind is registered.
+[[nodiscard]] std::unique_ptr<Instrument> make_instrument(const Probe& probe, const Case& c);
+
+}  // namespace riffle

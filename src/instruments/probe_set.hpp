@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "case/case.hpp"
+#include "instruments/instrument.hpp"
+#include "output/dataset.hpp"
+
+namespace riffle {
+
+/// The instruments of a run, those of the case file and the standard ones: when each is due, and its rows on
+/// the way to `/probes/NAME` of the results. Due times are multiples of the sampling interval and follow from
+/// the simulated time alone.
+class ProbeSet {
+  public:
+    /// `largest_step`: bound of the time step, s. Throws InputError (place, probe, limit, what to do) where
+    /// an instrument samples faster than every second step.
+    ProbeSet(const Case& c, double largest_step);
+
+    /// Whether anything is due at `time`; whether something due looks at the fluid.
+    [[nodiscard]] bool due(double time) const;
+    [[nodiscard]] bool due_for_fluid(double time) const;
+    /// Time from which something is due that needs the forces on the particles.
+    [[nodiscard]] double forces_due() const;
+
+    /// Sample what is due at the state's time. `state.fluid` may be null unless due_for_fluid().
+    void record(const FlowState& state);
+
+    /// Bytes recorded since the last take_new_rows().
+    [[nodiscard]] std::size_t pending_bytes() const;
+    /// Rows recorded since the last call.
+    [[nodiscard]] Content take_new_rows();
+    /// Number of rows of each appended dataset at the last take_new_rows(), for the checkpoint.
+    [[nodiscard]] std::map<std::string, std::size_t> rows() const;
+
+    /// State for the checkpoint: due times, rows, windows being averaged.
+    void save(Content& checkpoint) const;
+    /// Put it back. Throws FileError where the checkpoint lacks it.
+    void restore(const Content& checkpoint);
+
+    struct Member {
+        std::unique_ptr<Instrument> instrument;
+        bool standard = false;
+        double due = 0.0;       ///< next sample, s
+        std::size_t taken = 0;  ///< rows taken so far
+    };
+    [[nodiscard]] const std::vector<Member>& members() const { return members_; }
+    /// What the standard set leaves out, and why.
+    [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
+
+  private:
+    std::vector<Member> members_;
+    std::vector<std::string> notes_;
+};
+
+/// Rows that an instrument records until `end`, s.
+[[nodiscard]] double recorded_rows(const Instrument& instrument, double end);
+
+}  // namespace riffle
