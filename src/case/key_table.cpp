@@ -311,7 +311,8 @@ SectionKeys output() {
     };
     s.keys.push_back(
         key("series_interval", &Output::series_interval, "Between rows of the time series.").greater_than(0));
-    s.keys.push_back(key("surface_interval", &Output::surface_interval, "Between records of the surface.")
+    s.keys.push_back(key("surface_interval", &Output::surface_interval,
+                         "Between records of the surface. Spectra reach up to half of its inverse.")
                          .greater_than(0));
     s.keys.push_back(
         key("profile_interval", &Output::profile_interval, "Between samples of the mean profiles.")

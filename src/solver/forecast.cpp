@@ -113,7 +113,7 @@ void forecast_probes(const Case& c, const Simulation& simulation, double step_se
                                (instrument.looks_at_fluid() ? view_seconds : 0.0);
         p.samples = std::max(0.0, std::floor((f.end_time - probe.start) * probe.sampling_frequency + 1e-9));
         p.bytes = recorded_rows(instrument, f.end_time) * static_cast<double>(instrument.row_bytes());
-        p.time_share = seconds * probe.sampling_frequency * f.time_step / step_seconds;
+        p.time_share = seconds * p.samples / (step_seconds * f.steps);
         f.probes.push_back(std::move(p));
     }
 }
