@@ -1,4 +1,4 @@
-# The page of `riffle report`: its HTML, style, scripts and figure library become read-only data of the
+# The pages of `riffle report` and `riffle watch`: their HTML, style, scripts and figure library become read-only data of the
 # binary. The figure library comes from the npm registry at configure time, pinned by web/package-lock.json;
 # the assembler takes the files as they are (.incbin), which costs no compile time.
 
@@ -76,4 +76,14 @@ function(riffle_report_page TARGET)
     riffle_page_figures=${web}/figures.js
     riffle_page_field=${web}/field.js
     riffle_page_script=${web}/report.js)
+endfunction()
+
+# riffle_watch_page(TARGET): embed what the page of `riffle watch` has of its own.
+function(riffle_watch_page TARGET)
+  set(web ${PROJECT_SOURCE_DIR}/web)
+  riffle_embed(${TARGET}
+    riffle_watch_html=${web}/watch.html
+    riffle_watch_style=${web}/watch.css
+    riffle_watch_figures=${web}/figures.js
+    riffle_watch_script=${web}/watch.js)
 endfunction()

@@ -1,9 +1,9 @@
 # Debian packages that Riffle needs, and how to install those that are missing. To be sourced by bash.
 
 build_packages=(
-    g++ cmake ninja-build ca-certificates
-    libboost-dev libcli11-dev libeigen3-dev libfmt-dev libhdf5-dev libkissfft-dev libspdlog-dev libtbb-dev
-    libtomlplusplus-dev nlohmann-json3-dev
+    g++ cmake ninja-build pkg-config ca-certificates
+    libboost-dev libcli11-dev libcpp-httplib-dev libeigen3-dev libfmt-dev libhdf5-dev libkissfft-dev libspdlog-dev
+    libtbb-dev libtomlplusplus-dev nlohmann-json3-dev
 )
 test_packages=(
     libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev clang-format-14

@@ -25,6 +25,7 @@ constexpr const char* examples = R"(Examples:
   riffle check my-flume.toml                        is it valid, and what will it cost?
   riffle column my-flume.toml                       the 1D twin: the mean flow in milliseconds
   riffle run my-flume.toml -o results/my-flume      simulate until the mean flow is steady
+  riffle watch results/my-flume                     follow it in the browser meanwhile
   riffle resume results/my-flume                    go on after a stop
   riffle report results/my-flume                    one HTML page with figures and numbers
 
@@ -64,6 +65,7 @@ int parse_and_run(int argc, char** argv) {
     add_verb_run(app);
     add_verb_resume(app);
     add_verb_report(app);
+    add_verb_watch(app);
     add_verb_bench(app);
     add_verb_schema(app);
     add_verb_version(app);

@@ -1,0 +1,177 @@
+#include "watch/run_state.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
+namespace riffle {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Age of the results below which a run is not yet called lost, s.
+constexpr double shortest_patience = 10.0;
+
+/// A line of the form "YYYY-MM-DD hh:mm:ss level message".
+std::optional<LogLine> dated(std::string_view line) {
+    constexpr std::string_view form = "dddd-dd-dd dd:dd:dd ";
+    if (line.size() <= form.size()) return std::nullopt;
+    for (std::size_t i = 0; i < form.size(); ++i) {
+        const bool fits =
+            form[i] == 'd' ? std::isdigit(static_cast<unsigned char>(line[i])) != 0 : line[i] == form[i];
+        if (!fits) return std::nullopt;
+    }
+    const std::string_view rest = line.substr(form.size());
+    const std::size_t gap = std::min(rest.find(' '), rest.size());
+    const std::size_t start = std::min(rest.find_first_not_of(' ', gap), rest.size());
+    return LogLine{std::string(line.substr(0, form.size() - 1)), std::string(rest.substr(0, gap)),
+                   std::string(rest.substr(start))};
+}
+
+bool starts_with(const std::optional<LogLine>& line, std::string_view word) {
+    return line && line->message.rfind(word, 0) == 0;
+}
+
+/// Whether a process has the file of this path open for writing.
+bool writes(const fs::path& process, const fs::path& file) {
+    std::error_code error;
+    fs::directory_iterator open(process / "fd", error);
+    for (; !error && open != fs::directory_iterator(); open.increment(error)) {
+        std::error_code gone;
+        if (fs::read_symlink(open->path(), gone) != file || gone) continue;
+        std::ifstream facts(process / "fdinfo" / open->path().filename());
+        std::string name;
+        unsigned flags = 0;
+        while (facts >> name) {
+            if (name != "flags:") continue;
+            if (facts >> std::oct >> flags && (flags & O_ACCMODE) != O_RDONLY) return true;
+            break;
+        }
+    }
+    return false;
+}
+
+std::optional<int> process_number(const std::string& name) {
+    int number = 0;
+    const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
+    if (error != std::errc{} || end != name.data() + name.size()) return std::nullopt;
+    return number;
+}
+
+std::string duration(double seconds) {
+    if (seconds < 120) return fmt::format("{:.0f} s", seconds);
+    if (seconds < 7200) return fmt::format("{:.0f} min", seconds / 60);
+    return seconds < 172'800 ? fmt::format("{:.1f} h", seconds / 3600)
+                             : fmt::format("{:.1f} days", seconds / 86'400);
+}
+
+}  // namespace
+
+const char* word(RunState state) {
+    switch (state) {
+        case RunState::waiting:
+            return "waiting";
+        case RunState::running:
+            return "running";
+        case RunState::finished:
+            return "finished";
+        case RunState::stopped:
+            return "stopped";
+        case RunState::failed:
+            return "failed";
+        case RunState::unseen:
+            return "unseen";
+        case RunState::lost:
+            break;
+    }
+    return "lost";
+}
+
+std::optional<LogLine> last_line(std::string_view log) {
+    std::string after;
+    while (!log.empty()) {
+        if (log.back() == '\n') log.remove_suffix(1);
+        const std::size_t start = log.rfind('\n') + 1;  // npos + 1 is 0
+        const std::string_view line = log.substr(start);
+        if (auto found = dated(line)) {
+            found->message += after;
+            return found;
+        }
+        if (!line.empty()) after.insert(0, "\n" + std::string(line));
+        log = log.substr(0, start);
+    }
+    return std::nullopt;
+}
+
+std::optional<LogLine> last_line_of(const fs::path& log) {
+    constexpr std::streamoff most = 16'384;
+    std::ifstream file(log, std::ios::binary);
+    file.seekg(0, std::ios::end);
+    const std::streamoff size = file.tellg();
+    if (!file || size <= 0) return std::nullopt;
+    file.seekg(std::max<std::streamoff>(0, size - most));
+    return last_line(std::string(std::istreambuf_iterator<char>(file), {}));
+}
+
+std::optional<int> find_writer(const fs::path& file, std::optional<int> guess) {
+    std::error_code error;
+    const fs::path wanted = fs::canonical(file, error);
+    if (error) return std::nullopt;
+    const fs::path root = "/proc";
+    if (guess && writes(root / std::to_string(*guess), wanted)) return guess;
+    fs::directory_iterator process(root, error);
+    for (; !error && process != fs::directory_iterator(); process.increment(error)) {
+        const auto number = process_number(process->path().filename().string());
+        if (number && writes(process->path(), wanted)) return number;
+    }
+    return std::nullopt;
+}
+
+RunStanding judge_state(const RunSigns& signs) {
+    const bool ended = starts_with(signs.log, "finished at"), stopped = starts_with(signs.log, "stopped at");
+    const bool failed = signs.log && signs.log->level == "error";
+    if (signs.results && ended) {
+        return {RunState::finished,
+                fmt::format("The run's log ended on {}: {}.", signs.log->when, signs.log->message)};
+    }
+    if (signs.results && stopped) {
+        return {RunState::stopped,
+                fmt::format("The run's log ended on {}: {}. `riffle resume` goes on from there.",
+                            signs.log->when, signs.log->message)};
+    }
+    if (signs.results && failed) {
+        return {RunState::failed,
+                fmt::format("The run's log ended on {} with: {}", signs.log->when, signs.log->message)};
+    }
+    if (signs.writer) {
+        const std::string who =
+            fmt::format("Process {} of this machine is at work on the run", *signs.writer);
+        if (!signs.results) return {RunState::waiting, who + "; it has not written results yet."};
+        return {RunState::running, who + "."};
+    }
+    if (!signs.results)
+        return {RunState::waiting, "No results yet. This page goes on by itself as soon as there are some."};
+    if (signs.complete) return {RunState::finished, "The results file is marked as complete."};
+
+    const std::string none =
+        "No process that this user may look into is at work on the run on this machine, and its "
+        "log does not tell of an end. ";
+    const double age = signs.seconds_since_write.value_or(0.0);
+    const std::string last = fmt::format("Results were last written {} ago, and are expected about every {}",
+                                         duration(age), duration(signs.write_interval));
+    if (age <= std::max(3 * signs.write_interval, shortest_patience)) {
+        return {RunState::unseen, none + last + ": the run may go on elsewhere, or have been killed since."};
+    }
+    return {RunState::lost, none + last +
+                                ": it has probably been killed, or the disk is full. `riffle resume` goes on "
+                                "from its last checkpoint."};
+}
+
+}  // namespace riffle

@@ -1,0 +1,132 @@
+// Follows a run in a real browser, as a user of `riffle watch` does:
+//   node tests/end_to_end/watch_browser.mjs URL [SCREENSHOT-DIR]
+// Goes through the states of a run and prints the name of each when the page shows it, so that the caller can bring
+// about the next one: `waiting`, `advanced` (running, and the simulated time has grown), `stopped`, `finished`, `looked`
+// (figures and layouts are as they should be), `alone` (the page says that nobody answers).
+// Needs the browser named by CHROMIUM (default /usr/bin/chromium) and web/node_modules (npm ci --prefix web).
+
+import { mkdirSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+
+const here = dirname(fileURLToPath(import.meta.url));
+const { chromium } = createRequire(join(here, '../../web/package.json'))('playwright-core');
+
+const [url, folder] = process.argv.slice(2);
+if (!url) {
+  console.error('usage: node watch_browser.mjs URL [SCREENSHOT-DIR]');
+  process.exit(2);
+}
+if (folder) mkdirSync(folder, { recursive: true });
+
+const failures = [];
+const check = (ok, what) => { if (!ok) failures.push(what); };
+const patience = { timeout: 120_000 };
+let answered = true;
+
+const browser = await chromium.launch({
+  executablePath: process.env.CHROMIUM || '/usr/bin/chromium',
+  args: ['--no-sandbox', '--disable-gpu', '--disable-dev-shm-usage', '--disable-background-networking',
+    '--disable-component-update', '--no-first-run', '--disable-sync', '--disable-extensions'],
+});
+
+async function open(width, scheme) {
+  const context = await browser.newContext({ viewport: { width, height: 900 }, colorScheme: scheme, deviceScaleFactor: 1 });
+  const page = await context.newPage();
+  page.on('console', message => {
+    if (answered && ['error', 'warning'].includes(message.type())) failures.push(`at ${width} px, ${scheme}: console ${message.type()}: ${message.text()}`);
+  });
+  page.on('pageerror', error => failures.push(`at ${width} px, ${scheme}: script error: ${error.message}`));
+  page.on('request', request => {
+    if (!request.url().startsWith(url) && !/^(data|blob):/.test(request.url())) failures.push(`the page asked for ${request.url()}`);
+  });
+  await page.goto(url, { waitUntil: 'load' });
+  return { context, page };
+}
+
+const picture = async (page, name) => { if (folder) await page.screenshot({ path: join(folder, `${name}.png`), fullPage: true }); };
+const state = (page, name) => page.waitForFunction(wanted => document.documentElement.dataset.state === wanted, name, patience);
+const simulated = page => page.textContent('#progress-facts [data-key="time"] dd').then(parseFloat);
+
+// Figures and their curves, read inside the browser.
+const drawn = () => [...document.querySelectorAll('.js-plotly-plot')].map(plot => {
+  const finite = values => values && [...values].flat().some(value => Number.isFinite(value));
+  return {
+    id: plot.id, width: plot.getBoundingClientRect().width, column: plot.parentElement.getBoundingClientRect().width,
+    curves: plot._fullData.filter(trace => trace.visible === true && finite(trace.z || trace.y)).length,
+    titles: [...plot.querySelectorAll('.xtitle, .ytitle, .x2title, .y2title, .y3title')].filter(title => title.textContent.trim()).length,
+    caption: plot.parentElement.querySelector('figcaption').textContent.length,
+  };
+});
+
+async function look(page, where) {
+  const plots = await page.evaluate(drawn);
+  for (const id of ['plot-history', 'plot-velocity', 'plot-deviation', 'plot-surface', 'plot-health']) {
+    const plot = plots.find(one => one.id === id);
+    check(plot, `${where}: ${id} is missing`);
+    if (!plot) continue;
+    check(plot.curves >= 1 && plot.titles >= 2, `${where}: ${id} has ${plot.curves} curves and ${plot.titles} axis titles`);
+    check(plot.caption > 40, `${where}: ${id} has no caption`);
+    check(plot.width > 200 && plot.width <= plot.column + 1, `${where}: ${id} is ${plot.width} px wide, its column ${plot.column} px`);
+  }
+  check((await page.$$('#diagnostics-table tbody tr')).length >= 5, `${where}: the table of diagnostics is short`);
+  check((await page.textContent('#verdict')).length > 60, `${where}: no verdict`);
+  const overflow = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
+  check(overflow <= 0, `${where}: the page is ${overflow} px wider than the window`);
+}
+
+try {
+  const { page } = await open(1280, 'light');
+  await state(page, 'waiting');
+  check(!await page.isVisible('#content'), 'figures are shown before there are results');
+  await picture(page, 'waiting');
+  console.log('waiting');
+
+  await state(page, 'running');
+  await page.waitForSelector('#plot-history .scatterlayer path', patience);
+  const first = await simulated(page);
+  await page.waitForFunction(before => parseFloat(document.querySelector('#progress-facts [data-key="time"] dd').textContent) > before, first, patience);
+  check(/steps\/s$/.test(await page.textContent('#progress-facts [data-key="rate"] dd')), 'no speed while running');
+  check(/\d/.test(await page.textContent('#progress-facts [data-key="left"] dd')), 'no time left while running');
+  check(await page.getAttribute('#state-headline', 'role') === 'status', 'a change of state is not announced');
+  await page.waitForSelector('#plot-velocity .scatterlayer path', patience);
+  await picture(page, 'running');
+  console.log('advanced');
+
+  await state(page, 'stopped');
+  const stopped = await simulated(page);
+  console.log('stopped');
+
+  await state(page, 'finished');
+  check(await simulated(page) > stopped, 'the resumed run did not advance');
+  check(/^Finished/.test(await page.title()), 'the title does not tell that the run has finished');
+  check(await page.textContent('#progress-facts [data-key="left"] dd') === 'none', 'a finished run has time left');
+  console.log('finished');
+
+  await page.waitForTimeout(300);
+  await look(page, 'light');
+  await picture(page, 'light');
+  for (const [width, scheme] of [[1280, 'dark'], [420, 'light']]) {
+    const other = await open(width, scheme);
+    await other.page.waitForSelector('#plot-health .scatterlayer path', patience);
+    await other.page.waitForTimeout(300);
+    await look(other.page, `${width} px, ${scheme}`);
+    await picture(other.page, `${scheme}-${width}`);
+    await other.context.close();
+  }
+  answered = false;  // the browser itself reports refused connections in its console
+  console.log('looked');
+
+  await page.waitForFunction(() => /does not answer/.test(document.getElementById('connection').textContent), null, patience);
+  check(await page.isVisible('#plot-history'), 'without an answer the page does not keep what it knew');
+  console.log('alone');
+} catch (error) {
+  failures.push(error.message);
+} finally {
+  await browser.close();
+}
+if (failures.length) {
+  console.error(failures.map(failure => `FAIL ${failure}`).join('\n'));
+  process.exit(1);
+}
