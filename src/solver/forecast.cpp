@@ -60,21 +60,25 @@ double memory_bytes(const Case& c, const Forecast& f, const RecordedBytes& recor
 
 using Clock = std::chrono::steady_clock;
 
-/// Mean duration of f, s, over repetitions of some milliseconds in all.
+/// Median duration of f, s, over repetitions of some milliseconds in all: what else the machine does in
+/// between does not count.
 template <class F>
-double mean_seconds(const F& f) {
+double typical_seconds(const F& f) {
     constexpr double enough = 4e-3;
-    constexpr int most = 200;
+    constexpr std::size_t least = 5;
+    constexpr std::size_t most = 200;
     f();  // cold
-    const auto start = Clock::now();
-    int repetitions = 0;
-    double seconds = 0.0;
-    while (seconds < enough && repetitions < most) {
+    std::vector<double> seconds;
+    double sum = 0.0;
+    while (seconds.size() < least || (sum < enough && seconds.size() < most)) {
+        const auto start = Clock::now();
         f();
-        ++repetitions;
-        seconds = std::chrono::duration<double>(Clock::now() - start).count();
+        seconds.push_back(std::chrono::duration<double>(Clock::now() - start).count());
+        sum += seconds.back();
     }
-    return seconds / repetitions;
+    const auto middle = seconds.begin() + static_cast<std::ptrdiff_t>(seconds.size() / 2);
+    std::nth_element(seconds.begin(), middle, seconds.end());
+    return *middle;
 }
 
 /// Cost of the instruments, measured with samples of the present state. `step_seconds`: of a step.
@@ -97,7 +101,7 @@ void forecast_probes(const Case& c, const Simulation& simulation, double step_se
             sum += member.instrument->probe().sampling_frequency;
         }
     }
-    const double view_seconds = sum > 0.0 ? mean_seconds([&] { (void)make_view(); }) * fastest / sum : 0.0;
+    const double view_seconds = sum > 0.0 ? typical_seconds([&] { (void)make_view(); }) * fastest / sum : 0.0;
     for (const auto& member : probes.members()) {
         Instrument& instrument = *member.instrument;
         const Probe& probe = instrument.probe();
@@ -106,7 +110,7 @@ void forecast_probes(const Case& c, const Simulation& simulation, double step_se
                         .standard = member.standard,
                         .sampling_frequency = probe.sampling_frequency,
                         .points = instrument.points()};
-        const double seconds = mean_seconds([&] {
+        const double seconds = typical_seconds([&] {
                                    instrument.sample(state);
                                    (void)instrument.take();
                                }) +
