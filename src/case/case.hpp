@@ -32,6 +32,7 @@ enum class WallKind { dummy, dynamic };
 enum class Precision { single_precision, double_precision };
 enum class StartKind { column, uniform, rest, power_law, results, standing_wave, taylor_green };
 enum class StartLattice { square, hexagonal };
+enum class SurfaceDetection { volume_fraction, position_divergence, density_ratio, depth_sum };
 enum class RunUntil { time, converged };
 enum class ProbeKind { velocity, wave, surface_line, grid, flow_rate, force };
 
@@ -151,8 +152,9 @@ struct Run {
 
 /// [output]
 struct Output {
-    double series_interval = 0.02;      ///< s
-    double surface_interval = 0.01;     ///< s; 100 Hz: waves of 20 Hz are sampled five times a period
+    double series_interval = 0.02;   ///< s
+    double surface_interval = 0.01;  ///< s; 100 Hz: waves of 20 Hz are sampled five times a period
+    SurfaceDetection surface_detection = SurfaceDetection::volume_fraction;
     double profile_interval = 0.01;     ///< s between samples of the time averages
     double snapshot_interval = 1.0;     ///< s; 0: none
     double checkpoint_interval = 60.0;  ///< s of wall-clock time

@@ -314,6 +314,9 @@ SectionKeys output() {
     s.keys.push_back(key("surface_interval", &Output::surface_interval,
                          "Between records of the surface. Spectra reach up to half of its inverse.")
                          .greater_than(0));
+    s.keys.push_back(make_key("output", "surface_detection", &Case::output, &Output::surface_detection,
+                              "How the surface is found for the records and the wave probes; compared in "
+                              "docs/free-surface.md."));
     s.keys.push_back(
         key("profile_interval", &Output::profile_interval, "Between samples of the mean profiles.")
             .greater_than(0));

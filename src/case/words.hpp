@@ -146,6 +146,21 @@ struct Words<DensityFilter> {
 };
 
 template <>
+struct Words<SurfaceDetection> {
+    static constexpr std::array<Word, 4> list{{
+        {"volume-fraction",
+         "where the water's share of the kernel's support falls to 1/2; 0.1 dx high in layered runs"},
+        {"position-divergence",
+         "where the divergence of the position falls to half (thesis 2.60); 0.2 dx high, and blind to short "
+         "waves"},
+        {"density-ratio", "highest particle with an incomplete support (Koshizuka); half a spacing low"},
+        {"depth-sum",
+         "depth of the water column (Tis Isat); exact in the mean, smooths short waves, counts spray as "
+         "depth"},
+    }};
+};
+
+template <>
 struct Words<ViscosityForm> {
     static constexpr std::array<Word, 2> list{{
         {"morris", "acts along the velocity difference"},

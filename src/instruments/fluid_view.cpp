@@ -52,11 +52,12 @@ struct PlaneFit {
 }  // namespace
 
 FluidView::FluidView(const Particles<2>& particles, const Domain<2>& domain, KernelKind kernel,
-                     double density, double smoothing_length)
+                     double density, double smoothing_length, SurfaceDetection detection)
     : particles_(particles),
       domain_(domain),
       kernel_(kernel),
       h_(smoothing_length),
+      detection_(detection),
       volume_(volumes(particles, density)),
       cells_(domain, particles.position[0], particles.position[1], 2.0 * smoothing_length) {}
 
@@ -98,8 +99,12 @@ FluidView::Velocity FluidView::velocity_at(double x, double z) const {
 }
 
 std::vector<double> FluidView::surface_at(std::span<const double> x) const {
-    return surface_elevation(domain_, particles_.position[0], particles_.position[1], volume_, kernel_, h_,
-                             x);
+    std::vector<Vec<1>> at;
+    for (const double place : x) {
+        at.push_back({place});
+    }
+    return find_surface<2>(
+        detection_, {domain_, {particles_.position[0], particles_.position[1]}, volume_, kernel_, h_}, at);
 }
 
 FluidView::Section FluidView::section_at(double x) const {

@@ -21,7 +21,7 @@ class FluidView {
   public:
     /// `density`: rho0, kg/m3; `smoothing_length`: h, m.
     FluidView(const Particles<2>& particles, const Domain<2>& domain, KernelKind kernel, double density,
-              double smoothing_length);
+              double smoothing_length, SurfaceDetection detection);
 
     struct Velocity {
         double u, w;  ///< m/s
@@ -32,7 +32,7 @@ class FluidView {
     /// filled.
     [[nodiscard]] Velocity velocity_at(double x, double z) const;
 
-    /// Elevation of the surface over each x, m above the bed level, by the divergence of the position
+    /// Elevation of the surface over each x, m above the bed level, found as `detection` says
     /// (sph/free_surface.hpp); NaN where there is no water.
     [[nodiscard]] std::vector<double> surface_at(std::span<const double> x) const;
 
@@ -49,6 +49,7 @@ class FluidView {
     Domain<2> domain_;
     KernelKind kernel_;
     double h_;
+    SurfaceDetection detection_;
     std::vector<double> volume_;  ///< area of each particle, m2
     ParticleCells cells_;
 };

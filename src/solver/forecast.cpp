@@ -88,7 +88,7 @@ void forecast_probes(const Case& c, const Simulation& simulation, double step_se
     f.probe_notes = probes.notes();
     const auto make_view = [&] {
         return FluidView(simulation.particles(), domain_of(c), c.numerics.kernel, scheme.density,
-                         scheme.smoothing_length);
+                         scheme.smoothing_length, c.output.surface_detection);
     };
     const FluidView view = make_view();
     const FlowState state = flow_state(simulation, &view);

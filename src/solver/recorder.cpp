@@ -95,7 +95,7 @@ void Recorder::record(const Simulation& simulation) {
     if ((has_surface_ && surface_due) || (started && probes_.due_for_fluid(time))) {
         const Scheme& scheme = simulation.scheme();
         fluid.emplace(simulation.particles(), domain_of(case_), case_.numerics.kernel, scheme.density,
-                      scheme.smoothing_length);
+                      scheme.smoothing_length, case_.output.surface_detection);
     }
     if (has_surface_ && surface_due) {
         record_surface(time, *fluid);

@@ -320,13 +320,25 @@ template std::vector<double> surface_by_depth_sum<2>(const FluidParticles<2>&, s
 template std::vector<double> surface_by_depth_sum<3>(const FluidParticles<3>&, std::span<const Vec<2>>,
                                                      double);
 
-std::vector<double> surface_elevation(const Domain<2>& domain, std::span<const double> position_x,
-                                      std::span<const double> position_z, std::span<const double> volume,
-                                      KernelKind kernel, double smoothing_length, std::span<const double> x) {
-    const FluidParticles<2> fluid{domain, {position_x, position_z}, volume, kernel, smoothing_length};
-    std::vector<Vec<1>> at;
-    for (const double place : x) at.push_back({place});
-    return surface_by_position_divergence<2>(fluid, at);
+template <int D>
+std::vector<double> find_surface(SurfaceDetection detection, const FluidParticles<D>& fluid,
+                                 std::span<const Vec<D - 1>> at) {
+    switch (detection) {
+        case SurfaceDetection::volume_fraction:
+            return surface_by_volume_fraction<D>(fluid, at);
+        case SurfaceDetection::position_divergence:
+            return surface_by_position_divergence<D>(fluid, at);
+        case SurfaceDetection::density_ratio:
+            return surface_by_density_ratio<D>(fluid, at);
+        case SurfaceDetection::depth_sum:
+            return surface_by_depth_sum<D>(fluid, at);
+    }
+    return {};
 }
+
+template std::vector<double> find_surface<2>(SurfaceDetection, const FluidParticles<2>&,
+                                             std::span<const Vec<1>>);
+template std::vector<double> find_surface<3>(SurfaceDetection, const FluidParticles<3>&,
+                                             std::span<const Vec<2>>);
 
 }  // namespace riffle

@@ -55,11 +55,9 @@ template <int D>
                                                        std::span<const Vec<D - 1>> at,
                                                        double bed_level = 0.0);
 
-/// surface_by_position_divergence() of a plane flow at half of the bulk value: what a run records.
-[[nodiscard]] std::vector<double> surface_elevation(const Domain<2>& domain,
-                                                    std::span<const double> position_x,
-                                                    std::span<const double> position_z,
-                                                    std::span<const double> volume, KernelKind kernel,
-                                                    double smoothing_length, std::span<const double> x);
+/// The surface by one of these ways, with its usual threshold.
+template <int D>
+[[nodiscard]] std::vector<double> find_surface(SurfaceDetection detection, const FluidParticles<D>& fluid,
+                                               std::span<const Vec<D - 1>> at);
 
 }  // namespace riffle

@@ -57,7 +57,12 @@ struct Water {
         return *this;
     }
     [[nodiscard]] FluidView view() const {
-        return {particles, domain_of(parameters), parameters.numerics.kernel, parameters.fluid.density, h};
+        return {particles,
+                domain_of(parameters),
+                parameters.numerics.kernel,
+                parameters.fluid.density,
+                h,
+                parameters.output.surface_detection};
     }
     /// One sample at a time.
     void sample(Instrument& instrument, double time = 1.0) const {

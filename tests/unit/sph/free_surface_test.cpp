@@ -40,15 +40,29 @@ Domain<2> domain() {
     return d;
 }
 
+FluidParticles<2> fluid(const Water& water, double smoothing_length) {
+    return {domain(), {water.x, water.z}, water.volume, KernelKind::wendland_c2, smoothing_length};
+}
+
+constexpr std::array contours = {SurfaceDetection::volume_fraction, SurfaceDetection::position_divergence,
+                                 SurfaceDetection::depth_sum};
+
 TEST(FreeSurface, OfStillWaterIsItsLevel) {
     const Water water(0.0);
-    const std::vector<double> at = {0.0, 0.0131, 0.05, 0.0999};
+    const std::vector<Vec<1>> at = {{0.0}, {0.0131}, {0.05}, {0.0999}};
     for (const double ratio : {1.5, 2.0}) {
-        for (const double e : surface_elevation(domain(), water.x, water.z, water.volume,
-                                                KernelKind::wendland_c2, ratio * spacing, at)) {
-            // Half the bulk value marks the surface to a tenth of the spacing; the thesis' 1.4 lies 0.5 h
-            // below.
-            EXPECT_NEAR(e, depth, 0.1 * spacing) << "h/dx " << ratio;
+        for (const SurfaceDetection detection : contours) {
+            for (const double e : find_surface<2>(detection, fluid(water, ratio * spacing), at)) {
+                // Half the bulk value marks the surface to a tenth of the spacing; the thesis' 1.4 lies 0.5 h
+                // below.
+                EXPECT_NEAR(e, depth, 0.1 * spacing)
+                    << "h/dx " << ratio << ", way " << static_cast<int>(detection);
+            }
+        }
+        // The highest particle's centre, not the surface above it.
+        for (const double e :
+             find_surface<2>(SurfaceDetection::density_ratio, fluid(water, ratio * spacing), at)) {
+            EXPECT_NEAR(e, depth - 0.5 * spacing, 1e-9 * spacing);
         }
     }
 }
@@ -56,23 +70,26 @@ TEST(FreeSurface, OfStillWaterIsItsLevel) {
 TEST(FreeSurface, FollowsAWave) {
     const double amplitude = 0.003;
     const Water water(amplitude);
-    std::vector<double> at;
+    std::vector<Vec<1>> at;
     for (int i = 0; i < 40; ++i) {
-        at.push_back((i + 0.5) * length / 40);
+        at.push_back({(i + 0.5) * length / 40});
     }
-    const auto elevation = surface_elevation(domain(), water.x, water.z, water.volume,
-                                             KernelKind::wendland_c2, 1.5 * spacing, at);
-    for (std::size_t i = 0; i < at.size(); ++i) {
-        const double expected = depth + amplitude * std::cos(2.0 * std::numbers::pi * at[i] / length);
-        EXPECT_NEAR(elevation[i], expected, 0.15 * spacing);
+    for (const SurfaceDetection detection : contours) {
+        const auto elevation = find_surface<2>(detection, fluid(water, 1.5 * spacing), at);
+        for (std::size_t i = 0; i < at.size(); ++i) {
+            const double expected = depth + amplitude * std::cos(2.0 * std::numbers::pi * at[i][0] / length);
+            EXPECT_NEAR(elevation[i], expected, 0.15 * spacing) << "way " << static_cast<int>(detection);
+        }
     }
 }
 
 TEST(FreeSurface, WithoutWaterIsNotANumber) {
     const std::vector<double> none;
-    const std::vector<double> at = {0.05};
-    EXPECT_TRUE(
-        std::isnan(surface_elevation(domain(), none, none, none, KernelKind::wendland_c2, 0.003, at)[0]));
+    const std::vector<Vec<1>> at = {{0.05}};
+    for (const SurfaceDetection detection : contours) {
+        EXPECT_TRUE(std::isnan(find_surface<2>(
+            detection, {domain(), {none, none}, none, KernelKind::wendland_c2, 0.003}, at)[0]));
+    }
 }
 
 }  // namespace
