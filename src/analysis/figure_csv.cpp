@@ -1,0 +1,120 @@
+#include "analysis/figure_csv.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <optional>
+
+#include "analysis/analysis_json.hpp"
+
+namespace riffle {
+
+namespace {
+
+std::string number(double value) { return std::isfinite(value) ? fmt::format("{:.9g}", value) : ""; }
+
+std::string number(const std::optional<double>& value) { return value ? number(*value) : ""; }
+
+/// A text cell: quoted where it holds what separates cells or lines (RFC 4180).
+std::string cell(const std::string& text) {
+    if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+    std::string quoted = "\"";
+    for (const char c : text) {
+        if (c == '"') quoted += '"';
+        quoted += c;
+    }
+    return quoted + '"';
+}
+
+std::string heading(const std::string& label, const std::string& unit) {
+    return cell(fmt::format("{} [{}]", label, unit.empty() ? "1" : unit));
+}
+
+/// Text on comment lines, however many lines it has.
+std::string comment(const std::string& text) {
+    std::string result;
+    std::size_t from = 0;
+    while (from <= text.size() && !text.empty()) {
+        const std::size_t end = std::min(text.find('\n', from), text.size());
+        result += "# " + text.substr(from, end - from) + "\n";
+        from = end + 1;
+    }
+    return result;
+}
+
+std::string preamble(const Figure& figure) {
+    return comment(figure.title) + comment(figure.source) + comment(figure.caption);
+}
+
+bool any_half_width(const Figure& figure, std::vector<double> Curve::*member) {
+    return std::any_of(figure.curves.begin(), figure.curves.end(),
+                       [&](const Curve& curve) { return !(curve.*member).empty(); });
+}
+
+std::string half_width_cell(const std::vector<double>& half_widths, std::size_t i) {
+    return "," + (i < half_widths.size() ? number(half_widths[i]) : std::string());
+}
+
+}  // namespace
+
+std::string curves_to_csv(const Figure& figure) {
+    if (figure.curves.empty()) return {};
+    const bool wide_x = any_half_width(figure, &Curve::x_half_width);
+    const bool wide_y = any_half_width(figure, &Curve::y_half_width);
+    std::string text = preamble(figure) + "curve,run,origin," + heading(figure.x.label, figure.x.unit) + "," +
+                       heading(figure.y.label, figure.y.unit);
+    if (wide_x) text += "," + heading("half-width of " + figure.x.label, figure.x.unit);
+    if (wide_y) text += "," + heading("half-width of " + figure.y.label, figure.y.unit);
+    text += "\n";
+    for (const Curve& curve : figure.curves) {
+        const std::string start = cell(curve.name) + "," + cell(curve.run) + "," + word(curve.origin) + ",";
+        for (std::size_t i = 0; i < curve.x.size(); ++i) {
+            text += start + number(curve.x[i]) + "," + number(curve.y[i]);
+            if (wide_x) text += half_width_cell(curve.x_half_width, i);
+            if (wide_y) text += half_width_cell(curve.y_half_width, i);
+            text += "\n";
+        }
+    }
+    return text;
+}
+
+std::string map_to_csv(const Figure& figure, const ColourMap& map) {
+    std::string text = preamble(figure) + comment(map.run.empty() ? "" : "run: " + map.run) +
+                       heading(figure.x.label, figure.x.unit) + "," + heading(figure.y.label, figure.y.unit) +
+                       "," + heading(map.label, map.unit) + "\n";
+    for (std::size_t j = 0; j < map.y.size(); ++j) {
+        for (std::size_t i = 0; i < map.x.size(); ++i) {
+            const auto value = static_cast<double>(map.values[j * map.x.size() + i]);
+            fmt::format_to(std::back_inserter(text), "{:.9g},{:.9g},{}\n", map.x[i], map.y[j],
+                           std::isfinite(value) ? fmt::format("{:.6g}", value) : "");
+        }
+    }
+    return text;
+}
+
+std::string findings_to_csv(const std::vector<Analysis>& analyses) {
+    std::string text = "run,chapter,key,label,value,half_width,reference,reference_name,unit,remark\n";
+    for (const Analysis& analysis : analyses) {
+        for (const Finding& f : analysis.findings) {
+            text += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", cell(analysis.name), f.chapter, f.key,
+                                cell(f.label), number(f.value), number(f.half_width), number(f.reference),
+                                cell(f.reference_name), cell(f.unit), cell(f.remark));
+        }
+    }
+    return text;
+}
+
+std::vector<CsvFile> figure_to_csv(const Figure& figure) {
+    std::vector<CsvFile> files;
+    if (!figure.curves.empty()) files.push_back({figure.key + ".csv", curves_to_csv(figure)});
+    for (std::size_t i = 0; i < figure.maps.size(); ++i) {
+        const std::string number_of_map = i == 0 ? "" : fmt::format("_{}", i + 1);
+        files.push_back({figure.key + "_map" + number_of_map + ".csv", map_to_csv(figure, figure.maps[i])});
+    }
+    return files;
+}
+
+}  // namespace riffle
