@@ -49,6 +49,14 @@ void copy_hdf5_content(const Hdf5Handle& from, const Hdf5Handle& to);
 /// Read a dataset of numbers of any type as doubles. Throws Hdf5Failure.
 [[nodiscard]] std::vector<double> read_hdf5_doubles(const Hdf5Handle& file, const std::string& path);
 
+/// Lengths of the axes of a dataset; empty for a scalar. Throws Hdf5Failure.
+[[nodiscard]] std::vector<std::size_t> hdf5_shape(const Hdf5Handle& file, const std::string& path);
+
+/// Read the rows `first`, `first + stride`, ... along the first axis, `count` of them, of a dataset of
+/// numbers as doubles. Throws Hdf5Failure, also for rows beyond the last, a scalar, or a stride of zero.
+[[nodiscard]] std::vector<double> read_hdf5_rows(const Hdf5Handle& file, const std::string& path,
+                                                 std::size_t first, std::size_t count, std::size_t stride);
+
 /// Read an attribute; nothing if there is none of this name. Throws Hdf5Failure.
 [[nodiscard]] std::optional<AttributeValue> read_hdf5_attribute(const Hdf5Handle& file,
                                                                 const std::string& path,

@@ -16,6 +16,20 @@ struct OpenDataset {
           type(H5Dget_type(dataset.get()), H5Tclose, "read the type of " + path),
           space(H5Dget_space(dataset.get()), H5Sclose, "read the shape of " + path) {}
 
+    [[nodiscard]] std::vector<std::size_t> shape(const std::string& path) const {
+        const int rank = hdf5_check(H5Sget_simple_extent_ndims(space.get()), "read the shape of " + path);
+        std::vector<hsize_t> lengths(static_cast<std::size_t>(rank));
+        hdf5_check(H5Sget_simple_extent_dims(space.get(), lengths.data(), nullptr),
+                   "read the shape of " + path);
+        return {lengths.begin(), lengths.end()};
+    }
+
+    void require_numbers(const std::string& path) const {
+        const H5T_class_t kind = H5Tget_class(type.get());
+        if (kind != H5T_FLOAT && kind != H5T_INTEGER)
+            throw Hdf5Failure("the dataset " + path + " is not made of numbers");
+    }
+
     [[nodiscard]] std::size_t count() const {
         return static_cast<std::size_t>(
             hdf5_check(H5Sget_simple_extent_npoints(space.get()), "count the values"));
@@ -136,10 +150,43 @@ Dataset read_hdf5_dataset(const Hdf5Handle& file, const std::string& path) {
 
 std::vector<double> read_hdf5_doubles(const Hdf5Handle& file, const std::string& path) {
     const OpenDataset open(file, path);
-    const H5T_class_t kind = H5Tget_class(open.type.get());
-    if (kind != H5T_FLOAT && kind != H5T_INTEGER)
-        throw Hdf5Failure("the dataset " + path + " is not made of numbers");
+    open.require_numbers(path);
     return open.values<double>(path);
+}
+
+std::vector<std::size_t> hdf5_shape(const Hdf5Handle& file, const std::string& path) {
+    return OpenDataset(file, path).shape(path);
+}
+
+std::vector<double> read_hdf5_rows(const Hdf5Handle& file, const std::string& path, std::size_t first,
+                                   std::size_t count, std::size_t stride) {
+    const OpenDataset open(file, path);
+    open.require_numbers(path);
+    const std::vector<std::size_t> shape = open.shape(path);
+    if (shape.empty() || stride == 0 || (count > 0 && first + (count - 1) * stride >= shape[0])) {
+        throw Hdf5Failure("the dataset " + path + " does not have the rows asked for");
+    }
+    if (count == 0) return {};
+    std::vector<hsize_t> start(shape.size(), 0);
+    std::vector<hsize_t> steps(shape.size(), 1);
+    std::vector<hsize_t> counts(shape.begin(), shape.end());
+    start[0] = first;
+    steps[0] = stride;
+    counts[0] = count;
+    std::size_t values = 1;
+    for (const hsize_t length : counts) values *= static_cast<std::size_t>(length);
+    std::vector<double> result(values);
+    if (result.empty()) return result;
+    const Hdf5Handle part(H5Scopy(open.space.get()), H5Sclose, "select rows of " + path);
+    hdf5_check(
+        H5Sselect_hyperslab(part.get(), H5S_SELECT_SET, start.data(), steps.data(), counts.data(), nullptr),
+        "select rows of " + path);
+    const Hdf5Handle memory(H5Screate_simple(static_cast<int>(counts.size()), counts.data(), nullptr),
+                            H5Sclose, "select rows of " + path);
+    hdf5_check(
+        H5Dread(open.dataset.get(), H5T_NATIVE_DOUBLE, memory.get(), part.get(), H5P_DEFAULT, result.data()),
+        "read rows of " + path);
+    return result;
 }
 
 std::optional<AttributeValue> read_hdf5_attribute(const Hdf5Handle& file, const std::string& path,

@@ -52,6 +52,14 @@ class ResultsReader {
     [[nodiscard]] Dataset read(const std::string& path) const;
     [[nodiscard]] std::vector<double> read_doubles(const std::string& path) const;  ///< any numeric type
     [[nodiscard]] std::string read_string(const std::string& path) const;
+
+    /// Lengths of the axes of a dataset.
+    [[nodiscard]] std::vector<std::size_t> shape(const std::string& path) const;
+
+    /// The rows `first`, `first + stride`, ... along the first axis, `count` of them: a part of what may be
+    /// larger than the memory. Rows beyond the last are a FileError.
+    [[nodiscard]] std::vector<double> read_rows(const std::string& path, std::size_t first, std::size_t count,
+                                                std::size_t stride = 1) const;
     [[nodiscard]] std::optional<AttributeValue> attribute(const std::string& path,
                                                           const std::string& name) const;
 

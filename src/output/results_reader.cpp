@@ -63,6 +63,17 @@ std::string ResultsReader::read_string(const std::string& path) const {
     throw FileError(fmt::format("{}: {} is not a text.", impl_->path.string(), path));
 }
 
+std::vector<std::size_t> ResultsReader::shape(const std::string& path) const {
+    impl_->require(path);
+    return impl_->told([&] { return hdf5_shape(impl_->file, path); });
+}
+
+std::vector<double> ResultsReader::read_rows(const std::string& path, std::size_t first, std::size_t count,
+                                             std::size_t stride) const {
+    impl_->require(path);
+    return impl_->told([&] { return read_hdf5_rows(impl_->file, path, first, count, stride); });
+}
+
 std::optional<AttributeValue> ResultsReader::attribute(const std::string& path,
                                                        const std::string& name) const {
     if (!has(path)) return {};

@@ -38,6 +38,28 @@ Content snapshots(std::size_t first, std::size_t end) {
     return content;
 }
 
+TEST(ResultsFile, ReadsSomeOfTheRows) {
+    const TemporaryFolder folder;
+    std::vector<float> values(5000 * 3);
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<float>(i);
+    Content content;
+    content.datasets.push_back({"/surface/elevation", {5000, 3}, values, "m", "elevation", true});
+    content.datasets.push_back({"/case/text", {}, std::string("title"), "1", "text"});
+    ResultsFile::create(folder / "r.h5", content, false);
+    const ResultsReader reader(folder / "r.h5");
+    EXPECT_THAT(reader.shape("/surface/elevation"), ElementsAre(5000, 3));
+    EXPECT_THAT(reader.read_rows("/surface/elevation", 4998, 2),
+                ElementsAre(14994, 14995, 14996, 14997, 14998, 14999));
+    EXPECT_THAT(reader.read_rows("/surface/elevation", 1, 3, 2), ElementsAre(3, 4, 5, 9, 10, 11, 15, 16, 17));
+    EXPECT_THAT(reader.read_rows("/surface/elevation", 4999, 1, 100), ElementsAre(14997, 14998, 14999));
+    EXPECT_TRUE(reader.read_rows("/surface/elevation", 5000, 0).empty());
+    EXPECT_THAT(file_error_of([&] { static_cast<void>(reader.read_rows("/surface/elevation", 4999, 2)); }),
+                HasSubstr("rows"));
+    EXPECT_THAT(file_error_of([&] { static_cast<void>(reader.read_rows("/case/text", 0, 1)); }),
+                HasSubstr("not made of numbers"));
+    EXPECT_THAT(file_error_of([&] { static_cast<void>(reader.shape("/nothing")); }), HasSubstr("has no"));
+}
+
 TEST(ResultsFile, GivesBackEachTypeShapeAndAttribute) {
     const TemporaryFolder folder;
     const Content content = test::state(3000, 1.0 / 3.0);
