@@ -10,7 +10,7 @@ namespace riffle {
 
 namespace {
 
-constexpr std::size_t index(ProfileQuantity q) { return static_cast<std::size_t>(q); }
+constexpr std::size_t index(LayerQuantity q) { return static_cast<std::size_t>(q); }
 
 /// Stress of the column twin at height z, Pa: rho g S0 (H - z) less the drag carried by the roughness above
 /// z.
@@ -63,23 +63,23 @@ void ProfileSampler::sample(const Simulation& simulation) {
         const auto layer =
             static_cast<std::size_t>(std::clamp(z / thickness_, 0.0, static_cast<double>(layers_) - 0.5));
         double* sums = &current_.sums[layer * profile_quantities];
-        const auto add = [&](ProfileQuantity q, double value) { sums[index(q)] += value; };
-        add(ProfileQuantity::count, 1.0);
-        add(ProfileQuantity::height, z);
-        add(ProfileQuantity::u, u);
-        add(ProfileQuantity::w, w);
-        add(ProfileQuantity::uu, u * u);
-        add(ProfileQuantity::ww, w * w);
-        add(ProfileQuantity::uw, u * w);
-        add(ProfileQuantity::column_u, column_ != nullptr ? column_->velocity_at(z) : 0.0);
-        add(ProfileQuantity::shear, f.shear[i]);
-        add(ProfileQuantity::eddy_viscosity, f.eddy_viscosity[i]);
-        add(ProfileQuantity::pressure, f.pressure[i]);
-        add(ProfileQuantity::density, p.density_deviation[i]);
-        add(ProfileQuantity::mass, mass);
-        add(ProfileQuantity::pair_force, mass * f.pair_acceleration_x[i]);
-        add(ProfileQuantity::viscous_force, mass * f.viscous_acceleration_x[i]);
-        add(ProfileQuantity::drag_force, mass * f.drag_acceleration_x[i]);
+        const auto add = [&](LayerQuantity q, double value) { sums[index(q)] += value; };
+        add(LayerQuantity::count, 1.0);
+        add(LayerQuantity::height, z);
+        add(LayerQuantity::u, u);
+        add(LayerQuantity::w, w);
+        add(LayerQuantity::uu, u * u);
+        add(LayerQuantity::ww, w * w);
+        add(LayerQuantity::uw, u * w);
+        add(LayerQuantity::column_u, column_ != nullptr ? column_->velocity_at(z) : 0.0);
+        add(LayerQuantity::shear, f.shear[i]);
+        add(LayerQuantity::eddy_viscosity, f.eddy_viscosity[i]);
+        add(LayerQuantity::pressure, f.pressure[i]);
+        add(LayerQuantity::density, p.density_deviation[i]);
+        add(LayerQuantity::mass, mass);
+        add(LayerQuantity::pair_force, mass * f.pair_acceleration_x[i]);
+        add(LayerQuantity::viscous_force, mass * f.viscous_acceleration_x[i]);
+        add(LayerQuantity::drag_force, mass * f.drag_acceleration_x[i]);
     }
     current_.samples += 1.0;
     if (simulation.clock().time >= current_.end) {
@@ -116,9 +116,8 @@ Profiles ProfileSampler::average(double from, double to) const {
         }
         for (std::size_t layer = 0; layer < layers_; ++layer) {
             const double* s = &block.sums[layer * profile_quantities];
-            if (s[index(ProfileQuantity::count)] > 0.0) {
-                layer_velocity[layer].push_back(s[index(ProfileQuantity::u)] /
-                                                s[index(ProfileQuantity::count)]);
+            if (s[index(LayerQuantity::count)] > 0.0) {
+                layer_velocity[layer].push_back(s[index(LayerQuantity::u)] / s[index(LayerQuantity::count)]);
             }
         }
     }
@@ -136,42 +135,41 @@ Profiles ProfileSampler::average(double from, double to) const {
         pair_upper[layer] = -pair_flux;
         viscous_upper[layer] = -viscous_flux;
         const double* s = &sums[layer * profile_quantities];
-        pair_flux += s[index(ProfileQuantity::pair_force)] / (result.samples * length);
-        viscous_flux += s[index(ProfileQuantity::viscous_force)] / (result.samples * length);
+        pair_flux += s[index(LayerQuantity::pair_force)] / (result.samples * length);
+        viscous_flux += s[index(LayerQuantity::viscous_force)] / (result.samples * length);
     }
     std::vector<double> reynolds(layers_, 0.0);
     for (std::size_t layer = 0; layer < layers_; ++layer) {
         const double* s = &sums[layer * profile_quantities];
-        const double n = s[index(ProfileQuantity::count)];
-        reynolds[layer] = n > 0.0
-                              ? -rho * (s[index(ProfileQuantity::uw)] / n -
-                                        s[index(ProfileQuantity::u)] * s[index(ProfileQuantity::w)] / (n * n))
-                              : 0.0;
+        const double n = s[index(LayerQuantity::count)];
+        reynolds[layer] = n > 0.0 ? -rho * (s[index(LayerQuantity::uw)] / n -
+                                            s[index(LayerQuantity::u)] * s[index(LayerQuantity::w)] / (n * n))
+                                  : 0.0;
     }
     for (std::size_t layer = 0; layer < layers_; ++layer) {
         const double* s = &sums[layer * profile_quantities];
-        const double n = s[index(ProfileQuantity::count)];
+        const double n = s[index(LayerQuantity::count)];
         if (n == 0.0) {
             continue;  // no particle was ever here: the profile has no value at this height
         }
-        const auto mean = [&](ProfileQuantity q) { return s[index(q)] / n; };
+        const auto mean = [&](LayerQuantity q) { return s[index(q)] / n; };
         const double upper = static_cast<double>(layer + 1) * thickness_;
-        const double u = mean(ProfileQuantity::u);
-        const double w = mean(ProfileQuantity::w);
+        const double u = mean(LayerQuantity::u);
+        const double w = mean(LayerQuantity::w);
         result.bin_lower.push_back(static_cast<double>(layer) * thickness_);
         result.bin_upper.push_back(upper);
-        result.z.push_back(mean(ProfileQuantity::height));
+        result.z.push_back(mean(LayerQuantity::height));
         result.velocity.push_back(u);
         result.velocity_half_width.push_back(mean_with_confidence(layer_velocity[layer]).half_width);
         result.vertical_velocity.push_back(w);
-        result.column_velocity.push_back(mean(ProfileQuantity::column_u));
-        result.velocity_deviation.push_back(u - mean(ProfileQuantity::column_u));
-        result.velocity_gradient.push_back(mean(ProfileQuantity::shear));
-        result.eddy_viscosity.push_back(mean(ProfileQuantity::eddy_viscosity));
-        result.pressure.push_back(mean(ProfileQuantity::pressure));
-        result.density.push_back(rho * (1.0 + mean(ProfileQuantity::density)));
-        result.velocity_rms.push_back(std::sqrt(std::max(0.0, mean(ProfileQuantity::uu) - u * u)));
-        result.vertical_velocity_rms.push_back(std::sqrt(std::max(0.0, mean(ProfileQuantity::ww) - w * w)));
+        result.column_velocity.push_back(mean(LayerQuantity::column_u));
+        result.velocity_deviation.push_back(u - mean(LayerQuantity::column_u));
+        result.velocity_gradient.push_back(mean(LayerQuantity::shear));
+        result.eddy_viscosity.push_back(mean(LayerQuantity::eddy_viscosity));
+        result.pressure.push_back(mean(LayerQuantity::pressure));
+        result.density.push_back(rho * (1.0 + mean(LayerQuantity::density)));
+        result.velocity_rms.push_back(std::sqrt(std::max(0.0, mean(LayerQuantity::uu) - u * u)));
+        result.vertical_velocity_rms.push_back(std::sqrt(std::max(0.0, mean(LayerQuantity::ww) - w * w)));
         const double reynolds_upper =
             layer + 1 < layers_ ? 0.5 * (reynolds[layer] + reynolds[layer + 1]) : 0.0;
         result.reynolds_stress.push_back(reynolds_upper);
@@ -182,7 +180,7 @@ Profiles ProfileSampler::average(double from, double to) const {
         result.analytic_stress.push_back(column_ != nullptr && upper < case_.total_depth() - 0.5 * thickness_
                                              ? column_stress(*column_, upper)
                                              : line);
-        result.drag.push_back(s[index(ProfileQuantity::drag_force)] / (result.samples * length * thickness_));
+        result.drag.push_back(s[index(LayerQuantity::drag_force)] / (result.samples * length * thickness_));
     }
     return result;
 }

@@ -13,7 +13,7 @@ namespace riffle {
 
 /// Sums over the particles of a layer that the profiles are made of. Order of the last axis of
 /// `/profile_blocks/sums`; `profile_quantity_names` has the names.
-enum class ProfileQuantity : std::size_t {
+enum class LayerQuantity : std::size_t {
     count,
     height,
     u,
@@ -32,7 +32,7 @@ enum class ProfileQuantity : std::size_t {
     drag_force,
     quantities
 };
-inline constexpr std::size_t profile_quantities = static_cast<std::size_t>(ProfileQuantity::quantities);
+inline constexpr std::size_t profile_quantities = static_cast<std::size_t>(LayerQuantity::quantities);
 [[nodiscard]] const std::array<std::string, profile_quantities>& profile_quantity_names();
 
 /// Layer sums of one block of time (profile_block_duration), over its samples.

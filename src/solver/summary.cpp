@@ -1,6 +1,7 @@
 #include "solver/summary.hpp"
 
 #include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
 
@@ -75,23 +76,19 @@ void add_stresses(const Case& c, const Profiles& p, RunSummary& summary) {
     }
     Norms spurious;
     Norms error;
-    double stress_at_crest = 0.0;
-    double weight = 0.0;
     for (std::size_t k = 0; k + 4 < p.z.size(); ++k) {
         if (p.bin_upper[k] < c.crest()) {
             continue;
         }
         spurious.add(p.pair_stress[k] / crest_stress);
         error.add((p.total_stress[k] - p.analytic_stress[k]) / crest_stress);
-        // tau / (1 - (z - d_h)/(H - d_h)) is the crest stress of the line through this point.
-        const double line = (c.total_depth() - p.bin_upper[k]) / (c.total_depth() - c.crest());
-        stress_at_crest += p.total_stress[k] * line;
-        weight += line * line;
     }
     summary.set("spurious_stress_rms", spurious.rms());
     summary.set("spurious_stress_maximum", spurious.largest);
     summary.set("stress_error_rms", error.rms());
-    summary.set("friction_velocity", std::sqrt(std::max(0.0, stress_at_crest / weight / c.fluid.density)));
+    if (const std::optional<StressLine> line = fit_stress_line(c, p)) {
+        summary.set("friction_velocity", std::sqrt(std::max(0.0, line->crest_stress / c.fluid.density)));
+    }
 }
 
 void add_log_law(const Case& c, const Profiles& p, RunSummary& summary) {
@@ -128,6 +125,33 @@ void RunSummary::set(const std::string& name, double number) {
         }
     }
     values.emplace_back(name, number);
+}
+
+std::optional<StressLine> fit_stress_line(const Case& c, const Profiles& p) {
+    constexpr std::size_t top_layers = 4;
+    if (c.streamwise_gravity() <= 0.0 || c.total_depth() <= c.crest()) return std::nullopt;
+    std::vector<double> line;
+    std::vector<double> stress;
+    double products = 0.0;
+    double squares = 0.0;
+    for (std::size_t k = 0; k + top_layers < p.total_stress.size() && k < p.bin_upper.size(); ++k) {
+        if (p.bin_upper[k] < c.crest()) continue;
+        line.push_back((c.total_depth() - p.bin_upper[k]) / (c.total_depth() - c.crest()));
+        stress.push_back(p.total_stress[k]);
+        products += stress.back() * line.back();
+        squares += line.back() * line.back();
+    }
+    if (line.size() < 2) return std::nullopt;
+    StressLine result{products / squares, 0.0};
+    double departures = 0.0;
+    for (std::size_t k = 0; k < line.size(); ++k) {
+        const double departure = stress[k] - result.crest_stress * line[k];
+        departures += departure * departure;
+    }
+    const double freedom = static_cast<double>(line.size()) - 1.0;
+    const boost::math::students_t student(freedom);
+    result.half_width = boost::math::quantile(student, 0.975) * std::sqrt(departures / freedom / squares);
+    return result;
 }
 
 RunSummary summarise(const Case& c, const ColumnResult* column, const TimeSeries& series,

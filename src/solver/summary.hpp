@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,6 +20,18 @@ struct RunSummary {
     [[nodiscard]] double value(const std::string& name) const;  ///< NaN when absent
     void set(const std::string& name, double value);
 };
+
+/// Shear stress at the crest, Pa, from the straight line of uniform flow, tau_c (H - z)/(H - d_h)
+/// (thesis 4.6), fitted by least squares to the total stress above the crest without the four top layers,
+/// where the kernel is cut. The half-width of its 95 % interval takes the departures of the layers as
+/// independent.
+struct StressLine {
+    double crest_stress = 0.0;
+    double half_width = 0.0;
+};
+
+/// None without a slope or with too few layers above the crest.
+[[nodiscard]] std::optional<StressLine> fit_stress_line(const Case& c, const Profiles& profiles);
 
 /// Summarise the averaging window: means with their intervals, friction velocities, departures from the
 /// column twin and from the stress line. Velocities are compared at the particles' own heights and relative
