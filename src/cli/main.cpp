@@ -28,6 +28,7 @@ constexpr const char* examples = R"(Examples:
   riffle watch results/my-flume                     follow it in the browser meanwhile
   riffle resume results/my-flume                    go on after a stop
   riffle report results/my-flume                    one HTML page with figures and numbers
+  riffle analyse results/my-flume                   profiles, fitted laws, surface, spectra as numbers
 
 Exit status: 0 success, 1 the simulation failed, 2 wrong command line or case, 3 a file cannot be
 read or written, 128 + n stopped by signal n with a checkpoint.)";
@@ -65,6 +66,7 @@ int parse_and_run(int argc, char** argv) {
     add_verb_run(app);
     add_verb_resume(app);
     add_verb_report(app);
+    add_verb_analyse(app);
     add_verb_watch(app);
     add_verb_bench(app);
     add_verb_schema(app);

@@ -1,0 +1,131 @@
+#include "analysis/analysis_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+
+#include "analysis/chapters.hpp"
+#include "analysis/figure_tools.hpp"
+
+namespace riffle {
+
+namespace {
+
+std::string number(double value) { return std::isfinite(value) ? fmt::format("{:.4g}", value) : "-"; }
+
+/// Two significant digits: the half-width itself is not known better.
+std::string uncertainty(double half_width) { return fmt::format("{:.2g}", half_width); }
+
+std::string unit_of(const Finding& finding) { return finding.unit == "1" ? "" : finding.unit; }
+
+/// Relative difference to the reference; to a reference of zero there is none.
+std::string difference(const Finding& finding) {
+    if (!finding.reference || *finding.reference == 0.0 || !std::isfinite(finding.value)) return "";
+    const double percent = 100.0 * (finding.value / *finding.reference - 1.0);
+    return std::abs(percent) < 1000.0 ? fmt::format("{:+.1f} %", percent) : fmt::format("{:+.2g} %", percent);
+}
+
+std::size_t width_of(const std::string& utf8) {
+    return static_cast<std::size_t>(std::count_if(
+        utf8.begin(), utf8.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
+
+std::string padded(const std::string& text, std::size_t width) {
+    const std::size_t has = width_of(text);
+    return text + std::string(has < width ? width - has : 0, ' ');
+}
+
+std::string right(const std::string& text, std::size_t width) {
+    const std::size_t has = width_of(text);
+    return std::string(has < width ? width - has : 0, ' ') + text;
+}
+
+std::string trimmed(std::string line) {
+    line.erase(line.find_last_not_of(' ') + 1);
+    return line + "\n";
+}
+
+std::string finding_lines(const Finding& finding, std::size_t label_width) {
+    std::string line = "  " + padded(finding.label, label_width) + right(number(finding.value), 12);
+    line += finding.half_width ? " ± " + padded(uncertainty(*finding.half_width), 10) : std::string(13, ' ');
+    line += padded(unit_of(finding), 8);
+    if (finding.reference) {
+        line += right(number(*finding.reference), 10) + right(difference(finding), 10) + "  " +
+                finding.reference_name;
+    }
+    line = trimmed(line);
+    if (!finding.remark.empty()) line += "      " + finding.remark + "\n";
+    return line;
+}
+
+std::size_t label_width(const std::vector<Finding>& findings) {
+    std::size_t width = 0;
+    for (const Finding& finding : findings) width = std::max(width, width_of(finding.label));
+    return width;
+}
+
+}  // namespace
+
+std::string analysis_to_text(const Analysis& analysis) {
+    std::string text = fmt::format("{}\n{}\n", analysis.name, analysis.source);
+    const std::size_t width = label_width(analysis.findings);
+    for (const Chapter& chapter : analysis_chapters()) {
+        std::string lines;
+        for (const Finding& finding : analysis.findings) {
+            if (finding.chapter == chapter.name) lines += finding_lines(finding, width);
+        }
+        if (!lines.empty()) text += fmt::format("\n{}\n{}", chapter.title, lines);
+    }
+    if (analysis.findings.empty()) text += "\nNothing could be found in this record.\n";
+    std::string missing;
+    for (const Figure& figure : analysis.figures) {
+        if (!figure.missing.empty()) missing += fmt::format("  {}: {}\n", figure.key, figure.missing);
+    }
+    if (!missing.empty()) text += "\nFigures without data\n" + missing;
+    if (!analysis.warnings.empty()) text += "\nWarnings\n";
+    for (const std::string& warning : analysis.warnings) text += "  " + warning + "\n";
+    return text;
+}
+
+std::string comparison_to_text(const std::vector<Analysis>& analyses) {
+    std::vector<Finding> rows;  // one of each key, in the order of the chapters
+    for (const Chapter& chapter : analysis_chapters()) {
+        for (const Analysis& analysis : analyses) {
+            for (const Finding& finding : analysis.findings) {
+                const auto known = std::find_if(rows.begin(), rows.end(),
+                                                [&](const Finding& row) { return row.key == finding.key; });
+                if (finding.chapter == chapter.name && known == rows.end()) rows.push_back(finding);
+            }
+        }
+    }
+    const std::size_t width = label_width(rows);
+    constexpr std::size_t column = 24;
+    std::string text = "Comparison\n";
+    for (std::size_t i = 0; i < analyses.size(); ++i) {
+        text += fmt::format("  ({}) {}, {}\n", i + 1, analyses[i].name, analyses[i].source);
+    }
+    std::string heading = "  " + padded("", width + 8);
+    for (std::size_t i = 0; i < analyses.size(); ++i) heading += right(fmt::format("({})", i + 1), column);
+    text += trimmed(heading);
+    for (const Finding& row : rows) {
+        std::string line = "  " + padded(row.label, width) + " " + padded(unit_of(row), 7);
+        std::size_t found = 0;
+        for (const Analysis& analysis : analyses) {
+            const Finding* const finding = find_finding(analysis, row.key);
+            std::string cell = "-";
+            if (finding != nullptr) {
+                ++found;
+                cell = number(finding->value);
+                if (finding->half_width) cell += " ± " + uncertainty(*finding->half_width);
+            }
+            line += right(cell, column);
+        }
+        if (found > 1) text += trimmed(line);
+    }
+    return text;
+}
+
+}  // namespace riffle

@@ -1,0 +1,310 @@
+// Laws fitted to the velocity profile, and the channel numbers that follow from the mean velocity.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <vector>
+
+#include "analysis/chapters.hpp"
+#include "analysis/figure_tools.hpp"
+#include "hydraulics/law_fits.hpp"
+#include "hydraulics/log_law.hpp"
+#include "solver/summary.hpp"
+
+namespace riffle {
+
+namespace {
+
+constexpr const char* chapter = "fits";
+
+/// What the fits start from.
+struct FittedFlow {
+    VelocityPoints points;                    ///< heights above the bed level; zero plane at the datum
+    double depth = 0;                         ///< from the datum to the mean surface, m
+    FitRange log_law_range;                   ///< of the log law
+    FitRange whole_range;                     ///< of the laws for the whole depth
+    std::optional<double> friction_velocity;  ///< from the stress, m/s
+    double friction_velocity_half_width = 0;
+};
+
+std::optional<double> finite(double value) {
+    return std::isfinite(value) ? std::optional<double>(value) : std::nullopt;
+}
+
+Finding fitted(std::string key, std::string label, std::string unit, const FittedValue& value) {
+    Finding finding = make_finding(chapter, std::move(key), std::move(label), std::move(unit), value.value,
+                                   finite(value.half_width));
+    const Interval& interval = value.interval;
+    const bool lopsided =
+        std::abs((interval.upper - value.value) - (value.value - interval.lower)) > 0.2 * value.half_width;
+    if (lopsided || !finding.half_width) {
+        finding.remark = fmt::format("95 % interval {:.3g} to {:.3g}", interval.lower, interval.upper);
+    }
+    return finding;
+}
+
+void warn_of_failure(Analysis& analysis, const char* law, const FitQuality& fit) {
+    analysis.warnings.push_back(fmt::format("the {} could not be fitted: {}", law, fit.why_not));
+}
+
+/// Heights between zero plane and surface at which a law is drawn; closer near the zero plane.
+std::vector<double> law_heights(double from, double to) {
+    constexpr int count = 80;
+    std::vector<double> heights;
+    for (int i = 0; i < count; ++i)
+        heights.push_back(from * std::pow(to / from, static_cast<double>(i) / (count - 1)));
+    return heights;
+}
+
+Curve law_curve(const char* name, int variant, const FittedFlow& flow, const FitQuality& fit,
+                const std::function<double(double)>& law) {
+    const std::vector<double> heights =
+        law_heights(std::max(fit.from - flow.points.zero_plane, 1e-3 * flow.depth), 0.995 * flow.depth);
+    std::vector<double> velocity;
+    std::vector<double> z;
+    for (const double height : heights) {
+        velocity.push_back(law(height));
+        z.push_back(height + flow.points.zero_plane);
+    }
+    Curve curve = make_curve(name, Origin::fit, Mark::line, velocity, z);
+    curve.variant = variant;
+    return curve;
+}
+
+Figure laws_figure(const FlowRecord& record, const FittedFlow& flow) {
+    Figure figure =
+        make_figure(chapter, "fitted_laws", "Laws fitted to the velocity profile",
+                    "Velocity profile with the fitted laws, each drawn from the lower end of its "
+                    "range to the surface. Zero plane: the datum.",
+                    "thesis (2.3), (2.5), (2.25), (2.26)", make_axis("streamwise velocity u", "m/s"),
+                    make_axis("height above the bed level z", "m"));
+    figure.curves.push_back(make_curve(record.origin() == Origin::simulated ? "simulated" : "measured",
+                                       record.origin(), Mark::points,
+                                       {flow.points.velocity.begin(), flow.points.velocity.end()},
+                                       {flow.points.z.begin(), flow.points.z.end()}));
+    return figure;
+}
+
+/// u/u_* over (z - z_0)/k_s of a profile above its zero plane.
+Curve scaled_profile(const char* name, Origin origin, const VelocityPoints& points, double friction_velocity,
+                     double roughness) {
+    std::vector<double> x;
+    std::vector<double> y;
+    for (std::size_t i = 0; i < points.z.size(); ++i) {
+        const double height = points.z[i] - points.zero_plane;
+        if (height <= 0.0) continue;
+        x.push_back(height / roughness);
+        y.push_back(points.velocity[i] / friction_velocity);
+    }
+    return make_curve(name, origin, Mark::points, x, y);
+}
+
+void add_log_law(const FlowRecord& record, const FittedFlow& flow, Figure& laws, Analysis& analysis) {
+    const Case& c = *record.flow();
+    Figure figure = make_figure(
+        chapter, "log_law", "Rough log law",
+        "Velocity over the friction velocity against the height over the datum, scaled with the fitted "
+        "roughness; the line is u/u* = ln((z - z0)/ks)/0.41 + 8.5.",
+        "thesis (2.3)", make_axis("height over roughness (z - z0)/ks", "1", true),
+        make_axis("velocity u/u*", "1"));
+    const LogLawFit fit = fit_log_law(flow.points, log_law_kappa, flow.log_law_range);
+    if (!fit.valid) {
+        warn_of_failure(analysis, "rough log law", fit);
+        add_missing(record, analysis, std::move(figure),
+                    "the rough log law could not be fitted: " + fit.why_not);
+        return;
+    }
+    const auto value = [](double best, double half_width, const Interval& interval) {
+        return FittedValue{best, half_width, interval};
+    };
+    analysis.findings.push_back(against(
+        fitted(
+            "log_law_friction_velocity", "friction velocity u*, log-law fit", "m/s",
+            value(fit.friction_velocity, fit.friction_velocity_half_width, fit.friction_velocity_interval)),
+        c.measured.friction_velocity, measured_name(c)));
+    analysis.findings.push_back(
+        against(fitted("equivalent_roughness", "equivalent sand roughness ks, log-law fit", "m",
+                       value(fit.equivalent_roughness, fit.equivalent_roughness_half_width,
+                             fit.equivalent_roughness_interval)),
+                c.measured.equivalent_roughness, measured_name(c)));
+    analysis.findings.push_back(
+        make_finding(chapter, "log_law_residual", "rms residual of the log law", "m/s", fit.residual_rms));
+    const LogLawFit free = fit_log_law_with_zero_plane(flow.points, log_law_kappa, flow.log_law_range);
+    if (free.valid) {
+        analysis.findings.push_back(
+            against(fitted("zero_plane", "zero plane of the log law, fitted, above the datum", "m",
+                           value(free.zero_plane - flow.points.zero_plane, free.zero_plane_half_width,
+                                 {free.zero_plane_interval.lower - flow.points.zero_plane,
+                                  free.zero_plane_interval.upper - flow.points.zero_plane})),
+                    0.0, "datum"));
+        analysis.findings.push_back(fitted("zero_plane_friction_velocity",
+                                           "u* with the zero plane fitted, too", "m/s",
+                                           value(free.friction_velocity, free.friction_velocity_half_width,
+                                                 free.friction_velocity_interval)));
+        analysis.findings.push_back(
+            fitted("zero_plane_equivalent_roughness", "ks with the zero plane fitted, too", "m",
+                   value(free.equivalent_roughness, free.equivalent_roughness_half_width,
+                         free.equivalent_roughness_interval)));
+    } else {
+        warn_of_failure(analysis, "rough log law with a free zero plane", free);
+    }
+    figure.curves.push_back(scaled_profile(record.origin() == Origin::simulated ? "simulated" : "measured",
+                                           record.origin(), flow.points, fit.friction_velocity,
+                                           fit.equivalent_roughness));
+    const FlowRecord::Measured& measured = record.measured();
+    if (!measured.from_law && !measured.profile.height.empty() && c.measured.friction_velocity &&
+        c.measured.equivalent_roughness) {
+        const VelocityPoints points{
+            measured.profile.height, measured.profile.velocity, {}, flow.points.zero_plane};
+        figure.curves.push_back(scaled_profile("measured profile", Origin::measured, points,
+                                               *c.measured.friction_velocity,
+                                               *c.measured.equivalent_roughness));
+    }
+    const double low = std::max(0.02, (fit.from - flow.points.zero_plane) / fit.equivalent_roughness);
+    const double high = flow.depth / fit.equivalent_roughness;
+    figure.curves.push_back(make_curve("rough log law (2.3)", Origin::theory, Mark::line, {low, high},
+                                       {rough_log_law(low, 1.0, 1.0), rough_log_law(high, 1.0, 1.0)}));
+    analysis.figures.push_back(std::move(figure));
+    laws.curves.push_back(law_curve("rough log law", 0, flow, fit, [&](double height) {
+        return rough_log_law(height, fit.friction_velocity, fit.equivalent_roughness);
+    }));
+    const double k_plus = roughness_reynolds_number(fit.equivalent_roughness, fit.friction_velocity,
+                                                    c.fluid.kinematic_viscosity);
+    Finding rough =
+        make_finding(chapter, "roughness_reynolds_number", "roughness Reynolds number ks u*/nu", "1", k_plus);
+    const RoughnessClass kind = roughness_class(k_plus);
+    rough.remark = kind == RoughnessClass::smooth         ? "hydraulically smooth (below 5)"
+                   : kind == RoughnessClass::transitional ? "transitionally rough (5 to 70)"
+                                                          : "fully rough (above 70)";
+    analysis.findings.push_back(std::move(rough));
+}
+
+void add_other_laws(const FittedFlow& flow, Figure& laws, Analysis& analysis) {
+    const std::string with = flow.friction_velocity ? "u* from the stress" : "u* fitted, too";
+    const auto note = [&](Finding finding) {
+        finding.remark = with + (finding.remark.empty() ? "" : "; " + finding.remark);
+        analysis.findings.push_back(std::move(finding));
+    };
+    const WakeFit wake =
+        fit_wake_strength(flow.points, flow.depth, flow.friction_velocity, log_law_kappa, flow.whole_range);
+    if (wake.valid) {
+        note(against(fitted("wake_strength", "Coles' wake strength Pi", "1", wake.wake_strength),
+                     wake_strength_of_uniform_flow, "Nezu & Rodi, u* h/nu > 2000"));
+        laws.curves.push_back(law_curve("log-wake law", 1, flow, wake, [&](double height) {
+            return rough_log_wake_law(height, flow.depth, wake.friction_velocity.value,
+                                      wake.equivalent_roughness.value, wake.wake_strength.value);
+        }));
+    } else {
+        warn_of_failure(analysis, "log-wake law", wake);
+    }
+    const PowerLawFit power = fit_power_law(flow.points, flow.depth, flow.whole_range);
+    if (power.valid) {
+        analysis.findings.push_back(
+            fitted("power_law_m", "m of the power law u = U_max (z/h)^(1/m)", "1", power.m));
+        analysis.findings.push_back(
+            fitted("power_law_maximum_velocity", "U_max of the power law", "m/s", power.maximum_velocity));
+        laws.curves.push_back(law_curve("power law", 2, flow, power, [&](double height) {
+            return power_law(height, flow.depth, power.maximum_velocity.value, power.m.value);
+        }));
+    } else {
+        warn_of_failure(analysis, "power law", power);
+    }
+    const DipFit dip = fit_dip_modified_log_law(flow.points, flow.depth, flow.friction_velocity,
+                                                log_law_kappa, flow.whole_range);
+    if (dip.valid) {
+        note(against(fitted("dip_parameter", "alpha of the dip-modified log law (2.25)", "1", dip.dip), 0.0,
+                     "no dip"));
+        laws.curves.push_back(law_curve("dip-modified log law", 3, flow, dip, [&](double height) {
+            return dip_modified_log_law(height, flow.depth, dip.friction_velocity.value,
+                                        dip.zero_velocity_height.value, dip.dip.value);
+        }));
+    } else {
+        warn_of_failure(analysis, "dip-modified log law", dip);
+    }
+    const DipFit total =
+        fit_total_dip_log_wake_law(flow.points, flow.depth, flow.friction_velocity,
+                                   wake_strength_of_uniform_flow, log_law_kappa, flow.whole_range);
+    if (total.valid) {
+        note(against(fitted("total_dip_parameter", "alpha of the total dip-modified log-wake law (2.26)", "1",
+                            total.dip),
+                     0.0, "no dip"));
+        laws.curves.push_back(
+            law_curve("total dip-modified log-wake law", 4, flow, total, [&](double height) {
+                return total_dip_log_wake_law(height, flow.depth, total.friction_velocity.value,
+                                              total.zero_velocity_height.value, total.dip.value,
+                                              wake_strength_of_uniform_flow);
+            }));
+    } else {
+        warn_of_failure(analysis, "total dip-modified log-wake law", total);
+    }
+}
+
+void add_stress_velocity(const FlowRecord& record, FittedFlow& flow, Analysis& analysis) {
+    const Case& c = *record.flow();
+    const std::optional<StressLine> line = fit_stress_line(c, record.profiles());
+    if (!line || line->crest_stress <= 0.0) return;
+    const double velocity = std::sqrt(line->crest_stress / c.fluid.density);
+    const double half_width = 0.5 * velocity * line->half_width / line->crest_stress;
+    flow.friction_velocity = velocity;
+    flow.friction_velocity_half_width = half_width;
+    analysis.findings.push_back(
+        against(make_finding(chapter, "friction_velocity", "friction velocity u*, stress at the crests",
+                             "m/s", velocity, half_width),
+                c.measured.friction_velocity, measured_name(c),
+                c.measured.friction_velocity ? "measured u* is sqrt(g h_w S0); at the crests the depth above "
+                                               "them carries the stress, sqrt(g (h_w - 4 mm) S0)"
+                                             : ""));
+}
+
+void add_kappa(const FlowRecord& record, const FittedFlow& flow, Analysis& analysis) {
+    if (!flow.friction_velocity) return;
+    const double length = record.flow()->fluid.kinematic_viscosity / *flow.friction_velocity;
+    const KappaFit fit = fit_kappa(flow.points, *flow.friction_velocity, flow.friction_velocity_half_width,
+                                   length, flow.log_law_range);
+    if (!fit.valid) {
+        warn_of_failure(analysis, "check of kappa", fit);
+        return;
+    }
+    Finding finding =
+        against(fitted("kappa", "von Karman's constant with u* from the stress", "1", fit.kappa),
+                log_law_kappa, "thesis (2.1)");
+    if (finding.remark.empty()) finding.remark = "check of Nezu & Rodi (1986)";
+    analysis.findings.push_back(std::move(finding));
+}
+
+}  // namespace
+
+void analyse_fits(const FlowRecord& record, Analysis& analysis) {
+    if (record.flow() == nullptr) return;
+    const Case& c = *record.flow();
+    const Profiles& p = record.profiles();
+    Figure empty = make_figure(chapter, "log_law", "Rough log law", "", "thesis (2.3)",
+                               make_axis("height over roughness (z - z0)/ks", "1", true),
+                               make_axis("velocity u/u*", "1"));
+    if (p.empty() || p.velocity.empty()) {
+        add_missing(record, analysis, std::move(empty), "the results file holds no profiles of this window");
+        return;
+    }
+    if (c.bed.kind != BedKind::spheres || c.channel.slope <= 0.0) {
+        add_missing(record, analysis, std::move(empty),
+                    "the laws of rough beds are fitted to the flow down a slope over spheres only");
+        return;
+    }
+    FittedFlow flow;
+    flow.points = {p.z, p.velocity, {}, c.datum()};
+    const HeightRange range = log_law_range(c);
+    flow.log_law_range = {range.from, range.to};
+    flow.depth = c.channel.depth;
+    flow.whole_range = {c.crest(), c.datum() + 0.98 * c.channel.depth};
+    add_stress_velocity(record, flow, analysis);
+    Figure laws = laws_figure(record, flow);
+    add_log_law(record, flow, laws, analysis);
+    add_other_laws(flow, laws, analysis);
+    add_kappa(record, flow, analysis);
+    analysis.figures.push_back(std::move(laws));
+    add_channel_numbers(record, analysis);
+}
+
+}  // namespace riffle

@@ -1,0 +1,139 @@
+// Forces on the bed against the weight of the water down the slope.
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "analysis/chapters.hpp"
+#include "analysis/figure_tools.hpp"
+#include "statistics/confidence.hpp"
+
+namespace riffle {
+
+namespace {
+
+constexpr const char* chapter = "forces";
+
+/// A share of the weight component: its series, its name, its share in the column twin.
+struct Share {
+    const char* series;
+    const char* key;
+    const char* label;
+    std::optional<double> column;
+    int variant;
+};
+
+/// Figure and findings of the scalar instruments of one kind.
+void add_instruments(const FlowRecord& record, const char* kind, Figure figure, Analysis& analysis) {
+    constexpr std::size_t most = 3000;
+    int variant = 0;
+    for (const ScalarProbe& probe : record.scalar_probes()) {
+        if (probe.kind != kind || probe.unit != figure.y.unit || probe.value.size() < 2) continue;
+        Curve curve = make_curve(probe.label, record.origin(), Mark::line, thinned(probe.time, most),
+                                 thinned(probe.value, most));
+        curve.variant = variant++;
+        figure.curves.push_back(std::move(curve));
+        const MeanEstimate mean = mean_with_confidence(probe.value);
+        Finding finding = make_finding(chapter, probe.name + "_" + probe.quantity, probe.label, probe.unit,
+                                       mean.mean, mean.half_width);
+        finding.remark =
+            fmt::format("instrument {}; standard deviation {:.3g}", probe.name, mean.standard_deviation);
+        analysis.findings.push_back(std::move(finding));
+    }
+    if (!figure.curves.empty()) analysis.figures.push_back(std::move(figure));
+}
+
+}  // namespace
+
+void analyse_forces(const FlowRecord& record, Analysis& analysis) {
+    if (record.flow() == nullptr || record.origin() != Origin::simulated) return;
+    add_instruments(
+        record, "force",
+        make_figure(chapter, "force_instruments", "Forces on bed and walls",
+                    "Forces between the water and its bed and walls, and the weight component down the "
+                    "slope, per unit width, as the instruments recorded them.",
+                    "thesis (2.16), (4.3)", make_axis("time t", "s"),
+                    make_axis("force per unit width", "N/m")),
+        analysis);
+    add_instruments(record, "flow_rate",
+                    make_figure(chapter, "flow_rate_history", "Flow rate through sections",
+                                "Discharge per unit width through the sections of the instruments.", "",
+                                make_axis("time t", "s"), make_axis("discharge per unit width", "m2/s")),
+                    analysis);
+    const Case& c = *record.flow();
+    Figure figure;
+    figure.key = "force_history";
+    figure.chapter = chapter;
+    figure.title = "Forces on the water";
+    figure.caption =
+        "Drag of the bed elements, streamwise force of the walls and rate of change of the momentum, each "
+        "over the weight component down the slope. Their sum is one where the momentum is balanced.";
+    figure.source = "thesis (2.16), (4.3), bed stress of chapter 4";
+    figure.x = make_axis("time t", "s");
+    figure.y = make_axis("force over weight component", "1");
+    const SeriesTable& series = record.series();
+    const auto time = series.find("time");
+    if (time == series.end() || c.channel.slope <= 0.0) {
+        add_missing(record, analysis, std::move(figure),
+                    c.channel.slope <= 0.0 ? "the channel has no slope, so no weight acts along it"
+                                           : "the results file holds no time series");
+        return;
+    }
+    std::optional<double> drag_share;
+    std::optional<double> wall_share;
+    if (record.column() != nullptr) {
+        drag_share = record.column()->drag_share;
+        wall_share = record.column()->wall_share;
+    }
+    constexpr std::size_t most = 3000;
+    const double bed_weight =
+        c.fluid.density * c.streamwise_gravity() * c.total_depth();  // per plan area, the whole depth
+    double balance = 0.0;
+    std::optional<double> balance_variance = 0.0;
+    for (const Share& share :
+         {Share{"drag_over_gravity", "bed_drag_share", "bed drag over the weight component", drag_share, 0},
+          Share{"wall_over_gravity", "wall_force_share", "wall force over the weight component", wall_share,
+                1},
+          Share{"acceleration_over_gravity", "acceleration_share",
+                "rate of change of the momentum over the weight component", 0.0, 2}}) {
+        const auto values = series.find(share.series);
+        if (values == series.end()) continue;
+        Curve curve = make_curve(share.label, Origin::simulated, Mark::line, thinned(time->second, most),
+                                 thinned(values->second, most));
+        curve.variant = share.variant;
+        figure.curves.push_back(std::move(curve));
+        const std::vector<double> window = within_window(record, share.series);
+        if (window.size() < 2) continue;
+        const MeanEstimate mean = mean_with_confidence(window);
+        balance += mean.mean;
+        if (std::isfinite(mean.half_width)) {
+            *balance_variance += mean.half_width * mean.half_width;
+        }
+        analysis.findings.push_back(
+            against(make_finding(chapter, share.key, share.label, "1", mean.mean, mean.half_width),
+                    share.column, share.variant == 2 ? "steady flow" : "column twin"));
+        if (share.variant == 0) {
+            std::optional<double> measured;
+            if (c.measured.friction_velocity)
+                measured = c.fluid.density * std::pow(*c.measured.friction_velocity, 2);
+            analysis.findings.push_back(
+                against(make_finding(chapter, "bed_stress", "drag of the bed elements per plan area", "Pa",
+                                     mean.mean * bed_weight, mean.half_width * bed_weight),
+                        measured, "rho u*^2, " + measured_name(c)));
+        }
+    }
+    if (figure.curves.empty()) {
+        add_missing(record, analysis, std::move(figure), "the time series hold no forces");
+        return;
+    }
+    Curve one = make_curve("balance", Origin::theory, Mark::line, {time->second.front(), time->second.back()},
+                           {1.0, 1.0});
+    figure.curves.push_back(std::move(one));
+    analysis.figures.push_back(std::move(figure));
+    Finding sum = against(make_finding(chapter, "momentum_balance", "sum of the forces over the weight", "1",
+                                       balance, std::sqrt(*balance_variance)),
+                          1.0, "momentum balance");
+    analysis.findings.push_back(std::move(sum));
+}
+
+}  // namespace riffle

@@ -1,0 +1,256 @@
+// Statistics of the whole-flow series: means with their intervals, settling, drift.
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+
+#include "analysis/chapters.hpp"
+#include "analysis/figure_tools.hpp"
+#include "statistics/autocorrelation.hpp"
+#include "statistics/confidence.hpp"
+#include "statistics/settling.hpp"
+#include "statistics/stationarity.hpp"
+
+namespace riffle {
+
+namespace {
+
+constexpr const char* chapter = "statistics";
+constexpr std::size_t most_points = 3000;
+
+Figure history_figure() {
+    Figure figure;
+    figure.key = "velocity_history";
+    figure.chapter = chapter;
+    figure.title = "Depth-mean velocity against time";
+    figure.caption = "Depth-mean velocity above the datum over the whole run.";
+    figure.source = "thesis Figs 4.4-4.5, 5.10";
+    figure.x = make_axis("time t", "s");
+    figure.y = make_axis("depth-mean velocity U", "m/s");
+    return figure;
+}
+
+void add_history(const FlowRecord& record, Analysis& analysis) {
+    Figure figure = history_figure();
+    const SeriesTable& series = record.series();
+    const auto time = series.find("time");
+    const auto velocity = series.find("depth_mean_velocity");
+    if (time == series.end() || velocity == series.end() || time->second.size() < 2) {
+        add_missing(record, analysis, std::move(figure), "the results file holds no time series yet");
+        return;
+    }
+    figure.curves.push_back(make_curve("simulated", Origin::simulated, Mark::line,
+                                       thinned(time->second, most_points),
+                                       thinned(velocity->second, most_points)));
+    const std::vector<double> ends = {time->second.front(), time->second.back()};
+    const auto level = [&](const char* name, Origin origin, double value) {
+        figure.curves.push_back(make_curve(name, origin, Mark::line, ends, {value, value}));
+    };
+    if (record.column() != nullptr)
+        level("column twin", Origin::column, record.column()->depth_mean_velocity);
+    if (record.flow()->measured.depth_mean_velocity)
+        level("measured", Origin::measured, *record.flow()->measured.depth_mean_velocity);
+    analysis.figures.push_back(std::move(figure));
+}
+
+/// A record within the window, at even times to within a step of the simulation.
+struct WindowRecord {
+    std::string prefix;  ///< of the keys
+    std::string symbol;
+    std::string unit;
+    std::vector<double> values;
+    double start = 0;
+    double interval = 0;
+};
+
+void add_settling(const FlowRecord& record, const WindowRecord& window, Analysis& analysis) {
+    Figure figure = make_figure(
+        chapter, window.prefix + "_settling", fmt::format("Settling of the mean of {}", window.symbol),
+        "Mean from the start of the window up to each time, with its 95 % interval, over the "
+        "mean of the whole "
+        "window.",
+        "thesis Figs 4.4-4.5, 5.10", make_axis("time t", "s"),
+        make_axis("running mean over final mean", "1"));
+    attempt(record, analysis, std::move(figure), [&](Figure& f) {
+        const SettlingCurve settling = settling_curve(window.values);
+        const double last = settling.mean.back();
+        Curve curve = make_curve(window.symbol, record.origin(), Mark::line, {}, {});
+        for (std::size_t i = 0; i < settling.samples.size(); ++i) {
+            if (!std::isfinite(settling.half_width[i])) continue;
+            curve.x.push_back(window.start + static_cast<double>(settling.samples[i] - 1) * window.interval);
+            curve.y.push_back(settling.mean[i] / last);
+            curve.y_half_width.push_back(settling.half_width[i] / std::abs(last));
+        }
+        f.curves.push_back(std::move(curve));
+        constexpr double band = 0.01;
+        Finding finding = make_finding(
+            chapter, "settled_after", "time after which the running mean stays within 1 % of the final", "s",
+            static_cast<double>(settled_after(window.values, band * std::abs(last))) * window.interval);
+        finding.remark =
+            fmt::format("of {:.4g} s", static_cast<double>(window.values.size()) * window.interval);
+        analysis.findings.push_back(std::move(finding));
+    });
+}
+
+void add_autocorrelation(const FlowRecord& record, const WindowRecord& window, Analysis& analysis) {
+    Figure figure = make_figure(
+        chapter, window.prefix + "_autocorrelation", fmt::format("Autocorrelation of {}", window.symbol),
+        "Autocorrelation in time over the window, from which the integral time scale and "
+        "the intervals of the means follow.",
+        "", make_axis("time lag", "s"), make_axis("autocorrelation", "1"));
+    attempt(record, analysis, std::move(figure), [&](Figure& f) {
+        const std::vector<double> correlation =
+            autocorrelation(window.values, std::max<std::size_t>(1, window.values.size() / 4));
+        std::vector<double> lag;
+        for (std::size_t i = 0; i < correlation.size(); ++i)
+            lag.push_back(static_cast<double>(i) * window.interval);
+        f.curves.push_back(make_curve(window.symbol, record.origin(), Mark::line, thinned(lag, most_points),
+                                      thinned(correlation, most_points)));
+        const IntegralScale scale = integral_scale_to_zero_crossing(correlation);
+        Finding finding =
+            make_finding(chapter, "integral_time_to_zero", "integral time scale to the first zero crossing",
+                         "s", scale.scale * window.interval);
+        if (!scale.closed)
+            finding.remark = "the correlation does not reach zero within a quarter of the window";
+        analysis.findings.push_back(std::move(finding));
+    });
+}
+
+void add_stationarity(const WindowRecord& window, Analysis& analysis) {
+    try {
+        const Stationarity test = stationarity(window.values);
+        const MeanEstimate mean = mean_with_confidence(window.values);
+        Finding drift =
+            against(make_finding(chapter, window.prefix + "_drift",
+                                 fmt::format("change of {} over the window by its trend", window.symbol),
+                                 window.unit, test.drift.value, test.drift.half_width),
+                    0.0, "steady flow");
+        drift.remark = fmt::format("{:.2g} of the mean; chance of such a trend in a steady record {:.2g}",
+                                   test.drift.value / mean.mean, test.trend_p_value);
+        analysis.findings.push_back(std::move(drift));
+        Finding steady = make_finding(
+            chapter, "stationarity_p_value",
+            fmt::format("steadiness of {}: smallest p-value (Bonferroni)", window.symbol), "1", test.p_value);
+        steady.remark = test.blocks ? "trend, reverse arrangements and runs of means and variances of blocks"
+                                    : fmt::format(
+                                          "the trend alone: only {} independent blocks, too few for tests "
+                                          "of blocks",
+                                          test.block_count);
+        steady.remark +=
+            test.p_value < 0.05 ? ": not steady (below 0.05)" : ": nothing speaks against steadiness";
+        analysis.findings.push_back(std::move(steady));
+    } catch (const InputError& error) {
+        analysis.warnings.push_back(std::string("test of steadiness: ") + error.what());
+    }
+}
+
+void add_means(const FlowRecord& record, Analysis& analysis) {
+    const Case& c = *record.flow();
+    const std::vector<double> velocity = within_window(record, "depth_mean_velocity");
+    const std::vector<double> time = within_window(record, "time");
+    if (velocity.size() < 2 || time.size() < 2) {
+        analysis.warnings.push_back(
+            fmt::format("the window {:.4g} s to {:.4g} s holds {} samples of the time series: too few for "
+                        "statistics",
+                        record.window().from, record.window().to, velocity.size()));
+        return;
+    }
+    const double interval = (time.back() - time.front()) / static_cast<double>(time.size() - 1);
+    const MeanEstimate mean = mean_with_confidence(velocity);
+    std::string remark = c.measured.uniform ? "" : "the measured flow was not uniform";
+    analysis.findings.push_back(
+        against(make_finding(chapter, "depth_mean_velocity", "depth-mean velocity above the datum, U", "m/s",
+                             mean.mean, mean.half_width),
+                c.measured.depth_mean_velocity, measured_name(c), remark));
+    if (record.column() != nullptr) {
+        analysis.findings.push_back(against(
+            make_finding(chapter, "depth_mean_velocity_over_column", "the same over that of the column twin",
+                         "1", mean.mean / record.column()->depth_mean_velocity,
+                         mean.half_width / record.column()->depth_mean_velocity),
+            1.0, "column twin"));
+    }
+    Finding scale = make_finding(chapter, "integral_time_scale", "integral time scale of U", "s",
+                                 mean.integral_time * interval);
+    scale.remark = fmt::format("{:.4g} effective samples in {:.4g} s", mean.effective_samples,
+                               time.back() - time.front());
+    analysis.findings.push_back(std::move(scale));
+    if (mean.effective_samples < 10.0) {
+        analysis.warnings.push_back(
+            fmt::format("the window holds only {:.2g} independent samples of the depth-mean velocity: its "
+                        "interval is a rough estimate; simulate longer or widen --window",
+                        mean.effective_samples));
+    }
+    const WindowRecord record_of_velocity{"velocity", "U", "m/s", velocity, time.front(), interval};
+    add_settling(record, record_of_velocity, analysis);
+    add_autocorrelation(record, record_of_velocity, analysis);
+    add_stationarity(record_of_velocity, analysis);
+    for (const auto& [name, key, label, unit] :
+         {std::tuple{"total_mean_velocity", "total_mean_velocity", "mass-mean velocity of all water", "m/s"},
+          std::tuple{"velocity_fluctuation", "velocity_fluctuation",
+                     "rms departure of the particle velocities from their layer means", "m/s"}}) {
+        const std::vector<double> values = within_window(record, name);
+        if (values.size() < 2) continue;
+        const MeanEstimate estimate = mean_with_confidence(values);
+        analysis.findings.push_back(
+            make_finding(chapter, key, label, unit, estimate.mean, estimate.half_width));
+    }
+}
+
+}  // namespace
+
+namespace {
+
+/// The record of a laboratory that stands for the flow: u of an instrument's middle point, or the squared
+/// elevation at a wave probe (the mean of the elevation itself is the level that it is counted from).
+std::optional<WindowRecord> laboratory_record_of(const FlowRecord& record) {
+    for (const VelocityProbe& probe : record.velocity_probes()) {
+        if (probe.time.size() < 2 || probe.z.empty()) continue;
+        const double interval =
+            (probe.time.back() - probe.time.front()) / static_cast<double>(probe.time.size() - 1);
+        return WindowRecord{"velocity",
+                            "u, " + probe.name,
+                            "m/s",
+                            probe.point(probe.u, probe.z.size() / 2),
+                            probe.time.front(),
+                            interval};
+    }
+    for (const ElevationProbe& probe : record.elevation_probes()) {
+        if (probe.time.size() < 2) continue;
+        const double interval =
+            (probe.time.back() - probe.time.front()) / static_cast<double>(probe.time.size() - 1);
+        std::vector<double> squares = probe.elevation;
+        const double mean = mean_with_confidence(squares).mean;
+        for (double& value : squares) value = (value - mean) * (value - mean);
+        return WindowRecord{
+            "elevation", "the squared elevation, " + probe.name, "m2", squares, probe.time.front(), interval};
+    }
+    return std::nullopt;
+}
+
+void analyse_laboratory_record(const FlowRecord& record, Analysis& analysis) {
+    const std::optional<WindowRecord> window = laboratory_record_of(record);
+    if (!window) return;
+    if (window->prefix == "velocity") {
+        const MeanEstimate mean = mean_with_confidence(window->values);
+        analysis.findings.push_back(make_finding(chapter, "point_velocity", "mean of " + window->symbol,
+                                                 window->unit, mean.mean, mean.half_width));
+    }
+    add_settling(record, *window, analysis);
+    add_autocorrelation(record, *window, analysis);
+    add_stationarity(*window, analysis);
+}
+
+}  // namespace
+
+void analyse_statistics(const FlowRecord& record, Analysis& analysis) {
+    if (record.origin() != Origin::simulated) {
+        analyse_laboratory_record(record, analysis);
+        return;
+    }
+    if (record.flow() == nullptr) return;
+    add_history(record, analysis);
+    if (!record.series().empty()) add_means(record, analysis);
+}
+
+}  // namespace riffle

@@ -1,0 +1,224 @@
+// The free surface: level, fluctuation, its distribution and space-time map.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "analysis/chapters.hpp"
+#include "analysis/figure_tools.hpp"
+#include "analysis/surface_parts.hpp"
+#include "statistics/probability_density.hpp"
+
+namespace riffle {
+
+namespace {
+
+constexpr const char* chapter = "surface";
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// Why a simulated surface is far flatter than the measured one.
+std::string flatness_remark(const Case& c) {
+    switch (c.turbulence.closure) {
+        case ClosureKind::none:
+            return "no closure; in two dimensions the eddies that shape a measured surface do not form";
+        case ClosureKind::sps:
+        case ClosureKind::ramp:
+        case ClosureKind::nezu_rodi:
+        case ClosureKind::nikuradse:
+            break;
+    }
+    return "the mixing-length closure averages turbulence out and keeps its mean stress only, so that no "
+           "eddies "
+           "reach the surface of the layered 2D flow, which stays almost flat (the thesis: 0.14 mm in 2D)";
+}
+
+void add_level(const FlowRecord& record, Analysis& analysis) {
+    const MeanEstimate level = mean_level(record.surface());
+    const Case& c = *record.flow();
+    analysis.findings.push_back(
+        against(make_finding(chapter, "mean_water_depth", "mean depth of the water above the datum", "m",
+                             level.mean - c.datum(), level.half_width),
+                c.channel.depth, "case, h_w"));
+    const double dry = dry_share(record.surface());
+    if (dry > 0.0) {
+        analysis.warnings.push_back(fmt::format(
+            "{:.2g} % of the points of the surface record are dry and were left out", 100.0 * dry));
+    }
+}
+
+void add_deviation(const FlowRecord& record, const SurfaceFluctuation& surface, Analysis& analysis) {
+    const DeviationEstimate deviation = standard_deviation(surface.line);
+    Finding finding =
+        make_finding(chapter, "surface_standard_deviation", "standard deviation of the surface elevation",
+                     "m", deviation.value, deviation.half_width);
+    if (record.flow() != nullptr) {
+        const Case& c = *record.flow();
+        const auto& measured = c.measured.surface_standard_deviation;
+        finding = against(std::move(finding), measured, measured_name(c));
+        if (measured && record.origin() == Origin::simulated && deviation.value < 0.5 * *measured)
+            finding.remark = flatness_remark(c);
+    }
+    analysis.findings.push_back(std::move(finding));
+    if (record.flow() != nullptr) {
+        analysis.findings.push_back(make_finding(chapter, "surface_relative_deviation",
+                                                 "the same over the water depth", "1",
+                                                 deviation.value / record.flow()->channel.depth,
+                                                 deviation.half_width / record.flow()->channel.depth));
+    }
+    analysis.findings.push_back(make_finding(chapter, "surface_integral_time",
+                                             "integral time scale of the squared elevation", "s",
+                                             deviation.integral_time));
+}
+
+Figure map_figure() {
+    return make_figure(chapter, "surface_map", "Space-time map of the surface",
+                       "Departure of the surface from its mean in time at each place; the lines are x = U t "
+                       "with the depth-mean "
+                       "velocity: patterns that the water carries are parallel to them.",
+                       "thesis chapters 4-5, space-time maps", make_axis("distance along the channel x", "m"),
+                       make_axis("time t", "s"));
+}
+
+/// x = U t through the map, with breaks where it leaves a periodic channel and comes in again.
+Curve advection_line(const SpaceTime& line, double velocity, double from, double to) {
+    Curve curve =
+        make_curve(fmt::format("x = U t, U = {:.3g} m/s", velocity), Origin::reference, Mark::line, {}, {});
+    const double low = line.x(0);
+    const double high = low + line.length();
+    const double passage = (high - low) / velocity;
+    for (double start = from; start < to; start += passage) {
+        const double end = std::min(to, start + passage);
+        curve.x.insert(curve.x.end(), {low, low + velocity * (end - start), nan});
+        curve.y.insert(curve.y.end(), {start, end, nan});
+    }
+    return curve;
+}
+
+void add_map(const FlowRecord& record, const SurfaceFluctuation& surface, Analysis& analysis) {
+    constexpr double crossings = 5.0;
+    constexpr std::size_t most_rows = 400;
+    constexpr std::size_t most_columns = 400;
+    const SpaceTime& line = surface.line;
+    Figure figure = map_figure();
+    const double velocity = bulk_velocity(record);
+    const double end = line.times.back();
+    const double start = velocity > 0.0
+                             ? std::max(line.times.front(), end - crossings * line.length() / velocity)
+                             : line.times.front();
+    const auto first = static_cast<std::size_t>(
+        std::lower_bound(line.times.begin(), line.times.end(), start) - line.times.begin());
+    const std::size_t row_stride =
+        std::max<std::size_t>(1, (line.rows() - first + most_rows - 1) / most_rows);
+    const std::size_t column_stride =
+        std::max<std::size_t>(1, (line.columns + most_columns - 1) / most_columns);
+    ColourMap map;
+    map.label = "elevation eta'";
+    map.unit = "m";
+    map.diverging = true;
+    for (std::size_t i = 0; i < line.columns; i += column_stride) map.x.push_back(line.x(i));
+    for (std::size_t j = first; j < line.rows(); j += row_stride) {
+        map.y.push_back(line.times[j]);
+        for (std::size_t i = 0; i < line.columns; i += column_stride)
+            map.values.push_back(static_cast<float>(line.at(j, i)));
+    }
+    figure.maps.push_back(std::move(map));
+    if (velocity > 0.0) figure.curves.push_back(advection_line(line, velocity, line.times[first], end));
+    analysis.figures.push_back(std::move(figure));
+}
+
+/// The density of the records of one place each.
+void add_density(const std::vector<SurfaceStation>& stations, const FlowRecord& record, Analysis& analysis) {
+    Figure figure =
+        make_figure(chapter, "surface_probability_density", "Probability density of the surface elevation",
+                    "Histogram of the elevation about its mean with 95 % intervals, and the Gaussian "
+                    "density of the same standard deviation.",
+                    "thesis chapters 3-5, probability density with Gaussian fit",
+                    make_axis("elevation eta'", "m"), make_axis("probability density", "1/m"));
+    attempt(record, analysis, std::move(figure), [&](Figure& f) {
+        for (std::size_t i = 0; i < stations.size(); ++i) {
+            const ProbabilityDensity density = probability_density(stations[i].elevation);
+            Curve bars =
+                make_curve(stations[i].name, record.origin(), Mark::points, density.centre, density.density);
+            bars.y_half_width = density.half_width;
+            bars.variant = static_cast<int>(i);
+            Curve gaussian = make_curve("Gaussian, " + stations[i].name, Origin::fit, Mark::line,
+                                        density.centre, density.gaussian);
+            gaussian.variant = static_cast<int>(i);
+            f.curves.push_back(std::move(bars));
+            f.curves.push_back(std::move(gaussian));
+            if (i > 0) continue;
+            const Moments& m = density.moments;
+            Finding skewness = against(
+                make_finding(chapter, "surface_skewness", "skewness of the elevation, " + stations[i].name,
+                             "1", m.skewness.value, m.skewness.half_width),
+                0.0, "Gaussian");
+            skewness.remark =
+                fmt::format("test against the Gaussian: p {} {:.2g} with {:.3g} effective samples",
+                            density.test.p_value >= 0.1 ? ">=" : "=", density.test.p_value,
+                            density.test.effective_samples);
+            analysis.findings.push_back(std::move(skewness));
+            analysis.findings.push_back(
+                against(make_finding(chapter, "surface_excess_kurtosis", "excess kurtosis of the elevation",
+                                     "1", m.excess_kurtosis.value, m.excess_kurtosis.half_width),
+                        0.0, "Gaussian"));
+        }
+    });
+}
+
+/// The findings of wave probes without a line between them.
+void add_probe_deviations(const std::vector<SurfaceStation>& stations, const FlowRecord& record,
+                          Analysis& analysis) {
+    for (std::size_t i = 0; i < stations.size(); ++i) {
+        const Moments m = moments(stations[i].elevation);
+        Finding finding = make_finding(
+            chapter,
+            i == 0 ? "surface_standard_deviation" : fmt::format("surface_standard_deviation_{}", i + 1),
+            "standard deviation of the surface elevation, " + stations[i].name, "m",
+            m.standard_deviation.value, m.standard_deviation.half_width);
+        if (record.flow() != nullptr) {
+            finding = against(std::move(finding), record.flow()->measured.surface_standard_deviation,
+                              measured_name(*record.flow()));
+        }
+        analysis.findings.push_back(std::move(finding));
+    }
+}
+
+}  // namespace
+
+void analyse_surface(const FlowRecord& record, Analysis& analysis) {
+    const std::vector<SurfaceStation> probes = stations_of_probes(record);
+    const SpaceTime& surface = record.surface();
+    if (surface.rows() < 2 && probes.empty()) {
+        const bool wall = record.flow() != nullptr && record.flow()->channel.top != Top::free_surface;
+        add_missing(record, analysis, map_figure(),
+                    wall ? "the case has no free surface"
+                         : "the results file holds no record of the surface in the window");
+        return;
+    }
+    std::vector<SurfaceStation> stations = probes;
+    if (surface.rows() >= 2) {
+        add_level(record, analysis);
+        try {
+            const SurfaceFluctuation fluctuation = surface_fluctuation(surface);
+            add_deviation(record, fluctuation, analysis);
+            add_map(record, fluctuation, analysis);
+            if (stations.empty()) stations = stations_of_line(fluctuation.line);
+            add_surface_spectra(record, fluctuation, analysis);
+            add_surface_patterns(record, fluctuation, analysis);
+        } catch (const InputError& error) {
+            analysis.warnings.push_back(std::string("surface: ") + error.what());
+            add_missing(record, analysis, map_figure(), error.what());
+        }
+    } else {
+        add_probe_deviations(stations, record, analysis);
+        add_place_patterns(record, stations, analysis);
+    }
+    if (stations.empty()) return;
+    add_density(stations, record, analysis);
+    add_station_spectra(record, stations, analysis);
+    add_station_correlations(record, stations, analysis);
+}
+
+}  // namespace riffle

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "analysis/figure.hpp"
+#include "analysis/flow_record.hpp"
+
+namespace riffle {
+
+// The chapters of an analysis. Each adds its findings and figures to the analysis. A figure that a run should
+// have but whose data the record lacks is added with the reason in `missing`; of a laboratory record, which
+// never has everything, it is left out. Keys: docs/analysis.md.
+
+void analyse_statistics(const FlowRecord& record, Analysis& analysis);
+void analyse_profiles(const FlowRecord& record, Analysis& analysis);
+void analyse_fits(const FlowRecord& record, Analysis& analysis);
+void analyse_surface(const FlowRecord& record, Analysis& analysis);
+void analyse_subsurface(const FlowRecord& record, Analysis& analysis);
+void analyse_forces(const FlowRecord& record, Analysis& analysis);
+
+/// The part of the profiles that needs the means on a grid: maps of the mean velocity, dispersive stress
+/// (time mean, then mean along the bed). Nothing without a grid.
+void add_double_averages(const FlowRecord& record, Analysis& analysis);
+
+/// The part of the fits that follows from the mean velocity: friction factors, Manning's n, Chezy's C,
+/// Reynolds and Froude number (thesis 2.6-2.9). Nothing where no velocity is known.
+void add_channel_numbers(const FlowRecord& record, Analysis& analysis);
+
+/// A chapter of the analysis; its name is that of its findings and figures.
+struct Chapter {
+    std::string name;
+    std::string title;
+    void (*analyse)(const FlowRecord& record, Analysis& analysis);
+};
+
+/// All chapters in the order of the analysis.
+[[nodiscard]] std::span<const Chapter> analysis_chapters();
+
+/// Analyse a record: all chapters, or the one named. Throws InputError for an unknown chapter (naming those
+/// that there are) and what reading the record throws.
+[[nodiscard]] Analysis analyse(const FlowRecord& record, const std::string& chapter = {});
+
+}  // namespace riffle

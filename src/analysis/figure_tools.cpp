@@ -1,0 +1,100 @@
+#include "analysis/figure_tools.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+namespace riffle {
+
+std::string measured_name(const Case& c) {
+    return c.measured.source.empty() ? measured_in_case : "measured (" + c.measured.source + ")";
+}
+
+Axis make_axis(std::string label, std::string unit, bool logarithmic) {
+    Axis axis;
+    axis.label = std::move(label);
+    axis.unit = std::move(unit);
+    axis.logarithmic = logarithmic;
+    return axis;
+}
+
+Figure make_figure(const char* chapter, std::string key, std::string title, std::string caption,
+                   std::string source, Axis x, Axis y) {
+    Figure figure;
+    figure.key = std::move(key);
+    figure.chapter = chapter;
+    figure.title = std::move(title);
+    figure.caption = std::move(caption);
+    figure.source = std::move(source);
+    figure.x = std::move(x);
+    figure.y = std::move(y);
+    return figure;
+}
+
+Curve make_curve(std::string name, Origin origin, Mark mark, std::vector<double> x, std::vector<double> y) {
+    if (x.size() != y.size()) throw std::invalid_argument("curve " + name + ": x and y differ in length");
+    Curve curve;
+    curve.name = std::move(name);
+    curve.origin = origin;
+    curve.mark = mark;
+    curve.x = std::move(x);
+    curve.y = std::move(y);
+    return curve;
+}
+
+Finding make_finding(const char* chapter, std::string key, std::string label, std::string unit, double value,
+                     std::optional<double> half_width) {
+    Finding finding;
+    finding.key = std::move(key);
+    finding.chapter = chapter;
+    finding.label = std::move(label);
+    finding.unit = std::move(unit);
+    finding.value = value;
+    if (half_width && std::isfinite(*half_width)) finding.half_width = half_width;
+    return finding;
+}
+
+Finding against(Finding finding, const std::optional<double>& reference, std::string name,
+                std::string remark) {
+    if (reference && std::isfinite(*reference)) {
+        finding.reference = reference;
+        finding.reference_name = std::move(name);
+    }
+    if (!remark.empty()) finding.remark = std::move(remark);
+    return finding;
+}
+
+void add_missing(const FlowRecord& record, Analysis& analysis, Figure figure, std::string why) {
+    if (record.origin() != Origin::simulated) return;
+    figure.missing = std::move(why);
+    analysis.figures.push_back(std::move(figure));
+}
+
+const Finding* find_finding(const Analysis& analysis, const std::string& key) {
+    const auto found = std::find_if(analysis.findings.begin(), analysis.findings.end(),
+                                    [&](const Finding& finding) { return finding.key == key; });
+    return found == analysis.findings.end() ? nullptr : &*found;
+}
+
+std::vector<double> thinned(const std::vector<double>& values, std::size_t most) {
+    if (values.size() <= most || most < 2) return values;
+    const std::size_t stride = (values.size() + most - 2) / (most - 1);
+    std::vector<double> result;
+    for (std::size_t i = 0; i < values.size(); i += stride) result.push_back(values[i]);
+    if ((values.size() - 1) % stride != 0) result.push_back(values.back());
+    return result;
+}
+
+double interpolated(const std::vector<double>& x, const std::vector<double>& y, double at) {
+    if (x.empty() || at < x.front() || at > x.back()) return std::numeric_limits<double>::quiet_NaN();
+    const auto above = std::upper_bound(x.begin(), x.end(), at);
+    if (above == x.end()) return y.back();
+    const auto i = static_cast<std::size_t>(above - x.begin());
+    const double fraction = (at - x[i - 1]) / (x[i] - x[i - 1]);
+    return y[i - 1] + fraction * (y[i] - y[i - 1]);
+}
+
+}  // namespace riffle

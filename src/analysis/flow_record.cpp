@@ -1,0 +1,96 @@
+#include "analysis/flow_record.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <optional>
+
+#include "hydraulics/channel_laws.hpp"
+#include "solver/summary.hpp"
+
+namespace riffle {
+
+const SeriesTable& FlowRecord::series() const {
+    static const SeriesTable none;
+    return none;
+}
+
+const Profiles& FlowRecord::profiles() const {
+    static const Profiles none;
+    return none;
+}
+
+const SpaceTime& FlowRecord::surface() const {
+    static const SpaceTime none;
+    return none;
+}
+
+const std::vector<ElevationProbe>& FlowRecord::elevation_probes() const {
+    static const std::vector<ElevationProbe> none;
+    return none;
+}
+
+const std::vector<VelocityProbe>& FlowRecord::velocity_probes() const {
+    static const std::vector<VelocityProbe> none;
+    return none;
+}
+
+const std::vector<VelocityGrid>& FlowRecord::velocity_grids() const {
+    static const std::vector<VelocityGrid> none;
+    return none;
+}
+
+const std::vector<ScalarProbe>& FlowRecord::scalar_probes() const {
+    static const std::vector<ScalarProbe> none;
+    return none;
+}
+
+const FlowRecord::Measured& FlowRecord::measured() const {
+    static const Measured none;
+    return none;
+}
+
+std::vector<double> VelocityProbe::point(const std::vector<double>& values, std::size_t i) const {
+    std::vector<double> record;
+    record.reserve(time.size());
+    for (std::size_t row = 0; row < time.size(); ++row) record.push_back(values[row * z.size() + i]);
+    return record;
+}
+
+std::vector<double> within_window(const FlowRecord& record, const std::string& name) {
+    const SeriesTable& series = record.series();
+    const auto values = series.find(name);
+    const auto time = series.find("time");
+    if (values == series.end() || time == series.end()) return {};
+    const TimeWindow window = record.window();
+    std::vector<double> result;
+    for (std::size_t i = 0; i < time->second.size(); ++i) {
+        if (window.holds(time->second[i]) && std::isfinite(values->second[i])) {
+            result.push_back(values->second[i]);
+        }
+    }
+    return result;
+}
+
+double bulk_velocity(const FlowRecord& record) {
+    const std::vector<double> velocity = within_window(record, "depth_mean_velocity");
+    if (!velocity.empty()) {
+        return std::accumulate(velocity.begin(), velocity.end(), 0.0) / static_cast<double>(velocity.size());
+    }
+    const Case* const flow = record.flow();
+    return flow != nullptr ? flow->measured.depth_mean_velocity.value_or(0.0) : 0.0;
+}
+
+double friction_velocity_of(const FlowRecord& record) {
+    const Case* const flow = record.flow();
+    if (flow == nullptr) return 0.0;
+    const std::optional<StressLine> line = fit_stress_line(*flow, record.profiles());
+    if (line && line->crest_stress > 0.0) return std::sqrt(line->crest_stress / flow->fluid.density);
+    if (flow->measured.friction_velocity) return *flow->measured.friction_velocity;
+    return flow->channel.slope > 0.0
+               ? friction_velocity_from_slope(flow->streamwise_gravity(), flow->channel.depth)
+               : 0.0;
+}
+
+}  // namespace riffle

@@ -1,0 +1,122 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "analysis/figure.hpp"
+#include "analysis/space_time.hpp"
+#include "case/case.hpp"
+#include "column/column.hpp"
+#include "column/velocity_measurements.hpp"
+#include "solver/profile_blocks.hpp"
+
+namespace riffle {
+
+/// Stretch of a record that averages are taken over, s.
+struct TimeWindow {
+    double from = 0;
+    double to = 0;
+
+    [[nodiscard]] bool holds(double time) const { return time >= from - 1e-9 && time <= to + 1e-9; }
+    [[nodiscard]] double length() const { return to - from; }
+};
+
+/// Named records of equal length, SI; `time` is one of them.
+using SeriesTable = std::map<std::string, std::vector<double>>;
+
+/// Surface elevation against time at one place, m. The level it is counted from does not matter.
+struct ElevationProbe {
+    std::string name;
+    double x = 0;
+    std::vector<double> time, elevation;
+};
+
+/// Velocities against time at points (x[i], z[i]): u[row * z.size() + i] at time[row], m/s. Heights above the
+/// bed level. Not-a-number where the point lay outside of the water or the sample was lost. `w` may be empty.
+struct VelocityProbe {
+    std::string name;
+    std::vector<double> x, z, time, u, w;
+
+    /// The record of one point of `u` or `w`.
+    [[nodiscard]] std::vector<double> point(const std::vector<double>& values, std::size_t i) const;
+};
+
+/// Time means and second moments on a grid of the x-z plane over the window: value[j * x.size() + i] at
+/// (x[i], z[j]), m/s and m2/s2. Not-a-number outside of the water.
+struct VelocityGrid {
+    std::string name;
+    std::vector<double> x, z, u, w, uu, ww, uw;  ///< the last three: variances and covariance in time
+};
+
+/// A quantity against time, such as the flow rate through a section or a force, per unit width.
+struct ScalarProbe {
+    std::string name;      ///< of the instrument
+    std::string kind;      ///< "flow_rate", "force"
+    std::string quantity;  ///< name of the dataset, with the place where there are several
+    std::string label;
+    std::string unit;
+    std::vector<double> time, value;
+};
+
+/// What the chapters of an analysis are made from: a run's results file or records of a laboratory. Each part
+/// is read when it is first asked for; a part that the record lacks is empty. Functions that read may throw
+/// FileError.
+class FlowRecord {
+  public:
+    FlowRecord() = default;
+    virtual ~FlowRecord() = default;
+    FlowRecord(const FlowRecord&) = delete;
+    FlowRecord& operator=(const FlowRecord&) = delete;
+    FlowRecord(FlowRecord&&) = delete;
+    FlowRecord& operator=(FlowRecord&&) = delete;
+
+    [[nodiscard]] virtual std::string name() const = 0;
+    [[nodiscard]] virtual std::string source() const = 0;
+    [[nodiscard]] virtual Origin origin() const = 0;  ///< simulated or measured
+
+    /// The case that the flow belongs to; null where none is known.
+    [[nodiscard]] virtual const Case* flow() const = 0;
+    /// Its column twin; null where it has none.
+    [[nodiscard]] virtual const ColumnResult* column() const { return nullptr; }
+    /// The window of the averages.
+    [[nodiscard]] virtual TimeWindow window() const = 0;
+
+    /// Whole-flow quantities against time over the whole record, as in `/time_series`.
+    [[nodiscard]] virtual const SeriesTable& series() const;
+    /// Time averages over the window.
+    [[nodiscard]] virtual const Profiles& profiles() const;
+    /// Surface elevation above the bed level along a line within the window; without rows where there is
+    /// none.
+    [[nodiscard]] virtual const SpaceTime& surface() const;
+    [[nodiscard]] virtual const std::vector<ElevationProbe>& elevation_probes() const;
+    [[nodiscard]] virtual const std::vector<VelocityProbe>& velocity_probes() const;
+    [[nodiscard]] virtual const std::vector<VelocityGrid>& velocity_grids() const;
+    [[nodiscard]] virtual const std::vector<ScalarProbe>& scalar_probes() const;
+
+    /// The measured velocity profile to compare with: points of a file, or the rough log law (2.3) of the
+    /// measured u_* and k_s. Heights above the bed level.
+    struct Measured {
+        VelocityMeasurements profile;
+        bool from_law = false;
+        std::string note;  ///< why there is none, where one was named
+    };
+    [[nodiscard]] virtual const Measured& measured() const;
+
+    /// What the reader must know of the record: a window shorter than asked for, parts left out.
+    [[nodiscard]] virtual std::vector<std::string> warnings() const { return {}; }
+};
+
+/// The part of a series within the window; empty if there is no such series.
+[[nodiscard]] std::vector<double> within_window(const FlowRecord& record, const std::string& name);
+
+/// Velocity that the flow is scaled with, m/s: the simulated depth-mean velocity over the window; of a
+/// laboratory record the measured one of its case. 0 where none is known.
+[[nodiscard]] double bulk_velocity(const FlowRecord& record);
+
+/// Friction velocity that the flow is scaled with, m/s: from the stress at the crests of the run
+/// (thesis 4.6), else the measured one, else sqrt(g h S0). 0 where none is known.
+[[nodiscard]] double friction_velocity_of(const FlowRecord& record);
+
+}  // namespace riffle

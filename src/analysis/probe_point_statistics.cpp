@@ -1,0 +1,69 @@
+#include "analysis/probe_point_statistics.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "base/error.hpp"
+#include "statistics/autocorrelation.hpp"
+
+namespace riffle {
+
+namespace {
+
+/// Integral time of u' in samples; zero where the record is constant.
+double integral_samples(const std::vector<double>& record) {
+    try {
+        const std::size_t lags = std::max<std::size_t>(1, record.size() / 4);
+        return integral_scale_to_zero_crossing(autocorrelation(record, lags)).scale;
+    } catch (const InputError&) {
+        return 0.0;
+    }
+}
+
+}  // namespace
+
+double sampling_interval_of(const VelocityProbe& probe) {
+    if (probe.time.size() < 2) return 0.0;
+    return (probe.time.back() - probe.time.front()) / static_cast<double>(probe.time.size() - 1);
+}
+
+std::vector<ProbePointStatistics> probe_point_statistics(const VelocityProbe& probe, std::size_t fewest) {
+    std::vector<ProbePointStatistics> result;
+    const double interval = sampling_interval_of(probe);
+    for (std::size_t i = 0; i < probe.z.size(); ++i) {
+        const std::vector<double> u = probe.point(probe.u, i);
+        const auto there = static_cast<std::size_t>(
+            std::count_if(u.begin(), u.end(), [](double value) { return std::isfinite(value); }));
+        if (there < std::max<std::size_t>(fewest, 2)) continue;
+        ProbePointStatistics point;
+        point.point = i;
+        point.x = i < probe.x.size() ? probe.x[i] : 0.0;
+        point.z = probe.z[i];
+        point.samples = there;
+        const Moments of_u = moments(u);
+        point.u = of_u.mean;
+        point.u_rms = of_u.standard_deviation;
+        point.u_skewness = of_u.skewness;
+        point.integral_time = integral_samples(u) * interval;
+        point.integral_length = point.integral_time * std::abs(point.u.value);
+        if (!probe.w.empty()) {
+            const std::vector<double> w = probe.point(probe.w, i);
+            const auto w_there =
+                std::count_if(w.begin(), w.end(), [](double value) { return std::isfinite(value); });
+            if (w_there >= 2) {
+                const Moments of_w = moments(w);
+                point.w = of_w.mean;
+                point.w_rms = of_w.standard_deviation;
+                point.w_skewness = of_w.skewness;
+                point.uw = covariance(u, w).covariance;
+            }
+        }
+        result.push_back(point);
+    }
+    std::sort(result.begin(), result.end(),
+              [](const ProbePointStatistics& a, const ProbePointStatistics& b) { return a.z < b.z; });
+    return result;
+}
+
+}  // namespace riffle

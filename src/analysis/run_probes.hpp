@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/flow_record.hpp"
+#include "output/results_file.hpp"
+
+namespace riffle {
+
+/// The instruments of a run, from the groups `/probes/NAME` of its results file (docs/results-format.md),
+/// over the window. A row of instruments that would have more than `most_values` values keeps its last ones,
+/// which `warnings` then says. Throws FileError where arrays do not fit each other.
+struct RunProbes {
+    std::vector<ElevationProbe> wave;
+    std::vector<VelocityProbe> velocity;
+    std::vector<VelocityGrid> grids;
+    std::vector<ScalarProbe> scalars;
+    SpaceTime surface_line;  ///< of the surface line with the most points; without rows if there is none
+    std::vector<std::string> warnings;
+};
+[[nodiscard]] RunProbes read_probes(const ResultsReader& reader, const Case& c, const TimeWindow& window,
+                                    std::size_t most_values);
+
+/// Length after which the channel of a case repeats, m; none between walls.
+[[nodiscard]] std::optional<double> period_of(const Case& c);
+
+}  // namespace riffle

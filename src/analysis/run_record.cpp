@@ -1,0 +1,233 @@
+#include "analysis/run_record.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <system_error>
+#include <utility>
+#include <variant>
+
+#include "analysis/run_probes.hpp"
+#include "analysis/run_profiles.hpp"
+#include "base/error.hpp"
+#include "output/results_file.hpp"
+
+namespace riffle {
+
+namespace {
+
+std::optional<double> number(const std::optional<AttributeValue>& value) {
+    if (!value) return std::nullopt;
+    if (const auto* real = std::get_if<double>(&*value)) return *real;
+    if (const auto* integer = std::get_if<std::int64_t>(&*value)) return static_cast<double>(*integer);
+    return std::nullopt;
+}
+
+Case read_stored_case(const ResultsReader& reader, const std::filesystem::path& path) {
+    if (!reader.has("/case/text")) {
+        throw FileError(path.string() +
+                        ": the results file holds no case (/case/text), without which its "
+                        "records cannot be analysed");
+    }
+    const std::string text = reader.read_string("/case/text");
+    try {
+        Case c = parse_case(text, path.string() + ":/case/text");
+        c.text = text;
+        return c;
+    } catch (const InputError& error) {
+        throw FileError(path.string() +
+                        ": the case in the results file cannot be read by this version of Riffle:\n" +
+                        error.what());
+    }
+}
+
+/// Series of a run that was stopped between two appends may differ in length: the common rows.
+SeriesTable read_series(const ResultsReader& reader) {
+    SeriesTable series;
+    if (!reader.has("/time_series/time")) return series;
+    std::size_t rows = SIZE_MAX;
+    for (const std::string& name : reader.children("/time_series")) {
+        std::vector<double> values = reader.read_doubles("/time_series/" + name);
+        rows = std::min(rows, values.size());
+        series[name] = std::move(values);
+    }
+    for (auto& [name, values] : series) values.resize(rows);
+    return series;
+}
+
+}  // namespace
+
+struct RunRecord::Impl {
+    Impl(const std::filesystem::path& results, RunRecordOptions given)
+        : path(results), options(std::move(given)), reader(results), flow(read_stored_case(reader, results)) {
+        try {
+            column = solve_column(flow);
+        } catch (const InputError&) {
+            // The case has no steady uniform flow (a tank, a wave): there is no twin to compare with.
+        }
+        series = read_series(reader);
+        window = choose_window();
+    }
+
+    [[nodiscard]] std::pair<double, double> recorded_times() const {
+        const auto time = series.find("time");
+        if (time != series.end() && !time->second.empty()) return {time->second.front(), time->second.back()};
+        return {0.0, number(reader.attribute("/summary", "window_end")).value_or(0.0)};
+    }
+
+    [[nodiscard]] TimeWindow choose_window() const {
+        const auto [first, last] = recorded_times();
+        if (options.window) {
+            const TimeWindow asked = *options.window;
+            if (asked.from < asked.to && asked.from < last && asked.to > first && asked.from >= 0.0 &&
+                asked.to <= last + 1e-6) {
+                return asked;
+            }
+            throw InputError(fmt::format(
+                "--window {},{}: the window must be a stretch of the run, which {} holds from {:.6g} s to "
+                "{:.6g} s; give FROM,TO in seconds with FROM < TO",
+                asked.from, asked.to, path.string(), first, last));
+        }
+        for (const char* const group : {"/profiles", "/summary"}) {
+            const auto from = number(reader.attribute(group, "window_start"));
+            const auto to = number(reader.attribute(group, "window_end"));
+            if (from && to && *to > *from) return {*from, *to};
+        }
+        return {0.5 * (first + last), last};
+    }
+
+    /// Row of the first time within the window, and the number of rows there.
+    [[nodiscard]] std::pair<std::size_t, std::size_t> rows_within(const std::vector<double>& time) const {
+        const auto first = std::lower_bound(time.begin(), time.end(), window.from - 1e-9);
+        const auto last = std::upper_bound(time.begin(), time.end(), window.to + 1e-9);
+        return {static_cast<std::size_t>(first - time.begin()),
+                static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, last - first))};
+    }
+
+    /// The surface record of the run, or a surface line of its instruments where that has more points.
+    [[nodiscard]] SpaceTime read_surface() {
+        SpaceTime line = instruments().surface_line;
+        if (!reader.has("/surface/elevation") || !reader.has("/surface/x") || !reader.has("/surface/time")) {
+            return line;
+        }
+        const std::vector<double> x = reader.read_doubles("/surface/x");
+        const std::vector<double> time = reader.read_doubles("/surface/time");
+        const std::vector<std::size_t> shape = reader.shape("/surface/elevation");
+        if (x.empty() || shape.size() != 2 || shape[1] != x.size()) {
+            throw FileError(path.string() +
+                            ": /surface/elevation does not fit /surface/x; the file is damaged, "
+                            "or not as this Riffle writes it");
+        }
+        if (line.columns > x.size()) return line;
+        auto [first, rows] = rows_within(time);
+        first = std::min(first, shape[0]);
+        rows = std::min(rows, shape[0] - first);
+        const std::size_t most = std::max<std::size_t>(2, options.most_elevations / x.size());
+        if (rows > most) {
+            warnings.push_back(fmt::format(
+                "the surface record of the window has {} rows of {} points; the last {} rows, from "
+                "{:.4g} s, were analysed",
+                rows, x.size(), most, time[first + rows - most]));
+            first += rows - most;
+            rows = most;
+        }
+        if (rows < 2) return line;
+        return make_space_time(x, std::span(time).subspan(first, rows),
+                               reader.read_rows("/surface/elevation", first, rows), period_of(flow));
+    }
+
+    [[nodiscard]] const RunProbes& instruments() {
+        if (!probes) {
+            probes = read_probes(reader, flow, window, options.most_elevations);
+            warnings.insert(warnings.end(), probes->warnings.begin(), probes->warnings.end());
+        }
+        return *probes;
+    }
+
+    [[nodiscard]] Measured read_measured() {
+        Measured result;
+        Case c = flow;
+        std::filesystem::path& file = c.measured.velocity_profile;
+        if (!options.measured.empty()) {
+            file = options.measured;  // named on the command line: it must be there
+            result.profile = read_velocity_measurements(c);
+            return result;
+        }
+        if (!file.empty()) {
+            std::error_code error;
+            for (const auto& candidate :
+                 {file, path.parent_path() / file, path.parent_path() / file.filename()}) {
+                if (!std::filesystem::is_regular_file(candidate, error)) continue;
+                file = candidate;
+                result.profile = read_velocity_measurements(c);
+                return result;
+            }
+            result.note = "the file of the measured profile, " + file.string() +
+                          ", was found neither there nor beside the results file";
+        }
+        constexpr int points = 40;
+        result.profile = measured_log_law(flow, points);
+        result.from_law = !result.profile.height.empty();
+        return result;
+    }
+
+    std::filesystem::path path;
+    RunRecordOptions options;
+    ResultsReader reader;
+    Case flow;
+    std::optional<ColumnResult> column;
+    SeriesTable series;
+    TimeWindow window;
+    std::vector<std::string> warnings;
+    std::optional<Profiles> profiles;
+    std::optional<SpaceTime> surface;
+    std::optional<RunProbes> probes;
+    std::optional<Measured> measured;
+};
+
+RunRecord::RunRecord(const std::filesystem::path& results, RunRecordOptions options)
+    : impl_(std::make_unique<Impl>(results, std::move(options))) {}
+RunRecord::~RunRecord() = default;
+
+std::string RunRecord::name() const {
+    if (!impl_->flow.title.empty()) return impl_->flow.title;
+    const std::filesystem::path folder = std::filesystem::absolute(impl_->path).parent_path().filename();
+    return folder.empty() ? impl_->path.string() : folder.string();
+}
+
+std::string RunRecord::source() const { return impl_->path.string(); }
+const Case* RunRecord::flow() const { return &impl_->flow; }
+const ColumnResult* RunRecord::column() const { return impl_->column ? &*impl_->column : nullptr; }
+TimeWindow RunRecord::window() const { return impl_->window; }
+const SeriesTable& RunRecord::series() const { return impl_->series; }
+std::vector<std::string> RunRecord::warnings() const { return impl_->warnings; }
+
+const Profiles& RunRecord::profiles() const {
+    if (!impl_->profiles) {
+        impl_->profiles = impl_->options.window
+                              ? average_profile_blocks(impl_->reader, impl_->flow, column(), impl_->window)
+                              : read_profiles_group(impl_->reader);
+    }
+    return *impl_->profiles;
+}
+
+const SpaceTime& RunRecord::surface() const {
+    if (!impl_->surface) impl_->surface = impl_->read_surface();
+    return *impl_->surface;
+}
+
+const std::vector<ElevationProbe>& RunRecord::elevation_probes() const { return impl_->instruments().wave; }
+const std::vector<VelocityProbe>& RunRecord::velocity_probes() const { return impl_->instruments().velocity; }
+const std::vector<VelocityGrid>& RunRecord::velocity_grids() const { return impl_->instruments().grids; }
+const std::vector<ScalarProbe>& RunRecord::scalar_probes() const { return impl_->instruments().scalars; }
+
+const FlowRecord::Measured& RunRecord::measured() const {
+    if (!impl_->measured) impl_->measured = impl_->read_measured();
+    return *impl_->measured;
+}
+
+}  // namespace riffle

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/figure.hpp"
+#include "analysis/flow_record.hpp"
+#include "analysis/space_time.hpp"
+#include "base/error.hpp"
+
+namespace riffle {
+
+// The parts of the chapter on the surface: from a record along a line, and from records at single places.
+
+/// eta'(x, t) of a surface record at even times, the mean and the linear trend of each place taken away.
+struct SurfaceFluctuation {
+    SpaceTime line;
+    double interval = 0;  ///< s
+};
+
+/// Throws InputError for a record with gaps in time.
+[[nodiscard]] SurfaceFluctuation surface_fluctuation(const SpaceTime& surface);
+
+/// Elevation at one place at even times, about its mean.
+struct SurfaceStation {
+    std::string name;
+    double x = 0;
+    double start = 0;     ///< time of the first sample, s
+    double interval = 0;  ///< s
+    std::vector<double> elevation;
+};
+
+/// The wave probes of a record. Probes with gaps or fewer than 16 samples are left out.
+[[nodiscard]] std::vector<SurfaceStation> stations_of_probes(const FlowRecord& record);
+
+/// Places on a line as if wave probes stood there: its first point and up to three more downstream.
+[[nodiscard]] std::vector<SurfaceStation> stations_of_line(const SpaceTime& fluctuation);
+
+/// Spectra in wavenumber and in wavenumber and frequency, with the dispersion relation of waves on the
+/// current and the advection line.
+void add_surface_spectra(const FlowRecord& record, const SurfaceFluctuation& surface, Analysis& analysis);
+
+/// What the patterns of the surface are and how fast they travel: spatial correlation with Horoshenkov's
+/// function (2.32), celerities by three methods.
+void add_surface_patterns(const FlowRecord& record, const SurfaceFluctuation& surface, Analysis& analysis);
+
+/// The same from a few places at uneven distances, such as wave probes: spatial correlation and celerity.
+void add_place_patterns(const FlowRecord& record, const std::vector<SurfaceStation>& stations,
+                        Analysis& analysis);
+
+/// Spectra in frequency at single places.
+void add_station_spectra(const FlowRecord& record, const std::vector<SurfaceStation>& stations,
+                         Analysis& analysis);
+
+/// Temporal cross-correlations (4.7) between places, with their extremes and the celerity from them.
+void add_station_correlations(const FlowRecord& record, const std::vector<SurfaceStation>& stations,
+                              Analysis& analysis);
+
+}  // namespace riffle

@@ -1,0 +1,261 @@
+// The patterns of the surface: their size and how fast they travel.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/celerity_correlation.hpp"
+#include "analysis/celerity_ridge.hpp"
+#include "analysis/celerity_tracking.hpp"
+#include "analysis/figure_tools.hpp"
+#include "analysis/surface_correlation.hpp"
+#include "analysis/surface_parts.hpp"
+#include "analysis/upwelling.hpp"
+
+namespace riffle {
+
+namespace {
+
+constexpr const char* chapter = "surface";
+
+/// Every n-th column, so that at most `most` remain: the cost of the correlations grows with their square.
+SpaceTime fewer_columns(const SpaceTime& line, std::size_t most) {
+    if (line.columns <= most) return line;
+    // A periodic line stays one only where the stride divides it.
+    std::size_t stride = (line.columns + most - 1) / most;
+    while (line.periodic && line.columns % stride != 0) ++stride;
+    SpaceTime result;
+    result.first_x = line.first_x;
+    result.spacing = line.spacing * static_cast<double>(stride);
+    result.columns = (line.columns + stride - 1) / stride;
+    result.periodic = line.periodic;
+    result.times = line.times;
+    for (std::size_t j = 0; j < line.rows(); ++j) {
+        for (std::size_t i = 0; i < line.columns; i += stride) result.values.push_back(line.at(j, i));
+    }
+    return result;
+}
+
+/// Blocks of time for the jackknife: ten, fewer of a short record.
+std::size_t blocks_of(std::size_t samples) { return std::clamp<std::size_t>(samples / 32, 2, 10); }
+
+/// Adds the spatial correlation that `correlate` makes and the fit of Horoshenkov's function; the
+/// characteristic period where it was found.
+template <class Correlate>
+double add_correlation(const FlowRecord& record, const Correlate& correlate, Analysis& analysis) {
+    Figure figure = make_figure(chapter, "surface_correlation", "Spatial correlation of the surface",
+                                "Correlation of the elevation at two places against their distance, mean "
+                                "over places and time, with 95 % "
+                                "intervals; fitted: exp(-rho^2/sigma_w^2) cos(2 pi rho/L0).",
+                                "thesis (2.32), Horoshenkov et al. (2013)", make_axis("distance rho", "m"),
+                                make_axis("correlation W", "1"));
+    double found = 0.0;
+    attempt(record, analysis, std::move(figure), [&](Figure& f) {
+        const SpatialCorrelation correlation = correlate();
+        Curve curve =
+            make_curve(record.origin() == Origin::simulated ? "simulated" : "measured", record.origin(),
+                       Mark::points, correlation.distance, correlation.correlation);
+        curve.y_half_width = correlation.half_width;
+        f.curves.push_back(std::move(curve));
+        const SurfaceCorrelationFit fit = fit_surface_correlation(correlation);
+        const double period = fit.characteristic_period.value;
+        if (!std::isfinite(period)) {
+            analysis.warnings.push_back(
+                "the surface correlation does not determine L0 and sigma_w: the line is too short beside the "
+                "patterns, or their correlation is not that of (2.32)");
+            return;
+        }
+        found = period;
+        Curve law = make_curve("fit (2.32)", Origin::fit, Mark::line, {}, {});
+        constexpr int steps = 200;
+        for (int i = 0; i <= steps; ++i) {
+            const double rho = correlation.distance.back() * i / steps;
+            law.x.push_back(rho);
+            law.y.push_back(fit.correlated_share.value *
+                            horoshenkov_correlation(rho, period, fit.correlation_radius.value));
+        }
+        f.curves.push_back(std::move(law));
+        Finding finding =
+            make_finding(chapter, "characteristic_period", "characteristic period of the surface L0", "m",
+                         period, fit.characteristic_period.half_width);
+        if (record.flow() != nullptr) {
+            const double depth = record.flow()->channel.depth;
+            finding.remark = fmt::format("{:.2f} h_w", period / depth);
+            if (record.flow()->measured.surface_standard_deviation) {
+                finding =
+                    against(std::move(finding), 1.75 * depth, "measured in the thesis' flume: 1.5-2.0 h_w");
+            }
+        }
+        analysis.findings.push_back(std::move(finding));
+        analysis.findings.push_back(
+            make_finding(chapter, "correlation_radius", "correlation radius of the surface sigma_w", "m",
+                         fit.correlation_radius.value, fit.correlation_radius.half_width));
+        analysis.findings.push_back(
+            make_finding(chapter, "correlated_share", "share of the variance that (2.32) describes", "1",
+                         fit.correlated_share.value, fit.correlated_share.half_width));
+    });
+    return found;
+}
+
+void add_celerity(const char* key, const char* label, const Estimate& celerity, double velocity,
+                  const std::string& remark, Analysis& analysis) {
+    if (!std::isfinite(celerity.value)) {
+        analysis.warnings.push_back(std::string(label) + ": none found in this record");
+        return;
+    }
+    Finding finding = make_finding(chapter, key, label, "m/s", celerity.value, celerity.half_width);
+    if (velocity > 0.0) finding = against(std::move(finding), velocity, "depth-mean velocity U");
+    finding.remark = remark;
+    analysis.findings.push_back(std::move(finding));
+}
+
+/// Celerity from the lags between places, which `find` makes, with its figure.
+template <class Find>
+void add_station_celerity(const FlowRecord& record, const Find& find, Analysis& analysis) {
+    const double velocity = bulk_velocity(record);
+    Figure stations = make_figure(
+        chapter, "surface_station_lags", "Lag of the surface against distance",
+        "Lag of the extreme of the temporal cross-correlation over the distance of the places, with 95 % "
+        "intervals; the lines are x = c t of the celerity found and of the depth-mean velocity.",
+        "thesis (4.7), x_l = U t_l", make_axis("time lag t_l", "s"), make_axis("distance x_l", "m"));
+    attempt(record, analysis, std::move(stations), [&](Figure& f) {
+        const StationCelerity found = find();
+        Curve points = make_curve("extremes", record.origin(), Mark::points, {}, {});
+        double last = 0.0;
+        for (const StationCorrelation& station : found.stations) {
+            if (!std::isfinite(station.extreme_lag.value)) continue;
+            points.x.push_back(station.extreme_lag.value);
+            points.x_half_width.push_back(station.extreme_lag.half_width);
+            points.y.push_back(station.distance);
+            last = std::max(last, station.extreme_lag.value);
+        }
+        f.curves.push_back(std::move(points));
+        const auto straight = [&](const char* name, Origin origin, double speed) {
+            if (!std::isfinite(speed) || speed <= 0.0 || last <= 0.0) return;
+            f.curves.push_back(make_curve(name, origin, Mark::line, {0.0, last}, {0.0, speed * last}));
+        };
+        straight("fit", Origin::fit, found.celerity.value);
+        straight("x = U t", Origin::reference, velocity);
+        add_celerity("celerity_stations", "celerity from the lags between places", found.celerity, velocity,
+                     fmt::format("{} distances", found.used), analysis);
+    });
+}
+
+void add_celerities(const FlowRecord& record, const SpaceTime& line, double period, Analysis& analysis) {
+    const double velocity = bulk_velocity(record);
+    add_station_celerity(
+        record,
+        [&] {
+            StationOptions options;
+            options.blocks = blocks_of(line.rows());
+            return station_celerity(line, options);
+        },
+        analysis);
+    try {
+        const RidgeCelerity ridge = ridge_celerity(line, blocks_of(line.rows()));
+        add_celerity(
+            "celerity_ridge", "celerity from the ridge of the (k, omega) spectrum", ridge.celerity, velocity,
+            fmt::format("{} wavenumbers; scatter of omega/k {:.2g} m/s", ridge.ridge.size(), ridge.deviation),
+            analysis);
+        for (Figure& figure : analysis.figures) {
+            if (figure.key != "surface_wave_spectrum" || !figure.missing.empty()) continue;
+            Curve points = make_curve("ridge", record.origin(), Mark::points, {}, {});
+            for (const RidgePoint& point : ridge.ridge) {
+                points.x.push_back(point.frequency < 0.0 ? -point.wavenumber : point.wavenumber);
+                points.y.push_back(std::abs(point.frequency));
+            }
+            figure.curves.push_back(std::move(points));
+        }
+    } catch (const InputError& error) {
+        analysis.warnings.push_back(std::string("celerity from the (k, omega) ridge: ") + error.what());
+    }
+    try {
+        CrestOptions options;
+        options.expected_celerity = velocity;
+        options.smoothing = 0.2 * period;
+        options.blocks = blocks_of(line.rows());
+        const CrestCelerity crests = track_crests(line, options);
+        add_celerity("celerity_crests", "celerity of crests followed in the space-time map", crests.celerity,
+                     velocity,
+                     fmt::format("{} crests; scatter of their celerities {:.2g} m/s", crests.tracks.size(),
+                                 crests.scatter),
+                     analysis);
+    } catch (const InputError& error) {
+        analysis.warnings.push_back(std::string("celerity of crests: ") + error.what());
+    }
+}
+
+}  // namespace
+
+namespace {
+
+/// Upwellings and downwellings from the vertical velocity of the surface (kinematic condition).
+void add_upwellings(const FlowRecord& record, const SpaceTime& line, Analysis& analysis) {
+    if (record.flow() == nullptr) return;
+    const double velocity = bulk_velocity(record);
+    if (velocity <= 0.0) return;
+    const Case& c = *record.flow();
+    try {
+        const UpwellingCounts counts =
+            count_upwellings(surface_vertical_velocity(line, velocity), c.channel.depth);
+        const auto add = [&](const char* key, const char* label, const MeanEstimate& number,
+                             double per_depth) {
+            Finding finding = make_finding(chapter, key, label, "1", number.mean, number.half_width);
+            finding.remark = fmt::format(
+                "{:.3g} per water depth along the bed; across a flume of {:.3g} m about A_r/2 = {:.2g} are "
+                "expected (Tamburrino & Gulliver)",
+                per_depth, c.channel.width, expected_upwellings(c.channel.width, c.channel.depth));
+            analysis.findings.push_back(std::move(finding));
+        };
+        add("upwellings", "upwellings on the line at a time", counts.upwellings, counts.upwellings_per_depth);
+        add("downwellings", "downwellings on the line at a time", counts.downwellings,
+            counts.downwellings_per_depth);
+    } catch (const InputError& error) {
+        analysis.warnings.push_back(std::string("upwellings: ") + error.what());
+    }
+}
+
+}  // namespace
+
+void add_surface_patterns(const FlowRecord& record, const SurfaceFluctuation& surface, Analysis& analysis) {
+    constexpr std::size_t most_columns = 512;
+    const SpaceTime line = fewer_columns(surface.line, most_columns);
+    const double period = add_correlation(
+        record,
+        [&] {
+            const double reach = line.periodic ? 0.5 * line.length() : 0.75 * line.length();
+            return spatial_correlation(line, reach, blocks_of(line.rows()));
+        },
+        analysis);
+    add_celerities(record, line, period, analysis);
+    add_upwellings(record, line, analysis);
+}
+
+void add_place_patterns(const FlowRecord& record, const std::vector<SurfaceStation>& stations,
+                        Analysis& analysis) {
+    std::vector<StationRecord> places;
+    std::size_t samples = 0;
+    for (const SurfaceStation& station : stations) {
+        if (!std::isfinite(station.x)) continue;
+        samples = places.empty() ? station.elevation.size() : std::min(samples, station.elevation.size());
+        places.push_back({station.x, station.elevation});
+    }
+    if (places.size() < 2) return;
+    for (StationRecord& place : places) place.values.resize(samples);
+    // With two places there is one distance: no correlation function can be fitted.
+    if (places.size() > 2) {
+        add_correlation(
+            record, [&] { return spatial_correlation(places, blocks_of(samples)); }, analysis);
+    }
+    add_station_celerity(
+        record,
+        [&] {
+            StationOptions options;
+            options.blocks = blocks_of(samples);
+            return station_celerity(places, stations.front().interval, options);
+        },
+        analysis);
+}
+
+}  // namespace riffle

@@ -1,0 +1,186 @@
+// The surface at single places: spectra in frequency, correlations in time between places.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "analysis/figure_tools.hpp"
+#include "analysis/surface_parts.hpp"
+#include "statistics/cross_correlation.hpp"
+#include "statistics/power_spectrum.hpp"
+
+namespace riffle {
+
+namespace {
+
+constexpr const char* chapter = "surface";
+constexpr std::size_t fewest_samples = 16;
+
+void remove_mean(std::vector<double>& values) {
+    const double mean =
+        std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+    for (double& value : values) value -= mean;
+}
+
+/// The extreme that belongs to what the water carries from one place to the next: of the significant maxima
+/// whose celerity is between half and twice the velocity the highest; null without one. Others belong to
+/// patterns that follow each other, or that come round a periodic channel once more.
+const CorrelationExtreme* arrival(const std::vector<CorrelationExtreme>& extremes, double distance,
+                                  double velocity) {
+    const CorrelationExtreme* best = nullptr;
+    for (const CorrelationExtreme& extreme : extremes) {
+        if (!extreme.significant || !extreme.maximum || extreme.lag <= 0.0) continue;
+        const double celerity = distance / extreme.lag;
+        if (velocity > 0.0 && (celerity < 0.5 * velocity || celerity > 2.0 * velocity)) continue;
+        if (best == nullptr || extreme.correlation > best->correlation) best = &extreme;
+    }
+    return best;
+}
+
+}  // namespace
+
+std::vector<SurfaceStation> stations_of_probes(const FlowRecord& record) {
+    std::vector<SurfaceStation> stations;
+    for (const ElevationProbe& probe : record.elevation_probes()) {
+        if (probe.time.size() < fewest_samples ||
+            !std::all_of(probe.elevation.begin(), probe.elevation.end(),
+                         [](double value) { return std::isfinite(value); })) {
+            continue;
+        }
+        SpaceTime single;
+        single.columns = 1;
+        single.times = probe.time;
+        single.values = probe.elevation;
+        try {
+            const SpaceTime even = resample_evenly(single);
+            SurfaceStation station{probe.name, probe.x, even.times.front(), sampling_interval(even),
+                                   even.values};
+            remove_mean(station.elevation);
+            stations.push_back(std::move(station));
+        } catch (const InputError&) {
+            continue;  // a record with gaps: said in the warnings of the chapter
+        }
+    }
+    return stations;
+}
+
+std::vector<SurfaceStation> stations_of_line(const SpaceTime& line) {
+    std::vector<SurfaceStation> stations;
+    if (line.rows() < fewest_samples || line.columns == 0) return stations;
+    std::vector<std::size_t> columns = {0};
+    for (const std::size_t eighths : {1U, 2U, 4U}) {
+        const std::size_t column = line.columns * eighths / 8;
+        if (column > columns.back()) columns.push_back(column);
+    }
+    const double interval = sampling_interval(line);
+    for (const std::size_t column : columns) {
+        SurfaceStation station{fmt::format("x = {:.4g} mm", 1000.0 * line.x(column)), line.x(column),
+                               line.times.front(), interval, line.record(column)};
+        if (!std::all_of(station.elevation.begin(), station.elevation.end(),
+                         [](double value) { return std::isfinite(value); })) {
+            continue;
+        }
+        remove_mean(station.elevation);
+        stations.push_back(std::move(station));
+    }
+    return stations;
+}
+
+void add_station_spectra(const FlowRecord& record, const std::vector<SurfaceStation>& stations,
+                         Analysis& analysis) {
+    Figure figure =
+        make_figure(chapter, "surface_frequency_spectrum", "Spectrum of the surface elevation in frequency",
+                    "One-sided power spectral density by Welch's method (eighths of the record, Hann "
+                    "windows, half overlap), "
+                    "averaged over 20 bins per decade; bars: 95 % intervals.",
+                    "thesis chapters 4-5, power spectra", make_axis("frequency f", "Hz", true),
+                    make_axis("power spectral density", "m2/Hz", true));
+    attempt(record, analysis, std::move(figure), [&](Figure& f) {
+        for (std::size_t i = 0; i < stations.size(); ++i) {
+            const SmoothedSpectrum spectrum =
+                smoothed_power_spectrum(stations[i].elevation, stations[i].interval);
+            Curve curve = make_curve(stations[i].name, record.origin(), Mark::line, spectrum.smooth.frequency,
+                                     spectrum.smooth.density);
+            for (std::size_t k = 0; k < curve.y.size(); ++k) {
+                curve.y_half_width.push_back(0.5 * (spectrum.smooth.upper[k] - spectrum.smooth.lower[k]) *
+                                             curve.y[k]);
+            }
+            curve.variant = static_cast<int>(i);
+            f.curves.push_back(std::move(curve));
+            if (i > 0) continue;
+            const PowerSpectrum& fine = spectrum.fine;
+            std::size_t peak = 1;
+            for (std::size_t k = 1; k < fine.density.size(); ++k) {
+                if (fine.density[k] > fine.density[peak]) peak = k;
+            }
+            if (fine.frequency.size() > 2) {
+                Finding finding =
+                    make_finding(chapter, "surface_peak_frequency",
+                                 "frequency of the highest spectral density, " + stations[i].name, "Hz",
+                                 fine.frequency[peak], 0.5 * fine.resolution);
+                finding.remark = "half-width: half the resolution of the spectrum";
+                analysis.findings.push_back(std::move(finding));
+            }
+        }
+    });
+}
+
+void add_station_correlations(const FlowRecord& record, const std::vector<SurfaceStation>& stations,
+                              Analysis& analysis) {
+    if (stations.size() < 2) return;
+    Figure figure = make_figure(
+        chapter, "surface_cross_correlation", "Correlation of the surface between places",
+        "Temporal cross-correlation of the elevation at the first place and at those downstream; points: "
+        "extremes beyond what unrelated records show in 5 % of lags, and the lags x/U at which the water "
+        "arrives.",
+        "thesis (4.7)", make_axis("time lag t_l", "s"), make_axis("correlation R", "1"));
+    const double velocity = bulk_velocity(record);
+    attempt(record, analysis, std::move(figure), [&](Figure& f) {
+        const SurfaceStation& first = stations.front();
+        for (std::size_t i = 1; i < stations.size(); ++i) {
+            const SurfaceStation& other = stations[i];
+            const std::size_t samples = std::min(first.elevation.size(), other.elevation.size());
+            const double distance = other.x - first.x;
+            double largest = 0.25 * static_cast<double>(samples) * first.interval;
+            if (velocity > 0.0) largest = std::min(largest, std::max(4.0 * distance / velocity, 1.0));
+            const auto lags = static_cast<std::size_t>(largest / first.interval);
+            const CrossCorrelation correlation = cross_correlation(
+                std::span(first.elevation).first(samples), std::span(other.elevation).first(samples),
+                first.interval, std::clamp<std::size_t>(lags, 1, samples - 1));
+            Curve curve = make_curve(fmt::format("{:.4g} mm apart", 1000.0 * distance), record.origin(),
+                                     Mark::line, correlation.lag, correlation.correlation);
+            curve.variant = static_cast<int>(i) - 1;
+            f.curves.push_back(curve);
+            const std::vector<CorrelationExtreme> extremes = correlation_extremes(correlation);
+            Curve points = make_curve("extremes", record.origin(), Mark::points, {}, {});
+            points.variant = curve.variant;
+            for (const CorrelationExtreme& extreme : extremes) {
+                if (!extreme.significant) continue;
+                points.x.push_back(extreme.lag);
+                points.y.push_back(extreme.correlation);
+            }
+            if (!points.x.empty()) f.curves.push_back(std::move(points));
+            if (velocity > 0.0 && distance > 0.0) {
+                Curve arrival = make_curve("x/U", Origin::reference, Mark::line,
+                                           {distance / velocity, distance / velocity}, {-1.0, 1.0});
+                arrival.variant = curve.variant;
+                f.curves.push_back(std::move(arrival));
+            }
+            if (!(distance > 0.0)) continue;
+            const CorrelationExtreme* const best = arrival(extremes, distance, velocity);
+            if (best == nullptr) continue;
+            Finding finding = make_finding(
+                chapter, fmt::format("celerity_between_places_{}", i),
+                fmt::format("celerity from the lag between places {:.4g} mm apart", 1000.0 * distance), "m/s",
+                distance / best->lag);
+            if (velocity > 0.0) finding = against(std::move(finding), velocity, "depth-mean velocity");
+            finding.remark = fmt::format("extreme R = {:.3g} at {:.4g} s", best->correlation, best->lag);
+            analysis.findings.push_back(std::move(finding));
+        }
+    });
+}
+
+}  // namespace riffle

@@ -1,0 +1,150 @@
+// Spectra of the surface along a line.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "analysis/figure_tools.hpp"
+#include "analysis/gravity_capillary_waves.hpp"
+#include "analysis/surface_parts.hpp"
+#include "analysis/surface_spectra.hpp"
+
+namespace riffle {
+
+namespace {
+
+constexpr const char* chapter = "surface";
+constexpr double water_surface_tension = 0.072;  // N/m, clean water; the particles have none
+
+/// The waves that can travel on the flow of a record.
+GravityCapillaryWaves waves_on(const FlowRecord& record) {
+    const Case& c = *record.flow();
+    GravityCapillaryWaves waves;
+    waves.depth = c.channel.depth;
+    waves.velocity = bulk_velocity(record);
+    waves.gravity = c.normal_gravity();
+    waves.surface_tension = record.origin() == Origin::measured ? water_surface_tension : 0.0;
+    waves.density = c.fluid.density;
+    return waves;
+}
+
+/// Rows of a segment: an eighth of the record, so that 15 overlapping ones are averaged, at most what shows
+/// 512 frequencies.
+std::size_t segment_rows(const SpaceTime& line) {
+    constexpr std::size_t most = 1024;
+    return std::clamp<std::size_t>(line.rows() / 8, std::min<std::size_t>(line.rows(), 8), most);
+}
+
+void add_dispersion(const GravityCapillaryWaves& waves, const WaveSpectrum& spectrum, Figure& figure) {
+    const double highest = spectrum.frequency.back();
+    Curve down = make_curve("waves travelling downstream", Origin::theory, Mark::line, {}, {});
+    Curve up = make_curve("waves travelling upstream", Origin::theory, Mark::line, {}, {});
+    Curve carried = make_curve("advection line omega = U k", Origin::reference, Mark::line, {}, {});
+    up.variant = 1;
+    constexpr int steps = 200;
+    const auto add = [&](Curve& curve, double k, double omega) {
+        // The map shows omega >= 0: a wave of negative frequency is the one of -k.
+        if (omega < 0.0) {
+            k = -k;
+            omega = -omega;
+        }
+        if (omega > highest) return;
+        curve.x.push_back(k);
+        curve.y.push_back(omega);
+    };
+    const double largest = spectrum.wavenumber.back();
+    for (int i = 0; i <= steps; ++i) {
+        const double k = largest * i / steps;
+        add(down, k, waves.downstream_frequency(k));
+        add(up, k, waves.upstream_frequency(k));
+        add(carried, k, waves.advection_frequency(k));
+    }
+    // Upstream waves change sides where the current holds them: in order of k, so that the line is one.
+    figure.curves.push_back(std::move(down));
+    figure.curves.push_back(std::move(up));
+    figure.curves.push_back(std::move(carried));
+}
+
+void add_wave_spectrum(const FlowRecord& record, const SurfaceFluctuation& surface, Analysis& analysis) {
+    Figure figure = make_figure(
+        chapter, "surface_wave_spectrum", "Spectrum of the surface in wavenumber and frequency",
+        "Power spectral density of eta'(x, t); k > 0 travels downstream. Lines: dispersion relation of "
+        "gravity-capillary waves on a current U, and what the water carries.",
+        "thesis chapter 2; Lamb, Hydrodynamics, art. 266", make_axis("wavenumber k", "rad/m"),
+        make_axis("angular frequency omega", "rad/s"));
+    attempt(record, analysis, std::move(figure), [&](Figure& f) {
+        const WaveSpectrum spectrum = wave_spectrum(surface.line, segment_rows(surface.line));
+        constexpr std::size_t most = 512;
+        const std::size_t k_stride = (spectrum.wavenumber.size() + most - 1) / most;
+        ColourMap map;
+        map.label = "power spectral density";
+        map.unit = "m3 s/rad2";
+        map.logarithmic = true;
+        for (std::size_t i = 0; i < spectrum.wavenumber.size(); i += k_stride)
+            map.x.push_back(spectrum.wavenumber[i]);
+        map.y = spectrum.frequency;
+        for (std::size_t m = 0; m < spectrum.frequency.size(); ++m) {
+            for (std::size_t i = 0; i < spectrum.wavenumber.size(); i += k_stride)
+                map.values.push_back(static_cast<float>(spectrum.at(m, i)));
+        }
+        f.maps.push_back(std::move(map));
+        if (record.flow() != nullptr && bulk_velocity(record) > 0.0)
+            add_dispersion(waves_on(record), spectrum, f);
+    });
+}
+
+}  // namespace
+
+SurfaceFluctuation surface_fluctuation(const SpaceTime& surface) {
+    SurfaceFluctuation result;
+    FluctuationOptions options;
+    options.remove_trend = true;
+    result.line = fluctuation(resample_evenly(surface), options);
+    result.interval = sampling_interval(result.line);
+    return result;
+}
+
+void add_surface_spectra(const FlowRecord& record, const SurfaceFluctuation& surface, Analysis& analysis) {
+    Figure figure =
+        make_figure(chapter, "surface_wavenumber_spectrum", "Spectrum of the surface elevation in wavenumber",
+                    "Power spectral density along the line, both directions together, mean over time; bars: "
+                    "95 % intervals.",
+                    "thesis chapters 4-5", make_axis("wavenumber k", "rad/m", true),
+                    make_axis("power spectral density", "m3/rad", true));
+    attempt(record, analysis, std::move(figure), [&](Figure& f) {
+        const WavenumberSpectrum spectrum = wavenumber_spectrum(surface.line);
+        Curve curve = make_curve("along the line", record.origin(), Mark::line_and_points,
+                                 {spectrum.wavenumber.begin() + 1, spectrum.wavenumber.end()},
+                                 {spectrum.density.begin() + 1, spectrum.density.end()});
+        curve.y_half_width.assign(spectrum.half_width.begin() + 1, spectrum.half_width.end());
+        f.curves.push_back(std::move(curve));
+        const auto peak = std::max_element(spectrum.density.begin() + 1, spectrum.density.end());
+        const double k = spectrum.wavenumber[static_cast<std::size_t>(peak - spectrum.density.begin())];
+        analysis.findings.push_back(make_finding(chapter, "surface_peak_wavelength",
+                                                 "wavelength of the highest spectral density", "m",
+                                                 2.0 * std::numbers::pi / k));
+    });
+    Figure in_frequency = make_figure(
+        chapter, "surface_line_frequency_spectrum",
+        "Spectrum of the surface in frequency, mean over the line",
+        "Power spectral density in frequency, the mean over all places of the line; bars: 95 % intervals.",
+        "thesis chapters 4-5, power spectra", make_axis("frequency f", "Hz", true),
+        make_axis("power spectral density", "m2/Hz", true));
+    attempt(record, analysis, std::move(in_frequency), [&](Figure& f) {
+        const FrequencySpectrum spectrum = frequency_spectrum(surface.line);
+        Curve curve = make_curve("mean over the line", record.origin(), Mark::line,
+                                 {spectrum.frequency.begin() + 1, spectrum.frequency.end()},
+                                 {spectrum.density.begin() + 1, spectrum.density.end()});
+        for (std::size_t k = 1; k < spectrum.density.size(); ++k) {
+            curve.y_half_width.push_back(0.5 * (spectrum.factor[k] - 1.0 / spectrum.factor[k]) *
+                                         spectrum.density[k]);
+        }
+        f.curves.push_back(std::move(curve));
+    });
+    add_wave_spectrum(record, surface, analysis);
+}
+
+}  // namespace riffle

@@ -1,0 +1,95 @@
+"""`riffle analyse` on a short run and on the examples of laboratory data."""
+import csv
+import json
+
+from riffle_cli import CASE, SMALL, SOURCE, CommandLineTest, every, main, until
+
+LABORATORY = SOURCE / "cases/laboratory"
+CHAPTERS = {"statistics", "profiles", "fits", "surface", "subsurface", "forces"}
+
+
+class Analyse(CommandLineTest):
+    def short_run(self, name="run"):
+        folder = self.folder / name
+        self.succeed("run", CASE, "-o", folder, "-q", *SMALL, *until(3), "--set", "run.average_from=1",
+                     *every(surface=0.01))
+        return folder
+
+    def analysed(self, *arguments):
+        target = self.folder / "analysis.json"
+        self.succeed("analyse", *arguments, "--json", target)
+        document = json.loads(target.read_text())
+        self.assertEqual(document["format"], "riffle-analysis")
+        return document["analyses"]
+
+    def test_a_run_gives_findings_and_figures_of_each_chapter(self):
+        folder = self.short_run()
+        csv_folder = self.folder / "csv"
+        printed = self.succeed("analyse", folder, "--csv", csv_folder).stdout
+        for words in ("depth-mean velocity above the datum", "Free surface", "measured (thesis, Table 3.1)"):
+            self.assertIn(words, printed)
+        analysis = self.analysed(folder)[0]
+        self.assertEqual({finding["chapter"] for finding in analysis["findings"]}, CHAPTERS)
+        drawn = {figure["key"] for figure in analysis["figures"] if not figure["missing"]}
+        for key in ("velocity_profile", "stress_profile", "log_law", "surface_map", "force_history",
+                    "velocity_spectrum", "surface_cross_correlation"):
+            self.assertIn(key, drawn)
+        for figure in analysis["figures"]:
+            for curve in figure["curves"]:
+                self.assertEqual(len(curve["x"]), len(curve["y"]), figure["key"])
+        files = {path.stem for path in csv_folder.glob("*.csv")}
+        self.assertLessEqual({"findings", "velocity_profile", "surface_map_map"}, files)
+        with open(csv_folder / "findings.csv", newline="") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual([row["key"] for row in rows], [finding["key"] for finding in analysis["findings"]])
+        with open(csv_folder / "velocity_profile.csv", newline="") as file:
+            heading = next(line for line in file if not line.startswith("#"))
+        self.assertIn("streamwise velocity u [m/s],height above the bed level z [m]", heading)
+
+    def test_a_window_averages_anew(self):
+        folder = self.short_run()
+        values = {}
+        for window in ("1,2", "2,3"):
+            analysis = self.analysed(folder, "--window", window)[0]
+            figures = {figure["key"]: figure for figure in analysis["figures"]}
+            values[window] = figures["velocity_profile"]["curves"][0]["x"]
+        self.assertEqual(len(values["1,2"]), len(values["2,3"]))
+        self.assertNotEqual(values["1,2"], values["2,3"])
+
+    def test_laboratory_records_pass_through_the_same_chapters(self):
+        case = ["--case", CASE]
+        waves = self.analysed(LABORATORY / "wave-probes.csv", *case)[0]
+        keys = {finding["key"]: finding["value"] for finding in waves["findings"]}
+        self.assertAlmostEqual(keys["celerity_between_places_1"], 0.36, delta=0.01)
+        profile = self.analysed(LABORATORY / "adv-profile.csv", *case)[0]
+        self.assertIn("log_law", {figure["key"] for figure in profile["figures"]})
+
+    def test_a_run_beside_a_laboratory_record(self):
+        folder = self.short_run()
+        printed = self.succeed("analyse", folder, LABORATORY / "adv-profile.csv", "--case", CASE, "--measured",
+                               LABORATORY / "adv-profile.csv").stdout
+        comparison = printed[printed.index("Comparison"):]
+        self.assertIn("friction velocity u*, log-law fit", comparison)
+
+    def test_what_is_wrong_is_told(self):
+        folder = self.run_small("run", 0.3)
+        self.fail_with(3, "analyse", self.folder / "nothing", says=["nothing"])
+        self.fail_with(2, "analyse", folder, "--chapter", "waves", says=["statistics", "surface"])
+        self.fail_with(2, "analyse", folder, "--window", "5,9", says=["--window", "0.3"])
+        self.fail_with(2, "analyse", folder, "--frequency", "100", says=["--frequency", "CSV"])
+        self.fail_with(3, "analyse", folder, "--measured", self.folder / "none.csv", says=["none.csv"])
+        bad = self.folder / "bad.csv"
+        bad.write_text("z,u\n0.01,0.2\n0.02,fast\n")
+        self.fail_with(3, "analyse", bad, says=["bad.csv", "3"])
+        short = self.succeed("analyse", folder).stdout
+        self.assertIn("Warnings", short)
+
+    def test_a_case_without_surface_or_flow_is_analysed_too(self):
+        folder = self.folder / "tank"
+        self.succeed("run", SOURCE / "cases/checks/taylor-green.toml", "-o", folder, "-q", *until(0.1))
+        printed = self.succeed("analyse", folder).stdout
+        self.assertIn("the case has no free surface", printed)
+
+
+if __name__ == "__main__":
+    main()

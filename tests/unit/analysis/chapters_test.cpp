@@ -1,0 +1,205 @@
+// Whole analyses of made-up results files whose answers are known.
+
+#include "analysis/chapters.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <set>
+#include <string>
+
+#include "analysis/figure_tools.hpp"
+#include "analysis/run_record.hpp"
+#include "base/error.hpp"
+#include "sample_probes.hpp"
+#include "sample_results.hpp"
+
+namespace riffle {
+namespace {
+
+using testing::add_sample_probes;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using testing::SampleOptions;
+using testing::SampleProbes;
+using testing::write_sample_results;
+
+class Analyses : public ::testing::Test {
+  protected:
+    void SetUp() override {
+        folder_ = std::filesystem::path(::testing::TempDir()) /
+                  ::testing::UnitTest::GetInstance()->current_test_info()->name();
+        std::filesystem::create_directories(folder_);
+    }
+    void TearDown() override { std::filesystem::remove_all(folder_); }
+
+    std::filesystem::path sample(const SampleOptions& options = {}, bool probes = true) {
+        const std::filesystem::path path = folder_ / "results.h5";
+        write_sample_results(path, options);
+        if (probes) add_sample_probes(path);
+        return path;
+    }
+
+    std::filesystem::path folder_;
+};
+
+const Finding& finding(const Analysis& analysis, const std::string& key) {
+    const Finding* const found = find_finding(analysis, key);
+    static const Finding none;
+    if (found == nullptr) ADD_FAILURE() << "no finding " << key;
+    return found == nullptr ? none : *found;
+}
+
+const Figure& figure(const Analysis& analysis, const std::string& key) {
+    static const Figure none;
+    for (const Figure& each : analysis.figures) {
+        if (each.key == key) return each;
+    }
+    ADD_FAILURE() << "no figure " << key;
+    return none;
+}
+
+void expect_sound(const Analysis& analysis) {
+    std::set<std::string> chapters;
+    for (const Chapter& chapter : analysis_chapters()) chapters.insert(chapter.name);
+    std::set<std::string> keys;
+    for (const Finding& each : analysis.findings) {
+        EXPECT_TRUE(keys.insert(each.key).second) << "twice: " << each.key;
+        EXPECT_TRUE(chapters.count(each.chapter)) << each.key << " in " << each.chapter;
+        EXPECT_TRUE(std::isfinite(each.value)) << each.key;
+        EXPECT_FALSE(each.label.empty() || each.unit.empty()) << each.key;
+        EXPECT_GE(each.half_width.value_or(0.0), 0.0) << each.key;
+        EXPECT_EQ(each.reference.has_value(), !each.reference_name.empty()) << each.key;
+    }
+    keys.clear();
+    for (const Figure& each : analysis.figures) {
+        EXPECT_TRUE(keys.insert(each.key).second) << "twice: " << each.key;
+        EXPECT_TRUE(chapters.count(each.chapter)) << each.key;
+        EXPECT_EQ(each.missing.empty(), !each.curves.empty() || !each.maps.empty()) << each.key;
+        EXPECT_FALSE(each.x.unit.empty() || each.y.unit.empty()) << each.key;
+        for (const Curve& curve : each.curves) {
+            EXPECT_EQ(curve.x.size(), curve.y.size()) << each.key << ": " << curve.name;
+            for (const auto& widths : {curve.x_half_width, curve.y_half_width})
+                EXPECT_TRUE(widths.empty() || widths.size() == curve.x.size())
+                    << each.key << ": " << curve.name;
+        }
+        for (const ColourMap& map : each.maps)
+            EXPECT_EQ(map.values.size(), map.x.size() * map.y.size()) << each.key;
+    }
+}
+
+void expect_within(const Finding& found, double truth) {
+    ASSERT_TRUE(found.half_width) << found.key;
+    // Fixed seeds; 1.5 half-widths are three standard errors.
+    EXPECT_NEAR(found.value, truth, 1.5 * *found.half_width + 1e-12) << found.key;
+}
+
+TEST_F(Analyses, EveryChapterOfAWholeFileHasItsFindingsAndFigures) {
+    const RunRecord record(sample());
+    const Analysis analysis = analyse(record);
+    expect_sound(analysis);
+    for (const char* key : {"velocity_history",
+                            "velocity_settling",
+                            "velocity_autocorrelation",
+                            "velocity_profile",
+                            "velocity_gradient_profile",
+                            "velocity_error_profile",
+                            "msep_profile",
+                            "stress_profile",
+                            "pressure_profile",
+                            "double_averaged_stress_profile",
+                            "mean_velocity_map",
+                            "log_law",
+                            "fitted_laws",
+                            "friction_factor",
+                            "surface_map",
+                            "surface_probability_density",
+                            "surface_wavenumber_spectrum",
+                            "surface_frequency_spectrum",
+                            "surface_wave_spectrum",
+                            "surface_correlation",
+                            "surface_cross_correlation",
+                            "surface_station_lags",
+                            "velocity_spectrum",
+                            "vertical_velocity_spectrum",
+                            "depth_correlation",
+                            "quadrant_profile",
+                            "quadrant_holes",
+                            "integral_scale_profile",
+                            "force_history",
+                            "force_instruments"}) {
+        EXPECT_THAT(figure(analysis, key).missing, IsEmpty()) << key;
+    }
+}
+
+TEST_F(Analyses, FindsWhatTheFileWasMadeOf) {
+    const RunRecord record(sample());
+    const Analysis analysis = analyse(record);
+    const double column = record.column()->depth_mean_velocity;
+    EXPECT_NEAR(finding(analysis, "depth_mean_velocity").value, 1.002 * column, 0.002 * column);
+    EXPECT_EQ(finding(analysis, "depth_mean_velocity").reference, 0.35);
+    // The total stress follows the line of the column within its noise.
+    const double crest = std::sqrt(record.flow()->streamwise_gravity() * 0.046);
+    EXPECT_NEAR(finding(analysis, "friction_velocity").value, crest, 0.01 * crest);
+    EXPECT_NEAR(finding(analysis, "bed_drag_share").value, 0.999, 1e-3);
+    EXPECT_NEAR(finding(analysis, "momentum_balance").value, 1.0, 1e-9);
+    EXPECT_NEAR(finding(analysis, "mean_water_depth").value, 0.05, 2e-5);
+    // Two waves of 8 and 5 micrometres and noise of one: sqrt((64 + 25)/2 + 1) = 6.75 micrometres.
+    EXPECT_NEAR(finding(analysis, "surface_standard_deviation").value, 6.75e-6, 0.1e-6);
+    EXPECT_THAT(finding(analysis, "surface_standard_deviation").remark, HasSubstr("closure"));
+    EXPECT_EQ(finding(analysis, "surface_standard_deviation").reference, 0.4e-3);
+}
+
+TEST_F(Analyses, FindsWhatTheInstrumentsMeasured) {
+    const SampleProbes truth;
+    const RunRecord record(sample());
+    const Analysis analysis = analyse(record);
+    expect_within(finding(analysis, "point_velocity_deviation"), truth.u_deviation);
+    expect_within(finding(analysis, "point_vertical_velocity_deviation"), truth.w_deviation);
+    expect_within(finding(analysis, "point_covariance"),
+                  truth.correlation * truth.u_deviation * truth.w_deviation);
+    EXPECT_NEAR(finding(analysis, "dispersive_stress_largest").value, truth.dispersive_stress,
+                1e-9 * truth.dispersive_stress);
+    expect_within(finding(analysis, "forces_bed_drag"), truth.bed_drag);
+    // The lag of a sine of period 0.29 s between probes 28 mm apart, to a tenth of a sample.
+    EXPECT_NEAR(finding(analysis, "celerity_between_places_1").value, truth.celerity, 0.02 * truth.celerity);
+    // u' and w' of correlation -0.4: ejections and sweeps carry more than the whole.
+    EXPECT_GT(finding(analysis, "ejection_share").value + finding(analysis, "sweep_share").value, 1.0);
+}
+
+TEST_F(Analyses, SayWhyAFigureIsMissing) {
+    for (const char* group : {"/time_series", "/profiles", "/surface", "/summary", "/column"}) {
+        SampleOptions options;
+        options.without = {group};
+        const RunRecord record(sample(options, false));
+        const Analysis analysis = analyse(record);
+        expect_sound(analysis);
+    }
+    SampleOptions options;
+    options.without = {"/profiles", "/surface", "/time_series"};
+    const RunRecord record(sample(options, false));
+    const Analysis analysis = analyse(record);
+    EXPECT_THAT(figure(analysis, "velocity_profile").missing, HasSubstr("no profiles"));
+    EXPECT_THAT(figure(analysis, "surface_map").missing, HasSubstr("no record of the surface"));
+    EXPECT_THAT(figure(analysis, "velocity_history").missing, HasSubstr("no time series"));
+    EXPECT_THAT(figure(analysis, "velocity_spectrum").missing, HasSubstr("no velocity probe"));
+}
+
+TEST_F(Analyses, MakeOneChapterAlone) {
+    const RunRecord record(sample());
+    const Analysis analysis = analyse(record, "forces");
+    EXPECT_FALSE(analysis.findings.empty());
+    for (const Finding& each : analysis.findings) EXPECT_EQ(each.chapter, "forces");
+    for (const Figure& each : analysis.figures) EXPECT_EQ(each.chapter, "forces");
+    try {
+        static_cast<void>(analyse(record, "force"));
+        FAIL() << "no error";
+    } catch (const InputError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("statistics, profiles, fits, surface, subsurface, forces"));
+    }
+}
+
+}  // namespace
+}  // namespace riffle

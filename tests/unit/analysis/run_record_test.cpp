@@ -1,0 +1,111 @@
+#include "analysis/run_record.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "base/error.hpp"
+#include "sample_results.hpp"
+
+namespace riffle {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using testing::SampleOptions;
+using testing::write_sample_results;
+
+class RunRecords : public ::testing::Test {
+  protected:
+    void SetUp() override {
+        folder_ = std::filesystem::path(::testing::TempDir()) /
+                  ::testing::UnitTest::GetInstance()->current_test_info()->name();
+        std::filesystem::create_directories(folder_);
+        path_ = folder_ / "results.h5";
+    }
+    void TearDown() override { std::filesystem::remove_all(folder_); }
+
+    std::filesystem::path folder_, path_;
+};
+
+template <class Error, class Action>
+std::string message_of(const Action& action) {
+    try {
+        action();
+    } catch (const Error& error) {
+        return error.what();
+    }
+    ADD_FAILURE() << "no error";
+    return "";
+}
+
+TEST_F(RunRecords, TakeTheWindowOfTheRunOrTheOneAskedFor) {
+    write_sample_results(path_);
+    EXPECT_EQ(RunRecord(path_).window().from, 15.0);
+    EXPECT_EQ(RunRecord(path_).window().to, 30.0);
+    RunRecordOptions options;
+    options.window = TimeWindow{20.0, 25.0};
+    const RunRecord record(path_, options);
+    EXPECT_EQ(record.window().from, 20.0);
+    // Rows of the surface every 0.02 s: 20.00 to 25.00.
+    EXPECT_EQ(record.surface().rows(), 251U);
+    EXPECT_NEAR(record.surface().times.front(), 20.0, 1e-9);
+    // The sample has no profile blocks to average anew.
+    EXPECT_TRUE(record.profiles().empty());
+}
+
+TEST_F(RunRecords, RefuseAWindowOutsideOfTheRun) {
+    write_sample_results(path_);
+    for (const TimeWindow& window :
+         {TimeWindow{10, 10}, TimeWindow{20, 10}, TimeWindow{-1, 10}, TimeWindow{20, 31}}) {
+        RunRecordOptions options;
+        options.window = window;
+        EXPECT_THAT(message_of<InputError>([&] { const RunRecord record(path_, options); }),
+                    HasSubstr("from 0 s to 30 s"));
+    }
+}
+
+TEST_F(RunRecords, ReadNoMoreOfTheSurfaceThanAllowedAndSaySo) {
+    write_sample_results(path_);
+    RunRecordOptions options;
+    options.most_elevations = 5000;  // 100 rows of 50 points
+    const RunRecord record(path_, options);
+    EXPECT_EQ(record.surface().rows(), 100U);
+    EXPECT_NEAR(record.surface().times.back(), 30.0, 1e-9);
+    ASSERT_EQ(record.warnings().size(), 1U);
+    EXPECT_THAT(record.warnings().front(), HasSubstr("the last 100 rows"));
+}
+
+TEST_F(RunRecords, CompareWithTheMeasuredFileOrTheLawOfTheMeasuredValues) {
+    write_sample_results(path_);
+    EXPECT_TRUE(RunRecord(path_).measured().from_law);
+    std::ofstream(folder_ / "adv.csv") << "z [mm],u [cm/s]\n10,22\n20,30\n";
+    RunRecordOptions options;
+    options.measured = folder_ / "adv.csv";
+    const RunRecord record(path_, options);
+    EXPECT_FALSE(record.measured().from_law);
+    ASSERT_EQ(record.measured().profile.height.size(), 2U);
+    // Heights over the datum, 6 mm above the bed level.
+    EXPECT_NEAR(record.measured().profile.height.front(), 0.016, 1e-12);
+    EXPECT_NEAR(record.measured().profile.velocity.front(), 0.22, 1e-12);
+    options.measured = folder_ / "nothing.csv";
+    const RunRecord missing(path_, options);
+    EXPECT_THAT(message_of<FileError>([&] { static_cast<void>(missing.measured()); }),
+                HasSubstr("nothing.csv"));
+}
+
+TEST_F(RunRecords, SayThatAFileHasNoUsableCase) {
+    SampleOptions options;
+    options.stored_case_text = "title = 3";
+    write_sample_results(path_, options);
+    EXPECT_THAT(message_of<FileError>([&] { const RunRecord record(path_); }),
+                HasSubstr("cannot be read by this version"));
+    EXPECT_THAT(message_of<FileError>([&] { const RunRecord record(folder_ / "none.h5"); }),
+                HasSubstr("none.h5"));
+}
+
+}  // namespace
+}  // namespace riffle
