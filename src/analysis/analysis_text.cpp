@@ -53,7 +53,7 @@ std::string finding_lines(const Finding& finding, std::size_t label_width) {
     line += finding.half_width ? " ± " + padded(uncertainty(*finding.half_width), 10) : std::string(13, ' ');
     line += padded(unit_of(finding), 8);
     if (finding.reference) {
-        line += right(number(*finding.reference), 10) + right(difference(finding), 10) + "  " +
+        line += right(number(*finding.reference), 10) + " " + right(difference(finding), 10) + "  " +
                 finding.reference_name;
     }
     line = trimmed(line);

@@ -184,8 +184,9 @@ void add_depth_correlation(const FlowRecord& record, const Instrument& instrumen
         for (const std::size_t part : {1U, 3U, 5U}) {
             if (found.empty()) break;
             const HeightCorrelation& height = found[found.size() * part / 6];
-            Curve curve = make_curve(fmt::format("z = {:.4g} mm", 1000.0 * height.z), record.origin(),
-                                     Mark::line, height.lagged.lag, height.lagged.correlation);
+            Curve curve =
+                make_curve(fmt::format("z = {:.4g} mm", 1000.0 * height.z), record.origin(), Mark::line,
+                           thinned(height.lagged.lag, 2000), thinned(height.lagged.correlation, 2000));
             curve.variant = static_cast<int>(part / 2);
             lags.curves.push_back(std::move(curve));
         }
@@ -258,7 +259,8 @@ void add_quadrants(const FlowRecord& record, const Instrument& instrument, Analy
                 curves[q].y.push_back(result.quadrant[q].time.value);
                 curves[q].y_half_width.push_back(result.quadrant[q].time.half_width);
             }
-            if (i > 0) continue;
+            // Shares of a mean that is zero within its interval say nothing.
+            if (i > 0 || !(result.mean_product.half_width < std::abs(result.mean_product.value))) continue;
             const auto share = [&](const char* key, const char* label, std::size_t q) {
                 if (!std::isfinite(result.quadrant[q].stress_share)) return;
                 analysis.findings.push_back(make_finding(chapter, key, label + (", " + place(middle)), "1",

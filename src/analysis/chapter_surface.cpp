@@ -67,6 +67,13 @@ void add_deviation(const FlowRecord& record, const SurfaceFluctuation& surface, 
                                                  deviation.value / record.flow()->channel.depth,
                                                  deviation.half_width / record.flow()->channel.depth));
     }
+    if (surface.line.periodic) {
+        Finding level = make_finding(chapter, "surface_level_deviation",
+                                     "standard deviation of the level as a whole, taken away", "m",
+                                     surface.level_deviation);
+        level.remark = "of the mean along the periodic line, which the slight compression of the water moves";
+        analysis.findings.push_back(std::move(level));
+    }
     analysis.findings.push_back(make_finding(chapter, "surface_integral_time",
                                              "integral time scale of the squared elevation", "s",
                                              deviation.integral_time));
@@ -197,14 +204,14 @@ void analyse_surface(const FlowRecord& record, Analysis& analysis) {
                          : "the results file holds no record of the surface in the window");
         return;
     }
-    std::vector<SurfaceStation> stations = probes;
+    std::vector<SurfaceStation> stations;
     if (surface.rows() >= 2) {
         add_level(record, analysis);
         try {
             const SurfaceFluctuation fluctuation = surface_fluctuation(surface);
             add_deviation(record, fluctuation, analysis);
             add_map(record, fluctuation, analysis);
-            if (stations.empty()) stations = stations_of_line(fluctuation.line);
+            stations = stations_of_line(fluctuation.line, record.elevation_probes());
             add_surface_spectra(record, fluctuation, analysis);
             add_surface_patterns(record, fluctuation, analysis);
         } catch (const InputError& error) {
@@ -212,6 +219,7 @@ void analyse_surface(const FlowRecord& record, Analysis& analysis) {
             add_missing(record, analysis, map_figure(), error.what());
         }
     } else {
+        stations = probes;
         add_probe_deviations(stations, record, analysis);
         add_place_patterns(record, stations, analysis);
     }

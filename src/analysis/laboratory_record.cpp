@@ -11,6 +11,7 @@
 #include "laboratory/csv_table.hpp"
 #include "laboratory/probe_record.hpp"
 #include "laboratory/profile_record.hpp"
+#include "laboratory/record_repair.hpp"
 #include "laboratory/velocity_series.hpp"
 
 namespace riffle {
@@ -148,22 +149,58 @@ struct LaboratoryRecord::Impl {
         velocity.push_back(std::move(probe));
     }
 
+    /// Bridge the gaps that the repair left where they are short beside the passage of a pattern (0.1 s): a
+    /// whole record loses less by that than by leaving the probe out.
+    void bridge_gaps(ProbeRecord& record) {
+        constexpr double longest = 0.1;  // s
+        for (auto& wave : record.probes) {
+            const std::size_t bridged = interpolate_gaps(
+                wave.elevation, static_cast<std::size_t>(longest * record.sampling_frequency));
+            if (bridged == 0) continue;
+            warnings.push_back(
+                fmt::format("wave probe {}: {} of the samples left without a value, in gaps of at most "
+                            "{} s, were interpolated, too",
+                            wave.name, bridged, longest));
+        }
+    }
+
     void read_waves() {
         ProbeRecordOptions how;
         how.sampling_frequency = options.sampling_frequency;
         if (!options.calibration.empty()) how.calibrations = read_probe_calibrations(options.calibration);
-        const ProbeRecord record = read_probe_record(path, how);
+        ProbeRecord record = read_probe_record(path, how);
         take(record.title, record.warnings);
-        const auto [first, time] = times(record.start, record.sampling_frequency, record.samples());
+        bridge_gaps(record);
+        const auto [start, time] = times(record.start, record.sampling_frequency, record.samples());
+        const std::size_t first = start;
+        const auto valid = [&](const auto& wave, std::size_t i) {
+            return std::isfinite(wave.elevation[first + i]);
+        };
+        // Values missing at an end shorten all records alike, so that they stay records of the same times.
+        std::size_t begin = 0;
+        std::size_t end = time.size();
+        const auto all_valid = [&](std::size_t i) {
+            return std::all_of(record.probes.begin(), record.probes.end(),
+                               [&](const auto& wave) { return valid(wave, i); });
+        };
+        while (begin < end && !all_valid(begin)) ++begin;
+        while (end > begin && !all_valid(end - 1)) --end;
+        if (end - begin < time.size()) {
+            warnings.push_back(
+                fmt::format("{} samples at the ends of the window, at which not all probes have a "
+                            "value, are left out",
+                            time.size() - (end - begin)));
+        }
         for (const auto& wave : record.probes) {
             ElevationProbe probe;
             probe.name = wave.name;
             probe.x = wave.x;
-            probe.time = time;
-            probe.elevation.assign(wave.elevation.begin() + static_cast<std::ptrdiff_t>(first),
-                                   wave.elevation.begin() + static_cast<std::ptrdiff_t>(first + time.size()));
-            const bool whole = std::all_of(probe.elevation.begin(), probe.elevation.end(),
-                                           [](double value) { return std::isfinite(value); });
+            bool whole = true;
+            for (std::size_t i = begin; i < end; ++i) {
+                whole = whole && valid(wave, i);
+                probe.time.push_back(time[i]);
+                probe.elevation.push_back(wave.elevation[first + i]);
+            }
             if (!whole) {
                 warnings.push_back(
                     fmt::format("wave probe {}: the record still has gaps in the window and is left "

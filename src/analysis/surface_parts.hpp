@@ -13,9 +13,12 @@ namespace riffle {
 // The parts of the chapter on the surface: from a record along a line, and from records at single places.
 
 /// eta'(x, t) of a surface record at even times, the mean and the linear trend of each place taken away.
+/// Along a periodic line the mean of each instant, too: there the water cannot lift the whole line, only its
+/// slight compression does, as a slow and even breathing that would hide the waves.
 struct SurfaceFluctuation {
     SpaceTime line;
-    double interval = 0;  ///< s
+    double interval = 0;         ///< s
+    double level_deviation = 0;  ///< standard deviation of the mean along the line, m
 };
 
 /// Throws InputError for a record with gaps in time.
@@ -33,8 +36,10 @@ struct SurfaceStation {
 /// The wave probes of a record. Probes with gaps or fewer than 16 samples are left out.
 [[nodiscard]] std::vector<SurfaceStation> stations_of_probes(const FlowRecord& record);
 
-/// Places on a line as if wave probes stood there: its first point and up to three more downstream.
-[[nodiscard]] std::vector<SurfaceStation> stations_of_line(const SpaceTime& fluctuation);
+/// Places on a line as if wave probes stood there: at the places of the probes of the record, or of fewer
+/// than two of them at the line's first point, an eighth, a quarter and a half of its length.
+[[nodiscard]] std::vector<SurfaceStation> stations_of_line(const SpaceTime& fluctuation,
+                                                           const std::vector<ElevationProbe>& probes);
 
 /// Spectra in wavenumber and in wavenumber and frequency, with the dispersion relation of waves on the
 /// current and the advection line.

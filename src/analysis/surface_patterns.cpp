@@ -9,6 +9,7 @@
 #include "analysis/celerity_ridge.hpp"
 #include "analysis/celerity_tracking.hpp"
 #include "analysis/figure_tools.hpp"
+#include "analysis/stations.hpp"
 #include "analysis/surface_correlation.hpp"
 #include "analysis/surface_parts.hpp"
 #include "analysis/upwelling.hpp"
@@ -102,6 +103,12 @@ void add_celerity(const char* key, const char* label, const Estimate& celerity, 
                   const std::string& remark, Analysis& analysis) {
     if (!std::isfinite(celerity.value)) {
         analysis.warnings.push_back(std::string(label) + ": none found in this record");
+        return;
+    }
+    // A standing wave or noise has no celerity: its extremes do not move with the distance.
+    if (!(celerity.half_width < std::abs(celerity.value))) {
+        analysis.warnings.push_back(fmt::format("{}: not determined by this record ({:.3g} ± {:.2g} m/s)",
+                                                label, celerity.value, celerity.half_width));
         return;
     }
     Finding finding = make_finding(chapter, key, label, "m/s", celerity.value, celerity.half_width);
@@ -243,6 +250,17 @@ void add_place_patterns(const FlowRecord& record, const std::vector<SurfaceStati
     }
     if (places.size() < 2) return;
     for (StationRecord& place : places) place.values.resize(samples);
+    if (const Case* const flow = record.flow()) {
+        // A pattern is 1.5-2 depths long: places further apart than half of it cannot tell it from the next.
+        const std::vector<StationPair> pairs = pairs_by_distance(places);
+        if (pairs.empty() || pairs.front().distance > flow->channel.depth) {
+            analysis.warnings.push_back(
+                "the nearest places are further apart than a water depth, about half a pattern of the "
+                "surface: "
+                "neither its celerity nor L0 can be had from their lags alone");
+            return;
+        }
+    }
     // With two places there is one distance: no correlation function can be fitted.
     if (places.size() > 2) {
         add_correlation(

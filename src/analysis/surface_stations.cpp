@@ -67,13 +67,21 @@ std::vector<SurfaceStation> stations_of_probes(const FlowRecord& record) {
     return stations;
 }
 
-std::vector<SurfaceStation> stations_of_line(const SpaceTime& line) {
+std::vector<SurfaceStation> stations_of_line(const SpaceTime& line,
+                                             const std::vector<ElevationProbe>& probes) {
     std::vector<SurfaceStation> stations;
     if (line.rows() < fewest_samples || line.columns == 0) return stations;
-    std::vector<std::size_t> columns = {0};
-    for (const std::size_t eighths : {1U, 2U, 4U}) {
-        const std::size_t column = line.columns * eighths / 8;
-        if (column > columns.back()) columns.push_back(column);
+    std::vector<std::size_t> columns;
+    const auto add = [&](std::size_t column) {
+        if (column < line.columns && (columns.empty() || column > columns.back())) columns.push_back(column);
+    };
+    for (const ElevationProbe& probe : probes) {
+        const double place = std::round((probe.x - line.first_x) / line.spacing);
+        if (std::isfinite(place)) add(static_cast<std::size_t>(std::max(0.0, place)));
+    }
+    if (columns.size() < 2) {
+        columns.clear();
+        for (const std::size_t eighths : {0U, 1U, 2U, 4U}) add(line.columns * eighths / 8);
     }
     const double interval = sampling_interval(line);
     for (const std::size_t column : columns) {

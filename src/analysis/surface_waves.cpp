@@ -11,6 +11,8 @@
 #include "analysis/gravity_capillary_waves.hpp"
 #include "analysis/surface_parts.hpp"
 #include "analysis/surface_spectra.hpp"
+#include "statistics/confidence.hpp"
+#include "statistics/record.hpp"
 
 namespace riffle {
 
@@ -32,9 +34,9 @@ GravityCapillaryWaves waves_on(const FlowRecord& record) {
 }
 
 /// Rows of a segment: an eighth of the record, so that 15 overlapping ones are averaged, at most what shows
-/// 512 frequencies.
+/// 256 frequencies.
 std::size_t segment_rows(const SpaceTime& line) {
-    constexpr std::size_t most = 1024;
+    constexpr std::size_t most = 512;
     return std::clamp<std::size_t>(line.rows() / 8, std::min<std::size_t>(line.rows(), 8), most);
 }
 
@@ -102,8 +104,13 @@ SurfaceFluctuation surface_fluctuation(const SpaceTime& surface) {
     SurfaceFluctuation result;
     FluctuationOptions options;
     options.remove_trend = true;
-    result.line = fluctuation(resample_evenly(surface), options);
+    options.remove_line_mean = surface.periodic;
+    result.line = resample_evenly(surface);
     result.interval = sampling_interval(result.line);
+    std::vector<double> level;
+    for (std::size_t j = 0; j < result.line.rows(); ++j) level.push_back(mean_of(result.line.row(j)));
+    result.level_deviation = mean_with_confidence(level).standard_deviation;
+    result.line = fluctuation(result.line, options);
     return result;
 }
 
