@@ -61,6 +61,17 @@ void add_deviation(const FlowRecord& record, const SurfaceFluctuation& surface, 
             finding.remark = flatness_remark(c);
     }
     analysis.findings.push_back(std::move(finding));
+    if (record.flow() != nullptr && record.origin() == Origin::simulated) {
+        constexpr double resolved = 1e-3;  // of the particle spacing
+        const double spacing = record.flow()->numerics.spacing;
+        if (deviation.value < resolved * spacing) {
+            analysis.warnings.push_back(
+                fmt::format("the surface is flat to {:.2g} of the particle spacing: patterns, celerities and "
+                            "spectra of it are "
+                            "those of the rows of particles and of rounding, not of waves or turbulence",
+                            deviation.value / spacing));
+        }
+    }
     if (record.flow() != nullptr) {
         analysis.findings.push_back(make_finding(chapter, "surface_relative_deviation",
                                                  "the same over the water depth", "1",

@@ -61,7 +61,7 @@ double add_correlation(const FlowRecord& record, const Correlate& correlate, Ana
         f.curves.push_back(std::move(curve));
         const SurfaceCorrelationFit fit = fit_surface_correlation(correlation);
         const double period = fit.characteristic_period.value;
-        if (!std::isfinite(period)) {
+        if (!std::isfinite(period) || !(fit.characteristic_period.half_width < period)) {
             analysis.warnings.push_back(
                 "the surface correlation does not determine L0 and sigma_w: the line is too short beside the "
                 "patterns, or their correlation is not that of (2.32)");
