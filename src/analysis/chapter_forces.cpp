@@ -73,7 +73,7 @@ void analyse_forces(const FlowRecord& record, Analysis& analysis) {
     figure.y = make_axis("force over weight component", "1");
     const SeriesTable& series = record.series();
     const auto time = series.find("time");
-    if (time == series.end() || c.channel.slope <= 0.0) {
+    if (time == series.end() || time->second.empty() || c.channel.slope <= 0.0) {
         add_missing(record, analysis, std::move(figure),
                     c.channel.slope <= 0.0 ? "the channel has no slope, so no weight acts along it"
                                            : "the results file holds no time series");
