@@ -39,7 +39,8 @@ function(riffle_npm_packages OUT)
   set(${OUT} ${folder}/node_modules PARENT_SCOPE)
 endfunction()
 
-# riffle_embed(TARGET symbol=file...): add each file to the target as the data symbol_begin .. symbol_end.
+# riffle_embed(TARGET symbol=file[,file...]...): add the files, one after the other, to the target as the data
+# symbol_begin .. symbol_end.
 function(riffle_embed TARGET)
   set(listing ${PROJECT_BINARY_DIR}/generated/${TARGET}_data.s)
   set(text "    .section .rodata\n")
@@ -47,10 +48,13 @@ function(riffle_embed TARGET)
   foreach(item IN LISTS ARGN)
     string(REGEX MATCH "^([^=]+)=(.+)$" matched "${item}")
     set(symbol ${CMAKE_MATCH_1})
-    set(path ${CMAKE_MATCH_2})
-    string(APPEND text "    .globl ${symbol}_begin\n    .globl ${symbol}_end\n"
-                       "${symbol}_begin:\n    .incbin \"${path}\"\n${symbol}_end:\n    .byte 0\n")
-    list(APPEND files ${path})
+    string(REPLACE "," ";" paths ${CMAKE_MATCH_2})
+    string(APPEND text "    .globl ${symbol}_begin\n    .globl ${symbol}_end\n${symbol}_begin:\n")
+    foreach(path IN LISTS paths)
+      string(APPEND text "    .incbin \"${path}\"\n")
+    endforeach()
+    string(APPEND text "${symbol}_end:\n    .byte 0\n")
+    list(APPEND files ${paths})
   endforeach()
   string(APPEND text "    .section .note.GNU-stack,\"\",%progbits\n")
   file(GENERATE OUTPUT ${listing} CONTENT "${text}")
@@ -61,7 +65,7 @@ function(riffle_embed TARGET)
   target_sources(${TARGET} PRIVATE ${listing})
 endfunction()
 
-# riffle_report_page(TARGET): embed the report's page.
+# riffle_report_page(TARGET): embed the report's pages.
 function(riffle_report_page TARGET)
   get_target_property(type ${TARGET} TYPE)
   if(type STREQUAL "INTERFACE_LIBRARY")
@@ -69,13 +73,20 @@ function(riffle_report_page TARGET)
   endif()
   riffle_npm_packages(modules)
   set(web ${PROJECT_SOURCE_DIR}/web)
+  set(shared "")
+  foreach(script figures units save page analysis_style analysis_figures analysis_panels chapters)
+    list(APPEND shared ${web}/${script}.js)
+  endforeach()
+  list(JOIN shared "," shared)
   riffle_embed(${TARGET}
-    riffle_page_html=${web}/report.html
+    riffle_page_report_html=${web}/report.html
+    riffle_page_comparison_html=${web}/comparison.html
     riffle_page_style=${web}/report.css
     riffle_page_plotly=${modules}/plotly.js-cartesian-dist-min/plotly-cartesian.min.js
-    riffle_page_figures=${web}/figures.js
+    riffle_page_shared=${shared}
     riffle_page_field=${web}/field.js
-    riffle_page_script=${web}/report.js)
+    riffle_page_report=${web}/report.js
+    riffle_page_comparison=${web}/comparison.js)
 endfunction()
 
 # riffle_watch_page(TARGET): embed what the page of `riffle watch` has of its own.

@@ -149,5 +149,12 @@ const field = (() => {
     (data.geometry.rough ? ' White lines: crests of the bed elements (dashed) and datum (dotted); below the crests the elements act on the water by their drag.' : '') +
     (data.snapshot.left_out ? ` Shown: the first ${figures.significant(1000 * data.snapshot.x_end)} mm of the channel.` : '');
 
-  return { draw, caption, available };
+  // The particles as CSV, SI.
+  function csv(snapshot) {
+    const shown = available(snapshot), unit = { velocity: 'm/s', vertical_velocity: 'm/s', pressure: 'Pa', eddy_viscosity: 'm2/s' };
+    return save.comment(`particles of the snapshot at t = ${snapshot.time} s`) + save.rows([['x [m]', 'z [m]', ...shown.map(item => save.heading(item.key, unit[item.key]))],
+      ...snapshot.x.map((x, i) => [x, snapshot.z[i], ...shown.map(item => snapshot[item.key][i])])]);
+  }
+
+  return { draw, caption, available, csv };
 })();

@@ -35,10 +35,17 @@ const figures = (() => {
     return value.toFixed(Math.max(0, digits - 1 - size)).replace(/^-/, '−');
   }
 
-  // Value and half-width of its interval to the same decimals, two digits of the half-width.
+  // Value and half-width of its interval to the same decimals: two digits of the half-width, and no more than six of
+  // the value; a half-width below that is rounded up, not to nothing.
   function interval(value, half) {
-    const decimals = Math.max(0, Math.min(7, 1 - Math.floor(Math.log10(half))));
-    return [value.toFixed(decimals).replace(/^-/, '−'), half.toFixed(decimals)];
+    if (half >= 100) {
+      const unit = 10 ** (Math.floor(Math.log10(half)) - 1);
+      return [value, half].map(number => String(Math.round(number / unit) * unit).replace(/^-/, '−'));
+    }
+    const size = Math.floor(Math.log10(Math.max(Math.abs(value), half)));
+    const decimals = Math.max(0, Math.min(9, 1 - Math.floor(Math.log10(half)), 5 - size));
+    const shown = Math.ceil(half * 10 ** decimals - 0.5) || 1;
+    return [value.toFixed(decimals).replace(/^-/, '−'), (shown / 10 ** decimals).toFixed(decimals)];
   }
 
   function axis(title, extra = {}) {

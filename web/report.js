@@ -4,25 +4,8 @@
   'use strict';
 
   const data = JSON.parse(document.getElementById('report-data').textContent);
-  const at = id => document.getElementById(id);
+  const { at, element, marked } = page;
   const number = figures.significant;
-  let count = 0;
-
-  function element(tag, attributes = {}, ...content) {
-    const made = document.createElement(tag);
-    for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, value);
-    made.append(...content);
-    return made;
-  }
-
-  // A few tags of our own making (italic symbols with indices) are allowed in labels; anything else is text.
-  function marked(text) {
-    const holder = document.createElement('span');
-    // Numbers stay on one line with their signs and units.
-    holder.textContent = text.replace(/ %/g, '\u00a0%').replace(/± /g, '±\u00a0');
-    holder.innerHTML = holder.innerHTML.replace(/&lt;(\/?(?:i|b|sub|sup))&gt;/g, '<$1>');
-    return holder;
-  }
 
   function verdict() {
     const box = at('verdict');
@@ -108,73 +91,30 @@
     table.append(element('thead', {}, head), body);
   }
 
-  const config = {
-    responsive: false, displaylogo: false, displayModeBar: 'hover',
-    modeBarButtonsToRemove: ['select2d', 'lasso2d', 'autoScale2d', 'toImage'],
-    modeBarButtonsToAdd: ['svg', 'png'].map(format => ({
-      name: `Save as ${format.toUpperCase()}`, title: `Save as ${format.toUpperCase()}`,
-      icon: format === 'svg' ? Plotly.Icons.disk : Plotly.Icons.camera,
-      click: plot => Plotly.downloadImage(plot, { format, filename: `riffle-${plot.id}`, width: plot.clientWidth, height: plot.clientHeight,
-        scale: format === 'png' ? 3 : 1 }),
-    })),
-  };
-
-  const drawn = [];
-
-  function frame(id, where, name) {
-    const figure = element('figure', { id: `figure-${id}` });
-    at(where).append(figure);
-    figure.dataset.name = name;
-    return figure;
-  }
-
-  function missing(figure, id, name) {
-    figure.append(element('p', { class: 'note' }, `${name}: ${data.notes[id] || 'the results file does not hold the data for this figure.'}`));
-  }
-
-  function caption(figure, text) {
-    count += 1;
-    const made = element('figcaption');
-    made.append(element('b', {}, `Figure ${count}. `), marked(text));
-    figure.append(made);
-  }
-
-  // On paper the column's width is known (A4 with the style's margins, at 96 px per inch) before the browser has
-  // laid out the printed page.
-  let on_paper = false;
-  const paper = { whole: 686, half: 334 };
-  function width_of(plot) {
-    if (!on_paper) return plot.clientWidth;
-    return plot.closest('.pair') ? paper.half : paper.whole;
-  }
+  const missing = (figure, id, name) =>
+    page.missing(figure, `${name}: ${data.notes[id] || 'the results file does not hold the data for this figure.'}`);
 
   function plain(id, where, name, builder) {
-    const figure = frame(id, where, name), built = builder(data);
+    const figure = page.frame(id, where, name), built = builder(data);
     if (!built) { missing(figure, id, name); return; }
-    const plot = element('div', { class: 'plot', id: `plot-${id}`, role: 'img', 'aria-label': name });
-    figure.append(plot);
-    caption(figure, built.caption);
-    // Paper and telephones get smaller letters; paper lower figures too, so that two rows share a page.
-    const show = () => {
-      const width = width_of(plot), small = width < 400, font = { ...built.layout.font, size: small ? 11.5 : 13 };
-      const legends = Object.fromEntries(Object.entries(built.layout).filter(([key]) => key.startsWith('legend'))
-        .map(([key, legend]) => [key, { ...legend, font: { size: small ? 10.5 : 12 } }]));
-      const height = Math.round(on_paper ? (built.paper_share || 0.76) * built.height : built.height);
-      return Plotly.react(plot, built.traces, { ...built.layout, ...legends, font, width, height }, config);
-    };
-    drawn.push({ plot, show });
-    show();
+    const made = page.plain(figure, id, name, built);
+    page.caption(figure, marked(built.caption));
+    made.add_tools();
   }
 
   function particles() {
-    const figure = frame('field', 'field-figures', 'Flow field');
+    const figure = page.frame('field', 'field-figures', 'Flow field');
     if (!data.snapshot || !field.available(data.snapshot).length) { missing(figure, 'field', 'Flow field'); return; }
     const choices = element('div', { class: 'choices', role: 'group', 'aria-label': 'Quantity shown' });
     const plot = element('div', { class: 'plot', id: 'plot-field', role: 'img', 'aria-label': 'Flow field' });
     const readout = element('p', { class: 'readout' });
     figure.append(choices, plot, readout);
-    caption(figure, field.caption(data));
-    drawn.push({ plot, show: field.draw(data, plot, choices, readout, config, () => width_of(plot)) });
+    page.caption(figure, marked(field.caption(data)));
+    let show = null;
+    page.watch({ plot, is_drawn: false, show: () => {
+      if (show) show(); else show = field.draw(data, plot, choices, readout, page.config, () => page.width_of(plot));
+    } }, 260);
+    page.tools(figure, plot, 'field', [{ name: 'field.csv', button: 'CSV', content: () => field.csv(data.snapshot) }]);
   }
 
   function facts() {
@@ -198,15 +138,7 @@
     });
   }
 
-  function contents() {
-    for (const section of document.querySelectorAll('main > section[id]')) {
-      const heading = section.querySelector('h2');
-      if (heading) at('contents').append(element('a', { href: `#${section.id}` }, heading.textContent));
-    }
-  }
-
   verdict();
-  contents();
   summary();
   plain('velocity', 'profile-figures', 'Velocity profile', figures.velocity);
   plain('log-law', 'profile-figures', 'Logarithmic profile', figures.logLaw);
@@ -217,15 +149,14 @@
   plain('history', 'history-figures', 'History of velocity, forces and level', figures.history);
   particles();
   plain('surface', 'field-figures', 'Surface elevation in space and time', figures.surface);
+  const analyses = JSON.parse(at('analysis-data').textContent).analyses;
+  const runs = analyses.map((analysis, index) => ({ name: analysis.name, index, analysis }));
+  chapters.warnings(at('chapters'), runs);
+  chapters.add(at('chapters'), runs);
   diagnostics();
   plain('health', 'diagnostic-figures', 'Signs of health over time', figures.health);
   facts();
   caseText();
+  page.contents();
 
-  // Refit the figures when the width changes: a resized window, or paper.
-  const refit = () => drawn.forEach(({ plot, show }) => { if (plot._fullLayout && plot._fullLayout.width !== width_of(plot)) show(); });
-  let waiting = 0;
-  addEventListener('resize', () => { clearTimeout(waiting); waiting = setTimeout(refit, 120); });
-  addEventListener('beforeprint', () => { on_paper = true; refit(); });
-  addEventListener('afterprint', () => { on_paper = false; refit(); });
 })();

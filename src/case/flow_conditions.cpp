@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "base/error.hpp"
 #include "case/case_text.hpp"
@@ -131,6 +132,20 @@ Case builtin_case(std::string_view name) {
     }
     c.text = case_text(c);
     return c;
+}
+
+std::optional<int> flow_condition_of(const Case& c) {
+    constexpr double close = 1e-6;  // m, and of the slope: cases are written with four digits
+    if (c.bed.kind != BedKind::spheres || std::abs(c.bed.sphere_diameter - Bed{}.sphere_diameter) > close) {
+        return std::nullopt;
+    }
+    for (std::size_t i = 0; i < conditions.size(); ++i) {
+        if (std::abs(c.channel.depth - conditions[i].depth) < close &&
+            std::abs(c.channel.slope - conditions[i].slope) < close) {
+            return static_cast<int>(i) + 1;
+        }
+    }
+    return std::nullopt;
 }
 
 }  // namespace riffle

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,5 +15,9 @@ namespace riffle {
 
 /// The built-in case of that name; the files of cases/ hold the same. Throws InputError for an unknown name.
 [[nodiscard]] Case builtin_case(std::string_view name);
+
+/// The flow condition of the thesis' Table 3.1 whose depth, slope and spheres a case has, whatever its
+/// closure and numerics; nothing where it has none of theirs.
+[[nodiscard]] std::optional<int> flow_condition_of(const Case& c);
 
 }  // namespace riffle

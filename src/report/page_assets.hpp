@@ -1,17 +1,18 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 
 namespace riffle {
 
-/// The parts of the report's page, embedded in the binary from web/ (cmake/web.cmake).
+/// The parts of the report's pages, embedded in the binary from web/ (cmake/web.cmake).
 struct PageAssets {
-    std::string_view html;    ///< the page with {{name}} where the other parts go
-    std::string_view style;   ///< CSS
-    std::string_view plotly;  ///< the figure library
-    std::string_view script;  ///< the page's own first script: figures
-    std::string_view field;   ///< second: picture of the flow field
-    std::string_view page;    ///< third: puts the page together
+    std::string_view report;      ///< the page of one run, with {{name}} where the other parts go
+    std::string_view comparison;  ///< the page of several runs
+    std::string_view style;       ///< CSS
+    std::string_view plotly;      ///< the figure library
+    std::string report_script;    ///< scripts of the page of one run
+    std::string comparison_script;
 };
 
 [[nodiscard]] PageAssets page_assets();

@@ -2,7 +2,9 @@
 
 #include <string>
 #include <system_error>
+#include <vector>
 
+#include "analysis/analysis_json.hpp"
 #include "base/error.hpp"
 #include "base/markup.hpp"
 #include "base/version.hpp"
@@ -11,31 +13,49 @@
 #include "report/page_assets.hpp"
 #include "report/report_data.hpp"
 #include "report/report_json.hpp"
+#include "report/summary_json.hpp"
 
 namespace riffle {
 
 namespace {
 
-std::string make_html(const ReportData& data) {
+/// The analyses as a data block of the page.
+std::string analyses_block(const std::vector<Analysis>& analyses) {
+    return escape_json_for_script(analysis_to_json(analyses));
+}
+
+std::string make_html(const ReportData& data, const Analysis& analysis) {
     const PageAssets assets = page_assets();
-    std::string script(assets.script);
-    script.append("\n").append(assets.field).append("\n").append(assets.page);
-    return fill_page(assets.html, {{"title", escape_markup(data.title)},
-                                   {"generator", escape_markup("Riffle " + version())},
-                                   {"style", std::string(assets.style)},
-                                   {"data", escape_json_for_script(page_json(data))},
-                                   {"plotly", std::string(assets.plotly)},
-                                   {"script", script}});
+    return fill_page(assets.report, {{"title", escape_markup(data.title)},
+                                     {"generator", escape_markup("Riffle " + version())},
+                                     {"style", std::string(assets.style)},
+                                     {"data", escape_json_for_script(page_json(data))},
+                                     {"analyses", analyses_block({analysis})},
+                                     {"plotly", std::string(assets.plotly)},
+                                     {"script", assets.report_script}});
 }
 
 }  // namespace
 
-std::string report_html(const std::filesystem::path& results) {
-    return make_html(collect_report_data(results));
+std::string report_html(const std::filesystem::path& results, const Analysis& analysis) {
+    return make_html(collect_report_data(results), analysis);
 }
 
-std::string report_summary_json(const std::filesystem::path& results) {
-    return summary_json(collect_report_data(results));
+std::string report_summary_json(const std::filesystem::path& results, const Analysis& analysis) {
+    return summary_json(collect_report_data(results), analysis);
+}
+
+std::string comparison_html(const Comparison& comparison) {
+    const PageAssets assets = page_assets();
+    std::vector<Analysis> analyses;
+    for (const ComparedRun& run : comparison.runs) analyses.push_back(run.analysis);
+    return fill_page(assets.comparison, {{"title", escape_markup(comparison.title)},
+                                         {"generator", escape_markup("Riffle " + version())},
+                                         {"style", std::string(assets.style)},
+                                         {"data", escape_json_for_script(comparison_page_json(comparison))},
+                                         {"analyses", analyses_block(analyses)},
+                                         {"plotly", std::string(assets.plotly)},
+                                         {"script", assets.comparison_script}});
 }
 
 std::filesystem::path find_results_file(const std::filesystem::path& path) {
@@ -53,11 +73,22 @@ std::filesystem::path find_results_file(const std::filesystem::path& path) {
     return path;
 }
 
+std::filesystem::path summary_beside(const std::filesystem::path& html) {
+    const std::string stem = html.stem().string();
+    return html.parent_path() / (stem == "report" ? "summary.json" : stem + "-summary.json");
+}
+
 void write_report(const std::filesystem::path& results, const std::filesystem::path& html,
-                  const std::filesystem::path& json) {
+                  const std::filesystem::path& json, const Analysis& analysis) {
     const ReportData data = collect_report_data(results);
-    write_text_atomically(html, make_html(data));
-    if (!json.empty()) write_text_atomically(json, summary_json(data));
+    write_text_atomically(html, make_html(data, analysis));
+    if (!json.empty()) write_text_atomically(json, summary_json(data, analysis));
+}
+
+void write_comparison(const Comparison& comparison, const std::filesystem::path& html,
+                      const std::filesystem::path& json) {
+    write_text_atomically(html, comparison_html(comparison));
+    if (!json.empty()) write_text_atomically(json, comparison_summary_json(comparison));
 }
 
 }  // namespace riffle

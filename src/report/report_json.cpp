@@ -4,75 +4,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "hydraulics/channel_laws.hpp"
+#include "report/json_parts.hpp"
 #include "report/run_facts.hpp"
+#include "report/summary_json.hpp"
 
 namespace riffle {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-/// Six significant digits: finer than any figure, and half the size of the page.
-Json rounded(double value) {
-    if (!std::isfinite(value)) return nullptr;
-    if (value == 0) return 0.0;
-    const double scale = std::pow(10.0, 5 - std::floor(std::log10(std::abs(value))));
-    return std::isfinite(scale) && scale > 0 ? std::round(value * scale) / scale : value;
-}
-
-Json exact(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
-Json array_of(const std::vector<double>& values, std::size_t stride = 1) {
-    Json array = Json::array();
-    for (std::size_t i = 0; i < values.size(); i += stride) array.push_back(rounded(values[i]));
-    return array;
-}
-
 Json object_of(const Columns& columns, std::size_t stride = 1) {
     Json object = Json::object();
     for (const auto& [name, values] : columns) object[name] = array_of(values, stride);
     return object;
-}
-
-const char* word(Health mark) {
-    switch (mark) {
-        case Health::good:
-            return "good";
-        case Health::caution:
-            return "caution";
-        case Health::bad:
-            return "bad";
-        case Health::none:
-            break;
-    }
-    return "none";
-}
-
-Json estimate_json(const std::optional<Estimate>& estimate) {
-    if (!estimate) return nullptr;
-    Json object = {{"value", exact(estimate->value)}};
-    if (estimate->half_width) object["half_width"] = exact(*estimate->half_width);
-    return object;
-}
-
-Json diagnostics_json(const std::vector<Diagnostic>& diagnostics) {
-    Json array = Json::array();
-    for (const Diagnostic& row : diagnostics) {
-        array.push_back({{"key", row.key},
-                         {"label", row.label},
-                         {"value", row.value},
-                         {"healthy", row.healthy},
-                         {"explanation", row.explanation},
-                         {"status", word(row.mark)}});
-    }
-    return array;
-}
-
-Json verdict_json(const Verdict& verdict) {
-    return {{"status", word(verdict.mark)}, {"headline", verdict.headline}, {"sentences", verdict.sentences}};
 }
 
 Json geometry_json(const ReportData& data) {
@@ -187,15 +132,6 @@ Json snapshot_json(const ReportData& data) {
             {"surface", {{"x", array_of(snapshot.surface_x)}, {"z", array_of(snapshot.surface_z)}}}};
 }
 
-std::string kicker(const ReportData& data) {
-    const Case& c = data.flow;
-    return fmt::format("Riffle {} · water depth {:.4g} mm above the datum, slope {:.4g}{}",
-                       data.riffle_version, 1000 * c.channel.depth, c.channel.slope,
-                       c.bed.kind == BedKind::spheres
-                           ? fmt::format(", spheres of {:.3g} mm", 1000 * c.bed.sphere_diameter)
-                           : std::string{});
-}
-
 std::string summary_note(const ReportData& data) {
     std::string note =
         "The column twin is the steady one-dimensional solution of the same equations, closure and drag: "
@@ -220,50 +156,15 @@ std::string summary_note(const ReportData& data) {
 
 }  // namespace
 
-std::string summary_json(const ReportData& data) {
-    const std::vector<Quantity> quantities = summarize(data);
-    const std::vector<Diagnostic> diagnostics = diagnose(data);
-    Json values = Json::object();
-    for (const Quantity& row : quantities) {
-        values[row.key] = {{"simulated", estimate_json(row.simulated)},
-                           {"measured", estimate_json(row.measured)},
-                           {"column", estimate_json(row.column)}};
-    }
-    const Json object = {{"format", "riffle-report-summary"},
-                         {"title", data.title},
-                         {"riffle_version", data.riffle_version},
-                         {"build", data.build},
-                         {"results", data.source.string()},
-                         {"complete", data.complete},
-                         {"converged", find_value(data.summary, "converged").value_or(0.0) != 0.0},
-                         {"window", {{"start", data.window_start}, {"end", data.window_end}}},
-                         {"quantities", values},
-                         {"diagnostics", diagnostics_json(diagnostics)},
-                         {"verdict", verdict_json(judge(data, quantities, diagnostics))}};
-    return object.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-}
-
 std::string page_json(const ReportData& data) {
     const std::vector<Quantity> quantities = summarize(data);
     const std::vector<Diagnostic> diagnostics = diagnose(data);
-    Json rows = Json::array();
-    for (const Quantity& row : quantities) {
-        rows.push_back({{"key", row.key},
-                        {"label", row.label},
-                        {"symbol", row.symbol},
-                        {"unit", row.unit},
-                        {"factor", row.factor},
-                        {"digits", row.digits},
-                        {"simulated", estimate_json(row.simulated)},
-                        {"measured", estimate_json(row.measured)},
-                        {"column", estimate_json(row.column)}});
-    }
     Json facts = Json::array();
     for (const Fact& fact : run_facts(data)) facts.push_back({{"label", fact.label}, {"value", fact.value}});
-    const Json object = {{"kicker", kicker(data)},
+    const Json object = {{"kicker", flow_line(data)},
                          {"description", data.flow.description},
                          {"verdict", verdict_json(judge(data, quantities, diagnostics))},
-                         {"quantities", std::move(rows)},
+                         {"quantities", quantity_rows(quantities)},
                          {"summary_note", summary_note(data)},
                          {"geometry", geometry_json(data)},
                          {"profiles", profiles_json(data)},
@@ -278,7 +179,7 @@ std::string page_json(const ReportData& data) {
                          {"run", std::move(facts)},
                          {"notes", data.notes},
                          {"case_text", data.flow.text}};
-    return object.dump(-1, ' ', false, Json::error_handler_t::replace);
+    return json_text(object, -1);
 }
 
 }  // namespace riffle

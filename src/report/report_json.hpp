@@ -9,9 +9,6 @@
 
 namespace riffle {
 
-/// The summary for machines, JSON in SI: title, versions, window, quantities, diagnostics, verdict.
-[[nodiscard]] std::string summary_json(const ReportData& data);
-
 /// The page's data block, JSON in SI: everything that its tables and figures show.
 [[nodiscard]] std::string page_json(const ReportData& data);
 

@@ -4,15 +4,10 @@
 // visible trace of finite data, the tables hold numbers, the field picture is painted, the page fits a desk and
 // a telephone, it prints. --partial allows notes in place of figures and a short
 // summary (a run that has only just started, a tank).
-// Needs the browser named by CHROMIUM (default /usr/bin/chromium) and web/node_modules (npm ci --prefix web).
 
 import { existsSync, mkdirSync, statSync, writeFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
-import { dirname, join, resolve } from 'node:path';
-import { fileURLToPath, pathToFileURL } from 'node:url';
-
-const here = dirname(fileURLToPath(import.meta.url));
-const { chromium } = createRequire(join(here, '../../web/package.json'))('playwright-core');
+import { join, resolve } from 'node:path';
+import { check, check_figure, draw_all, finish, inspect, launch, open as open_page } from './browser.mjs';
 
 const options = process.argv.slice(2);
 const partial = options.includes('--partial');
@@ -25,30 +20,6 @@ const file = resolve(page_file);
 if (folder) mkdirSync(folder, { recursive: true });
 
 const expected = ['velocity', 'log-law', 'gradient', 'deviation', 'stress', 'pressure', 'history', 'field', 'surface', 'health'];
-const failures = [];
-const check = (ok, what) => { if (!ok) failures.push(what); };
-
-// What stands in one figure, read inside the browser.
-const inspect = id => {
-  const figure = document.getElementById(`figure-${id}`);
-  if (!figure) return { present: false };
-  const note = figure.querySelector('.note'), plot = figure.querySelector('.js-plotly-plot');
-  if (note) return { present: true, note: note.textContent };
-  if (!plot) return { present: true };
-  const axes = Object.keys(plot._fullLayout).filter(key => /^[xy]axis\d*$/.test(key)).map(key => plot._fullLayout[key]);
-  // An axis may leave its title to the one that it is tied to.
-  const untitled = axes.filter(axis => axis.showticklabels !== false && !(axis.title && axis.title.text)).length;
-  const drawn = [...plot.querySelectorAll('.xtitle, .ytitle, .x2title, .y2title, .y3title')].filter(text => text.textContent.trim()).length;
-  const finite = values => values && [...values].flat().some(value => Number.isFinite(value));
-  const traces = plot._fullData.filter(trace => trace.visible === true && (trace.z ? finite(trace.z) : finite(trace.x) && finite(trace.y)));
-  const marks = plot.querySelectorAll('.scatterlayer path, .imagelayer image, .heatmaplayer image').length;
-  const box = plot.querySelector('.main-svg').getBoundingClientRect();
-  const ranges = axes.every(axis => axis.range.every(Number.isFinite));
-  const caption = figure.querySelector('figcaption');
-  return { present: true, untitled, drawn, traces: traces.length, marks, width: box.width, height: box.height, ranges,
-    caption: caption ? caption.textContent : '' };
-};
-
 // Share of painted pixels in the field's picture, and its number of distinct colours.
 const painted = async () => {
   const image = document.querySelector('#figure-field .imagelayer image');
@@ -72,29 +43,12 @@ const painted = async () => {
   return { share: count / (data.length / 4), colours: colours.size };
 };
 
-const browser = await chromium.launch({
-  executablePath: process.env.CHROMIUM || '/usr/bin/chromium',
-  args: ['--no-sandbox', '--disable-gpu', '--disable-dev-shm-usage', '--disable-background-networking',
-    '--disable-component-update', '--no-first-run', '--disable-sync', '--disable-extensions'],
-});
-
-async function open(width, height, scheme) {
-  const context = await browser.newContext({ viewport: { width, height }, colorScheme: scheme, offline: true, deviceScaleFactor: 1 });
-  const page = await context.newPage();
-  const where = `at ${width} px, ${scheme}`;
-  page.on('console', message => { if (['error', 'warning'].includes(message.type())) failures.push(`${where}: console ${message.type()}: ${message.text()}`); });
-  page.on('pageerror', error => failures.push(`${where}: script error: ${error.message}`));
-  page.on('request', request => {
-    const url = request.url();
-    if (url !== pathToFileURL(file).href && !/^(data|blob):/.test(url)) failures.push(`${where}: the page asked for ${url}`);
-  });
-  await page.goto(pathToFileURL(file).href, { waitUntil: 'load' });
-  await page.waitForTimeout(300);
-  return { context, page, where };
-}
+const browser = await launch();
+const open = (width, height, scheme) => open_page(browser, file, width, height, scheme);
 
 async function check_page(width, height, scheme) {
   const { context, page, where } = await open(width, height, scheme);
+  await draw_all(page);
   for (const id of expected) {
     const state = await page.evaluate(inspect, id);
     check(state.present, `${where}: figure ${id} is missing`);
@@ -104,11 +58,7 @@ async function check_page(width, height, scheme) {
       check(state.note.length > 20, `${where}: the note in place of figure ${id} says nothing`);
       continue;
     }
-    check(state.untitled === 0 && state.drawn >= 2, `${where}: figure ${id} has an axis without a title`);
-    check((state.traces >= 1 || id === 'field') && state.marks >= 1, `${where}: figure ${id} shows no data`);
-    check(state.width > 200 && state.height > 120, `${where}: figure ${id} is ${state.width} x ${state.height} px`);
-    check(state.ranges, `${where}: figure ${id} has an axis without a range`);
-    check(/^Figure \d+\. .{40}/.test(state.caption), `${where}: figure ${id} has no caption`);
+    check_figure(id, state, where);
   }
   const overflow = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
   check(overflow <= 0, `${where}: the page is ${overflow} px wider than the window`);
@@ -158,13 +108,13 @@ try {
   }
   // On paper each figure must fit its column of the A4 page: 182 mm, or half of it less the gap.
   await page.evaluate(() => addEventListener('beforeprint', () => {
-    window.printed = [...document.querySelectorAll('.js-plotly-plot')].map(plot => [plot.id, plot._fullLayout.width, plot.closest('.pair') ? 335 : 688]);
+    window.printed = [...document.querySelectorAll('.js-plotly-plot')].map(plot => [plot.id, plot._fullLayout.width, plot.closest('.pair') && !plot.closest('.wide') ? 335 : 688]);
   }));
   const paper = await page.pdf({ preferCSSPageSize: true, printBackground: true });
   check(paper.length > 50_000 && paper.subarray(0, 5).toString() === '%PDF-', `${where}: printing gave no PDF`);
   if (folder) writeFileSync(join(folder, 'report.pdf'), paper);
   const printed = await page.evaluate(() => window.printed || []);
-  check(partial || printed.length === expected.length, `on paper: ${printed.length} figures were refitted`);
+  check(partial || printed.length >= expected.length, `on paper: ${printed.length} figures were refitted`);
   for (const [id, width, column] of printed) check(width <= column, `on paper: ${id} is ${width} px wide, its column ${column} px`);
   await context.close();
 
@@ -177,8 +127,4 @@ try {
 }
 
 check(existsSync(file) && statSync(file).size < 12e6, 'the report is larger than 12 MB');
-if (failures.length) {
-  console.error(failures.map(failure => `FAIL ${failure}`).join('\n'));
-  process.exit(1);
-}
-console.log(`report looks right: ${file}`);
+finish(`report looks right: ${file}`);

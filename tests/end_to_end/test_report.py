@@ -5,7 +5,7 @@ import shutil
 import subprocess
 from pathlib import Path
 
-from riffle_cli import CASE, SMALL, SOURCE, CommandLineTest, every, main, start, until, wait_for
+from riffle_cli import CASE, RIFFLE, SMALL, SOURCE, CommandLineTest, every, main, start, until, wait_for
 
 CHROMIUM = os.environ.get("CHROMIUM", "/usr/bin/chromium")
 
@@ -14,11 +14,50 @@ class Report(CommandLineTest):
     def test_report_prints_its_path_and_the_summary_as_json(self):
         folder = self.run_small("run", 1)
         printed = self.succeed("report", folder).stdout.split()
-        self.assertEqual(printed, [str(folder / "report.html")])
-        page, summary = self.folder / "page.html", self.folder / "summary.json"
+        self.assertEqual(printed, [str(folder / "report.html"), str(folder / "summary.json")])
+        page, summary = self.folder / "page.html", self.folder / "other.json"
         self.succeed("report", folder / "results.h5", "-o", page, "--json", summary)
         self.assertEqual(page.read_bytes(), (folder / "report.html").read_bytes())
-        self.assertTrue(json.loads(summary.read_text()))
+        self.assertEqual(summary.read_bytes(), (folder / "summary.json").read_bytes())
+        found = json.loads(summary.read_text())
+        self.assertEqual(found["format"], "riffle-report-summary")
+        self.assertIn("depth_mean_velocity", found["quantities"])
+
+    def test_several_runs_are_compared_and_named_by_what_differs(self):
+        folders = [self.run_small("one", 0.5), self.run_small("two", 0.5, "--set", "turbulence.lambda=0.1")]
+        printed = self.succeed("report", *folders, "-o", self.folder / "both.html").stdout.split()
+        self.assertEqual(printed, [str(self.folder / "both.html"), str(self.folder / "both-summary.json")])
+        summary = json.loads((self.folder / "both-summary.json").read_text())
+        self.assertEqual([run["name"] for run in summary["runs"]], ["lambda 0.09", "lambda 0.1"])
+        self.assertEqual([row["key"] for row in summary["differences"]], ["turbulence.lambda"])
+
+    def test_thesis_chapter_names_the_conditions_that_are_missing(self):
+        self.run_small("runs/condition-2", 0.5)
+        result = self.succeed("report", "--thesis", self.folder / "runs")
+        self.assertTrue((self.folder / "runs/thesis.html").exists())
+        summary = json.loads((self.folder / "runs/thesis-summary.json").read_text())
+        missing = [row["what"] for row in summary["missing"]]
+        for number in (1, 3, 5, 6, 7, 8):
+            self.assertIn(f"flow condition {number}", missing)
+            self.assertIn(f"flow condition {number} is not among the results", result.stderr)
+        self.assertNotIn("flow condition 2", missing)
+
+    def test_script_of_the_thesis_chapter_makes_all_its_runs(self):
+        script = [SOURCE / "tools/thesis-chapter.sh", "-o", self.folder / "thesis"]
+        coarse = ["--set", "numerics.spacing=2.5mm", "--set", "channel.length=0.06", "--set", "run.until=0.1s"]
+        for again in ([], ["complete"]):
+            made = subprocess.run([*script, *coarse], capture_output=True, text=True, timeout=240,
+                                  env={**os.environ, "RIFFLE": RIFFLE})
+            self.assertEqual(made.returncode, 0, made.stderr)
+            for words in again:
+                self.assertIn(words, made.stdout)
+        summary = json.loads((self.folder / "thesis/thesis-summary.json").read_text())
+        self.assertEqual(summary["missing"], [])
+        self.assertEqual(len(summary["runs"]), 12)
+
+    def test_thesis_chapter_of_a_folder_without_runs(self):
+        (self.folder / "empty").mkdir()
+        self.fail_with(3, "report", "--thesis", self.folder / "empty", says=["thesis-chapter.sh"])
 
     def test_report_of_a_run_that_has_only_started(self):
         folder = self.folder / "run"
@@ -43,12 +82,35 @@ class Report(CommandLineTest):
         self.succeed("report", folder)
         self.look_at(folder / "report.html")
 
-    def look_at(self, page, *options):
+    def test_every_kind_of_figure_in_a_browser(self):
+        self.sample_pages()
+        self.look_at(self.folder / "report.html", "--figures", "settling,velocity_profile,elevation_density,"
+                     "elevation_spectrum,elevation_map,wavenumber_frequency,correlation,velocity_field",
+                     script="figures_browser.mjs")
+
+    def test_comparison_in_a_browser(self):
+        self.sample_pages()
+        self.look_at(self.folder / "comparison.html", "--figures", "velocity_profile,elevation_map,velocity_field",
+                     "--save", "velocity_profile,elevation_map", script="figures_browser.mjs")
+        page = (self.folder / "comparison.html").read_text()
+        self.assertIn("lambda 0.09", page)
+
+    def test_thesis_chapter_in_a_browser(self):
+        self.sample_pages()
+        self.look_at(self.folder / "thesis.html", "--save", "velocity_profile", script="figures_browser.mjs")
+
+    def sample_pages(self):
+        program = os.environ.get("RIFFLE_SAMPLE_REPORT")
+        if not program:
+            self.skipTest("no RIFFLE_SAMPLE_REPORT: the program tests/end_to_end/sample_report.cpp")
+        subprocess.run([program, self.folder], check=True, timeout=60)
+
+    def look_at(self, page, *options, script="report_browser.mjs"):
         if not shutil.which("node") or not Path(CHROMIUM).exists():
             self.skipTest(f"no node or no browser at {CHROMIUM} (packages nodejs, chromium)")
         if not (SOURCE / "web/node_modules/playwright-core").exists():
             self.skipTest("no playwright-core: npm ci --prefix web")
-        browser = subprocess.run(["node", SOURCE / "tests/end_to_end/report_browser.mjs", page, *options],
+        browser = subprocess.run(["node", SOURCE / "tests/end_to_end" / script, page, *options],
                                  capture_output=True, text=True, timeout=240)
         self.assertEqual(browser.returncode, 0, browser.stdout + browser.stderr)
 

@@ -37,17 +37,23 @@ TEST(HtmlPage, APlaceWithoutAPartIsAnError) {
 
 TEST(PageAssets, AreWholeAndAskForNothingOutside) {
     const PageAssets assets = page_assets();
-    EXPECT_THAT(std::string(assets.html), ::testing::StartsWith("<!DOCTYPE html>"));
-    EXPECT_THAT(std::string(assets.html), ::testing::EndsWith("</html>\n"));
+    for (const std::string_view page : {assets.report, assets.comparison}) {
+        EXPECT_THAT(std::string(page), ::testing::StartsWith("<!DOCTYPE html>"));
+        EXPECT_THAT(std::string(page), ::testing::EndsWith("</html>\n"));
+        // Nothing from outside can be loaded or run.
+        EXPECT_THAT(std::string(page), HasSubstr("default-src 'none'"));
+    }
     EXPECT_GT(assets.plotly.size(), 500'000U);
+    const std::string_view report_script = assets.report_script;
+    const std::string_view comparison_script = assets.comparison_script;
     for (const std::string_view part :
-         {assets.html, assets.style, assets.script, assets.field, assets.page}) {
+         {assets.report, assets.comparison, assets.style, report_script, comparison_script}) {
         EXPECT_FALSE(part.empty());
         EXPECT_THAT(std::string(part), Not(HasSubstr("http:")));
         EXPECT_THAT(std::string(part), Not(HasSubstr("https:")));
     }
     // Scripts stand inside a script block of the page.
-    for (const std::string_view part : {assets.plotly, assets.script, assets.field, assets.page}) {
+    for (const std::string_view part : {assets.plotly, report_script, comparison_script}) {
         EXPECT_EQ(part.find("</script"), std::string_view::npos);
     }
 }

@@ -16,6 +16,8 @@
 #include "report/report.hpp"
 #include "report/report_data.hpp"
 #include "report/report_json.hpp"
+#include "report/summary_json.hpp"
+#include "sample_analysis.hpp"
 #include "sample_results.hpp"
 
 namespace riffle {
@@ -81,6 +83,25 @@ TEST_F(Report, PageCarriesTheWholeReportInOneFile) {
         EXPECT_FALSE(data.at(key).is_null()) << key;
     EXPECT_TRUE(data.at("notes").empty());
     EXPECT_EQ(data.at("case_text"), sample_case());
+}
+
+TEST_F(Report, PageAndSummaryCarryTheAnalysis) {
+    const auto html = folder_ / "report.html";
+    const auto summary_file = folder_ / "summary.json";
+    const Analysis analysis = testing::sample_analysis("sample");
+    write_report(sample(), html, summary_file, analysis);
+    const std::string text = text_of(html);
+    const std::string open = R"(id="analysis-data">)";
+    const std::size_t from = text.find(open) + open.size();
+    const json block = json::parse(text.substr(from, text.find("</script>", from) - from));
+    EXPECT_EQ(block.at("analyses").at(0).at("figures").size(), analysis.figures.size());
+    const json findings = json::parse(text_of(summary_file)).at("findings");
+    ASSERT_EQ(findings.size(), analysis.findings.size());
+    EXPECT_EQ(findings.at(0).at("key"), "depth_mean_velocity");
+    EXPECT_DOUBLE_EQ(findings.at(0).at("half_width"), 0.0012);
+    EXPECT_DOUBLE_EQ(findings.at(0).at("reference"), 0.35);
+    // The present readers of the summary find what they knew.
+    EXPECT_TRUE(json::parse(text_of(summary_file)).at("quantities").contains("depth_mean_velocity"));
 }
 
 TEST_F(Report, SummaryComparesTheRunWithMeasurementAndColumn) {

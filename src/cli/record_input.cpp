@@ -1,0 +1,67 @@
+#include "cli/record_input.hpp"
+
+#include <algorithm>
+
+#include "analysis/chapters.hpp"
+#include "analysis/laboratory_record.hpp"
+#include "analysis/run_record.hpp"
+#include "base/error.hpp"
+#include "report/report.hpp"
+
+namespace riffle {
+
+bool is_table(const std::filesystem::path& path) {
+    const std::string ending = path.extension().string();
+    return ending == ".csv" || ending == ".CSV" || ending == ".txt" || ending == ".dat";
+}
+
+Analysis analyse_input(const RecordInput& options, const std::string& input) {
+    if (is_table(input)) {
+        LaboratoryRecordOptions how;
+        how.window = options.window;
+        how.case_file = options.case_file;
+        how.calibration = options.calibration;
+        if (options.frequency > 0.0) how.sampling_frequency = options.frequency;
+        return analyse(LaboratoryRecord(input, how), options.chapter);
+    }
+    RunRecordOptions how;
+    how.window = options.window;
+    how.measured = options.measured;
+    return analyse(RunRecord(find_results_file(input), how), options.chapter);
+}
+
+void check_record_options(const RecordInput& options) {
+    const bool only_tables = std::all_of(options.inputs.begin(), options.inputs.end(),
+                                         [](const std::string& input) { return is_table(input); });
+    if (!options.measured.empty() && only_tables) {
+        throw InputError(
+            "--measured is what a run is compared with, but no results file is given; a CSV file alone "
+            "is analysed by naming it as an input");
+    }
+    const bool any = std::any_of(options.inputs.begin(), options.inputs.end(),
+                                 [](const std::string& input) { return is_table(input); });
+    const char* const given = !options.case_file.empty()     ? "--case"
+                              : !options.calibration.empty() ? "--calibration"
+                              : options.frequency > 0.0      ? "--frequency"
+                                                             : nullptr;
+    if (given != nullptr && !any) {
+        throw InputError(std::string(given) +
+                         " is about laboratory records, but no CSV file is given; a results "
+                         "file holds its own case and times");
+    }
+}
+
+void add_table_options(CLI::App& verb, RecordInput& options) {
+    verb.add_option(
+            "--case", options.case_file,
+            "Case file of the flow that CSV records were measured in: depth, slope, measured velocity")
+        ->type_name("CASE.toml");
+    verb.add_option("--frequency", options.frequency, "Sampling frequency of CSV records without times, Hz")
+        ->type_name("HZ")
+        ->check(CLI::PositiveNumber);
+    verb.add_option("--calibration", options.calibration,
+                    "Calibration of wave probes that recorded voltages: CSV of levels and voltages")
+        ->type_name("FILE.csv");
+}
+
+}  // namespace riffle

@@ -1,0 +1,38 @@
+#include "report/summary_json.hpp"
+
+#include <fmt/format.h>
+
+namespace riffle {
+
+Json summary_object(const ReportData& data, const Analysis& analysis) {
+    const std::vector<Quantity> quantities = summarize(data);
+    const std::vector<Diagnostic> diagnostics = diagnose(data);
+    return {{"format", "riffle-report-summary"},
+            {"title", data.title},
+            {"riffle_version", data.riffle_version},
+            {"build", data.build},
+            {"results", data.source.string()},
+            {"complete", data.complete},
+            {"converged", find_value(data.summary, "converged").value_or(0.0) != 0.0},
+            {"window", {{"start", data.window_start}, {"end", data.window_end}}},
+            {"quantities", quantities_by_key(quantities)},
+            {"diagnostics", diagnostics_json(diagnostics)},
+            {"verdict", verdict_json(judge(data, quantities, diagnostics))},
+            {"findings", findings_json(analysis)},
+            {"warnings", analysis.warnings}};
+}
+
+std::string summary_json(const ReportData& data, const Analysis& analysis) {
+    return json_text(summary_object(data, analysis), 2) + "\n";
+}
+
+std::string flow_line(const ReportData& data) {
+    const Case& c = data.flow;
+    return fmt::format("Riffle {} · water depth {:.4g} mm above the datum, slope {:.4g}{}",
+                       data.riffle_version, 1000 * c.channel.depth, c.channel.slope,
+                       c.bed.kind == BedKind::spheres
+                           ? fmt::format(", spheres of {:.3g} mm", 1000 * c.bed.sphere_diameter)
+                           : std::string{});
+}
+
+}  // namespace riffle

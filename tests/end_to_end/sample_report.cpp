@@ -1,0 +1,51 @@
+// Writes pages of sample results and analyses, with every kind of figure, for the browser's tests:
+//   sample_report DIR     leaves report.html, comparison.html and thesis.html with their summaries there
+
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "../unit/report/sample_analysis.hpp"
+#include "report/report.hpp"
+#include "report/thesis.hpp"
+#include "sample_results.hpp"
+
+namespace {
+
+riffle::ReportSubject subject(const std::filesystem::path& folder, const std::string& name, double scale,
+                              const std::string& more = {}) {
+    std::filesystem::create_directories(folder / name);
+    riffle::testing::SampleOptions options;
+    options.case_text = riffle::testing::sample_case() + more;
+    riffle::testing::write_sample_results(folder / name / "results.h5", options);
+    return {folder / name / "results.h5", riffle::testing::sample_analysis(name, scale)};
+}
+
+void write_pages(const std::filesystem::path& folder) {
+    const riffle::ReportSubject first = subject(folder, "first", 1.0);
+    const riffle::ReportSubject second = subject(folder, "second", 1.03, "\n[turbulence]\nlambda = 0.1\n");
+    riffle::write_report(first.results, folder / "report.html", folder / "summary.json", first.analysis);
+    const auto write = [&](const riffle::Comparison& comparison, const char* name) {
+        riffle::write_comparison(comparison, folder / name, riffle::summary_beside(folder / name));
+    };
+    write(riffle::compare({first, second, {{}, riffle::testing::sample_record("flume")}}), "comparison.html");
+    write(riffle::thesis_chapter({first, second}), "thesis.html");
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+    if (count != 2) {
+        std::fprintf(stderr, "usage: sample_report DIR\n");
+        return 2;
+    }
+    try {
+        write_pages(arguments[1]);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return 1;
+    }
+    return 0;
+}

@@ -1,0 +1,186 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "base/error.hpp"
+#include "case/flow_conditions.hpp"
+#include "report/comparison.hpp"
+#include "report/report.hpp"
+#include "report/thesis.hpp"
+#include "sample_analysis.hpp"
+#include "sample_results.hpp"
+
+namespace riffle {
+namespace {
+
+using nlohmann::json;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using testing::sample_analysis;
+using testing::sample_record;
+using testing::SampleOptions;
+using testing::write_sample_results;
+
+std::vector<std::string> names(const std::vector<Case>& cases, const std::vector<std::string>& otherwise) {
+    std::vector<const Case*> pointers;
+    for (const Case& c : cases) pointers.push_back(&c);
+    return names_of_cases(pointers, otherwise);
+}
+
+TEST(CaseNames, SayWhatDiffers) {
+    Case fine = builtin_case("condition-2");
+    fine.numerics.spacing = 0.0015;
+    EXPECT_THAT(names({builtin_case("condition-2"), fine}, {"a", "b"}),
+                ElementsAre("spacing 2 mm", "spacing 1.5 mm"));
+}
+
+TEST(CaseNames, NameTheFlowConditionsAndTheClosureWithinOne) {
+    Case sps = builtin_case("condition-3");
+    sps.turbulence.closure = ClosureKind::sps;
+    EXPECT_THAT(names({builtin_case("condition-1"), builtin_case("condition-3"), sps}, {"a", "b", "c"}),
+                ElementsAre("condition 1", "condition 3, closure ramp", "condition 3, closure sps"));
+}
+
+TEST(CaseNames, TakeTheFirstKeyThatAloneTellsThemApart) {
+    std::vector<Case> cases(3, builtin_case("condition-2"));
+    cases[0].channel.length = 0.1;  // the length alone leaves two of them alike
+    cases[1].numerics.spacing = 0.0015;
+    cases[2].numerics.spacing = 0.001;
+    EXPECT_THAT(names(cases, {"a", "b", "c"}), ElementsAre("spacing 2 mm", "spacing 1.5 mm", "spacing 1 mm"));
+}
+
+TEST(CaseNames, FallBackToTheFolderWhereTheCasesAreEqual) {
+    const std::vector<Case> cases(2, builtin_case("condition-2"));
+    EXPECT_THAT(names(cases, {"monday", "tuesday"}),
+                ElementsAre("condition 2 (monday)", "condition 2 (tuesday)"));
+}
+
+TEST(CaseNames, TitlesAndMeasuredValuesAreNoDifference) {
+    Case other = builtin_case("condition-2");
+    other.title = "another title";
+    other.measured.depth_mean_velocity = 0.36;
+    const Case first = builtin_case("condition-2");
+    EXPECT_THAT(case_differences({&first, &other}), IsEmpty());
+}
+
+class Compared : public ::testing::Test {
+  protected:
+    void SetUp() override {
+        const auto* const test = ::testing::UnitTest::GetInstance()->current_test_info();
+        folder_ = std::filesystem::path(::testing::TempDir()) /
+                  ("riffle-comparison-" + std::to_string(getpid()) + "-" + test->name());
+        std::filesystem::create_directories(folder_);
+    }
+    void TearDown() override {
+        std::error_code error;
+        std::filesystem::remove_all(folder_, error);
+    }
+
+    /// A run of a built-in case, in a folder of its own.
+    ReportSubject run(const std::string& name, const Case& c) {
+        std::filesystem::create_directories(folder_ / name);
+        SampleOptions options;
+        options.case_text = text_of(c);
+        const auto path = folder_ / name / "results.h5";
+        write_sample_results(path, options);
+        return {path, sample_analysis(name)};
+    }
+
+    static std::string text_of(const Case& c) {
+        const std::string closure =
+            c.turbulence.closure == ClosureKind::sps ? "\n[turbulence]\nclosure = \"sps\"\n" : "";
+        return "title = \"" + c.title + "\"\n[channel]\nslope = " + std::to_string(c.channel.slope) +
+               "\ndepth = " + std::to_string(c.channel.depth) +
+               "\n[bed]\nsphere_diameter = \"25 mm\"\nroughness_height = \"0.4 D\"\ndatum_below_crest = \"4 "
+               "mm\"\n" +
+               "[numerics]\nspacing = " + std::to_string(c.numerics.spacing) + "\n" + closure;
+    }
+
+    std::filesystem::path folder_;
+};
+
+TEST_F(Compared, RunsAndRecordsStandOnOnePage) {
+    Case fine = builtin_case("condition-2");
+    fine.numerics.spacing = 0.001;
+    const Comparison comparison =
+        compare({run("coarse", builtin_case("condition-2")), run("fine", fine), {{}, sample_record("adv")}});
+    const json page = json::parse(comparison_page_json(comparison));
+    EXPECT_EQ(page.at("runs").at(0).at("name"), "spacing 2 mm");
+    EXPECT_EQ(page.at("runs").at(2).at("kind"), "record");
+    EXPECT_EQ(page.at("runs").at(2).at("name"), "adv");
+    EXPECT_EQ(page.at("differences").at(0).at("values"), json({"2 mm", "1 mm", "–"}));
+    EXPECT_EQ(page.at("sets").at(0).at("members"), json({0, 1, 2}));
+
+    const auto html = folder_ / "comparison.html";
+    write_comparison(comparison, html, summary_beside(html));
+    EXPECT_TRUE(std::filesystem::exists(folder_ / "comparison-summary.json"));
+}
+
+TEST_F(Compared, SummaryHoldsEachRunsFindingsAndVerdict) {
+    const Comparison comparison =
+        compare({run("one", builtin_case("condition-2")), {{}, sample_record("adv")}});
+    const json summary = json::parse(comparison_summary_json(comparison));
+    EXPECT_EQ(summary.at("format"), "riffle-report-comparison");
+    const json& first = summary.at("runs").at(0);
+    EXPECT_EQ(first.at("format"), "riffle-report-summary");
+    EXPECT_TRUE(first.at("verdict").contains("headline"));
+    EXPECT_EQ(first.at("findings").at(1).at("key"), "surface_standard_deviation");
+    EXPECT_EQ(summary.at("runs").at(1).at("findings").at(0).at("value"), 0.35);
+    // What is not known is null, not a number that no reader can parse.
+    EXPECT_TRUE(first.at("findings").at(3).at("value").is_null());
+}
+
+TEST_F(Compared, NothingToCompareIsAnError) { EXPECT_THROW(static_cast<void>(compare({})), InputError); }
+
+TEST_F(Compared, ThesisChapterKnowsItsRunsByTheirCasesAndNamesThoseMissing) {
+    std::vector<ReportSubject> subjects;
+    for (const int number : {8, 6, 5, 3, 2}) {
+        const auto condition = "condition-" + std::to_string(number);
+        subjects.push_back(run("run" + std::to_string(number), builtin_case(condition)));
+    }
+    Case fine = builtin_case("condition-2");
+    fine.numerics.spacing = 0.0015;
+    subjects.push_back(run("fine", fine));
+    Case sps = builtin_case("condition-3");
+    sps.turbulence.closure = ClosureKind::sps;
+    subjects.push_back(run("sps", sps));
+    const Comparison chapter = thesis_chapter(subjects);
+
+    ASSERT_EQ(chapter.sets.size(), 3U);
+    EXPECT_THAT(chapter.sets[0].names,
+                ElementsAre("condition 2", "condition 3", "condition 5", "condition 6", "condition 8"));
+    EXPECT_THAT(chapter.sets[0].members, ElementsAre(4, 3, 2, 1, 0));
+    EXPECT_TRUE(chapter.sets[0].side_by_side);
+    EXPECT_THAT(chapter.sets[1].names, ElementsAre("closure ramp", "closure sps"));
+    EXPECT_THAT(chapter.sets[2].names, ElementsAre("spacing 2 mm", "spacing 1.5 mm"));
+    std::vector<std::string> missing;
+    for (const MissingRun& run : chapter.missing) missing.push_back(run.what);
+    EXPECT_THAT(missing, ElementsAre("flow condition 1", "flow condition 7",
+                                     "flow condition 6 with the original SPS closure", "the paper's case",
+                                     "the paper's case with the SPS closure"));
+    EXPECT_THAT(chapter.missing[0].command, HasSubstr("condition-1.toml"));
+}
+
+TEST_F(Compared, FlowConditionsAreKnownByDepthSlopeAndSpheres) {
+    EXPECT_EQ(flow_condition_of(builtin_case("condition-7")), 7);
+    EXPECT_EQ(flow_condition_of(builtin_case("paper-2016")), std::nullopt);
+    Case other = builtin_case("condition-7");
+    other.channel.slope = 0.0031;
+    EXPECT_EQ(flow_condition_of(other), std::nullopt);
+}
+
+TEST(SummaryBeside, TakesItsNameFromThePage) {
+    EXPECT_EQ(summary_beside("results/a/report.html"), std::filesystem::path("results/a/summary.json"));
+    EXPECT_EQ(summary_beside("my.html"), std::filesystem::path("my-summary.json"));
+}
+
+}  // namespace
+}  // namespace riffle

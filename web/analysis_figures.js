@@ -1,0 +1,176 @@
+// Draws the figures of the analysis (src/analysis/figure.hpp): curves by origin with their intervals, maps with curves
+// over them, for one run, for several overlaid, or side by side.
+//   entries: [{ figure, run, index }], the same figure of each run that has it.
+
+const analysis_figures = (() => {
+  'use strict';
+
+  const style = analysis_style;
+  const finite = value => value !== null && Number.isFinite(value);
+  const half_widths = (curve, side) => (curve[`${side}_half_width`] || []).length ? curve[`${side}_half_width`] : null;
+
+  function largest(lists) {
+    let most = 0;
+    for (const list of lists) for (const value of list) if (finite(value) && Math.abs(value) > most) most = Math.abs(value);
+    return most;
+  }
+
+  // An axis over all runs: its unit, the factor from SI, its range.
+  function axis_of(entries, side) {
+    const first = entries[0].figure[side];
+    const lists = entries.flatMap(({ figure }) => [...figure.curves.map(curve => curve[side]), ...figure.maps.map(map => map[side])]);
+    const ends = entries.flatMap(({ figure }) => [figure[side].from, figure[side].to]).filter(finite);
+    const bounded = finite(first.from) && finite(first.to);
+    return { ...first, ...units.scale(first.unit, bounded ? largest([ends]) : largest(lists), first.logarithmic), entries, side };
+  }
+
+  function range_of(axis) {
+    const bounds = which => axis.entries.map(({ figure }) => figure[axis.side][which]);
+    const from = bounds('from'), to = bounds('to');
+    const low = from.every(finite) ? Math.min(...from) * axis.factor : null, high = to.every(finite) ? Math.max(...to) * axis.factor : null;
+    if (low === null && high === null) return {};
+    const on_scale = value => (value === null ? null : axis.logarithmic ? (value > 0 ? Math.log10(value) : null) : value);
+    if (low !== null && high !== null) return { range: [on_scale(low), on_scale(high)] };
+    return { range: [on_scale(low), on_scale(high)], autorange: low === null ? 'min' : 'max' };
+  }
+
+  function axis_layout(axis, extra = {}, pixels = Infinity) {
+    const decades = axis.logarithmic ? { type: 'log', exponentformat: 'power', ...(decades_of(axis) > 2.3 ? { dtick: 1 } : { tickvals: steps_of_decades() }) } : {};
+    return figures.axis(units.wrapped(units.title(axis.label, axis.unit), pixels), { ...decades, ...range_of(axis), ...extra });
+  }
+
+  // 1, 2, 5 in each decade, where few of them are shown.
+  const steps_of_decades = () => Array.from({ length: 24 }, (_, i) => 10 ** (i - 12)).flatMap(power => [power, 2 * power, 5 * power]);
+
+  function decades_of(axis) {
+    let low = Infinity, high = 0;
+    for (const { figure } of axis.entries) {
+      for (const part of [...figure.curves, ...figure.maps]) for (const value of part[axis.side]) if (value > 0) { low = Math.min(low, value); high = Math.max(high, value); }
+    }
+    return high > low ? Math.log10(high / low) : 1;
+  }
+
+  const scaled = (values, factor) => values.map(value => (finite(value) ? factor * value : null));
+
+  // The band of an interval as closed outlines, one for each unbroken stretch.
+  function band(curve, side, x, y, logarithmic) {
+    const half = half_widths(curve, side), outline = { x: [], y: [] };
+    let stretch = [];
+    const flush = () => {
+      if (stretch.length > 1) {
+        const back = stretch.slice().reverse();
+        const ends = i => {
+          const middle = side === 'y' ? curve.y[i] : curve.x[i];
+          // A logarithmic axis has no place for a lower end at or below zero: the band then reaches far down.
+          return [logarithmic ? Math.max(middle - half[i], 1e-4 * Math.abs(middle)) : middle - half[i], middle + half[i]];
+        };
+        const along = side === 'y' ? i => x.factor * curve.x[i] : i => y.factor * curve.y[i];
+        const across = (i, end) => (side === 'y' ? y : x).factor * ends(i)[end];
+        const path = [...stretch.map(i => [along(i), across(i, 0)]), ...back.map(i => [along(i), across(i, 1)])];
+        outline.x.push(...path.map(point => point[side === 'y' ? 0 : 1]), null);
+        outline.y.push(...path.map(point => point[side === 'y' ? 1 : 0]), null);
+      }
+      stretch = [];
+    };
+    curve.x.forEach((_, i) => { if (finite(curve.x[i]) && finite(curve.y[i]) && finite(half[i])) stretch.push(i); else flush(); });
+    flush();
+    return outline;
+  }
+
+  // Traces of one curve.
+  function traces_of(curve, x, y, look, name, extra) {
+    const made = [], xs = scaled(curve.x, x.factor), ys = scaled(curve.y, y.factor);
+    const line = curve.mark === 'line' || curve.mark === 'line_and_points', marks = curve.mark === 'points' || curve.mark === 'line_and_points';
+    const errors = {};
+    for (const side of ['x', 'y']) {
+      const half = half_widths(curve, side);
+      if (!half) continue;
+      const axis = side === 'x' ? x : y;
+      if (line && !marks) {
+        const outline = band(curve, side, x, y, axis.logarithmic);
+        made.push({ type: 'scatter', mode: 'lines', ...outline, name: `${name}: 95 % interval`, line: { width: 0, color: look.color }, fill: 'toself',
+          fillcolor: style.transparent(look.color, 0.2), hoverinfo: 'skip', ...extra, showlegend: false });
+      } else {
+        errors[`error_${side}`] = { type: 'data', array: half.map(value => (finite(value) ? axis.factor * value : 0)), thickness: 1,
+          width: curve.x.length > 60 ? 0 : 3, color: look.color };
+      }
+    }
+    const hover = { hovertemplate: `%{x:.4~g} ${x.unit}, %{y:.4~g} ${y.unit}<extra>${units.symbols(name)}</extra>` };
+    if (curve.mark === 'bars') {
+      made.push({ type: 'bar', x: xs, y: ys, name: units.symbols(name), marker: { color: style.transparent(look.color, 0.45), line: { color: look.color, width: 1 } },
+        ...errors, ...hover, ...extra });
+      return made;
+    }
+    const size = curve.x.length > 400 ? 3 : curve.x.length > 120 ? 4.5 : 6;
+    made.push({ type: 'scatter', mode: [line && 'lines', marks && 'markers'].filter(Boolean).join('+'), x: xs, y: ys, name: units.symbols(name),
+      ...(line ? { line: { color: look.color, width: look.width, dash: look.dash, simplify: false }, connectgaps: false } : {}),
+      ...(marks ? { marker: { color: look.color, size, symbol: look.symbol, line: { width: /open/.test(look.symbol) ? 1.5 : 0, color: look.color } } } : {}),
+      ...errors, ...hover, ...extra });
+    return made;
+  }
+
+  const same_numbers = (a, b) => a.length === b.length && a.every((value, i) => value === b[i]);
+  const same_curve = (a, b) => a.name === b.name && a.origin === b.origin && same_numbers(a.x, b.x) && same_numbers(a.y, b.y);
+
+  // Height that a legend of these names takes above the plot: one row, or columns as wide as its longest name.
+  function legend_height(names, width) {
+    const lengths = names.map(name => 48 + 6.6 * units.symbols(name).replace(/<[^>]*>|&\w+;/g, '').length), room = width - 75;
+    if (!names.length || lengths.reduce((sum, length) => sum + length, 0) <= room) return 20;
+    return 20 * Math.ceil(names.length / Math.max(1, Math.floor(room / Math.max(...lengths))));
+  }
+
+  // Names of curves for a common legend: what stands before a comma ("x = U t, U = 0.33 m/s") where no two curves of a
+  // figure share that, else the whole name.
+  function kind_names(entries) {
+    const before = name => name.split(', ')[0];
+    const clash = entries.length < 2 || entries.some(({ figure }) => new Set(figure.curves.map(curve => before(curve.name))).size < figure.curves.length);
+    return curve => (clash ? curve.name : before(curve.name));
+  }
+
+  const legend_entry = (name, trace, extra) => ({ type: 'scatter', x: [null], y: [null], hoverinfo: 'skip', showlegend: true, name: units.symbols(name), ...trace, ...extra });
+
+  // One set of axes: a run's own figure, or the curves of all runs over each other.
+  function single(entries, width) {
+    const x = axis_of(entries, 'x'), y = axis_of(entries, 'y'), traces = [], names = [];
+    const several = entries.length > 1;
+    if (!several) {
+      for (const curve of entries[0].figure.curves) {
+        traces.push(...traces_of(curve, x, y, style.of(curve, null), curve.name, {}));
+        names.push(curve.name);
+      }
+    } else {
+      const kinds = new Map(), shared = [], kind = kind_names(entries);
+      const common = curve => curve.origin !== 'simulated' && entries.every(({ figure }) => figure.curves.some(other => same_curve(curve, other)));
+      entries.forEach(({ figure, run, index }, place) => {
+        traces.push(legend_entry(run, { mode: 'lines', line: { color: style.colour_of_run(index), width: 5 } }, { legendgroup: `run ${index}` }));
+        names.push(run);
+        for (const curve of figure.curves) {
+          if (common(curve)) {
+            if (place === 0) shared.push(curve);
+            continue;
+          }
+          const look = style.of(curve, index);
+          // Bars of several runs would hide each other: their outlines do not.
+          const drawn = curve.mark === 'bars' ? { ...curve, mark: 'line', y_half_width: [] } : curve;
+          const steps = curve.mark === 'bars' ? { line: { color: look.color, width: 1.6, shape: 'hvh' } } : {};
+          traces.push(...traces_of(drawn, x, y, look, `${curve.name}, ${run}`, { showlegend: false, legendgroup: `run ${index}`, ...steps }));
+          if (!kinds.has(kind(curve))) kinds.set(kind(curve), { curve, look });
+        }
+      });
+      for (const curve of shared) { traces.push(...traces_of(curve, x, y, style.of(curve, null), curve.name, {})); names.push(curve.name); }
+      for (const [name, { curve, look }] of kinds) {
+        const grey = '#6b7580', bars = curve.mark === 'bars';
+        const marks = curve.mark === 'points' || curve.mark === 'line_and_points', line = curve.mark === 'line' || curve.mark === 'line_and_points';
+        traces.push(legend_entry(name, bars ? { mode: 'lines', line: { color: grey, width: 1.6, shape: 'hvh' } }
+          : { mode: [line && 'lines', marks && 'markers'].filter(Boolean).join('+'), line: { color: grey, dash: look.dash, width: look.width }, marker: { color: grey, symbol: look.symbol, size: 7 } }, {}));
+        names.push(name);
+      }
+    }
+    const flat = traces.some(trace => trace.type === 'bar');
+    return { traces, height: (width < 400 ? 340 : 400) + legend_height(names, width),
+      layout: figures.layout({ barmode: 'overlay', bargap: 0, showlegend: names.length > 1 || several, xaxis: axis_layout(x, {}, width - 80),
+        yaxis: axis_layout(y, { ...(flat && !y.logarithmic && !range_of(y).range ? { rangemode: 'tozero' } : {}), ...(y.equal_scale && x.factor === y.factor ? { scaleanchor: 'x' } : {}) }, 300) }) };
+  }
+
+  return { single, axis_of, axis_layout, range_of, traces_of, legend_height, legend_entry, kind_names, finite, largest, scaled };
+})();

@@ -1,0 +1,92 @@
+// Saving a figure as a picture and its data as CSV, from the page alone: the files are made in memory.
+
+const save = (() => {
+  'use strict';
+
+  function blob(name, content) {
+    const link = document.createElement('a');
+    link.href = URL.createObjectURL(content);
+    link.download = name;
+    document.body.append(link);
+    link.click();
+    link.remove();
+    setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+  }
+
+  const text = (name, content, type = 'text/csv;charset=utf-8') => blob(name, new Blob([content], { type }));
+
+  // The picture keeps the size that it has on the page; PNG has three times the pixels. Drawn for white paper,
+  // whatever the colours of the page.
+  async function picture(plot, format, name) {
+    const url = await Plotly.toImage(plot, { format, width: plot._fullLayout.width, height: plot._fullLayout.height, scale: format === 'png' ? 3 : 1 });
+    const body = url.slice(url.indexOf(',') + 1);
+    if (format === 'svg') { text(`riffle-${name}.svg`, decodeURIComponent(body), 'image/svg+xml'); return; }
+    const bytes = Uint8Array.from(atob(body), letter => letter.charCodeAt(0));
+    blob(`riffle-${name}.png`, new Blob([bytes], { type: 'image/png' }));
+  }
+
+  // A cell of a CSV file (RFC 4180).
+  function cell(value) {
+    if (value === null || value === undefined || (typeof value === 'number' && !Number.isFinite(value))) return '';
+    const written = String(value);
+    return /[",\n\r]/.test(written) ? `"${written.replace(/"/g, '""')}"` : written;
+  }
+
+  const rows = list => list.map(row => row.map(cell).join(',')).join('\n') + '\n';
+  const comment = text => (text ? text.split('\n').map(line => `# ${line}\n`).join('') : '');
+  const heading = (label, unit) => `${label} [${unit || '1'}]`;
+
+  // The files of a figure of the analysis, in the format of `riffle analyse --csv`: one with the curves, one for
+  // each map. `entries`: the figure of each run, [{ figure, run }].
+  function files_of_figure(key, entries) {
+    const first = entries[0].figure, files = [];
+    const preamble = comment(first.title) + comment(first.source) + comment(first.caption);
+    const curves = entries.flatMap(({ figure, run }) => figure.curves.map(curve => ({ ...curve, run: curve.run || run })));
+    if (curves.length) {
+      files.push({ name: `${key}.csv`, button: 'CSV', content: () => {
+        const wide = ['x', 'y'].filter(side => curves.some(curve => (curve[`${side}_half_width`] || []).length));
+        const head = ['curve', 'run', 'origin', heading(first.x.label, first.x.unit), heading(first.y.label, first.y.unit),
+          ...wide.map(side => heading(`half-width of ${first[side].label}`, first[side].unit))];
+        return preamble + rows([head, ...curves.flatMap(curve => curve.x.map((x, i) =>
+          [curve.name, curve.run, curve.origin, x, curve.y[i], ...wide.map(side => (curve[`${side}_half_width`] || [])[i])]))]);
+      } });
+    }
+    // One file for the maps of each quantity; those of several runs follow each other, with a column that names the run.
+    const maps = entries.flatMap(({ figure, run }) => figure.maps.map(map => ({ ...map, run: map.run || run })));
+    const quantities = [...new Set(maps.map(map => `${map.label}|${map.unit}`))];
+    quantities.forEach((quantity, number) => {
+      const members = maps.filter(map => `${map.label}|${map.unit}` === quantity), several = members.length > 1, [{ label, unit, run }] = members;
+      files.push({ name: `${key}_map${number ? `_${number + 1}` : ''}.csv`, button: quantities.length > 1 ? `map ${number + 1} CSV` : 'map CSV', content: () => {
+        const head = [...(several ? ['run'] : []), heading(first.x.label, first.x.unit), heading(first.y.label, first.y.unit), heading(label, unit)];
+        return preamble + comment(!several && run ? `run: ${run}` : '') + rows([head, ...members.flatMap(map => map.y.flatMap((y, j) =>
+          map.x.map((x, i) => [...(several ? [map.run] : []), x, y, map.values[j * map.x.length + i]])))]);
+      } });
+    });
+    return files;
+  }
+
+  // Title of an axis as plain text.
+  function plain_title(axis, otherwise) {
+    const holder = document.createElement('span');
+    holder.innerHTML = (axis && axis.title && axis.title.text) || otherwise;
+    return holder.textContent.replace(/\s+/g, ' ').trim();
+  }
+
+  // The data of a drawn figure that has no source of its own: each of its curves with the titles of its axes.
+  function files_of_plot(plot, name) {
+    return [{ name: `${name}.csv`, button: 'CSV', content: () => {
+      const list = [['curve', 'horizontal axis', 'vertical axis', 'x', 'y', 'value']];
+      for (const trace of plot.data) {
+        if (trace.hoverinfo === 'skip' && trace.fill) continue;
+        const full = plot._fullLayout, x_axis = full[(trace.xaxis || 'x').replace('x', 'xaxis')], y_axis = full[(trace.yaxis || 'y').replace('y', 'yaxis')];
+        const matching = Object.keys(full).filter(key => /^xaxis/.test(key) && full[key].title && full[key].title.text).pop();
+        const start = [plain_title({ title: { text: trace.name || '' } }, ''), plain_title(x_axis, plain_title(full[matching], 'x')), plain_title(y_axis, plain_title(full.yaxis, 'y'))];
+        if (trace.z) trace.z.forEach((line, j) => line.forEach((value, i) => list.push([...start, trace.x[i], trace.y[j], value])));
+        else (trace.x || []).forEach((x, i) => { if (x !== null) list.push([...start, x, trace.y[i], '']); });
+      }
+      return rows(list);
+    } }];
+  }
+
+  return { text, picture, rows, heading, comment, files_of_figure, files_of_plot };
+})();
