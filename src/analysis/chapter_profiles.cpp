@@ -344,7 +344,7 @@ void analyse_profiles(const FlowRecord& record, Analysis& analysis) {
     if (record.flow() == nullptr) {
         if (p.empty()) return;
         add_velocity(record, p, analysis);
-        analysis.warnings.push_back(
+        analysis.warnings.emplace_back(
             "of a profile without its case only the velocity is drawn: --case CASE.toml gives depth, slope "
             "and "
             "datum");

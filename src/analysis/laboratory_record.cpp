@@ -35,7 +35,8 @@ Kind kind_of(const std::filesystem::path& csv) {
 }  // namespace
 
 struct LaboratoryRecord::Impl {
-    Impl(const std::filesystem::path& csv, const LaboratoryRecordOptions& given) : path(csv), options(given) {
+    Impl(std::filesystem::path csv, LaboratoryRecordOptions given)
+        : path(std::move(csv)), options(std::move(given)) {
         if (!options.case_file.empty()) {
             flow = read_case(options.case_file);
             try {
@@ -44,7 +45,7 @@ struct LaboratoryRecord::Impl {
                 // No steady uniform flow belongs to the case.
             }
         }
-        switch (kind_of(csv)) {
+        switch (kind_of(path)) {
             case Kind::profile:
                 read_profile();
                 break;
@@ -140,7 +141,7 @@ struct LaboratoryRecord::Impl {
         probe.x = {std::isfinite(series.x) ? series.x : 0.0};
         probe.z = {(std::isfinite(series.z) ? series.z : 0.0) + datum()};
         if (!std::isfinite(series.z)) {
-            warnings.push_back(
+            warnings.emplace_back(
                 "the file does not tell the height of the point (\"# z: 12 mm\"); it is taken as 0");
         }
         probe.time = time;

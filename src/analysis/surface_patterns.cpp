@@ -62,7 +62,7 @@ double add_correlation(const FlowRecord& record, const Correlate& correlate, Ana
         const SurfaceCorrelationFit fit = fit_surface_correlation(correlation);
         const double period = fit.characteristic_period.value;
         if (!std::isfinite(period) || !(fit.characteristic_period.half_width < period)) {
-            analysis.warnings.push_back(
+            analysis.warnings.emplace_back(
                 "the surface correlation does not determine L0 and sigma_w: the line is too short beside the "
                 "patterns, or their correlation is not that of (2.32)");
             return;
@@ -254,7 +254,7 @@ void add_place_patterns(const FlowRecord& record, const std::vector<SurfaceStati
         // A pattern is 1.5-2 depths long: places further apart than half of it cannot tell it from the next.
         const std::vector<StationPair> pairs = pairs_by_distance(places);
         if (pairs.empty() || pairs.front().distance > flow->channel.depth) {
-            analysis.warnings.push_back(
+            analysis.warnings.emplace_back(
                 "the nearest places are further apart than a water depth, about half a pattern of the "
                 "surface: "
                 "neither its celerity nor L0 can be had from their lags alone");

@@ -30,6 +30,7 @@ struct AnalyseOptions {
 /// Names of the analyses made different where they are the same, by the folder or the file.
 void tell_apart(std::vector<Analysis>& analyses) {
     std::vector<std::string> names;
+    names.reserve(analyses.size());
     for (const Analysis& analysis : analyses) names.push_back(analysis.name);
     for (std::size_t i = 0; i < names.size(); ++i) {
         for (std::size_t j = 0; j < names.size(); ++j) {
