@@ -74,7 +74,7 @@ function(riffle_report_page TARGET)
   riffle_npm_packages(modules)
   set(web ${PROJECT_SOURCE_DIR}/web)
   set(shared "")
-  foreach(script figures units save page analysis_style analysis_figures analysis_panels chapters)
+  foreach(script elements figures units save page analysis_style analysis_figures analysis_panels chapters)
     list(APPEND shared ${web}/${script}.js)
   endforeach()
   list(JOIN shared "," shared)
@@ -95,6 +95,6 @@ function(riffle_watch_page TARGET)
   riffle_embed(${TARGET}
     riffle_watch_html=${web}/watch.html
     riffle_watch_style=${web}/watch.css
-    riffle_watch_figures=${web}/figures.js
+    riffle_watch_figures=${web}/elements.js,${web}/figures.js
     riffle_watch_script=${web}/watch.js)
 endfunction()

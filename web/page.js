@@ -1,27 +1,11 @@
-// What the pages share: elements, marked text, and figures that are drawn when they come into view, refitted to
+// What the pages share: tables, and figures that are drawn when they come into view, refitted to
 // the window and to paper, and saved as SVG, PNG and CSV.
 
 const page = (() => {
   'use strict';
 
-  const at = id => document.getElementById(id);
+  const { at, element, marked } = elements;
   let count = 0;
-
-  function element(tag, attributes = {}, ...content) {
-    const made = document.createElement(tag);
-    for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, value);
-    made.append(...content);
-    return made;
-  }
-
-  // A few tags of our own making (italic symbols with indices) are allowed in labels; anything else is text.
-  function marked(text) {
-    const holder = document.createElement('span');
-    // Numbers stay on one line with their signs and units.
-    holder.textContent = text.replace(/ %/g, '\u00a0%').replace(/± /g, '±\u00a0');
-    holder.innerHTML = holder.innerHTML.replace(/&lt;(\/?(?:i|b|sub|sup))&gt;/g, '<$1>');
-    return holder;
-  }
 
   // A table: names of the columns (text or { text, class }), and rows of cells that are text or nodes.
   function table(holder, columns, rows) {

@@ -3,27 +3,9 @@
 (() => {
   'use strict';
 
-  const at = id => document.getElementById(id);
+  const { at, element, tidy, marked } = elements;
   const poll_interval = 2000;  // ms
   const number = figures.significant;
-
-  function element(tag, attributes = {}, ...content) {
-    const made = document.createElement(tag);
-    for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, value);
-    made.append(...content);
-    return made;
-  }
-
-  // Numbers stay on one line with their signs and units.
-  const tidy = text => text.replace(/\+- ?/g, '± ').replace(/ %/g, '\u00a0%').replace(/± /g, '±\u00a0');
-
-  // The report's labels may carry a few tags of our own making; anything else is text.
-  function marked(text) {
-    const holder = document.createElement('span');
-    holder.textContent = tidy(text);
-    holder.innerHTML = holder.innerHTML.replace(/&lt;(\/?(?:i|b|sub|sup))&gt;/g, '<$1>');
-    return holder;
-  }
 
   // Screen readers read an element anew when its text is set: only on a change.
   function say(id, text) { if (at(id).textContent !== text) at(id).textContent = text; }

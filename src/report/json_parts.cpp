@@ -8,7 +8,7 @@ namespace riffle {
 
 namespace {
 
-Json estimate_json(const std::optional<Estimate>& estimate) {
+Json estimate_json(const std::optional<SummaryValue>& estimate) {
     if (!estimate) return nullptr;
     Json object = {{"value", exact(estimate->value)}};
     if (estimate->half_width) object["half_width"] = exact(*estimate->half_width);

@@ -9,13 +9,13 @@ namespace riffle {
 
 namespace {
 
-using Value = std::optional<Estimate>;
+using Value = std::optional<SummaryValue>;
 
 /// A value derived from another by a monotone law: its interval is the image of the other's ends.
 template <typename Law>
 Value derived(const Value& from, const Law& law) {
     if (!from || !(from->value > 0)) return std::nullopt;
-    Estimate result{law(from->value), std::nullopt};
+    SummaryValue result{law(from->value), std::nullopt};
     if (from->half_width && *from->half_width < from->value) {
         const double low = law(from->value - *from->half_width);
         const double high = law(from->value + *from->half_width);
@@ -26,7 +26,7 @@ Value derived(const Value& from, const Law& law) {
 
 Value plain(const std::optional<double>& value) {
     if (!value) return std::nullopt;
-    return Estimate{*value, std::nullopt};
+    return SummaryValue{*value, std::nullopt};
 }
 
 /// The three columns of a row: simulated, measured, column twin.
@@ -57,7 +57,7 @@ class Table {
 Sources depth_mean_velocity(const ReportData& data) {
     Sources sources;
     if (const auto value = find_value(data.summary, "depth_mean_velocity")) {
-        sources.simulated = Estimate{*value, find_value(data.summary, "depth_mean_velocity_half_width")};
+        sources.simulated = SummaryValue{*value, find_value(data.summary, "depth_mean_velocity_half_width")};
     }
     sources.measured = plain(data.flow.measured.depth_mean_velocity);
     sources.column = plain(find_value(data.column_summary, "depth_mean_velocity"));
@@ -92,9 +92,10 @@ void add_friction(Table& table, const ReportData& data) {
     Value fitted_velocity;
     Value fitted_roughness;
     if (data.log_law.valid) {
-        fitted_velocity = Estimate{data.log_law.friction_velocity, data.log_law.friction_velocity_half_width};
+        fitted_velocity =
+            SummaryValue{data.log_law.friction_velocity, data.log_law.friction_velocity_half_width};
         fitted_roughness =
-            Estimate{data.log_law.equivalent_roughness, data.log_law.equivalent_roughness_half_width};
+            SummaryValue{data.log_law.equivalent_roughness, data.log_law.equivalent_roughness_half_width};
     } else {
         fitted_roughness = plain(find_value(data.summary, "equivalent_roughness"));
     }
@@ -135,7 +136,7 @@ void add_levels(Table& table, const ReportData& data) {
                {}},
               {plain(find_value(data.summary, "mean_level")), {}, plain(data.flow.total_depth())});
     Value fluctuation;
-    if (data.surface) fluctuation = Estimate{data.surface->standard_deviation, std::nullopt};
+    if (data.surface) fluctuation = SummaryValue{data.surface->standard_deviation, std::nullopt};
     table.add({"surface_standard_deviation",
                "Surface fluctuation, standard deviation",
                "<i>σ</i><sub>η</sub>",

@@ -9,7 +9,7 @@
 namespace riffle {
 
 /// A value of the summary table with the half-width of its 95 % interval, where one is known. SI.
-struct Estimate {
+struct SummaryValue {
     double value = 0;
     std::optional<double> half_width;
 };
@@ -22,7 +22,7 @@ struct Quantity {
     std::string unit;    ///< shown; "1" for dimensionless
     double factor = 1;
     int digits = 4;  ///< significant digits shown
-    std::optional<Estimate> simulated, measured, column;
+    std::optional<SummaryValue> simulated, measured, column;
 };
 
 /// The rows of the summary table, those without any value left out.

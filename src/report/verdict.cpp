@@ -18,7 +18,7 @@ std::string against(double value, double reference) {
 }
 
 std::string velocity_sentence(const Quantity& mean) {
-    const Estimate& simulated = *mean.simulated;
+    const SummaryValue& simulated = *mean.simulated;
     std::string text = fmt::format("The depth-mean velocity above the datum is {:.4g}", simulated.value);
     if (simulated.half_width) text += fmt::format(" ± {:.2g}", *simulated.half_width);
     text += " m/s";
