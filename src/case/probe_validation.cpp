@@ -123,7 +123,7 @@ class ProbeValidation {
                 add("z",
                     fmt::format("z = {} is outside of the water: expected more than 0 (the bed level) and at "
                                 "most {}",
-                                length_text(z), length_text(highest())));
+                                length_text(z), fmt::format("{:.4g} m", highest())));
             }
         }
         if (p_.x.size() > 1 && p_.z.size() > 1 && p_.x.size() != p_.z.size()) {

@@ -6,6 +6,7 @@
 #include "analysis/laboratory_record.hpp"
 #include "analysis/run_record.hpp"
 #include "base/error.hpp"
+#include "cli/positive_number.hpp"
 #include "report/report.hpp"
 
 namespace riffle {
@@ -51,14 +52,26 @@ void check_record_options(const RecordInput& options) {
     }
 }
 
-void add_table_options(CLI::App& verb, RecordInput& options) {
+void add_record_options(CLI::App& verb, RecordInput& options) {
+    verb.add_option_function<std::vector<double>>(
+            "--window",
+            [&options](const std::vector<double>& ends) {
+                options.window = TimeWindow{ends.at(0), ends.at(1)};
+            },
+            "Analyse this stretch of the record, s (default: the averaging window of the run)")
+        ->type_name("FROM,TO")
+        ->delimiter(',')
+        ->expected(2);
+    verb.add_option("--measured", options.measured,
+                    "Measured velocity profile to compare with: CSV of z above the datum, u, in SI")
+        ->type_name("FILE.csv");
     verb.add_option(
             "--case", options.case_file,
             "Case file of the flow that CSV records were measured in: depth, slope, measured velocity")
         ->type_name("CASE.toml");
     verb.add_option("--frequency", options.frequency, "Sampling frequency of CSV records without times, Hz")
         ->type_name("HZ")
-        ->check(CLI::PositiveNumber);
+        ->check(positive_number());
     verb.add_option("--calibration", options.calibration,
                     "Calibration of wave probes that recorded voltages: CSV of levels and voltages")
         ->type_name("FILE.csv");

@@ -25,8 +25,9 @@ struct RecordInput {
 /// Whether a path names a table of a laboratory, by its ending.
 [[nodiscard]] bool is_table(const std::filesystem::path& path);
 
-/// Options that say something of laboratory records: --case, --frequency, --calibration.
-void add_table_options(CLI::App& verb, RecordInput& options);
+/// Options of how records are read: --window and --measured, and --case, --frequency and --calibration of
+/// laboratory records.
+void add_record_options(CLI::App& verb, RecordInput& options);
 
 /// Throws InputError where an option is given that concerns none of the inputs.
 void check_record_options(const RecordInput& options);

@@ -22,7 +22,6 @@ namespace {
 
 struct AnalyseOptions {
     RecordInput records;
-    std::vector<double> window;
     std::string json;
     std::string csv;
 };
@@ -64,8 +63,7 @@ void write_csv(const std::vector<Analysis>& analyses, const std::filesystem::pat
 }
 
 void run_analyse(const AnalyseOptions& options) {
-    RecordInput records = options.records;
-    if (!options.window.empty()) records.window = TimeWindow{options.window.at(0), options.window.at(1)};
+    const RecordInput& records = options.records;
     check_record_options(records);
     std::vector<Analysis> analyses;
     for (const std::string& input : records.inputs) analyses.push_back(analyse_input(records, input));
@@ -98,15 +96,7 @@ void add_verb_analyse(CLI::App& app) {
     verb->add_option("--csv", options->csv, "Write one CSV file per figure and findings.csv to this folder")
         ->type_name("DIR");
     verb->add_option("--chapter", options->records.chapter, "Only this chapter")->type_name("NAME");
-    verb->add_option("--window", options->window,
-                     "Average over this stretch of the record, s (default: the averaging window of the run)")
-        ->type_name("FROM,TO")
-        ->delimiter(',')
-        ->expected(2);
-    verb->add_option("--measured", options->records.measured,
-                     "Measured velocity profile to compare with: CSV of z above the datum, u, in SI")
-        ->type_name("FILE.csv");
-    add_table_options(*verb, options->records);
+    add_record_options(*verb, options->records);
     verb->callback([options] { run_analyse(*options); });
 }
 

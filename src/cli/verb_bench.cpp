@@ -12,6 +12,7 @@
 #include "base/error.hpp"
 #include "base/machine.hpp"
 #include "base/version.hpp"
+#include "cli/positive_number.hpp"
 #include "cli/run_arguments.hpp"
 #include "cli/terminal.hpp"
 #include "cli/verbs.hpp"
@@ -182,12 +183,12 @@ void add_verb_bench(CLI::App& app) {
         ->excludes(names);
     add_threads_option(*command, verb->threads, "Threads (0: all cores)")->capture_default_str();
     command->add_option("--repetitions", verb->repetitions, "Timed parts; the median counts")
-        ->check(CLI::PositiveNumber)
+        ->check(positive_number())
         ->capture_default_str();
     command
         ->add_option("--seconds", verb->seconds,
                      "Least length of a part, s; it lasts until the lists are built again")
-        ->check(CLI::PositiveNumber)
+        ->check(positive_number())
         ->capture_default_str();
     command->add_flag("--json", verb->json, "Print JSON");
     command->footer(

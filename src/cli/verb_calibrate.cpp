@@ -13,6 +13,7 @@
 #include "base/error.hpp"
 #include "case/case.hpp"
 #include "cli/case_argument.hpp"
+#include "cli/positive_number.hpp"
 #include "cli/verbs.hpp"
 #include "column/calibration.hpp"
 
@@ -151,15 +152,15 @@ void add_verb_calibrate(CLI::App& app) {
         ->capture_default_str();
     verb->add_option("--mean-uncertainty", options->calibration.depth_mean_uncertainty,
                      "Relative standard uncertainty of the measured depth-mean velocity")
-        ->check(CLI::PositiveNumber)
+        ->check(positive_number())
         ->capture_default_str();
     verb->add_option("--friction-uncertainty", options->calibration.friction_velocity_uncertainty,
                      "Relative standard uncertainty of the measured friction velocity")
-        ->check(CLI::PositiveNumber)
+        ->check(positive_number())
         ->capture_default_str();
     verb->add_option("--profile-uncertainty", options->calibration.profile_uncertainty,
                      "Relative standard uncertainty of a profile velocity without its own")
-        ->check(CLI::PositiveNumber)
+        ->check(positive_number())
         ->capture_default_str();
     verb->add_option("--write", options->write, "Write the case with the fitted values to this file");
     verb->add_flag("--force", options->force, "Let --write overwrite an existing file");

@@ -34,6 +34,7 @@ ReportSubject subject_of(const RecordInput& records, const fs::path& path) {
     try {
         subject.analysis = analyse_input(records, path.string());
     } catch (const InputError& error) {
+        if (records.window || !records.measured.empty()) throw;  // what was asked for cannot be done
         // A run that has only just started has no window yet: its report says so and shows what there is.
         subject.analysis.source = subject.results.string();
         subject.analysis.warnings.push_back(std::string("the run could not be analysed: ") + error.what());
@@ -85,6 +86,12 @@ void report_one(const ReportOptions& options, const fs::path& input) {
     print_written(html, json);
 }
 
+/// File of a page of several; a laboratory record alone gives its own name to its page.
+fs::path name_of_page(const ReportOptions& options, const std::vector<fs::path>& inputs) {
+    if (options.thesis) return "thesis.html";
+    return inputs.size() == 1 ? fs::path(inputs.front().stem()).concat(".html") : fs::path("comparison.html");
+}
+
 void report_several(const ReportOptions& options, const std::vector<fs::path>& inputs) {
     std::vector<ReportSubject> subjects;
     std::vector<fs::path> results;
@@ -97,9 +104,8 @@ void report_several(const ReportOptions& options, const std::vector<fs::path>& i
         fmt::print(stderr, "riffle: warning: {} is not among the results; make it with: {}\n", missing.what,
                    missing.command);
     }
-    const fs::path html = options.output.empty()
-                              ? common_folder(results) / (options.thesis ? "thesis.html" : "comparison.html")
-                              : fs::path(options.output);
+    const fs::path html = options.output.empty() ? common_folder(results) / name_of_page(options, inputs)
+                                                 : fs::path(options.output);
     const fs::path json = options.json.empty() ? summary_beside(html) : fs::path(options.json);
     write_comparison(comparison, html, json);
     print_written(html, json);
@@ -134,9 +140,11 @@ void add_verb_report(CLI::App& app) {
             "page")
         ->required()
         ->type_name("RESULTS|CSV");
-    verb->add_option("-o,--output", options->output,
-                     "The page to write (default: report.html beside the results; of several runs "
-                     "comparison.html or thesis.html in the folder that holds theirs, else here)")
+    verb->add_option(
+            "-o,--output", options->output,
+            "The page to write (default: report.html beside the results; of several runs "
+            "comparison.html or thesis.html in the folder that holds theirs, else here; of a CSV file alone "
+            "NAME.html beside it)")
         ->type_name("FILE.html");
     verb->add_option(
             "--json", options->json,
@@ -146,7 +154,7 @@ void add_verb_report(CLI::App& app) {
     verb->add_flag("--thesis", options->thesis,
                    "The figures of the thesis' 2D chapter and of the paper, from the runs found in the given "
                    "folders (tools/thesis-chapter.sh makes them)");
-    add_table_options(*verb, options->records);
+    add_record_options(*verb, options->records);
     verb->callback([options] { run_report(*options); });
 }
 

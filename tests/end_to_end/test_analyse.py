@@ -76,6 +76,8 @@ class Analyse(CommandLineTest):
     def test_what_is_wrong_is_told(self):
         folder = self.run_small("run", 0.3)
         self.fail_with(3, "analyse", self.folder / "nothing", says=["nothing"])
+        self.fail_with(2, "analyse", LABORATORY / "adv-point.csv", "--frequency", "-3",
+                       says=["must be a number greater than 0"])
         self.fail_with(2, "analyse", folder, "--chapter", "waves", says=["statistics", "surface"])
         self.fail_with(2, "analyse", folder, "--window", "5,9", says=["--window", "0.3"])
         self.fail_with(2, "analyse", folder, "--frequency", "100", says=["--frequency", "CSV"])

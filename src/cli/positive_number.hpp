@@ -1,0 +1,10 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace riffle {
+
+/// Check of an option's value: a finite number greater than 0.
+[[nodiscard]] CLI::Validator positive_number();
+
+}  // namespace riffle
