@@ -105,7 +105,10 @@ std::string comparison_to_text(const std::vector<Analysis>& analyses) {
     constexpr std::size_t column = 24;
     std::string text = "Comparison\n";
     for (std::size_t i = 0; i < analyses.size(); ++i) {
-        text += fmt::format("  ({}) {}, {}\n", i + 1, analyses[i].name, analyses[i].source);
+        // A name that is made from the source needs no source beside it.
+        const bool tells_source = analyses[i].name.find(analyses[i].source) != std::string::npos;
+        text += fmt::format("  ({}) {}{}\n", i + 1, analyses[i].name,
+                            tells_source ? "" : ", " + analyses[i].source);
     }
     std::string heading = "  " + padded("", width + 8);
     for (std::size_t i = 0; i < analyses.size(); ++i) heading += right(fmt::format("({})", i + 1), column);

@@ -49,5 +49,13 @@ TEST(AnalysisText, ComparesWhatAtLeastTwoHave) {
     EXPECT_THAT(text, Not(HasSubstr("drift")));
 }
 
+TEST(AnalysisText, NamesASourceOnceWhereTheNameHoldsIt) {
+    Analysis named = sample("run", 0.3);
+    named.name = "run (run.h5)";
+    const std::string text = comparison_to_text({named, sample("other", 0.4)});
+    EXPECT_THAT(text, HasSubstr("(1) run (run.h5)\n"));
+    EXPECT_THAT(text, HasSubstr("(2) other, other.h5\n"));
+}
+
 }  // namespace
 }  // namespace riffle
