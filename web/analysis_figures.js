@@ -7,7 +7,24 @@ const analysis_figures = (() => {
 
   const style = analysis_style;
   const finite = value => value !== null && Number.isFinite(value);
-  const half_widths = (curve, side) => (curve[`${side}_half_width`] || []).length ? curve[`${side}_half_width`] : null;
+  const filled = list => Array.isArray(list) && list.length > 0;
+
+  // Ends of the 95 % intervals of a curve, or null: those given, else the value plus and minus its half-width. On a
+  // logarithmic axis a half-width h about a value m becomes a factor f = s + sqrt(1 + s^2), s = h / m, each way: nearly
+  // m - h and m + h where h is small, and never below zero.
+  function bounds_of(curve, side, logarithmic) {
+    const lower = curve[`${side}_lower`], upper = curve[`${side}_upper`], half = curve[`${side}_half_width`], middle = curve[side];
+    if (filled(lower) && filled(upper)) return { lower, upper };
+    if (!filled(half)) return null;
+    const ends = middle.map((value, i) => {
+      if (!finite(value) || !finite(half[i])) return [null, null];
+      if (!logarithmic) return [value - half[i], value + half[i]];
+      if (!(value > 0)) return [null, null];
+      const share = half[i] / value, factor = share + Math.hypot(1, share);
+      return [value / factor, value * factor];
+    });
+    return { lower: ends.map(([low]) => low), upper: ends.map(([, high]) => high) };
+  }
 
   function largest(lists) {
     let most = 0;
@@ -53,26 +70,21 @@ const analysis_figures = (() => {
   const scaled = (values, factor) => values.map(value => (finite(value) ? factor * value : null));
 
   // The band of an interval as closed outlines, one for each unbroken stretch.
-  function band(curve, side, x, y, logarithmic) {
-    const half = half_widths(curve, side), outline = { x: [], y: [] };
+  function band(curve, side, x, y, bounds) {
+    const outline = { x: [], y: [] };
     let stretch = [];
     const flush = () => {
       if (stretch.length > 1) {
         const back = stretch.slice().reverse();
-        const ends = i => {
-          const middle = side === 'y' ? curve.y[i] : curve.x[i];
-          // A logarithmic axis has no place for a lower end at or below zero: the band then reaches far down.
-          return [logarithmic ? Math.max(middle - half[i], 1e-4 * Math.abs(middle)) : middle - half[i], middle + half[i]];
-        };
         const along = side === 'y' ? i => x.factor * curve.x[i] : i => y.factor * curve.y[i];
-        const across = (i, end) => (side === 'y' ? y : x).factor * ends(i)[end];
+        const across = (i, end) => (side === 'y' ? y : x).factor * (end ? bounds.upper : bounds.lower)[i];
         const path = [...stretch.map(i => [along(i), across(i, 0)]), ...back.map(i => [along(i), across(i, 1)])];
         outline.x.push(...path.map(point => point[side === 'y' ? 0 : 1]), null);
         outline.y.push(...path.map(point => point[side === 'y' ? 1 : 0]), null);
       }
       stretch = [];
     };
-    curve.x.forEach((_, i) => { if (finite(curve.x[i]) && finite(curve.y[i]) && finite(half[i])) stretch.push(i); else flush(); });
+    curve.x.forEach((_, i) => { if (finite(curve.x[i]) && finite(curve.y[i]) && finite(bounds.lower[i]) && finite(bounds.upper[i])) stretch.push(i); else flush(); });
     flush();
     return outline;
   }
@@ -83,15 +95,15 @@ const analysis_figures = (() => {
     const line = curve.mark === 'line' || curve.mark === 'line_and_points', marks = curve.mark === 'points' || curve.mark === 'line_and_points';
     const errors = {};
     for (const side of ['x', 'y']) {
-      const half = half_widths(curve, side);
-      if (!half) continue;
-      const axis = side === 'x' ? x : y;
+      const axis = side === 'x' ? x : y, bounds = bounds_of(curve, side, axis.logarithmic);
+      if (!bounds) continue;
       if (line && !marks) {
-        const outline = band(curve, side, x, y, axis.logarithmic);
+        const outline = band(curve, side, x, y, bounds);
         made.push({ type: 'scatter', mode: 'lines', ...outline, name: `${name}: 95 % interval`, line: { width: 0, color: look.color }, fill: 'toself',
           fillcolor: style.transparent(look.color, 0.2), hoverinfo: 'skip', ...extra, showlegend: false });
       } else {
-        errors[`error_${side}`] = { type: 'data', array: half.map(value => (finite(value) ? axis.factor * value : 0)), thickness: 1,
+        const reach = (ends, sign) => ends.map((end, i) => (finite(end) && finite(curve[side][i]) ? Math.max(0, axis.factor * sign * (end - curve[side][i])) : 0));
+        errors[`error_${side}`] = { type: 'data', symmetric: false, array: reach(bounds.upper, 1), arrayminus: reach(bounds.lower, -1), thickness: 1,
           width: curve.x.length > 60 ? 0 : 3, color: look.color };
       }
     }
@@ -102,9 +114,9 @@ const analysis_figures = (() => {
       return made;
     }
     const size = curve.x.length > 400 ? 3 : curve.x.length > 120 ? 4.5 : 6;
-    made.push({ type: 'scatter', mode: [line && 'lines', marks && 'markers'].filter(Boolean).join('+'), x: xs, y: ys, name: units.symbols(name),
+    made.push({ type: 'scatter', mode: [line && 'lines', (marks || look.sparse_symbols) && 'markers'].filter(Boolean).join('+'), x: xs, y: ys, name: units.symbols(name),
       ...(line ? { line: { color: look.color, width: look.width, dash: look.dash, simplify: false }, connectgaps: false } : {}),
-      ...(marks ? { marker: { color: look.color, size, symbol: look.symbol, line: { width: /open/.test(look.symbol) ? 1.5 : 0, color: look.color } } } : {}),
+      ...(marks || look.sparse_symbols ? { marker: { color: look.color, size: marks ? size : 6, ...(marks ? {} : { maxdisplayed: 9 }), symbol: look.symbol, line: { width: /open/.test(look.symbol) ? 1.5 : 0, color: look.color } } } : {}),
       ...errors, ...hover, ...extra });
     return made;
   }
@@ -112,10 +124,19 @@ const analysis_figures = (() => {
   const same_numbers = (a, b) => a.length === b.length && a.every((value, i) => value === b[i]);
   const same_curve = (a, b) => a.name === b.name && a.origin === b.origin && same_numbers(a.x, b.x) && same_numbers(a.y, b.y);
 
-  // Height that a legend of these names takes above the plot: one row, or columns as wide as its longest name.
-  function legend_height(names, width) {
+  // Height that a legend of these names takes above the plot: one row, or columns as wide as its longest name; a legend
+  // with groups (of several runs) fills one row after the other instead.
+  function legend_height(names, width, flows = false) {
     const lengths = names.map(name => 48 + 6.6 * units.symbols(name).replace(/<[^>]*>|&\w+;/g, '').length), room = width - 75;
     if (!names.length || lengths.reduce((sum, length) => sum + length, 0) <= room) return 20;
+    if (flows) {
+      let rows = 1, used = 0;
+      for (const length of lengths) {
+        if (used > 0 && used + length > room) { rows += 1; used = 0; }
+        used += length;
+      }
+      return 20 * rows;
+    }
     return 20 * Math.ceil(names.length / Math.max(1, Math.floor(room / Math.max(...lengths))));
   }
 
@@ -130,12 +151,21 @@ const analysis_figures = (() => {
   const legend_entry = (name, trace, extra) => ({ type: 'scatter', x: [null], y: [null], hoverinfo: 'skip', showlegend: true, name: units.symbols(name), ...trace, ...extra });
 
   // One set of axes: a run's own figure, or the curves of all runs over each other.
+  // Theory and column twin lie below what is compared with them; the legend keeps the order of the figure.
+  const depth = { theory: 0, column: 1 };
+  const drawing_order = curves => curves.map((curve, rank) => ({ curve, rank, place: depth[curve.origin] ?? 2 }))
+    .sort((a, b) => a.place - b.place || a.rank - b.rank);
+
   function single(entries, width) {
     const x = axis_of(entries, 'x'), y = axis_of(entries, 'y'), traces = [], names = [];
     const several = entries.length > 1;
+    // Where lines may coincide, the upper ones are thinner, with symbols.
+    const compared = entries.some(({ figure }) => figure.curves.some(curve => curve.origin in depth) && figure.curves.some(curve => curve.origin === 'simulated'));
+    const above_theory = (look, curve) => (!compared || curve.mark !== 'line' ? look : curve.origin in depth ? { ...look, width: 3.2 }
+      : curve.origin === 'simulated' && curve.x.length < 400 ? { ...look, width: 1.5, sparse_symbols: true } : look);
     if (!several) {
-      for (const curve of entries[0].figure.curves) {
-        traces.push(...traces_of(curve, x, y, style.of(curve, null), curve.name, {}));
+      for (const { curve, rank } of drawing_order(entries[0].figure.curves)) {
+        traces.push(...traces_of(curve, x, y, above_theory(style.of(curve, null), curve), curve.name, { legendrank: 1000 + rank }));
         names.push(curve.name);
       }
     } else {
@@ -144,30 +174,36 @@ const analysis_figures = (() => {
       entries.forEach(({ figure, run, index }, place) => {
         traces.push(legend_entry(run, { mode: 'lines', line: { color: style.colour_of_run(index), width: 5 } }, { legendgroup: `run ${index}` }));
         names.push(run);
-        for (const curve of figure.curves) {
+        for (const { curve } of drawing_order(figure.curves)) {
           if (common(curve)) {
             if (place === 0) shared.push(curve);
             continue;
           }
           const look = style.of(curve, index);
           // Bars of several runs would hide each other: their outlines do not.
-          const drawn = curve.mark === 'bars' ? { ...curve, mark: 'line', y_half_width: [] } : curve;
+          const drawn = curve.mark === 'bars' ? { ...curve, mark: 'line', y_half_width: [], y_lower: [], y_upper: [] } : curve;
           const steps = curve.mark === 'bars' ? { line: { color: look.color, width: 1.6, shape: 'hvh' } } : {};
           traces.push(...traces_of(drawn, x, y, look, `${curve.name}, ${run}`, { showlegend: false, legendgroup: `run ${index}`, ...steps }));
-          if (!kinds.has(kind(curve))) kinds.set(kind(curve), { curve, look });
+          const key = `${curve.origin}|${kind(curve)}`;
+          if (!kinds.has(key)) kinds.set(key, { name: kind(curve), curve, look });
         }
       });
-      for (const curve of shared) { traces.push(...traces_of(curve, x, y, style.of(curve, null), curve.name, {})); names.push(curve.name); }
-      for (const [name, { curve, look }] of kinds) {
+      // Shared curves lie below those of the runs; the legend names them after the runs.
+      traces.unshift(...drawing_order(shared).flatMap(({ curve, rank }) => traces_of(curve, x, y, above_theory(style.of(curve, null), curve), curve.name, { legendrank: 2000 + rank })));
+      names.push(...shared.map(({ name }) => name));
+      const named = [...kinds.values()];
+      for (const { name: own, curve, look } of named) {
+        const name = named.filter(other => other.name === own).length > 1 ? `${own} (${style.origin_name(curve.origin)})` : own;
         const grey = '#6b7580', bars = curve.mark === 'bars';
         const marks = curve.mark === 'points' || curve.mark === 'line_and_points', line = curve.mark === 'line' || curve.mark === 'line_and_points';
         traces.push(legend_entry(name, bars ? { mode: 'lines', line: { color: grey, width: 1.6, shape: 'hvh' } }
-          : { mode: [line && 'lines', marks && 'markers'].filter(Boolean).join('+'), line: { color: grey, dash: look.dash, width: look.width }, marker: { color: grey, symbol: look.symbol, size: 7 } }, {}));
+          : { mode: [line && 'lines', (marks || look.sparse_symbols) && 'markers'].filter(Boolean).join('+'), line: { color: grey, dash: look.dash, width: look.width }, marker: { color: grey, symbol: look.symbol, size: 7 } }, { legendrank: 3000 }));
         names.push(name);
       }
     }
     const flat = traces.some(trace => trace.type === 'bar');
-    return { traces, height: (width < 400 ? 340 : 400) + legend_height(names, width),
+    const legend = legend_height(names, width, several);
+    return { traces, height: (width < 400 ? 340 : 400) + legend, legend_height: legend,
       layout: figures.layout({ barmode: 'overlay', bargap: 0, showlegend: names.length > 1 || several, xaxis: axis_layout(x, {}, width - 80),
         yaxis: axis_layout(y, { ...(flat && !y.logarithmic && !range_of(y).range ? { rangemode: 'tozero' } : {}), ...(y.equal_scale && x.factor === y.factor ? { scaleanchor: 'x' } : {}) }, 300) }) };
   }

@@ -20,7 +20,7 @@ const chapters = (() => {
   }
 
   // A number of a finding in its readable unit, with its interval.
-  function value_cell(value, half, factor, digits = 4) {
+  function value_cell(value, half, factor, digits = 4, unit = '') {
     const cell = element('td', { class: 'number' });
     if (!finite(value)) { cell.textContent = '–'; return cell; }
     cell.dataset.value = value;
@@ -29,6 +29,7 @@ const chapters = (() => {
       const [middle, extra] = figures.interval(shown, width);
       cell.append(middle, element('span', { class: 'half' }, ` ± ${extra}`));
     } else cell.append(marked(figures.significant(shown, digits)));
+    if (unit) cell.append(' ', element('span', { class: 'symbol' }, marked(unit)));
     return cell;
   }
 
@@ -40,6 +41,14 @@ const chapters = (() => {
   }
 
   const shown_unit = (unit, values) => units.scale(unit, Math.max(0, ...values.filter(finite).map(Math.abs)));
+
+  // A cell of a row in the row's unit, or in its own, named in the cell, where it is too small to be read in that.
+  function cell_in_row(si, unit, value, half) {
+    const own = shown_unit(si, [value]);
+    return own.unit !== unit.unit && finite(value) && value !== 0 && Math.abs(unit.factor * value) < 0.01 ? value_cell(value, half, own.factor, 4, own.unit)
+      : value_cell(value, half, unit.factor);
+  }
+
   const unit_tag = unit => (unit === '–' ? '' : element('span', { class: 'symbol' }, ' (', marked(unit), ')'));
 
   function findings_of_one(findings) {
@@ -47,10 +56,10 @@ const chapters = (() => {
     const rows = findings.map(finding => {
       const unit = shown_unit(finding.unit, [finding.value, finding.reference]);
       const label = element('th', { scope: 'row' }, marked(units_text(finding.label)), unit_tag(unit.unit));
-      const reference = value_cell(finding.reference, null, unit.factor);
-      if (finding.reference_name && finite(finding.reference)) reference.append(element('span', { class: 'explain' }, finding.reference_name));
-      return element('tr', { 'data-key': finding.key }, label, value_cell(finding.value, finding.half_width, unit.factor), reference,
-        element('td', { class: 'number' }, difference(finding.value, finding.reference)), element('td', { class: 'remark' }, finding.remark || ''));
+      const reference = cell_in_row(finding.unit, unit, finding.reference, null);
+      if (finding.reference_name && finite(finding.reference)) reference.append(element('span', { class: 'explain' }, marked(units_text(finding.reference_name))));
+      return element('tr', { 'data-key': finding.key }, label, cell_in_row(finding.unit, unit, finding.value, finding.half_width), reference,
+        element('td', { class: 'number' }, difference(finding.value, finding.reference)), element('td', { class: 'remark' }, marked(units_text(finding.remark || ''))));
     });
     return page.table(holder, ['Finding', 'Value (± 95 %)', 'Reference', 'Difference', 'Remark'], rows);
   }
@@ -65,7 +74,7 @@ const chapters = (() => {
     const made = page.parts(runs).map(part => findings_table(runs, part, keys)), remarks = remarks_of(runs, keys);
     if (remarks.length) {
       made.push(element('details', { class: 'remarks' }, element('summary', {}, 'Remarks on these findings'),
-        element('ul', {}, ...remarks.map(([label, names, text]) => element('li', {}, element('b', {}, `${label}${names ? ` (${names})` : ''}: `), text)))));
+        element('ul', {}, ...remarks.map(([label, names, text]) => element('li', {}, element('b', {}, marked(units_text(label)), `${names ? ` (${names})` : ''}: `), marked(units_text(text)))))));
     }
     return made;
   }
@@ -88,9 +97,11 @@ const chapters = (() => {
   function findings_table(runs, part, keys) {
     const rows = keys.map(key => {
       const known = runs.map(run => finding_of(run, key)).filter(Boolean), found = part.map(run => finding_of(run, key)), unit = shown_unit(known[0].unit, known.flatMap(finding => [finding.value, finding.reference]));
+      const unit_si = known[0].unit, labels = new Set(known.map(finding => finding.label));
       const cells = found.map(finding => {
         if (!finding) return element('td', { class: 'number' }, '–');
-        const cell = value_cell(finding.value, finding.half_width, unit.factor);
+        const cell = cell_in_row(unit_si, unit, finding.value, finding.half_width);
+        if (labels.size > 1) cell.append(element('span', { class: 'explain' }, marked(units_text(finding.label))));
         if (finite(finding.reference)) {
           cell.append(element('span', { class: 'explain' }, marked(`${figures.significant(unit.factor * finding.reference, 3)}, ${difference(finding.value, finding.reference)}`)));
         }
@@ -98,7 +109,7 @@ const chapters = (() => {
       });
       const names = [...new Set(known.map(finding => finding.reference_name).filter(Boolean))];
       const label = element('th', { scope: 'row' }, marked(units_text(known[0].label)), unit_tag(unit.unit));
-      if (names.length) label.append(element('span', { class: 'explain' }, `beneath: ${names.join('; ')}`));
+      if (names.length) label.append(element('span', { class: 'explain' }, 'beneath: ', marked(units_text(names.join('; ')))));
       return element('tr', { 'data-key': key }, label, ...cells);
     });
     return element('div', { class: 'scroll' }, page.table(element('table', { class: part.length > 4 ? 'findings runs many' : 'findings runs' }),
@@ -123,7 +134,7 @@ const chapters = (() => {
   function captions(figure_of_page, entries) {
     const { figure } = entries[0], texts = [...new Set(entries.map(entry => entry.figure.caption))];
     const content = [element('b', {}, `${figure.title}. `), marked(units_text(texts.length === 1 ? texts[0] : ''))];
-    if (figure.source) content.push(element('span', { class: 'source' }, ` After ${figure.source}.`.replace(/\.\.$/, '.')));
+    if (figure.source) content.push(element('span', { class: 'source' }, marked(units_text(` After ${figure.source}.`.replace(/\.\.$/, '.')))));
     page.caption(figure_of_page, ...content);
     if (texts.length > 1) {
       figure_of_page.append(element('details', { class: 'captions' }, element('summary', {}, 'What each run shows'),
@@ -131,13 +142,13 @@ const chapters = (() => {
     }
   }
 
-  // Which runs lack a figure that others have, and why.
+  // Which runs lack a figure that others have, where their analysis says why.
   function lacking(figure_of_page, runs, key) {
     const without = runs.map(({ name, analysis }) => ({ name, figure: analysis.figures.find(figure => figure.key === key) }))
-      .filter(({ figure }) => !figure || figure.missing);
+      .filter(({ figure }) => figure && figure.missing);
     if (!without.length) return;
     figure_of_page.append(element('p', { class: 'lacking' }, `Not shown: ${without.map(({ name, figure }) =>
-      `${name} (${figure && figure.missing ? figure.missing.replace(/\.$/, '') : 'not part of its analysis'})`).join('; ')}.`));
+      `${name} (${figure.missing.replace(/\.$/, '')})`).join('; ')}.`));
   }
 
   // A column twin far beyond all else (that of a closure without stress, say) would flatten the rest: it is left out, and
@@ -203,10 +214,10 @@ const chapters = (() => {
   }
 
   // Sections of all chapters, appended to `where`. options: layout ('overlay', 'panels'), only (these chapters; all
-  // without), prefix of the sections' names, level of their headings.
+  // without), skip (keys of figures that the page shows already), prefix of the sections' names, level of their headings.
   function add(where, runs, options = {}) {
     for (const chapter of chapters_of(runs, options.only)) {
-      const keys = [...new Set(runs.flatMap(({ analysis }) => analysis.figures.filter(figure => figure.chapter === chapter).map(figure => figure.key)))];
+      const keys = [...new Set(runs.flatMap(({ analysis }) => analysis.figures.filter(figure => figure.chapter === chapter).map(figure => figure.key)))].filter(key => !(options.skip || []).includes(key));
       const section = element('section', { id: `${options.prefix || 'chapter-'}${chapter}`, class: 'chapter' }, element(options.level || 'h2', {}, title_of(chapter)));
       where.append(section);
       if (runs.length === 1) {

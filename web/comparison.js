@@ -24,14 +24,16 @@
   }
 
   function overview() {
-    page.table(at('runs-table'), ['Run', 'State', 'What came out'], runs.map(({ name, index, run }) => {
+    const records_only = runs.every(({ run }) => run.kind === 'record');
+    if (records_only) at('runs').querySelector('h2').textContent = runs.length > 1 ? 'The records' : 'The record';
+    page.table(at('runs-table'), records_only ? ['Record'] : ['Run', 'State', 'What came out'], runs.map(({ name, index, run }) => {
       const state = element('td', { class: `mark ${run.verdict ? run.verdict.status : 'none'}` },
         run.kind === 'record' ? 'laboratory record' : marks[run.verdict.status]);
       const text = element('td', { class: 'remark' });
       if (run.verdict) text.append(element('b', {}, `${run.verdict.headline} `), run.verdict.sentences[0] || '');
       const title = run.title === name ? '' : run.title;
       return element('tr', {}, element('th', { scope: 'row' }, heading({ name, index }),
-        element('span', { class: 'explain' }, title), element('span', { class: 'explain' }, run.source === title ? '' : run.source)), state, text);
+        element('span', { class: 'explain' }, title), element('span', { class: 'explain' }, run.source === title ? '' : run.source)), ...(records_only ? [] : [state, text]));
     }));
   }
 

@@ -108,7 +108,8 @@ const page = (() => {
       const font = { ...made.layout.font, size: small ? 11.5 : 13 };
       const legends = Object.fromEntries(Object.entries(made.layout).filter(([key]) => key.startsWith('legend'))
         .map(([key, legend]) => [key, { ...legend, maxheight: 2000, font: { size: small ? 10.5 : 12 } }]));
-      const height = Math.round(on_paper ? (made.paper_share || 0.76) * made.height : made.height);
+      const legend = made.legend_height || 0;  // as high on paper as on the screen
+      const height = Math.round(on_paper ? (made.paper_share || 0.76) * (made.height - legend) + legend : made.height);
       return Plotly.react(plot, made.traces, { ...made.layout, ...legends, font, width, height }, config);
     };
     const entry = { plot, show, is_drawn: false };
@@ -129,8 +130,21 @@ const page = (() => {
     .forEach(({ plot, show }) => { if (plot._fullLayout && plot._fullLayout.width !== width_of(plot)) show(); });
   let waiting = 0;
   addEventListener('resize', () => { clearTimeout(waiting); waiting = setTimeout(refit, 120); });
-  addEventListener('beforeprint', () => { on_paper = true; refit(); figures_of_page.forEach(draw); });
-  addEventListener('afterprint', () => { on_paper = false; refit(); });
+  // Paper has nothing to click on: what is folded on the screen is open there.
+  let folded = [];
+  addEventListener('beforeprint', () => {
+    on_paper = true;
+    folded = [...document.querySelectorAll('details:not([open])')];
+    for (const details of folded) details.open = true;
+    refit();
+    figures_of_page.forEach(draw);
+  });
+  addEventListener('afterprint', () => {
+    on_paper = false;
+    for (const details of folded) details.open = false;
+    folded = [];
+    refit();
+  });
 
   return { at, element, marked, table, parts, config, frame, missing, caption, tools, plain, watch, width_of, contents };
 })();

@@ -96,10 +96,11 @@
 
   function plain(id, where, name, builder) {
     const figure = page.frame(id, where, name), built = builder(data);
-    if (!built) { missing(figure, id, name); return; }
+    if (!built) { missing(figure, id, name); return false; }
     const made = page.plain(figure, id, name, built);
     page.caption(figure, marked(built.caption));
     made.add_tools();
+    return true;
   }
 
   function particles() {
@@ -140,19 +141,23 @@
 
   verdict();
   summary();
-  plain('velocity', 'profile-figures', 'Velocity profile', figures.velocity);
-  plain('log-law', 'profile-figures', 'Logarithmic profile', figures.logLaw);
-  plain('gradient', 'profile-figures', 'Velocity gradient', figures.gradient);
+  // What the page shows itself does not appear again among the figures of the analysis.
+  const shown = [];
+  const own = (id, where, name, builder, key) => { if (plain(id, where, name, builder) && key) shown.push(key); };
+  own('velocity', 'profile-figures', 'Velocity profile', figures.velocity, 'velocity_profile');
+  own('log-law', 'profile-figures', 'Logarithmic profile', figures.logLaw, 'log_law');
+  own('gradient', 'profile-figures', 'Velocity gradient', figures.gradient, 'velocity_gradient_profile');
   plain('deviation', 'profile-figures', 'Departure from the column twin', figures.deviation);
-  plain('stress', 'profile-figures', 'Shear stress', figures.stress);
-  plain('pressure', 'profile-figures', 'Pressure', figures.pressure);
-  plain('history', 'history-figures', 'History of velocity, forces and level', figures.history);
+  own('stress', 'profile-figures', 'Shear stress', figures.stress, 'stress_profile');
+  own('pressure', 'profile-figures', 'Pressure', figures.pressure, 'pressure_profile');
+  own('history', 'history-figures', 'History of velocity, forces and level', figures.history, 'velocity_history');
   particles();
-  plain('surface', 'field-figures', 'Surface elevation in space and time', figures.surface);
   const analyses = JSON.parse(at('analysis-data').textContent).analyses;
+  const has_map = analyses.some(({ figures: all }) => all.some(({ key, maps, missing: why }) => key === 'surface_map' && !why && maps.length));
+  if (!has_map) own('surface', 'field-figures', 'Surface elevation in space and time', figures.surface, 'surface_map');
   const runs = analyses.map((analysis, index) => ({ name: analysis.name, index, analysis }));
   chapters.warnings(at('chapters'), runs);
-  chapters.add(at('chapters'), runs);
+  chapters.add(at('chapters'), runs, { skip: shown });
   diagnostics();
   plain('health', 'diagnostic-figures', 'Signs of health over time', figures.health);
   facts();

@@ -44,11 +44,13 @@ const save = (() => {
     const curves = entries.flatMap(({ figure, run }) => figure.curves.map(curve => ({ ...curve, run: curve.run || run })));
     if (curves.length) {
       files.push({ name: `${key}.csv`, button: 'CSV', content: () => {
-        const wide = ['x', 'y'].filter(side => curves.some(curve => (curve[`${side}_half_width`] || []).length));
+        const names = { half_width: 'half-width of', lower: 'lower end of', upper: 'upper end of' };
+        const wide = ['x', 'y'].flatMap(side => Object.keys(names).map(part => [side, part]))
+          .filter(([side, part]) => curves.some(curve => (curve[`${side}_${part}`] || []).length));
         const head = ['curve', 'run', 'origin', heading(first.x.label, first.x.unit), heading(first.y.label, first.y.unit),
-          ...wide.map(side => heading(`half-width of ${first[side].label}`, first[side].unit))];
+          ...wide.map(([side, part]) => heading(`${names[part]} ${first[side].label}`, first[side].unit))];
         return preamble + rows([head, ...curves.flatMap(curve => curve.x.map((x, i) =>
-          [curve.name, curve.run, curve.origin, x, curve.y[i], ...wide.map(side => (curve[`${side}_half_width`] || [])[i])]))]);
+          [curve.name, curve.run, curve.origin, x, curve.y[i], ...wide.map(([side, part]) => (curve[`${side}_${part}`] || [])[i])]))]);
       } });
     }
     // One file for the maps of each quantity; those of several runs follow each other, with a column that names the run.

@@ -12,10 +12,11 @@ const units = (() => {
     m2: [[1e-2, 'mm2', 1e6]],
     s: [[1e-4, 'µs', 1e6], [0.1, 'ms', 1e3]],
     'm/s': [[0.05, 'mm/s', 1e3]],
-    'm2/s': [[1e-1, 'mm2/s', 1e6]],
+    'm2/s': [[1e-3, 'mm2/s', 1e6]],
     'm2/s2': [[1e-2, 'mm2/s2', 1e6]],
     'm3/s': [[1, 'L/s', 1e3]],
     Pa: [[0.05, 'mPa', 1e3], [2e4, 'Pa', 1], [Infinity, 'kPa', 1e-3]],
+    '1/m': [[1e3, '1/m', 1], [1e6, '1/mm', 1e-3], [Infinity, '1/µm', 1e-6]],
     V: [[0.1, 'mV', 1e3]],
     Hz: [[2e4, 'Hz', 1], [Infinity, 'kHz', 1e-3]],
   };
@@ -42,6 +43,7 @@ const units = (() => {
   // exponent. Articles stay words, and units behind numbers stay upright.
   const symbols = text => escape(spelled(text))
     .replace(/(^|[^\p{L}\d_])([\p{L}]{1,2}'?)_\{?((?:[\p{L}\d∗*]|,(?=[\p{L}\d]))+)\}?/gu, (_, before, letter, index) => `${before}<i>${letter}</i><sub>${index.replace('*', '∗')}</sub>`)
+    .replace(/\^\(([^)]+)\)/gu, (_, power) => `<sup>${power.replace('-', '−')}</sup>`)
     .replace(/\^\{?([−-]?\d+(?:\/\d+)?)\}?/gu, (_, power) => `<sup>${power.replace('-', '−')}</sup>`)
     .replace(/(^|[^\p{L}])d(\p{L})\/d(\p{L})(?!\p{L})/gu, '$1d<i>$2</i>/d<i>$3</i>')
     .replace(/(?<=^|[\s(\/=+−·,|²³-])(?![aAI](?![\p{L}\d']))\p{L}'?(?=$|[\s)\/=+−·,|²³.;:-])/gu, (letter, at, whole) =>

@@ -52,9 +52,18 @@
   // A run that ends on convergence has no known end: its share is that of the latest end.
   const share = p => p.end_time > 0 ? Math.min(1, p.time / p.end_time) : 0;
 
+  // A run that has finished early has come to its end all the same.
+  function show_share() {
+    const p = data.progress, finished = status && status.state === 'finished';
+    at('progress-bar').value = finished ? 1 : share(p);
+    say('progress-text', finished ? `${number(p.time, 4)} s simulated`
+      : `${number(p.time, 4)} of ${p.until_converged ? 'at most ' : ''}${number(p.end_time, 4)} s simulated`);
+  }
+
   function show_clock() {
     const p = data && data.progress;
     if (!p || !status) return;
+    show_share();
     const age = since_write(), running = status.state === 'running';
     const left = value => value === null ? null : Math.max(0, value - age);
     let words = '–';
@@ -83,8 +92,7 @@
 
   function show_progress() {
     const p = data.progress;
-    at('progress-bar').value = share(p);
-    say('progress-text', `${number(p.time, 4)} of ${p.until_converged ? 'at most ' : ''}${number(p.end_time, 4)} s simulated`);
+    show_share();
     fact('time', 'Simulated time', `${number(p.time, 4)} s`);
     fact('left', 'Time left, at this speed', '–');
     fact('steps', 'Time steps', grouped(p.steps));

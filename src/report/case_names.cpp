@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <iterator>
 #include <map>
 #include <set>
 #include <string_view>
@@ -17,8 +18,9 @@ namespace riffle {
 
 namespace {
 
-/// Sections that do not define the flow that is simulated.
+/// Sections that do not define the flow that is simulated, but for the surface that its measurements take.
 constexpr std::array<std::string_view, 3> aside = {"", "measured", "output"};
+constexpr std::string_view measured_surface = "output.surface_detection";
 
 std::string shown_value(const Key& key, const Case& c) {
     std::string text = handy_value_text(key, key.get(c));
@@ -71,8 +73,9 @@ std::vector<std::string> parts_of(const std::vector<const Case*>& group) {
 std::vector<CaseDifference> case_differences(const std::vector<const Case*>& cases) {
     std::vector<CaseDifference> differences;
     for (const SectionKeys& section : key_table()) {
-        if (std::find(aside.begin(), aside.end(), section.name) != aside.end()) continue;
+        const bool is_aside = std::find(aside.begin(), aside.end(), section.name) != aside.end();
         for (const Key& key : section.keys) {
+            if (is_aside && key.id() != measured_surface) continue;
             CaseDifference difference{key.id(), words(key.name), {}};
             for (const Case* c : cases) {
                 difference.values.push_back(key_applies(key, *c) ? shown_value(key, *c) : "–");
@@ -101,16 +104,23 @@ std::vector<std::string> names_of_cases(const std::vector<const Case*>& cases,
             names[members[i]] = only_base ? parts[i] : parts[i].empty() ? base : base + ", " + parts[i];
         }
     }
+    return told_apart(names, otherwise);
+}
+
+std::vector<std::string> told_apart(const std::vector<std::string>& names,
+                                    const std::vector<std::string>& otherwise) {
+    std::vector<std::string> result = names;
     for (std::size_t i = 0; i < names.size(); ++i) {
-        if (std::count(names.begin(), names.end(), names[i]) > 1) {
-            // Every one of the same name gets its addition, so look for the same base, not the grown name.
-            const std::string same = names[i];
-            for (std::size_t j = i; j < names.size(); ++j) {
-                if (names[j] == same) names[j] += " (" + otherwise[j] + ")";
-            }
-        }
+        if (std::count(names.begin(), names.end(), names[i]) > 1) result[i] += " (" + otherwise[i] + ")";
     }
-    return names;
+    // The same thing given twice is numbered.
+    const std::vector<std::string> added = result;
+    for (std::size_t i = 0; i < added.size(); ++i) {
+        const auto here = added.begin() + static_cast<std::ptrdiff_t>(i);
+        const auto before = std::count(added.begin(), here, added[i]);
+        if (before > 0) result[i] += fmt::format(" ({})", before + 1);
+    }
+    return result;
 }
 
 }  // namespace riffle

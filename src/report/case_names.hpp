@@ -14,8 +14,8 @@ struct CaseDifference {
     std::vector<std::string> values;  ///< of each case, with handy units
 };
 
-/// The keys in which the cases differ, in the order of the case file; titles, output and measured values
-/// aside.
+/// The keys in which the cases differ, in the order of the case file; titles, measured values and
+/// output aside, but for output.surface_detection, which decides what is measured as the surface.
 [[nodiscard]] std::vector<CaseDifference> case_differences(const std::vector<const Case*>& cases);
 
 /// Short, distinct names of cases, made from what tells them apart: the flow condition or title, then one or
@@ -23,5 +23,10 @@ struct CaseDifference {
 /// case what is added where that does not tell them apart, e.g. the folder of its results.
 [[nodiscard]] std::vector<std::string> names_of_cases(const std::vector<const Case*>& cases,
                                                       const std::vector<std::string>& otherwise);
+
+/// The names, those that occur more than once with what is added to each in parentheses; what is the same
+/// even so is numbered from the second on.
+[[nodiscard]] std::vector<std::string> told_apart(const std::vector<std::string>& names,
+                                                  const std::vector<std::string>& otherwise);
 
 }  // namespace riffle

@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <iterator>
 #include <numeric>
+#include <set>
 #include <system_error>
 
 #include "base/error.hpp"
@@ -12,12 +15,35 @@ namespace riffle {
 
 namespace {
 
-/// What tells results of equal cases apart: the folder, or the file where it is not the usual one.
-std::string place_of(const std::filesystem::path& results) {
-    std::error_code error;
-    const std::filesystem::path whole = std::filesystem::absolute(results, error);
-    return results.filename() == "results.h5" ? whole.parent_path().filename().string()
-                                              : results.filename().string();
+/// The last `count` parts of a path.
+std::string end_of(const std::filesystem::path& path, std::ptrdiff_t count) {
+    const auto size = std::distance(path.begin(), path.end());
+    std::filesystem::path end;
+    for (auto part = std::next(path.begin(), std::max<std::ptrdiff_t>(0, size - count)); part != path.end();
+         ++part) {
+        end /= *part;
+    }
+    return end.string();
+}
+
+/// What tells results of equal cases apart: the folder, or the file where it is not the usual one, with as
+/// many of the folders above as it takes.
+std::vector<std::string> places_of(const std::vector<std::filesystem::path>& results) {
+    std::vector<std::filesystem::path> whole;
+    std::ptrdiff_t longest = 1;
+    for (const std::filesystem::path& path : results) {
+        std::error_code error;
+        const std::filesystem::path full = std::filesystem::absolute(path, error).lexically_normal();
+        whole.push_back(path.filename() == "results.h5" ? full.parent_path() : full);
+        longest = std::max(longest, std::distance(whole.back().begin(), whole.back().end()));
+    }
+    std::vector<std::string> places(whole.size());
+    for (std::ptrdiff_t count = 1; count <= longest; ++count) {
+        std::transform(whole.begin(), whole.end(), places.begin(),
+                       [&](const std::filesystem::path& path) { return end_of(path, count); });
+        if (std::set<std::string>(places.begin(), places.end()).size() == places.size()) break;
+    }
+    return places;
 }
 
 }  // namespace
@@ -40,23 +66,22 @@ std::vector<ComparedRun> collect_runs(const std::vector<ReportSubject>& subjects
 std::vector<std::string> names_among(const std::vector<ComparedRun>& runs,
                                      const std::vector<std::size_t>& members) {
     std::vector<const Case*> cases;
-    std::vector<std::string> places;
+    std::vector<std::filesystem::path> results;
     for (const std::size_t member : members) {
         if (!runs[member].run) continue;
         cases.push_back(&runs[member].run->flow);
-        places.push_back(place_of(runs[member].run->source));
+        results.push_back(runs[member].run->source);
     }
-    const std::vector<std::string> of_cases = names_of_cases(cases, places);
+    const std::vector<std::string> of_cases = names_of_cases(cases, places_of(results));
     auto name = of_cases.begin();
     std::vector<std::string> names;
-    for (const std::size_t member : members) names.push_back(runs[member].run ? *name++ : runs[member].name);
-    // Records of the laboratory may share their names; their files tell them apart.
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        if (!runs[members[i]].run && std::count(names.begin(), names.end(), names[i]) > 1) {
-            names[i] += " (" + runs[members[i]].analysis.source + ")";
-        }
+    std::vector<std::string> sources;
+    for (const std::size_t member : members) {
+        names.push_back(runs[member].run ? *name++ : runs[member].name);
+        sources.push_back(runs[member].analysis.source);
     }
-    return names;
+    // Records of the laboratory may share their names; their files tell them apart.
+    return told_apart(names, sources);
 }
 
 std::vector<CaseDifference> differences_of(const std::vector<ComparedRun>& runs) {
@@ -81,9 +106,10 @@ Comparison compare(const std::vector<ReportSubject>& subjects) {
     const auto records = std::count_if(comparison.runs.begin(), comparison.runs.end(),
                                        [](const ComparedRun& run) { return !run.run; });
     const auto simulated = static_cast<std::ptrdiff_t>(comparison.runs.size()) - records;
-    comparison.title = records == 0 ? fmt::format("Comparison of {} runs", simulated)
+    comparison.title = records == 0                  ? fmt::format("Comparison of {} runs", simulated)
+                       : comparison.runs.size() == 1 ? comparison.runs.front().name
                        : simulated == 0
-                           ? fmt::format("{} laboratory record{}", records, records == 1 ? "" : "s")
+                           ? fmt::format("Comparison of {} laboratory records", records)
                            : fmt::format("Comparison of {} run{} and {} laboratory record{}", simulated,
                                          simulated == 1 ? "" : "s", records, records == 1 ? "" : "s");
     ComparedSet all;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "analysis/figure_tools.hpp"
 #include "hydraulics/channel_laws.hpp"
 
 namespace riffle {
@@ -123,8 +124,8 @@ void add_friction(Table& table, const ReportData& data) {
                plain(find_value(data.column_summary, "equivalent_roughness"))});
 }
 
-/// Surface level and how much it moves.
-void add_levels(Table& table, const ReportData& data) {
+/// Surface level and how much it moves: as the analysis finds it, so that a page gives one value.
+void add_levels(Table& table, const ReportData& data, const Analysis& analysis) {
     table.add({"mean_level",
                "Mean water level above the bed level",
                "<i>z</i><sub>s</sub>",
@@ -136,7 +137,11 @@ void add_levels(Table& table, const ReportData& data) {
                {}},
               {plain(find_value(data.summary, "mean_level")), {}, plain(data.flow.total_depth())});
     Value fluctuation;
-    if (data.surface) fluctuation = SummaryValue{data.surface->standard_deviation, std::nullopt};
+    if (const Finding* const found = find_finding(analysis, "surface_standard_deviation")) {
+        fluctuation = SummaryValue{found->value, found->half_width};
+    } else if (data.surface) {
+        fluctuation = SummaryValue{data.surface->standard_deviation, std::nullopt};
+    }
     table.add({"surface_standard_deviation",
                "Surface fluctuation, standard deviation",
                "<i>σ</i><sub>η</sub>",
@@ -186,12 +191,12 @@ void add_forces(Table& table, const ReportData& data) {
 
 }  // namespace
 
-std::vector<Quantity> summarize(const ReportData& data) {
+std::vector<Quantity> summarize(const ReportData& data, const Analysis& analysis) {
     Table table;
     const Sources mean = depth_mean_velocity(data);
     add_velocities(table, data, mean);
     add_friction(table, data);
-    add_levels(table, data);
+    add_levels(table, data, analysis);
     add_channel_numbers(table, data, mean);
     add_forces(table, data);
     return table.take();

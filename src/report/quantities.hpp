@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/figure.hpp"
 #include "report/report_data.hpp"
 
 namespace riffle {
@@ -25,8 +26,9 @@ struct Quantity {
     std::optional<SummaryValue> simulated, measured, column;
 };
 
-/// The rows of the summary table, those without any value left out.
-[[nodiscard]] std::vector<Quantity> summarize(const ReportData& data);
+/// The rows of the summary table, those without any value left out. The surface's fluctuation is that of the
+/// analysis, where it has one.
+[[nodiscard]] std::vector<Quantity> summarize(const ReportData& data, const Analysis& analysis = {});
 
 /// The row with this key; nullptr if it is not there.
 [[nodiscard]] const Quantity* find_quantity(const std::vector<Quantity>& quantities, const std::string& key);

@@ -29,7 +29,7 @@ std::string make_html(const ReportData& data, const Analysis& analysis) {
     return fill_page(assets.report, {{"title", escape_markup(data.title)},
                                      {"generator", escape_markup("Riffle " + version())},
                                      {"style", std::string(assets.style)},
-                                     {"data", escape_json_for_script(page_json(data))},
+                                     {"data", escape_json_for_script(page_json(data, analysis))},
                                      {"analyses", analyses_block({analysis})},
                                      {"plotly", std::string(assets.plotly)},
                                      {"script", assets.report_script}});

@@ -10,6 +10,6 @@
 namespace riffle {
 
 /// The page's data block, JSON in SI: everything that its tables and figures show.
-[[nodiscard]] std::string page_json(const ReportData& data);
+[[nodiscard]] std::string page_json(const ReportData& data, const Analysis& analysis = {});
 
 }  // namespace riffle

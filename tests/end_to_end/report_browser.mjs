@@ -19,7 +19,7 @@ if (!page_file) {
 const file = resolve(page_file);
 if (folder) mkdirSync(folder, { recursive: true });
 
-const expected = ['velocity', 'log-law', 'gradient', 'deviation', 'stress', 'pressure', 'history', 'field', 'surface', 'health'];
+const expected = ['velocity', 'log-law', 'gradient', 'deviation', 'stress', 'pressure', 'history', 'field', 'surface_map', 'health'];
 // Share of painted pixels in the field's picture, and its number of distinct colours.
 const painted = async () => {
   const image = document.querySelector('#figure-field .imagelayer image');
@@ -49,7 +49,9 @@ const open = (width, height, scheme) => open_page(browser, file, width, height, 
 async function check_page(width, height, scheme) {
   const { context, page, where } = await open(width, height, scheme);
   await draw_all(page);
-  for (const id of expected) {
+  for (const named of expected) {
+    // The analysis' map of the surface stands in place of the report's own, where there is an analysis.
+    const id = named === 'surface_map' && !(await page.$('#figure-surface_map')) ? 'surface' : named;
     const state = await page.evaluate(inspect, id);
     check(state.present, `${where}: figure ${id} is missing`);
     if (!state.present) continue;
@@ -76,6 +78,8 @@ try {
   check(partial || (mean && mean.numbers.length >= 2 && mean.numbers.every(value => value > 0)),
     `${where}: the summary table lacks the depth-mean velocity`);
   check(rows.every(row => row.numbers.length >= 1 && row.numbers.every(Number.isFinite)), `${where}: a row of the summary table has no number`);
+  const twice = ['velocity_profile', 'log_law', 'velocity_gradient_profile', 'stress_profile', 'pressure_profile', 'velocity_history'];
+  if (!partial) for (const id of twice) check(!(await page.$(`#figure-${id}`)), `${where}: figure ${id} repeats one of the report's own`);
   const marks = await page.$$eval('#diagnostics-table .mark', cells => cells.map(cell => cell.textContent));
   check(partial || marks.length >= 5, `${where}: the diagnostics table has ${marks.length} rows`);
   check((await page.textContent('#verdict')).length > 80, `${where}: no verdict`);

@@ -31,6 +31,20 @@ class Report(CommandLineTest):
         self.assertEqual([run["name"] for run in summary["runs"]], ["lambda 0.09", "lambda 0.1"])
         self.assertEqual([row["key"] for row in summary["differences"]], ["turbulence.lambda"])
 
+    def test_report_takes_a_window_and_a_measured_profile_as_analyse_does(self):
+        folder = self.run_small("run", 1)
+        profile = SOURCE / "cases/laboratory/adv-profile.csv"
+        self.succeed("report", folder, "--window", "0.4,0.9", "--measured", profile)
+        self.fail_with(2, "report", folder, "--window", "5,9", says=["--window"])
+
+    def test_a_laboratory_record_alone_gives_a_page_of_its_name(self):
+        record = self.folder / "adv.csv"
+        shutil.copy(SOURCE / "cases/laboratory/adv-profile.csv", record)
+        printed = self.succeed("report", record, "--case", CASE).stdout.split()
+        self.assertEqual([Path(name).resolve() for name in printed],
+                         [(self.folder / name).resolve() for name in ("adv.html", "adv-summary.json")])
+        self.assertNotIn("1 laboratory record", (self.folder / "adv.html").read_text())
+
     def test_thesis_chapter_names_the_conditions_that_are_missing(self):
         self.run_small("runs/condition-2", 0.5)
         result = self.succeed("report", "--thesis", self.folder / "runs")
@@ -84,7 +98,7 @@ class Report(CommandLineTest):
 
     def test_every_kind_of_figure_in_a_browser(self):
         self.sample_pages()
-        self.look_at(self.folder / "report.html", "--figures", "settling,velocity_profile,elevation_density,"
+        self.look_at(self.folder / "report.html", "--figures", "settling,elevation_density,"
                      "elevation_spectrum,elevation_map,wavenumber_frequency,correlation,velocity_field",
                      script="figures_browser.mjs")
 

@@ -102,6 +102,7 @@ try {
   check(await simulated(page) > stopped, 'the resumed run did not advance');
   check(/^Finished/.test(await page.title()), 'the title does not tell that the run has finished');
   check(await page.textContent('#progress-facts [data-key="left"] dd') === 'none', 'a finished run has time left');
+  check(await page.$eval('#progress-bar', bar => bar.value) === 1, 'the bar of a finished run is not full');
   console.log('finished');
 
   await page.waitForTimeout(300);

@@ -9,9 +9,11 @@
 #include <system_error>
 #include <vector>
 
+#include "analysis/figure_tools.hpp"
 #include "base/error.hpp"
 #include "case/flow_conditions.hpp"
 #include "report/comparison.hpp"
+#include "report/quantities.hpp"
 #include "report/report.hpp"
 #include "report/thesis.hpp"
 #include "sample_analysis.hpp"
@@ -61,6 +63,23 @@ TEST(CaseNames, FallBackToTheFolderWhereTheCasesAreEqual) {
     const std::vector<Case> cases(2, builtin_case("condition-2"));
     EXPECT_THAT(names(cases, {"monday", "tuesday"}),
                 ElementsAre("condition 2 (monday)", "condition 2 (tuesday)"));
+}
+
+TEST(CaseNames, NumberWhatIsTheSameEvenSo) {
+    const std::vector<Case> cases(3, builtin_case("condition-2"));
+    EXPECT_THAT(names(cases, {"x", "x", "y"}),
+                ElementsAre("condition 2 (x)", "condition 2 (x) (2)", "condition 2 (y)"));
+}
+
+TEST(CaseNames, TheSurfaceThatIsMeasuredIsADifference) {
+    const Case first = builtin_case("condition-2");
+    Case other = first;
+    other.output.surface_detection = first.output.surface_detection == SurfaceDetection::volume_fraction
+                                         ? SurfaceDetection::position_divergence
+                                         : SurfaceDetection::volume_fraction;
+    const auto differences = case_differences({&first, &other});
+    ASSERT_EQ(differences.size(), 1U);
+    EXPECT_EQ(differences[0].key, "output.surface_detection");
 }
 
 TEST(CaseNames, TitlesAndMeasuredValuesAreNoDifference) {
@@ -136,6 +155,38 @@ TEST_F(Compared, SummaryHoldsEachRunsFindingsAndVerdict) {
     EXPECT_EQ(summary.at("runs").at(1).at("findings").at(0).at("value"), 0.35);
     // What is not known is null, not a number that no reader can parse.
     EXPECT_TRUE(first.at("findings").at(3).at("value").is_null());
+}
+
+TEST_F(Compared, EqualCasesInFoldersOfOneNameAreToldApartByTheFoldersAbove) {
+    const Case c = builtin_case("condition-2");
+    const auto runs = collect_runs({run("monday/x", c), run("tuesday/x", c)});
+    EXPECT_EQ(runs[0].name, "condition 2 (monday/x)");
+    EXPECT_EQ(runs[1].name, "condition 2 (tuesday/x)");
+}
+
+TEST_F(Compared, RecordsOfOneNameAreAllToldApart) {
+    Analysis first = sample_record("adv");
+    Analysis second = sample_record("adv");
+    first.source = "a.csv";
+    second.source = "b.csv";
+    const auto runs = collect_runs({{{}, first}, {{}, second}});
+    EXPECT_EQ(runs[0].name, "adv (a.csv)");
+    EXPECT_EQ(runs[1].name, "adv (b.csv)");
+}
+
+TEST_F(Compared, ARecordAloneGivesThePageItsName) {
+    EXPECT_EQ(compare({{{}, sample_record("adv")}}).title, "adv");
+}
+
+TEST_F(Compared, TheSurfaceFluctuationOfTheSummaryIsThatOfTheAnalysis) {
+    const auto runs = collect_runs({run("one", builtin_case("condition-2"))});
+    const Finding* const found = find_finding(runs[0].analysis, "surface_standard_deviation");
+    ASSERT_NE(found, nullptr);
+    const auto quantities = summarize(*runs[0].run, runs[0].analysis);
+    const Quantity* const row = find_quantity(quantities, "surface_standard_deviation");
+    ASSERT_TRUE(row != nullptr && row->simulated);
+    EXPECT_EQ(row->simulated->value, found->value);
+    EXPECT_EQ(row->simulated->half_width, found->half_width);
 }
 
 TEST_F(Compared, NothingToCompareIsAnError) { EXPECT_THROW(static_cast<void>(compare({})), InputError); }
