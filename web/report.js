@@ -28,7 +28,7 @@
     if (!cell || cell.value === null || cell.value === undefined) { made.textContent = '–'; return made; }
     const shown = factor * cell.value, half = cell.half_width ? factor * cell.half_width : 0;
     made.dataset.value = shown;
-    if (half > 0 && half < Math.abs(shown)) {
+    if (half > 0) {
       const [middle, width] = figures.interval(shown, half);
       const extra = element('span', { class: 'half' });
       extra.textContent = ` ± ${width}`;
