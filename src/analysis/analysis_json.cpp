@@ -51,7 +51,9 @@ Json curve_json(const Curve& curve) {
             {"x", array_of(curve.x, curve_digits)},
             {"y", array_of(curve.y, curve_digits)},
             {"x_half_width", array_of(curve.x_half_width, curve_digits)},
-            {"y_half_width", array_of(curve.y_half_width, curve_digits)}};
+            {"y_half_width", array_of(curve.y_half_width, curve_digits)},
+            {"y_lower", array_of(curve.y_lower, curve_digits)},
+            {"y_upper", array_of(curve.y_upper, curve_digits)}};
 }
 
 Json map_json(const ColourMap& map) {

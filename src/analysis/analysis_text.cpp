@@ -61,6 +61,15 @@ std::string finding_lines(const Finding& finding, std::size_t label_width) {
     return line;
 }
 
+/// What two labels of one quantity share: up to the comma before the place where they differ, such as the
+/// height of a point, which is another one in each record.
+std::string common_label(const std::string& a, const std::string& b) {
+    if (a == b) return a;
+    const auto differ = std::mismatch(a.begin(), a.end(), b.begin(), b.end()).first;
+    const std::size_t comma = std::string(a.begin(), differ).rfind(", ");
+    return comma == std::string::npos ? a : a.substr(0, comma);
+}
+
 std::size_t label_width(const std::vector<Finding>& findings) {
     std::size_t width = 0;
     for (const Finding& finding : findings) width = std::max(width, width_of(finding.label));
@@ -97,7 +106,11 @@ std::string comparison_to_text(const std::vector<Analysis>& analyses) {
             for (const Finding& finding : analysis.findings) {
                 const auto known = std::find_if(rows.begin(), rows.end(),
                                                 [&](const Finding& row) { return row.key == finding.key; });
-                if (finding.chapter == chapter.name && known == rows.end()) rows.push_back(finding);
+                if (known != rows.end()) {
+                    known->label = common_label(known->label, finding.label);
+                } else if (finding.chapter == chapter.name) {
+                    rows.push_back(finding);
+                }
             }
         }
     }

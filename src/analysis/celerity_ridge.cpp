@@ -81,6 +81,10 @@ std::vector<RidgePoint> spectral_ridge(const WaveSpectrum& spectrum, std::size_t
     double largest = 0.0;
     for (const RidgePoint& p : ridge) largest = std::max(largest, p.energy);
     std::erase_if(ridge, [largest](const RidgePoint& p) { return p.energy < smallest_energy * largest; });
+    // Beyond half the sampling rate a branch comes back with the other sign.
+    double direction = 0.0;
+    for (const RidgePoint& p : ridge) direction += std::copysign(p.energy, p.frequency);
+    std::erase_if(ridge, [direction](const RidgePoint& p) { return p.frequency * direction < 0.0; });
     const auto aliased = std::find_if(ridge.begin(), ridge.end(), [&](const RidgePoint& p) {
         return std::abs(p.frequency) > usable_share * highest_frequency;
     });

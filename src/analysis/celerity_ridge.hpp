@@ -31,7 +31,8 @@ struct RidgeCelerity {
 /// of the lobe around (`lobe` steps to each side) above the floor, the median over frequencies. Wavenumbers
 /// count where the peak is at least `smallest_contrast` times the floor and holds 1 % of the energy of the
 /// largest, from the lowest up to where the ridge comes near the highest frequency or the highest wavenumber
-/// (80 % of each), beyond which its aliases begin.
+/// (80 % of each), beyond which its aliases begin; those against the direction of most of the energy are left
+/// out, too.
 [[nodiscard]] std::vector<RidgePoint> spectral_ridge(const WaveSpectrum& spectrum, std::size_t lobe = 2,
                                                      double smallest_contrast = 8.0);
 

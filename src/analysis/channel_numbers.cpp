@@ -27,8 +27,8 @@ double colebrook_white(double roughness, double radius, double reynolds) {
     }
 }
 
-void add_friction_figure(const Case& c, const Analysis& analysis, double velocity, double factor,
-                         Figure& figure) {
+void add_friction_figure(const Case& c, Origin origin, const Analysis& analysis, double velocity,
+                         double factor, Figure& figure) {
     const double depth = c.channel.depth;
     const double reynolds = 4.0 * reynolds_number(velocity, depth, c.fluid.kinematic_viscosity);
     std::vector<double> relative;
@@ -44,9 +44,9 @@ void add_friction_figure(const Case& c, const Analysis& analysis, double velocit
     const Finding* const roughness = find_finding(analysis, "equivalent_roughness");
     if (roughness != nullptr) {
         figure.curves.push_back(
-            make_curve("this flow", Origin::simulated, Mark::points, {roughness->value / depth}, {factor}));
+            make_curve("this flow", origin, Mark::points, {roughness->value / depth}, {factor}));
     }
-    if (c.measured.depth_mean_velocity && c.measured.equivalent_roughness) {
+    if (origin == Origin::simulated && c.measured.depth_mean_velocity && c.measured.equivalent_roughness) {
         figure.curves.push_back(
             make_curve("measured", Origin::measured, Mark::points, {*c.measured.equivalent_roughness / depth},
                        {friction_factor(c.streamwise_gravity(), depth, *c.measured.depth_mean_velocity)}));
@@ -103,7 +103,7 @@ void add_channel_numbers(const FlowRecord& record, Analysis& analysis) {
                     "the flow.",
                     "thesis (2.6), (2.9)", make_axis("relative roughness ks/R", "1", true),
                     make_axis("friction factor f", "1", true));
-    add_friction_figure(c, analysis, velocity, factor, figure);
+    add_friction_figure(c, record.origin(), analysis, velocity, factor, figure);
     analysis.figures.push_back(std::move(figure));
 }
 

@@ -62,7 +62,8 @@ std::vector<double> law_heights(double from, double to) {
 Curve law_curve(const char* name, int variant, const FittedFlow& flow, const FitQuality& fit,
                 const std::function<double(double)>& law) {
     const std::vector<double> heights =
-        law_heights(std::max(fit.from - flow.points.zero_plane, 1e-3 * flow.depth), 0.995 * flow.depth);
+        law_heights(std::max(fit.from - flow.points.zero_plane, 1e-3 * flow.depth),
+                    std::min(fit.to - flow.points.zero_plane, 0.995 * flow.depth));
     std::vector<double> velocity;
     std::vector<double> z;
     for (const double height : heights) {
@@ -77,8 +78,8 @@ Curve law_curve(const char* name, int variant, const FittedFlow& flow, const Fit
 Figure laws_figure(const FlowRecord& record, const FittedFlow& flow) {
     Figure figure =
         make_figure(chapter, "fitted_laws", "Laws fitted to the velocity profile",
-                    "Velocity profile with the fitted laws, each drawn from the lower end of its "
-                    "range to the surface. Zero plane: the datum.",
+                    "Velocity profile with the fitted laws, each drawn over the range of heights that "
+                    "it was fitted to. Zero plane: the datum.",
                     "thesis (2.3), (2.5), (2.25), (2.26)", make_axis("streamwise velocity u", "m/s"),
                     make_axis("height above the bed level z", "m"));
     figure.curves.push_back(make_curve(record.origin() == Origin::simulated ? "simulated" : "measured",
@@ -133,13 +134,22 @@ void add_log_law(const FlowRecord& record, const FittedFlow& flow, Figure& laws,
     analysis.findings.push_back(
         make_finding(chapter, "log_law_residual", "rms residual of the log law", "m/s", fit.residual_rms));
     const LogLawFit free = fit_log_law_with_zero_plane(flow.points, log_law_kappa, flow.log_law_range);
-    if (free.valid) {
+    if (free.valid && (free.zero_plane < 0.0 || free.zero_plane > c.crest())) {
+        analysis.warnings.push_back(
+            fmt::format("rough log law with a free zero plane: the fit puts it {:.3g} mm {} the datum, "
+                        "{}; it and what follows from it are left out",
+                        1000.0 * std::abs(free.zero_plane - flow.points.zero_plane),
+                        free.zero_plane < flow.points.zero_plane ? "below" : "above",
+                        free.zero_plane < 0.0 ? "below the bed" : "above the crests"));
+    } else if (free.valid) {
         analysis.findings.push_back(
             against(fitted("zero_plane", "zero plane of the log law, fitted, above the datum", "m",
                            value(free.zero_plane - flow.points.zero_plane, free.zero_plane_half_width,
                                  {free.zero_plane_interval.lower - flow.points.zero_plane,
                                   free.zero_plane_interval.upper - flow.points.zero_plane})),
-                    0.0, "datum"));
+                    0.0, "datum",
+                    "between bed level and crests; the interval takes the residuals of the points as "
+                    "independent"));
         analysis.findings.push_back(fitted("zero_plane_friction_velocity",
                                            "u* with the zero plane fitted, too", "m/s",
                                            value(free.friction_velocity, free.friction_velocity_half_width,
@@ -182,7 +192,7 @@ void add_log_law(const FlowRecord& record, const FittedFlow& flow, Figure& laws,
     analysis.findings.push_back(std::move(rough));
 }
 
-void add_other_laws(const FittedFlow& flow, Figure& laws, Analysis& analysis) {
+void add_other_laws(const FittedFlow& flow, double viscosity, Figure& laws, Analysis& analysis) {
     const std::string with = flow.friction_velocity ? "u* from the stress" : "u* fitted, too";
     const auto note = [&](Finding finding) {
         finding.remark = with + (finding.remark.empty() ? "" : "; " + finding.remark);
@@ -191,8 +201,18 @@ void add_other_laws(const FittedFlow& flow, Figure& laws, Analysis& analysis) {
     const WakeFit wake =
         fit_wake_strength(flow.points, flow.depth, flow.friction_velocity, log_law_kappa, flow.whole_range);
     if (wake.valid) {
-        note(against(fitted("wake_strength", "Coles' wake strength Pi", "1", wake.wake_strength),
-                     wake_strength_of_uniform_flow, "Nezu & Rodi, u* h/nu > 2000"));
+        const double reynolds = wake.friction_velocity.value * flow.depth / viscosity;
+        Finding strength = fitted("wake_strength", "Coles' wake strength Pi", "1", wake.wake_strength);
+        constexpr double fully_developed_wake = 2000.0;
+        if (reynolds > fully_developed_wake) {
+            strength =
+                against(std::move(strength), wake_strength_of_uniform_flow, "Nezu & Rodi, u* h/nu > 2000");
+        } else {
+            strength.remark += fmt::format(
+                "{}u* h/nu = {:.4g}: Nezu & Rodi's Pi = 0.2 holds above 2000, below it is smaller",
+                strength.remark.empty() ? "" : "; ", reynolds);
+        }
+        note(std::move(strength));
         laws.curves.push_back(law_curve("log-wake law", 1, flow, wake, [&](double height) {
             return rough_log_wake_law(height, flow.depth, wake.friction_velocity.value,
                                       wake.equivalent_roughness.value, wake.wake_strength.value);
@@ -228,9 +248,12 @@ void add_other_laws(const FittedFlow& flow, Figure& laws, Analysis& analysis) {
         fit_total_dip_log_wake_law(flow.points, flow.depth, flow.friction_velocity,
                                    wake_strength_of_uniform_flow, log_law_kappa, flow.whole_range);
     if (total.valid) {
-        note(against(fitted("total_dip_parameter", "alpha of the total dip-modified log-wake law (2.26)", "1",
-                            total.dip),
-                     0.0, "no dip"));
+        Finding alpha = against(fitted("total_dip_parameter",
+                                       "alpha of the total dip-modified log-wake law (2.26)", "1", total.dip),
+                                0.0, "no dip");
+        alpha.remark += fmt::format("{}Pi = {:.2g} assumed", alpha.remark.empty() ? "" : "; ",
+                                    wake_strength_of_uniform_flow);
+        note(std::move(alpha));
         laws.curves.push_back(
             law_curve("total dip-modified log-wake law", 4, flow, total, [&](double height) {
                 return total_dip_log_wake_law(height, flow.depth, total.friction_velocity.value,
@@ -302,7 +325,7 @@ void analyse_fits(const FlowRecord& record, Analysis& analysis) {
     add_stress_velocity(record, flow, analysis);
     Figure laws = laws_figure(record, flow);
     add_log_law(record, flow, laws, analysis);
-    add_other_laws(flow, laws, analysis);
+    add_other_laws(flow, c.fluid.kinematic_viscosity, laws, analysis);
     add_kappa(record, flow, analysis);
     analysis.figures.push_back(std::move(laws));
     add_channel_numbers(record, analysis);

@@ -56,7 +56,8 @@ void add_history(const FlowRecord& record, Analysis& analysis) {
 
 /// A record within the window, at even times to within a step of the simulation.
 struct WindowRecord {
-    std::string prefix;  ///< of the keys
+    std::string prefix;    ///< of the keys of its figures and its drift
+    std::string findings;  ///< before the keys of the other findings; empty for the depth mean of a run
     std::string symbol;
     std::string unit;
     std::vector<double> values;
@@ -85,7 +86,8 @@ void add_settling(const FlowRecord& record, const WindowRecord& window, Analysis
         f.curves.push_back(std::move(curve));
         constexpr double band = 0.01;
         Finding finding = make_finding(
-            chapter, "settled_after", "time after which the running mean stays within 1 % of the final", "s",
+            chapter, window.findings + "settled_after",
+            "time after which the running mean stays within 1 % of the final", "s",
             static_cast<double>(settled_after(window.values, band * std::abs(last))) * window.interval);
         finding.remark =
             fmt::format("of {:.4g} s", static_cast<double>(window.values.size()) * window.interval);
@@ -108,16 +110,17 @@ void add_autocorrelation(const FlowRecord& record, const WindowRecord& window, A
         f.curves.push_back(make_curve(window.symbol, record.origin(), Mark::line, thinned(lag, most_points),
                                       thinned(correlation, most_points)));
         const IntegralScale scale = integral_scale_to_zero_crossing(correlation);
-        Finding finding =
-            make_finding(chapter, "integral_time_to_zero", "integral time scale to the first zero crossing",
-                         "s", scale.scale * window.interval);
+        Finding finding = make_finding(chapter, window.findings + "integral_time_to_zero",
+                                       "integral time scale to the first zero crossing", "s",
+                                       scale.scale * window.interval);
         if (!scale.closed)
             finding.remark = "the correlation does not reach zero within a quarter of the window";
         analysis.findings.push_back(std::move(finding));
     });
 }
 
-void add_stationarity(const WindowRecord& window, Analysis& analysis) {
+/// `tolerance`: drift over the mean below which a run counts as converged; 0 for a laboratory record.
+void add_stationarity(const WindowRecord& window, double tolerance, Analysis& analysis) {
     try {
         const Stationarity test = stationarity(window.values);
         const MeanEstimate mean = mean_with_confidence(window.values);
@@ -130,15 +133,22 @@ void add_stationarity(const WindowRecord& window, Analysis& analysis) {
                                    test.drift.value / mean.mean, test.trend_p_value);
         analysis.findings.push_back(std::move(drift));
         Finding steady = make_finding(
-            chapter, "stationarity_p_value",
+            chapter, window.findings + "stationarity_p_value",
             fmt::format("steadiness of {}: smallest p-value (Bonferroni)", window.symbol), "1", test.p_value);
         steady.remark = test.blocks ? "trend, reverse arrangements and runs of means and variances of blocks"
                                     : fmt::format(
-                                          "the trend alone: only {} independent blocks, too few for tests "
-                                          "of blocks",
-                                          test.block_count);
+                                          "the trend alone: only {} independent block{}, too few for "
+                                          "tests of blocks",
+                                          test.block_count, test.block_count == 1 ? "" : "s");
         steady.remark +=
             test.p_value < 0.05 ? ": not steady (below 0.05)" : ": nothing speaks against steadiness";
+        const double relative = std::abs(test.drift.value / mean.mean);
+        if (test.p_value < 0.05 && relative < tolerance) {
+            steady.remark += fmt::format(
+                "; the drift of {:.2g} % of the mean is below run.tolerance = {:.2g} %, so the flow still "
+                "counts as converged",
+                100.0 * relative, 100.0 * tolerance);
+        }
         analysis.findings.push_back(std::move(steady));
     } catch (const InputError& error) {
         analysis.warnings.push_back(std::string("test of steadiness: ") + error.what());
@@ -181,10 +191,10 @@ void add_means(const FlowRecord& record, Analysis& analysis) {
                         "interval is a rough estimate; simulate longer or widen --window",
                         mean.effective_samples));
     }
-    const WindowRecord record_of_velocity{"velocity", "U", "m/s", velocity, time.front(), interval};
+    const WindowRecord record_of_velocity{"velocity", "", "U", "m/s", velocity, time.front(), interval};
     add_settling(record, record_of_velocity, analysis);
     add_autocorrelation(record, record_of_velocity, analysis);
-    add_stationarity(record_of_velocity, analysis);
+    add_stationarity(record_of_velocity, c.run.tolerance, analysis);
     for (const auto& [name, key, label, unit] :
          {std::tuple{"total_mean_velocity", "total_mean_velocity", "mass-mean velocity of all water", "m/s"},
           std::tuple{"velocity_fluctuation", "velocity_fluctuation",
@@ -208,7 +218,8 @@ std::optional<WindowRecord> laboratory_record_of(const FlowRecord& record) {
         if (probe.time.size() < 2 || probe.z.empty()) continue;
         const double interval =
             (probe.time.back() - probe.time.front()) / static_cast<double>(probe.time.size() - 1);
-        return WindowRecord{"velocity",
+        return WindowRecord{"point_velocity",
+                            "point_velocity_",
                             "u, " + probe.name,
                             "m/s",
                             probe.point(probe.u, probe.z.size() / 2),
@@ -222,8 +233,9 @@ std::optional<WindowRecord> laboratory_record_of(const FlowRecord& record) {
         std::vector<double> squares = probe.elevation;
         const double mean = mean_with_confidence(squares).mean;
         for (double& value : squares) value = (value - mean) * (value - mean);
-        return WindowRecord{
-            "elevation", "the squared elevation, " + probe.name, "m2", squares, probe.time.front(), interval};
+        return WindowRecord{"elevation", "elevation_", "the squared elevation, " + probe.name,
+                            "m2",        squares,      probe.time.front(),
+                            interval};
     }
     return std::nullopt;
 }
@@ -231,14 +243,14 @@ std::optional<WindowRecord> laboratory_record_of(const FlowRecord& record) {
 void analyse_laboratory_record(const FlowRecord& record, Analysis& analysis) {
     const std::optional<WindowRecord> window = laboratory_record_of(record);
     if (!window) return;
-    if (window->prefix == "velocity") {
+    if (window->prefix == "point_velocity") {
         const MeanEstimate mean = mean_with_confidence(window->values);
         analysis.findings.push_back(make_finding(chapter, "point_velocity", "mean of " + window->symbol,
                                                  window->unit, mean.mean, mean.half_width));
     }
     add_settling(record, *window, analysis);
     add_autocorrelation(record, *window, analysis);
-    add_stationarity(*window, analysis);
+    add_stationarity(*window, 0.0, analysis);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 #include "analysis/chapters.hpp"
 #include "analysis/depth_correlation.hpp"
@@ -12,6 +13,8 @@
 #include "analysis/probe_point_statistics.hpp"
 #include "analysis/space_time.hpp"
 #include "analysis/velocity_spectra.hpp"
+#include "solver/scheme.hpp"
+#include "statistics/power_spectrum.hpp"
 #include "statistics/quadrants.hpp"
 
 namespace riffle {
@@ -27,15 +30,58 @@ struct Instrument {
     double interval = 0;
 };
 
-/// The probe with the most points over each other.
-Instrument main_instrument(const FlowRecord& record) {
-    Instrument best;
+/// The points over each other at the place that has the most of them.
+std::vector<ProbePointStatistics> points_of_one_place(const std::vector<ProbePointStatistics>& points) {
+    std::vector<ProbePointStatistics> best;
+    for (const ProbePointStatistics& first : points) {
+        std::vector<ProbePointStatistics> same;
+        std::copy_if(points.begin(), points.end(), std::back_inserter(same),
+                     [&](const ProbePointStatistics& each) { return std::abs(each.x - first.x) < 1e-6; });
+        if (same.size() > best.size()) best = std::move(same);
+    }
+    return best;
+}
+
+/// The velocity probes with enough samples, each with its points at one place; what is left out of them is
+/// said.
+std::vector<Instrument> instruments_of(const FlowRecord& record, Analysis& analysis) {
+    std::vector<Instrument> result;
     for (const VelocityProbe& probe : record.velocity_probes()) {
         if (probe.time.size() < 32) continue;
-        Instrument each{&probe, probe_point_statistics(probe), sampling_interval_of(probe)};
-        if (best.probe == nullptr || each.points.size() > best.points.size()) best = std::move(each);
+        const std::vector<ProbePointStatistics> all = probe_point_statistics(probe);
+        Instrument each{&probe, points_of_one_place(all), sampling_interval_of(probe)};
+        if (each.points.empty()) continue;
+        if (each.points.size() < all.size()) {
+            analysis.warnings.push_back(
+                fmt::format("instrument {}: {} of its {} points stand at x = {:.4g} mm and are analysed as a "
+                            "profile, the others are left out",
+                            probe.name, each.points.size(), all.size(), 1000.0 * each.points.front().x));
+        }
+        result.push_back(std::move(each));
     }
-    if (best.points.empty()) best.probe = nullptr;
+    return result;
+}
+
+/// The instrument that the chapter is about: one that the user asked for before one that a run has without
+/// asking, then the one with the most points. Null where there is none.
+const Instrument* main_instrument(const std::vector<Instrument>& instruments) {
+    const auto standard = [](const Instrument& each) { return each.probe->name.rfind("standard_", 0) == 0; };
+    const Instrument* best = nullptr;
+    for (const Instrument& each : instruments) {
+        if (best == nullptr || (standard(*best) && !standard(each)) ||
+            (standard(*best) == standard(each) && each.points.size() > best->points.size())) {
+            best = &each;
+        }
+    }
+    return best;
+}
+
+/// The instrument with the most points over each other; of several the main one.
+const Instrument* tallest_instrument(const std::vector<Instrument>& instruments, const Instrument* main) {
+    const Instrument* best = main;
+    for (const Instrument& each : instruments) {
+        if (each.points.size() > best->points.size()) best = &each;
+    }
     return best;
 }
 
@@ -97,6 +143,30 @@ std::vector<HeightRecord> height_records(const VelocityProbe& probe, const std::
     return records;
 }
 
+/// Frequency of the largest density beyond zero; zero where there is none.
+double peak_frequency(const PowerSpectrum& spectrum) {
+    if (spectrum.density.size() < 2) return 0.0;
+    const auto peak = std::max_element(spectrum.density.begin() + 1, spectrum.density.end());
+    return spectrum.frequency[static_cast<std::size_t>(peak - spectrum.density.begin())];
+}
+
+/// The water's slight compressibility lets it swing up and down as a whole, a quarter of a wave of sound over
+/// the depth. Where that is all that w shows, say so.
+void warn_of_sound(const FlowRecord& record, const PowerSpectrum& spectrum, const std::string& where,
+                   Analysis& analysis) {
+    if (record.flow() == nullptr || record.origin() != Origin::simulated) return;
+    const double mode =
+        make_scheme(*record.flow(), record.column()).state.sound_speed / (4.0 * record.flow()->total_depth());
+    const double peak = peak_frequency(spectrum);
+    constexpr double near = 0.15;
+    if (std::abs(peak - mode) > near * mode) return;
+    analysis.warnings.push_back(fmt::format(
+        "the spectrum of w, {}, has its peak at {:.3g} Hz, beside c0/(4 H) = {:.3g} Hz: w' is the "
+        "vertical sound mode of the slightly compressible water, no turbulence, and so is its "
+        "correlation over the depth",
+        where, peak, mode));
+}
+
 void add_spectra(const FlowRecord& record, const Instrument& instrument, bool vertical, Analysis& analysis) {
     const std::vector<double>& values = vertical ? instrument.probe->w : instrument.probe->u;
     if (values.empty()) return;
@@ -117,11 +187,11 @@ void add_spectra(const FlowRecord& record, const Instrument& instrument, bool ve
             const PowerSpectrum& smooth = spectra[i].spectrum.smooth;
             Curve curve =
                 make_curve(place(points[i]), record.origin(), Mark::line, smooth.frequency, smooth.density);
-            for (std::size_t k = 0; k < curve.y.size(); ++k)
-                curve.y_half_width.push_back(0.5 * (smooth.upper[k] - smooth.lower[k]) * curve.y[k]);
+            set_bounds(curve, smooth.lower, smooth.upper);
             curve.variant = static_cast<int>(i);
             f.curves.push_back(std::move(curve));
             if (i != spectra.size() / 2) continue;
+            if (vertical) warn_of_sound(record, spectra[i].spectrum.fine, place(points[i]), analysis);
             const FrequencyBand& band = spectra[i].band;
             if (spectra[i].five_thirds_level) {
                 const auto law = [&](double at) {
@@ -164,12 +234,20 @@ void add_depth_correlation(const FlowRecord& record, const Instrument& instrumen
                     "Temporal cross-correlation of w' at three heights with w' at the highest point; a "
                     "positive lag: the height follows.",
                     "thesis (4.8)", make_axis("time lag", "s"), make_axis("correlation", "1"));
+    figure.x.from = -1.0;
+    figure.x.to = 1.0;
     attempt(record, analysis, std::move(figure), [&](Figure& f) {
         const std::vector<HeightRecord> records =
             height_records(*instrument.probe, instrument.probe->w, instrument.points);
         const double duration = static_cast<double>(records.front().values.size()) * instrument.interval;
-        const std::vector<HeightCorrelation> found = depth_correlation(
-            records, records.back().values, instrument.interval, std::min(2.0, 0.25 * duration));
+        // A few periods of what w' does most.
+        const double peak =
+            peak_frequency(smoothed_power_spectrum(records.back().values, instrument.interval).fine);
+        constexpr double periods = 8.0;
+        double largest = std::min(2.0, 0.25 * duration);
+        if (peak > 0.0) largest = std::min(largest, std::max(periods / peak, 8.0 * instrument.interval));
+        const std::vector<HeightCorrelation> found =
+            depth_correlation(records, records.back().values, instrument.interval, largest);
         Curve same = make_curve("at the same time", record.origin(), Mark::line_and_points, {}, {});
         Curve extreme = make_curve("extreme over the lag", record.origin(), Mark::points, {}, {});
         extreme.variant = 1;
@@ -192,9 +270,25 @@ void add_depth_correlation(const FlowRecord& record, const Instrument& instrumen
         }
         f.curves.push_back(std::move(same));
         f.curves.push_back(std::move(extreme));
-        const auto influence = influence_depth(found, instrument.points.back().z);
-        if (!influence || record.flow() == nullptr) return;
+        if (record.flow() == nullptr || found.size() < 3) return;
         const double depth = record.flow()->total_depth();
+        // The highest point correlates with itself: a fall between it and the next tells their distance only.
+        constexpr double threshold = 0.5;
+        if (!(found[found.size() - 2].correlation.value > threshold)) {
+            analysis.warnings.push_back(
+                fmt::format("influence depth of the surface: not resolved, the correlation falls below 0.5 "
+                            "within {:.3g} mm, between the two highest points",
+                            1000.0 * (found.back().z - found[found.size() - 2].z)));
+            return;
+        }
+        const auto influence = influence_depth(found, instrument.points.back().z, threshold);
+        if (!influence) {
+            analysis.warnings.push_back(fmt::format(
+                "influence depth of the surface: none, the correlation stays above 0.5 down to the "
+                "lowest point at z/H = {:.3g}",
+                found.front().z / depth));
+            return;
+        }
         Finding finding =
             against(make_finding(chapter, "influence_depth",
                                  "influence depth of the surface, z/H where the correlation is 0.5", "1",
@@ -276,8 +370,8 @@ void add_quadrants(const FlowRecord& record, const Instrument& instrument, Analy
 }  // namespace
 
 void analyse_subsurface(const FlowRecord& record, Analysis& analysis) {
-    const Instrument instrument = main_instrument(record);
-    if (instrument.probe == nullptr) {
+    const std::vector<Instrument> instruments = instruments_of(record, analysis);
+    if (instruments.empty()) {
         add_missing(
             record, analysis,
             make_figure(chapter, "velocity_spectrum", "Spectrum of the streamwise velocity", "", "",
@@ -287,10 +381,19 @@ void analyse_subsurface(const FlowRecord& record, Analysis& analysis) {
             "kind = \"velocity\" in the case file records one");
         return;
     }
+    const Instrument& instrument = *main_instrument(instruments);
+    const Instrument& tallest = *tallest_instrument(instruments, &instrument);
+    for (const Instrument& each : instruments) {
+        if (&each == &instrument) continue;
+        analysis.warnings.push_back(fmt::format(
+            "the velocities of instrument {} are {}; those of {} are analysed", each.probe->name,
+            &each == &tallest ? "used for the correlation over the depth only" : "recorded, but not analysed",
+            instrument.probe->name));
+    }
     add_scales(record, instrument, analysis);
     add_spectra(record, instrument, false, analysis);
     add_spectra(record, instrument, true, analysis);
-    add_depth_correlation(record, instrument, analysis);
+    add_depth_correlation(record, tallest, analysis);
     add_quadrants(record, instrument, analysis);
 }
 

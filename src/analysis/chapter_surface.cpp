@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "analysis/chapters.hpp"
 #include "analysis/figure_tools.hpp"
 #include "analysis/surface_parts.hpp"
 #include "statistics/probability_density.hpp"
+#include "statistics/stationarity.hpp"
 
 namespace riffle {
 
@@ -60,17 +62,20 @@ void add_deviation(const FlowRecord& record, const SurfaceFluctuation& surface, 
         if (measured && record.origin() == Origin::simulated && deviation.value < 0.5 * *measured)
             finding.remark = flatness_remark(c);
     }
-    analysis.findings.push_back(std::move(finding));
     if (record.flow() != nullptr && record.origin() == Origin::simulated) {
-        constexpr double resolved = 1e-3;  // of the particle spacing
-        const double spacing = record.flow()->numerics.spacing;
-        if (deviation.value < resolved * spacing) {
-            analysis.warnings.push_back(
-                fmt::format("the surface is flat to {:.2g} of the particle spacing: patterns, celerities and "
-                            "spectra of it are "
-                            "those of the rows of particles and of rounding, not of waves or turbulence",
-                            deviation.value / spacing));
+        if (const auto thesis = thesis_surface(*record.flow())) {
+            if (!finding.remark.empty()) finding.remark += "; ";
+            finding.remark +=
+                fmt::format("computed in the thesis (2D): {:.3g} mm", 1000.0 * thesis->deviation);
         }
+    }
+    analysis.findings.push_back(std::move(finding));
+    if (is_flat(record, surface.line)) {
+        analysis.warnings.push_back(
+            fmt::format("the surface is flat to {:.2g} of the particle spacing: patterns, celerities and "
+                        "spectra of it are "
+                        "those of the rows of particles and of rounding, not of waves or turbulence",
+                        deviation.value / record.flow()->numerics.spacing));
     }
     if (record.flow() != nullptr) {
         analysis.findings.push_back(make_finding(chapter, "surface_relative_deviation",
@@ -150,13 +155,18 @@ void add_map(const FlowRecord& record, const SurfaceFluctuation& surface, Analys
 void add_density(const std::vector<SurfaceStation>& stations, const FlowRecord& record, Analysis& analysis) {
     Figure figure =
         make_figure(chapter, "surface_probability_density", "Probability density of the surface elevation",
-                    "Histogram of the elevation about its mean with 95 % intervals, and the Gaussian "
-                    "density of the same standard deviation.",
+                    "Histogram of the elevation about its mean over its standard deviation, with 95 % "
+                    "intervals, and the Gaussian density.",
                     "thesis chapters 3-5, probability density with Gaussian fit",
-                    make_axis("elevation eta'", "m"), make_axis("probability density", "1/m"));
+                    make_axis("elevation eta'/sigma", "1"), make_axis("probability density p sigma", "1"));
     attempt(record, analysis, std::move(figure), [&](Figure& f) {
         for (std::size_t i = 0; i < stations.size(); ++i) {
-            const ProbabilityDensity density = probability_density(stations[i].elevation);
+            ProbabilityDensity density = probability_density(stations[i].elevation);
+            const double deviation = density.moments.standard_deviation.value;
+            for (double& at : density.centre) at /= deviation;
+            for (auto* values : {&density.density, &density.half_width, &density.gaussian}) {
+                for (double& value : *values) value *= deviation;
+            }
             Curve bars =
                 make_curve(stations[i].name, record.origin(), Mark::points, density.centre, density.density);
             bars.y_half_width = density.half_width;
@@ -185,6 +195,27 @@ void add_density(const std::vector<SurfaceStation>& stations, const FlowRecord& 
     });
 }
 
+/// Moments and spectra of a surface that grows or calms down through the window are of no one state.
+void warn_of_change(const SurfaceStation& station, Analysis& analysis) {
+    std::vector<double> squares = station.elevation;
+    for (double& value : squares) value *= value;
+    try {
+        const Stationarity test = stationarity(squares);
+        constexpr double significance = 0.01;
+        if (!(test.p_value < significance)) return;
+        const auto middle = squares.begin() + static_cast<std::ptrdiff_t>(squares.size() / 2);
+        const double first = std::accumulate(squares.begin(), middle, 0.0);
+        const double second = std::accumulate(middle, squares.end(), 0.0);
+        analysis.warnings.push_back(fmt::format(
+            "the fluctuation of the surface is not steady over the window (p = {:.2g}, {}): its standard "
+            "deviation is {:.2g} times as large in the second half as in the first, so that moments and "
+            "spectra of it belong to no one state",
+            test.p_value, station.name, std::sqrt(second / first)));
+    } catch (const InputError&) {
+        return;  // too short, or without variance: nothing to tell
+    }
+}
+
 /// The findings of wave probes without a line between them.
 void add_probe_deviations(const std::vector<SurfaceStation>& stations, const FlowRecord& record,
                           Analysis& analysis) {
@@ -206,7 +237,7 @@ void add_probe_deviations(const std::vector<SurfaceStation>& stations, const Flo
 }  // namespace
 
 void analyse_surface(const FlowRecord& record, Analysis& analysis) {
-    const std::vector<SurfaceStation> probes = stations_of_probes(record);
+    const std::vector<SurfaceStation> probes = stations_of_probes(record, analysis.warnings);
     const SpaceTime& surface = record.surface();
     if (surface.rows() < 2 && probes.empty()) {
         const bool wall = record.flow() != nullptr && record.flow()->channel.top != Top::free_surface;
@@ -235,6 +266,7 @@ void analyse_surface(const FlowRecord& record, Analysis& analysis) {
         add_place_patterns(record, stations, analysis);
     }
     if (stations.empty()) return;
+    warn_of_change(stations.front(), analysis);
     add_density(stations, record, analysis);
     add_station_spectra(record, stations, analysis);
     add_station_correlations(record, stations, analysis);

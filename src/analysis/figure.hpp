@@ -20,6 +20,8 @@ struct Curve {
     std::vector<double> x, y;
     /// Half-widths of the 95 % intervals; empty where none is known.
     std::vector<double> x_half_width, y_half_width;
+    /// Exact bounds of the 95 % intervals of y where these are lopsided, as of spectra; empty otherwise.
+    std::vector<double> y_lower, y_upper;
     std::string run;  ///< name of the run or record it belongs to; empty where there is only one
     int variant = 0;  ///< tells apart curves of the same origin in one figure
 };

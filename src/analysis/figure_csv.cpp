@@ -49,32 +49,38 @@ std::string preamble(const Figure& figure) {
     return comment(figure.title) + comment(figure.source) + comment(figure.caption);
 }
 
-bool any_half_width(const Figure& figure, std::vector<double> Curve::*member) {
+bool any_of_curves(const Figure& figure, std::vector<double> Curve::*member) {
     return std::any_of(figure.curves.begin(), figure.curves.end(),
                        [&](const Curve& curve) { return !(curve.*member).empty(); });
 }
 
-std::string half_width_cell(const std::vector<double>& half_widths, std::size_t i) {
-    return "," + (i < half_widths.size() ? number(half_widths[i]) : std::string());
+std::string optional_cell(const std::vector<double>& values, std::size_t i) {
+    return "," + (i < values.size() ? number(values[i]) : std::string());
 }
 
 }  // namespace
 
 std::string curves_to_csv(const Figure& figure) {
     if (figure.curves.empty()) return {};
-    const bool wide_x = any_half_width(figure, &Curve::x_half_width);
-    const bool wide_y = any_half_width(figure, &Curve::y_half_width);
+    const bool wide_x = any_of_curves(figure, &Curve::x_half_width);
+    const bool wide_y = any_of_curves(figure, &Curve::y_half_width);
+    const bool bounded = any_of_curves(figure, &Curve::y_lower);
     std::string text = preamble(figure) + "curve,run,origin," + heading(figure.x.label, figure.x.unit) + "," +
                        heading(figure.y.label, figure.y.unit);
     if (wide_x) text += "," + heading("half-width of " + figure.x.label, figure.x.unit);
     if (wide_y) text += "," + heading("half-width of " + figure.y.label, figure.y.unit);
+    if (bounded) {
+        text += "," + heading("lower bound of " + figure.y.label, figure.y.unit) + "," +
+                heading("upper bound of " + figure.y.label, figure.y.unit);
+    }
     text += "\n";
     for (const Curve& curve : figure.curves) {
         const std::string start = cell(curve.name) + "," + cell(curve.run) + "," + word(curve.origin) + ",";
         for (std::size_t i = 0; i < curve.x.size(); ++i) {
             text += start + number(curve.x[i]) + "," + number(curve.y[i]);
-            if (wide_x) text += half_width_cell(curve.x_half_width, i);
-            if (wide_y) text += half_width_cell(curve.y_half_width, i);
+            if (wide_x) text += optional_cell(curve.x_half_width, i);
+            if (wide_y) text += optional_cell(curve.y_half_width, i);
+            if (bounded) text += optional_cell(curve.y_lower, i) + optional_cell(curve.y_upper, i);
             text += "\n";
         }
     }

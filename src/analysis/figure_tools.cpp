@@ -45,6 +45,16 @@ Curve make_curve(std::string name, Origin origin, Mark mark, std::vector<double>
     return curve;
 }
 
+void set_bounds(Curve& curve, const std::vector<double>& lower_factor,
+                const std::vector<double>& upper_factor) {
+    curve.y_lower.clear();
+    curve.y_upper.clear();
+    for (std::size_t i = 0; i < curve.y.size(); ++i) {
+        curve.y_lower.push_back(curve.y[i] * lower_factor[i]);
+        curve.y_upper.push_back(curve.y[i] * upper_factor[i]);
+    }
+}
+
 Finding make_finding(const char* chapter, std::string key, std::string label, std::string unit, double value,
                      std::optional<double> half_width) {
     Finding finding;
@@ -53,7 +63,12 @@ Finding make_finding(const char* chapter, std::string key, std::string label, st
     finding.label = std::move(label);
     finding.unit = std::move(unit);
     finding.value = value;
-    if (half_width && std::isfinite(*half_width)) finding.half_width = half_width;
+    // Below this it is rounding of a value that does not vary, not an uncertainty.
+    constexpr double rounding = 1e-12;
+    if (half_width && std::isfinite(*half_width) &&
+        (*half_width == 0.0 || *half_width > rounding * std::abs(value))) {
+        finding.half_width = half_width;
+    }
     return finding;
 }
 

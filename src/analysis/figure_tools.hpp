@@ -28,6 +28,10 @@ inline constexpr const char* measured_in_case = "measured (case file)";
 [[nodiscard]] Curve make_curve(std::string name, Origin origin, Mark mark, std::vector<double> x,
                                std::vector<double> y);
 
+/// Give a curve the bounds of its intervals: its values times these factors, as of a spectrum (chi-square).
+void set_bounds(Curve& curve, const std::vector<double>& lower_factor,
+                const std::vector<double>& upper_factor);
+
 /// A finding with its 95 % half-width, where that is finite.
 [[nodiscard]] Finding make_finding(const char* chapter, std::string key, std::string label, std::string unit,
                                    double value, std::optional<double> half_width = std::nullopt);

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "hydraulics/channel_laws.hpp"
+#include "hydraulics/log_law.hpp"
 #include "solver/summary.hpp"
 
 namespace riffle {
@@ -79,7 +80,23 @@ double bulk_velocity(const FlowRecord& record) {
         return std::accumulate(velocity.begin(), velocity.end(), 0.0) / static_cast<double>(velocity.size());
     }
     const Case* const flow = record.flow();
+    const Profiles& p = record.profiles();
+    if (record.origin() == Origin::measured && flow != nullptr && !p.velocity.empty()) {
+        const auto mean = profile_depth_mean({p.z, p.velocity, {}, flow->datum()}, flow->channel.depth);
+        if (mean) return *mean;
+    }
     return flow != nullptr ? flow->measured.depth_mean_velocity.value_or(0.0) : 0.0;
+}
+
+double surface_velocity(const FlowRecord& record) {
+    const Profiles& p = record.profiles();
+    if (record.flow() == nullptr || p.velocity.size() != p.z.size()) return 0.0;
+    constexpr double near_surface = 0.8;  // of the total depth
+    for (std::size_t i = p.z.size(); i-- > 0;) {
+        if (p.z[i] < near_surface * record.flow()->total_depth()) return 0.0;
+        if (std::isfinite(p.velocity[i]) && p.velocity[i] != 0.0) return p.velocity[i];
+    }
+    return 0.0;
 }
 
 double friction_velocity_of(const FlowRecord& record) {

@@ -112,8 +112,13 @@ class FlowRecord {
 [[nodiscard]] std::vector<double> within_window(const FlowRecord& record, const std::string& name);
 
 /// Velocity that the flow is scaled with, m/s: the simulated depth-mean velocity over the window; of a
-/// laboratory record the measured one of its case. 0 where none is known.
+/// laboratory profile its own depth mean above the datum (profile_depth_mean), of other laboratory records
+/// the measured one of their case. 0 where none is known.
 [[nodiscard]] double bulk_velocity(const FlowRecord& record);
+
+/// Velocity of the water at the surface, m/s: that of the topmost point of the mean profile in the upper
+/// fifth of the depth. Patterns travel with it. 0 where none is known.
+[[nodiscard]] double surface_velocity(const FlowRecord& record);
 
 /// Friction velocity that the flow is scaled with, m/s: from the stress at the crests of the run
 /// (thesis 4.6), else the measured one, else sqrt(g h S0). 0 where none is known.

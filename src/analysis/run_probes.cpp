@@ -127,7 +127,12 @@ void read_velocity(const ProbeGroup& group, RunProbes& probes) {
 
 /// Means over the averaging windows of a grid: the variance in time is the mean variance within the windows
 /// and the variance of their means.
-void read_grid(const ProbeGroup& group, RunProbes& probes) {
+/// A row stands for the time up to its own: the first counts only where it began within the window.
+void read_grid(const ProbeGroup& group, const TimeWindow& window, RunProbes& probes) {
+    const std::vector<double>& time = group.time();
+    const double averaging = time.size() > 1 ? time[1] - time[0] : 0.0;
+    const std::size_t first_row =
+        time.size() > 1 && time[0] - averaging < window.from - 1e-3 * averaging ? 1 : 0;
     VelocityGrid grid;
     grid.name = group.name();
     grid.x = group.axis("x");
@@ -145,7 +150,7 @@ void read_grid(const ProbeGroup& group, RunProbes& probes) {
     for (std::size_t i = 0; i < points; ++i) {
         double n = 0.0;
         std::array<double, 8> sum{};
-        for (std::size_t row = 0; row < group.time().size(); ++row) {
+        for (std::size_t row = first_row; row < time.size(); ++row) {
             const auto at = [&](std::size_t k) { return rows[k][row * points + i]; };
             const double u = at(0);
             const double w = at(1);
@@ -214,7 +219,7 @@ RunProbes read_probes(const ResultsReader& reader, const Case& c, const TimeWind
         } else if (*kind == "velocity") {
             read_velocity(group, probes);
         } else if (*kind == "grid") {
-            read_grid(group, probes);
+            read_grid(group, window, probes);
         } else if (*kind == "flow_rate" || *kind == "force") {
             read_scalars(group, *kind, probes);
         } else {

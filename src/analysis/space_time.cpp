@@ -136,6 +136,37 @@ SpaceTime rows_of(const SpaceTime& data, std::size_t first, std::size_t count) {
     return part;
 }
 
+SpaceTime fewer_columns(const SpaceTime& data, std::size_t most) {
+    if (data.columns <= most) return data;
+    std::size_t stride = (data.columns + most - 1) / most;
+    if (data.periodic) {
+        while (stride < data.columns && data.columns % stride != 0) ++stride;
+    }
+    const bool divides = !data.periodic || 2 * (data.columns / stride) >= most;
+    SpaceTime result;
+    result.first_x = data.first_x;
+    result.periodic = data.periodic;
+    result.times = data.times;
+    result.columns = divides ? (data.columns + stride - 1) / stride : most;
+    result.spacing =
+        divides ? data.spacing * static_cast<double>(stride) : data.length() / static_cast<double>(most);
+    result.values.reserve(result.columns * data.rows());
+    for (std::size_t j = 0; j < data.rows(); ++j) {
+        for (std::size_t i = 0; i < result.columns; ++i) {
+            if (divides) {
+                result.values.push_back(data.at(j, i * stride));
+                continue;
+            }
+            const double place = static_cast<double>(i * data.columns) / static_cast<double>(most);
+            const auto left = static_cast<std::size_t>(place);
+            const double part = place - static_cast<double>(left);
+            result.values.push_back((1.0 - part) * data.at(j, left) +
+                                    part * data.at(j, (left + 1) % data.columns));
+        }
+    }
+    return result;
+}
+
 MeanEstimate mean_level(const SpaceTime& data) {
     std::vector<double> level(data.rows());
     for (std::size_t j = 0; j < level.size(); ++j) level[j] = wet_mean(data.row(j));

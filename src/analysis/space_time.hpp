@@ -56,6 +56,11 @@ struct StationRecord {
 /// Rows first ... first + count - 1. Throws InputError where there are not so many.
 [[nodiscard]] SpaceTime rows_of(const SpaceTime& data, std::size_t first, std::size_t count);
 
+/// The record at fewer places, at most `most` (>= 2): every n-th column. Along a periodic line n must divide
+/// the columns; where no n leaves at least half of `most`, the record is interpolated linearly at `most` even
+/// places around the period instead.
+[[nodiscard]] SpaceTime fewer_columns(const SpaceTime& data, std::size_t most);
+
 /// The mean over line and time. The 95 % interval is that of the record of the means along the line, so
 /// correlation along the line needs no assumption. Dry points are left out.
 [[nodiscard]] MeanEstimate mean_level(const SpaceTime& data);

@@ -45,17 +45,6 @@ std::vector<double> normalised(std::vector<double> covariance) {
     return covariance;
 }
 
-double model(double rho, double l0, double radius, const std::optional<double>& period) {
-    if (!period) return horoshenkov_correlation(rho, l0, radius);
-    double sum = 0.0;
-    double at_zero = 0.0;
-    for (int image = -2; image <= 2; ++image) {
-        sum += horoshenkov_correlation(rho + image * *period, l0, radius);
-        at_zero += horoshenkov_correlation(image * *period, l0, radius);
-    }
-    return sum / at_zero;
-}
-
 /// Parameters (L0 and sigma_w over the largest distance, share).
 struct Problem {
     const SpatialCorrelation& given;
@@ -70,7 +59,8 @@ struct Problem {
         const double share = white_noise ? p(2) : 1.0;
         for (std::size_t i = 0; i < n; ++i) {
             r(static_cast<Eigen::Index>(i)) =
-                share * model(given.distance[i + first], p(0) * scale(), p(1) * scale(), given.period) -
+                share * horoshenkov_correlation(given.distance[i + first], p(0) * scale(), p(1) * scale(),
+                                                given.period) -
                 correlation[i + first];
         }
         return r;
@@ -105,7 +95,10 @@ std::optional<Eigen::VectorXd> solve(const Problem& problem, const Eigen::Vector
     const auto fit = minimise_least_squares([&](const Eigen::VectorXd& p) { return problem.residuals(p); },
                                             start, lower, upper);
     if (!fit || !fit->converged) return std::nullopt;
-    if (fit->parameters(0) >= upper(0) || fit->parameters(1) >= upper(1)) return std::nullopt;
+    for (Eigen::Index i = 0; i < start.size(); ++i) {
+        if (fit->parameters(i) <= lower(i) || fit->parameters(i) >= upper(i)) return std::nullopt;
+    }
+    if (fit->parameters(0) * problem.scale() < problem.given.shortest_period) return std::nullopt;
     return fit->parameters;
 }
 
@@ -161,6 +154,7 @@ SpatialCorrelation spatial_correlation(const SpaceTime& fluctuation, double larg
     SpatialCorrelation result;
     result.blocks = blocks;
     if (fluctuation.periodic) result.period = fluctuation.length();
+    result.shortest_period = 4.0 * fluctuation.spacing;
     for (std::size_t b = 0; b < blocks; ++b) {
         for (std::size_t lag = 0; lag < lags; ++lag) {
             result.block_covariance.push_back(
@@ -183,6 +177,7 @@ SpatialCorrelation spatial_correlation(std::span<const StationRecord> stations, 
     result.blocks = blocks;
     result.distance.push_back(0.0);
     for (const StationPair& pair : pairs) result.distance.push_back(pair.distance);
+    if (!pairs.empty()) result.shortest_period = 2.0 * pairs.front().distance;
     for (std::size_t b = 0; b < blocks; ++b) {
         const std::size_t begin = b * rows / blocks;
         const std::size_t end = (b + 1) * rows / blocks;
@@ -201,6 +196,18 @@ SpatialCorrelation spatial_correlation(std::span<const StationRecord> stations, 
 double horoshenkov_correlation(double rho, double characteristic_period, double correlation_radius) {
     const double q = rho / correlation_radius;
     return std::exp(-q * q) * std::cos(2.0 * std::numbers::pi * rho / characteristic_period);
+}
+
+double horoshenkov_correlation(double rho, double characteristic_period, double correlation_radius,
+                               const std::optional<double>& period) {
+    if (!period) return horoshenkov_correlation(rho, characteristic_period, correlation_radius);
+    double sum = 0.0;
+    double at_zero = 0.0;
+    for (int image = -2; image <= 2; ++image) {
+        sum += horoshenkov_correlation(rho + image * *period, characteristic_period, correlation_radius);
+        at_zero += horoshenkov_correlation(image * *period, characteristic_period, correlation_radius);
+    }
+    return sum / at_zero;
 }
 
 SurfaceCorrelationFit fit_surface_correlation(const SpatialCorrelation& correlation,

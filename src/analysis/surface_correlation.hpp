@@ -17,6 +17,9 @@ struct SpatialCorrelation {
     std::vector<double> correlation;  ///< 1 at zero
     std::vector<double> half_width;   ///< of the 95 % intervals, by the jackknife over blocks of time
     std::optional<double> period;     ///< of a periodic line, m
+    /// The shortest L0 that these distances show, m: four spacings of a line (below, its values are those of
+    /// neighbouring points), twice the least distance of stations.
+    double shortest_period = 0.0;
     std::size_t blocks = 0;
     std::vector<double> block_covariance;  ///< [block * distance.size() + lag], m2
 };
@@ -41,6 +44,11 @@ struct SpatialCorrelation {
 [[nodiscard]] double horoshenkov_correlation(double rho, double characteristic_period,
                                              double correlation_radius);
 
+/// The same along a line that closes on itself after `period` (m): summed over the images a period away and
+/// divided by its value at zero. Without a period the function itself.
+[[nodiscard]] double horoshenkov_correlation(double rho, double characteristic_period,
+                                             double correlation_radius, const std::optional<double>& period);
+
 /// The function fitted to a spatial correlation.
 struct SurfaceCorrelationFit {
     Estimate characteristic_period;  ///< L0, m
@@ -61,8 +69,10 @@ struct SurfaceCorrelationOptions {
 /// line the function is summed over its images a period away and divided by its value at zero. The residuals
 /// at neighbouring distances are correlated, so the intervals do not come from their scatter but from fits to
 /// the correlation without one block of time each (jackknife). They do not contain what the removal of a mean
-/// does on a line of few patterns. L0 beyond twice the largest distance, or sigma_w beyond four times it, is
-/// not determined: not-a-number with infinite intervals then, and where the fit does not converge.
+/// does on a line of few patterns. L0 beyond twice the largest distance or below the shortest that the
+/// distances show, sigma_w beyond four times the largest distance or below a thousandth, and a share at a
+/// bound (0.001, 1.2) are not determined: not-a-number with infinite intervals then, and where the fit does
+/// not converge.
 [[nodiscard]] SurfaceCorrelationFit fit_surface_correlation(const SpatialCorrelation& correlation,
                                                             const SurfaceCorrelationOptions& options = {});
 

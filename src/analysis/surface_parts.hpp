@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,21 @@ struct SurfaceFluctuation {
 /// Throws InputError for a record with gaps in time.
 [[nodiscard]] SurfaceFluctuation surface_fluctuation(const SpaceTime& surface);
 
+/// Whether a simulated surface is flat to a thousandth of the particle spacing, so that patterns of it are
+/// those of the rows of particles and of rounding.
+[[nodiscard]] bool is_flat(const FlowRecord& record, const SpaceTime& fluctuation);
+
+/// What the thesis' 2D simulation of a flow condition found of its surface.
+struct ThesisSurface {
+    double deviation = 0;            ///< standard deviation, m
+    double celerity_difference = 0;  ///< of the celerity of the patterns from U, relative to it
+};
+/// Of the condition that a case is; nothing where it is none of 1, 2, 5 and 8.
+[[nodiscard]] std::optional<ThesisSurface> thesis_surface(const Case& c);
+
+/// "+0.3 % of the surface velocity 0.452 m/s".
+[[nodiscard]] std::string beside_surface_velocity(double celerity, double surface_velocity);
+
 /// Elevation at one place at even times, about its mean.
 struct SurfaceStation {
     std::string name;
@@ -33,8 +49,11 @@ struct SurfaceStation {
     std::vector<double> elevation;
 };
 
-/// The wave probes of a record. Probes with gaps or fewer than 16 samples are left out.
-[[nodiscard]] std::vector<SurfaceStation> stations_of_probes(const FlowRecord& record);
+/// The wave probes of a record from upstream down, whatever their order in it; those whose place is not known
+/// stand last. Probes with gaps, with fewer than 16 samples or at the place of another one are left out,
+/// which `warnings` then says.
+[[nodiscard]] std::vector<SurfaceStation> stations_of_probes(const FlowRecord& record,
+                                                             std::vector<std::string>& warnings);
 
 /// Places on a line as if wave probes stood there: at the places of the probes of the record, or of fewer
 /// than two of them at the line's first point, an eighth, a quarter and a half of its length.

@@ -20,24 +20,6 @@ namespace {
 
 constexpr const char* chapter = "surface";
 
-/// Every n-th column, so that at most `most` remain: the cost of the correlations grows with their square.
-SpaceTime fewer_columns(const SpaceTime& line, std::size_t most) {
-    if (line.columns <= most) return line;
-    // A periodic line stays one only where the stride divides it.
-    std::size_t stride = (line.columns + most - 1) / most;
-    while (line.periodic && line.columns % stride != 0) ++stride;
-    SpaceTime result;
-    result.first_x = line.first_x;
-    result.spacing = line.spacing * static_cast<double>(stride);
-    result.columns = (line.columns + stride - 1) / stride;
-    result.periodic = line.periodic;
-    result.times = line.times;
-    for (std::size_t j = 0; j < line.rows(); ++j) {
-        for (std::size_t i = 0; i < line.columns; i += stride) result.values.push_back(line.at(j, i));
-    }
-    return result;
-}
-
 /// Blocks of time for the jackknife: ten, fewer of a short record.
 std::size_t blocks_of(std::size_t samples) { return std::clamp<std::size_t>(samples / 32, 2, 10); }
 
@@ -48,7 +30,8 @@ double add_correlation(const FlowRecord& record, const Correlate& correlate, Ana
     Figure figure = make_figure(chapter, "surface_correlation", "Spatial correlation of the surface",
                                 "Correlation of the elevation at two places against their distance, mean "
                                 "over places and time, with 95 % "
-                                "intervals; fitted: exp(-rho^2/sigma_w^2) cos(2 pi rho/L0).",
+                                "intervals; fitted: exp(-rho^2/sigma_w^2) cos(2 pi rho/L0), along a periodic "
+                                "line with its periodic images.",
                                 "thesis (2.32), Horoshenkov et al. (2013)", make_axis("distance rho", "m"),
                                 make_axis("correlation W", "1"));
     double found = 0.0;
@@ -61,10 +44,12 @@ double add_correlation(const FlowRecord& record, const Correlate& correlate, Ana
         f.curves.push_back(std::move(curve));
         const SurfaceCorrelationFit fit = fit_surface_correlation(correlation);
         const double period = fit.characteristic_period.value;
-        if (!std::isfinite(period) || !(fit.characteristic_period.half_width < period)) {
+        const double half_width = fit.characteristic_period.half_width;
+        if (!std::isfinite(period) || !(half_width > 0.0 && half_width < period)) {
             analysis.warnings.emplace_back(
                 "the surface correlation does not determine L0 and sigma_w: the line is too short beside the "
-                "patterns, or their correlation is not that of (2.32)");
+                "patterns, these are shorter than four spacings of its points, or their correlation is not "
+                "that of (2.32)");
             return;
         }
         found = period;
@@ -73,8 +58,9 @@ double add_correlation(const FlowRecord& record, const Correlate& correlate, Ana
         for (int i = 0; i <= steps; ++i) {
             const double rho = correlation.distance.back() * i / steps;
             law.x.push_back(rho);
-            law.y.push_back(fit.correlated_share.value *
-                            horoshenkov_correlation(rho, period, fit.correlation_radius.value));
+            law.y.push_back(fit.correlated_share.value * horoshenkov_correlation(rho, period,
+                                                                                 fit.correlation_radius.value,
+                                                                                 correlation.period));
         }
         f.curves.push_back(std::move(law));
         Finding finding =
@@ -99,8 +85,10 @@ double add_correlation(const FlowRecord& record, const Correlate& correlate, Ana
     return found;
 }
 
-void add_celerity(const char* key, const char* label, const Estimate& celerity, double velocity,
+void add_celerity(const FlowRecord& record, const char* key, const char* label, const Estimate& celerity,
                   const std::string& remark, Analysis& analysis) {
+    const double velocity = bulk_velocity(record);
+    const double of_surface = surface_velocity(record);
     if (!std::isfinite(celerity.value)) {
         analysis.warnings.push_back(std::string(label) + ": none found in this record");
         return;
@@ -114,6 +102,12 @@ void add_celerity(const char* key, const char* label, const Estimate& celerity, 
     Finding finding = make_finding(chapter, key, label, "m/s", celerity.value, celerity.half_width);
     if (velocity > 0.0) finding = against(std::move(finding), velocity, "depth-mean velocity U");
     finding.remark = remark;
+    if (of_surface > 0.0) finding.remark += "; " + beside_surface_velocity(celerity.value, of_surface);
+    if (record.flow() != nullptr && record.origin() == Origin::simulated) {
+        if (const auto thesis = thesis_surface(*record.flow()))
+            finding.remark +=
+                fmt::format("; the thesis' 2D run: {:+.0f} % beside U", 100.0 * thesis->celerity_difference);
+    }
     analysis.findings.push_back(std::move(finding));
 }
 
@@ -124,7 +118,8 @@ void add_station_celerity(const FlowRecord& record, const Find& find, Analysis& 
     Figure stations = make_figure(
         chapter, "surface_station_lags", "Lag of the surface against distance",
         "Lag of the extreme of the temporal cross-correlation over the distance of the places, with 95 % "
-        "intervals; the lines are x = c t of the celerity found and of the depth-mean velocity.",
+        "intervals; the lines are x = c t of the celerity found, of the depth-mean velocity U and of the "
+        "velocity of the surface u_s.",
         "thesis (4.7), x_l = U t_l", make_axis("time lag t_l", "s"), make_axis("distance x_l", "m"));
     attempt(record, analysis, std::move(stations), [&](Figure& f) {
         const StationCelerity found = find();
@@ -144,13 +139,18 @@ void add_station_celerity(const FlowRecord& record, const Find& find, Analysis& 
         };
         straight("fit", Origin::fit, found.celerity.value);
         straight("x = U t", Origin::reference, velocity);
-        add_celerity("celerity_stations", "celerity from the lags between places", found.celerity, velocity,
+        const double of_surface = surface_velocity(record);
+        if (of_surface > 0.0) {
+            const std::size_t before = f.curves.size();
+            straight("x = u_s t", Origin::reference, of_surface);
+            if (f.curves.size() > before) f.curves.back().variant = 1;
+        }
+        add_celerity(record, "celerity_stations", "celerity from the lags between places", found.celerity,
                      fmt::format("{} distances", found.used), analysis);
     });
 }
 
 void add_celerities(const FlowRecord& record, const SpaceTime& line, double period, Analysis& analysis) {
-    const double velocity = bulk_velocity(record);
     add_station_celerity(
         record,
         [&] {
@@ -162,7 +162,7 @@ void add_celerities(const FlowRecord& record, const SpaceTime& line, double peri
     try {
         const RidgeCelerity ridge = ridge_celerity(line, blocks_of(line.rows()));
         add_celerity(
-            "celerity_ridge", "celerity from the ridge of the (k, omega) spectrum", ridge.celerity, velocity,
+            record, "celerity_ridge", "celerity from the ridge of the (k, omega) spectrum", ridge.celerity,
             fmt::format("{} wavenumbers; scatter of omega/k {:.2g} m/s", ridge.ridge.size(), ridge.deviation),
             analysis);
         for (Figure& figure : analysis.figures) {
@@ -179,12 +179,13 @@ void add_celerities(const FlowRecord& record, const SpaceTime& line, double peri
     }
     try {
         CrestOptions options;
-        options.expected_celerity = velocity;
+        const double of_surface = surface_velocity(record);
+        options.expected_celerity = of_surface > 0.0 ? of_surface : bulk_velocity(record);
         options.smoothing = 0.2 * period;
         options.blocks = blocks_of(line.rows());
         const CrestCelerity crests = track_crests(line, options);
-        add_celerity("celerity_crests", "celerity of crests followed in the space-time map", crests.celerity,
-                     velocity,
+        add_celerity(record, "celerity_crests", "celerity of crests followed in the space-time map",
+                     crests.celerity,
                      fmt::format("{} crests; scatter of their celerities {:.2g} m/s", crests.tracks.size(),
                                  crests.scatter),
                      analysis);
@@ -200,7 +201,8 @@ namespace {
 /// Upwellings and downwellings from the vertical velocity of the surface (kinematic condition).
 void add_upwellings(const FlowRecord& record, const SpaceTime& line, Analysis& analysis) {
     if (record.flow() == nullptr) return;
-    const double velocity = bulk_velocity(record);
+    const double of_surface = surface_velocity(record);
+    const double velocity = of_surface > 0.0 ? of_surface : bulk_velocity(record);
     if (velocity <= 0.0) return;
     const Case& c = *record.flow();
     try {
@@ -208,6 +210,11 @@ void add_upwellings(const FlowRecord& record, const SpaceTime& line, Analysis& a
             count_upwellings(surface_vertical_velocity(line, velocity), c.channel.depth);
         const auto add = [&](const char* key, const char* label, const MeanEstimate& number,
                              double per_depth) {
+            if (!(number.half_width < number.mean)) {
+                analysis.warnings.push_back(fmt::format("{}: not determined by this record ({:.3g} ± {:.2g})",
+                                                        label, number.mean, number.half_width));
+                return;
+            }
             Finding finding = make_finding(chapter, key, label, "1", number.mean, number.half_width);
             finding.remark = fmt::format(
                 "{:.3g} per water depth along the bed; across a flume of {:.3g} m about A_r/2 = {:.2g} are "
@@ -236,7 +243,8 @@ void add_surface_patterns(const FlowRecord& record, const SurfaceFluctuation& su
         },
         analysis);
     add_celerities(record, line, period, analysis);
-    add_upwellings(record, line, analysis);
+    // What a flat surface shows are rows of particles and rounding, which a warning says.
+    if (!is_flat(record, surface.line)) add_upwellings(record, line, analysis);
 }
 
 void add_place_patterns(const FlowRecord& record, const std::vector<SurfaceStation>& stations,

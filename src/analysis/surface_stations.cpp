@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <set>
 
 #include "analysis/figure_tools.hpp"
 #include "analysis/surface_parts.hpp"
@@ -18,6 +19,8 @@ namespace {
 
 constexpr const char* chapter = "surface";
 constexpr std::size_t fewest_samples = 16;
+constexpr double same_place = 1e-6;                   // m
+constexpr double largest_lag_without_velocity = 2.0;  // s
 
 void remove_mean(std::vector<double>& values) {
     const double mean =
@@ -40,14 +43,57 @@ const CorrelationExtreme* arrival(const std::vector<CorrelationExtreme>& extreme
     return best;
 }
 
+/// 95 % half-width of the lag of an extreme: the maximum nearest to it in quarters of the record, whose
+/// scatter gives that of the whole; not-a-number where a quarter is too short, or has no maximum within half
+/// the lag.
+double lag_half_width(std::span<const double> a, std::span<const double> b, double interval, double lag) {
+    constexpr std::size_t parts = 4;
+    constexpr double student_95 = 3.182;  // three degrees of freedom
+    const std::size_t length = a.size() / parts;
+    const auto lags = static_cast<std::size_t>(std::ceil(2.0 * lag / interval));
+    std::vector<double> found;
+    for (std::size_t part = 0; part < parts && 2 * lags < length; ++part) {
+        const CrossCorrelation correlation = cross_correlation(
+            a.subspan(part * length, length), b.subspan(part * length, length), interval, lags);
+        const CorrelationExtreme* nearest = nullptr;
+        const std::vector<CorrelationExtreme> extremes = correlation_extremes(correlation);
+        for (const CorrelationExtreme& extreme : extremes) {
+            if (!extreme.maximum || std::abs(extreme.lag - lag) > 0.5 * lag) continue;
+            if (nearest == nullptr || std::abs(extreme.lag - lag) < std::abs(nearest->lag - lag))
+                nearest = &extreme;
+        }
+        if (nearest != nullptr) found.push_back(nearest->lag);
+    }
+    if (found.size() < parts) return std::numeric_limits<double>::quiet_NaN();
+    const double mean = std::accumulate(found.begin(), found.end(), 0.0) / parts;
+    double squares = 0.0;
+    for (const double each : found) squares += (each - mean) * (each - mean);
+    return student_95 * std::sqrt(squares / (parts - 1) / parts);
+}
+
 }  // namespace
 
-std::vector<SurfaceStation> stations_of_probes(const FlowRecord& record) {
+std::vector<SurfaceStation> stations_of_probes(const FlowRecord& record, std::vector<std::string>& warnings) {
     std::vector<SurfaceStation> stations;
+    const auto left_out = [&](const ElevationProbe& probe, const std::string& why) {
+        warnings.push_back("wave probe " + probe.name + " is left out: " + why);
+    };
     for (const ElevationProbe& probe : record.elevation_probes()) {
-        if (probe.time.size() < fewest_samples ||
-            !std::all_of(probe.elevation.begin(), probe.elevation.end(),
+        if (probe.time.size() < fewest_samples) {
+            left_out(probe, fmt::format("it has {} samples in the window; {} are needed", probe.time.size(),
+                                        fewest_samples));
+            continue;
+        }
+        if (!std::all_of(probe.elevation.begin(), probe.elevation.end(),
                          [](double value) { return std::isfinite(value); })) {
+            left_out(probe, "its record has gaps, or the place was dry");
+            continue;
+        }
+        const auto same = std::find_if(stations.begin(), stations.end(), [&](const SurfaceStation& station) {
+            return std::abs(station.x - probe.x) < same_place;
+        });
+        if (same != stations.end()) {
+            left_out(probe, "it stands at the place of " + same->name);
             continue;
         }
         SpaceTime single;
@@ -60,10 +106,13 @@ std::vector<SurfaceStation> stations_of_probes(const FlowRecord& record) {
                                    even.values};
             remove_mean(station.elevation);
             stations.push_back(std::move(station));
-        } catch (const InputError&) {
-            continue;  // a record with gaps: said in the warnings of the chapter
+        } catch (const InputError& error) {
+            left_out(probe, error.what());
         }
     }
+    std::stable_sort(stations.begin(), stations.end(), [](const SurfaceStation& a, const SurfaceStation& b) {
+        return std::isfinite(a.x) && (!std::isfinite(b.x) || a.x < b.x);
+    });
     return stations;
 }
 
@@ -71,17 +120,15 @@ std::vector<SurfaceStation> stations_of_line(const SpaceTime& line,
                                              const std::vector<ElevationProbe>& probes) {
     std::vector<SurfaceStation> stations;
     if (line.rows() < fewest_samples || line.columns == 0) return stations;
-    std::vector<std::size_t> columns;
-    const auto add = [&](std::size_t column) {
-        if (column < line.columns && (columns.empty() || column > columns.back())) columns.push_back(column);
-    };
+    std::set<std::size_t> columns;  // ascending, each once
     for (const ElevationProbe& probe : probes) {
         const double place = std::round((probe.x - line.first_x) / line.spacing);
-        if (std::isfinite(place)) add(static_cast<std::size_t>(std::max(0.0, place)));
+        if (place >= 0.0 && place < static_cast<double>(line.columns))
+            columns.insert(static_cast<std::size_t>(place));
     }
     if (columns.size() < 2) {
         columns.clear();
-        for (const std::size_t eighths : {0U, 1U, 2U, 4U}) add(line.columns * eighths / 8);
+        for (const std::size_t eighths : {0U, 1U, 2U, 4U}) columns.insert(line.columns * eighths / 8);
     }
     const double interval = sampling_interval(line);
     for (const std::size_t column : columns) {
@@ -112,10 +159,7 @@ void add_station_spectra(const FlowRecord& record, const std::vector<SurfaceStat
                 smoothed_power_spectrum(stations[i].elevation, stations[i].interval);
             Curve curve = make_curve(stations[i].name, record.origin(), Mark::line, spectrum.smooth.frequency,
                                      spectrum.smooth.density);
-            for (std::size_t k = 0; k < curve.y.size(); ++k) {
-                curve.y_half_width.push_back(0.5 * (spectrum.smooth.upper[k] - spectrum.smooth.lower[k]) *
-                                             curve.y[k]);
-            }
+            set_bounds(curve, spectrum.smooth.lower, spectrum.smooth.upper);
             curve.variant = static_cast<int>(i);
             f.curves.push_back(std::move(curve));
             if (i > 0) continue;
@@ -138,7 +182,7 @@ void add_station_spectra(const FlowRecord& record, const std::vector<SurfaceStat
 
 void add_station_correlations(const FlowRecord& record, const std::vector<SurfaceStation>& stations,
                               Analysis& analysis) {
-    if (stations.size() < 2) return;
+    if (stations.size() < 2 || !std::isfinite(stations[1].x)) return;
     Figure figure = make_figure(
         chapter, "surface_cross_correlation", "Correlation of the surface between places",
         "Temporal cross-correlation of the elevation at the first place and at those downstream; points: "
@@ -150,10 +194,12 @@ void add_station_correlations(const FlowRecord& record, const std::vector<Surfac
         const SurfaceStation& first = stations.front();
         for (std::size_t i = 1; i < stations.size(); ++i) {
             const SurfaceStation& other = stations[i];
+            if (!std::isfinite(other.x)) continue;
             const std::size_t samples = std::min(first.elevation.size(), other.elevation.size());
             const double distance = other.x - first.x;
             double largest = 0.25 * static_cast<double>(samples) * first.interval;
             if (velocity > 0.0) largest = std::min(largest, std::max(4.0 * distance / velocity, 1.0));
+            if (!(velocity > 0.0)) largest = std::min(largest, largest_lag_without_velocity);
             const auto lags = static_cast<std::size_t>(largest / first.interval);
             const CrossCorrelation correlation = cross_correlation(
                 std::span(first.elevation).first(samples), std::span(other.elevation).first(samples),
@@ -163,7 +209,8 @@ void add_station_correlations(const FlowRecord& record, const std::vector<Surfac
             curve.variant = static_cast<int>(i) - 1;
             f.curves.push_back(curve);
             const std::vector<CorrelationExtreme> extremes = correlation_extremes(correlation);
-            Curve points = make_curve("extremes", record.origin(), Mark::points, {}, {});
+            Curve points = make_curve(fmt::format("extremes, {:.4g} mm", 1000.0 * distance), record.origin(),
+                                      Mark::points, {}, {});
             points.variant = curve.variant;
             for (const CorrelationExtreme& extreme : extremes) {
                 if (!extreme.significant) continue;
@@ -172,8 +219,9 @@ void add_station_correlations(const FlowRecord& record, const std::vector<Surfac
             }
             if (!points.x.empty()) f.curves.push_back(std::move(points));
             if (velocity > 0.0 && distance > 0.0) {
-                Curve arrival = make_curve("x/U", Origin::reference, Mark::line,
-                                           {distance / velocity, distance / velocity}, {-1.0, 1.0});
+                Curve arrival =
+                    make_curve(fmt::format("x/U, {:.4g} mm", 1000.0 * distance), Origin::reference,
+                               Mark::line, {distance / velocity, distance / velocity}, {-1.0, 1.0});
                 arrival.variant = curve.variant;
                 f.curves.push_back(std::move(arrival));
             }
@@ -186,6 +234,15 @@ void add_station_correlations(const FlowRecord& record, const std::vector<Surfac
                 distance / best->lag);
             if (velocity > 0.0) finding = against(std::move(finding), velocity, "depth-mean velocity");
             finding.remark = fmt::format("extreme R = {:.3g} at {:.4g} s", best->correlation, best->lag);
+            if (velocity > 0.0) finding.remark += ", looked for from 0.5 U to 2 U";
+            const double of_surface = surface_velocity(record);
+            if (of_surface > 0.0) finding.remark += "; " + beside_surface_velocity(finding.value, of_surface);
+            // The arrival in parts of the record: independent estimates of the lag.
+            const double half_width =
+                lag_half_width(std::span(first.elevation).first(samples),
+                               std::span(other.elevation).first(samples), first.interval, best->lag);
+            if (std::isfinite(half_width) && half_width < best->lag)
+                finding.half_width = finding.value * half_width / best->lag;
             analysis.findings.push_back(std::move(finding));
         }
     });

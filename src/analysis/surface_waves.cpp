@@ -11,6 +11,7 @@
 #include "analysis/gravity_capillary_waves.hpp"
 #include "analysis/surface_parts.hpp"
 #include "analysis/surface_spectra.hpp"
+#include "case/flow_conditions.hpp"
 #include "statistics/confidence.hpp"
 #include "statistics/record.hpp"
 
@@ -26,7 +27,9 @@ GravityCapillaryWaves waves_on(const FlowRecord& record) {
     const Case& c = *record.flow();
     GravityCapillaryWaves waves;
     waves.depth = c.channel.depth;
-    waves.velocity = bulk_velocity(record);
+    // Short waves and patterns travel with the water at the surface.
+    const double of_surface = surface_velocity(record);
+    waves.velocity = of_surface > 0.0 ? of_surface : bulk_velocity(record);
     waves.gravity = c.normal_gravity();
     waves.surface_tension = record.origin() == Origin::measured ? water_surface_tension : 0.0;
     waves.density = c.fluid.density;
@@ -40,41 +43,56 @@ std::size_t segment_rows(const SpaceTime& line) {
     return std::clamp<std::size_t>(line.rows() / 8, std::min<std::size_t>(line.rows(), 8), most);
 }
 
-void add_dispersion(const GravityCapillaryWaves& waves, const WaveSpectrum& spectrum, Figure& figure) {
+/// Lines in the map of a spectrum, which shows omega >= 0 only: a wave of negative frequency is the one of
+/// -k. A line is broken where it changes sides or leaves the map.
+void add_branch(Curve& curve, double k, double omega, double highest) {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    const bool shown = std::abs(omega) <= highest;
+    const double x = omega < 0.0 ? -k : k;
+    const bool drawn = !curve.x.empty() && std::isfinite(curve.x.back());
+    if (drawn && (!shown || x * curve.x.back() < 0.0)) {
+        curve.x.push_back(nan);
+        curve.y.push_back(nan);
+    }
+    if (!shown) return;
+    curve.x.push_back(x);
+    curve.y.push_back(std::abs(omega));
+}
+
+void add_dispersion(const FlowRecord& record, const WaveSpectrum& spectrum, Figure& figure) {
+    const GravityCapillaryWaves waves = waves_on(record);
     const double highest = spectrum.frequency.back();
     Curve down = make_curve("waves travelling downstream", Origin::theory, Mark::line, {}, {});
     Curve up = make_curve("waves travelling upstream", Origin::theory, Mark::line, {}, {});
-    Curve carried = make_curve("advection line omega = U k", Origin::reference, Mark::line, {}, {});
     up.variant = 1;
     constexpr int steps = 200;
-    const auto add = [&](Curve& curve, double k, double omega) {
-        // The map shows omega >= 0: a wave of negative frequency is the one of -k.
-        if (omega < 0.0) {
-            k = -k;
-            omega = -omega;
-        }
-        if (omega > highest) return;
-        curve.x.push_back(k);
-        curve.y.push_back(omega);
-    };
+    std::vector<Curve> carried;
+    std::vector<double> speeds = {bulk_velocity(record)};
+    if (surface_velocity(record) > 0.0) speeds.push_back(surface_velocity(record));
+    for (std::size_t i = 0; i < speeds.size(); ++i) {
+        carried.push_back(
+            make_curve(i == 0 ? "advection line omega = U k" : "velocity of the surface omega = u_s k",
+                       Origin::reference, Mark::line, {}, {}));
+        carried.back().variant = static_cast<int>(i);
+    }
     const double largest = spectrum.wavenumber.back();
     for (int i = 0; i <= steps; ++i) {
         const double k = largest * i / steps;
-        add(down, k, waves.downstream_frequency(k));
-        add(up, k, waves.upstream_frequency(k));
-        add(carried, k, waves.advection_frequency(k));
+        add_branch(down, k, waves.downstream_frequency(k), highest);
+        add_branch(up, k, waves.upstream_frequency(k), highest);
+        for (std::size_t c = 0; c < carried.size(); ++c) add_branch(carried[c], k, speeds[c] * k, highest);
     }
-    // Upstream waves change sides where the current holds them: in order of k, so that the line is one.
     figure.curves.push_back(std::move(down));
     figure.curves.push_back(std::move(up));
-    figure.curves.push_back(std::move(carried));
+    for (Curve& line : carried) figure.curves.push_back(std::move(line));
 }
 
 void add_wave_spectrum(const FlowRecord& record, const SurfaceFluctuation& surface, Analysis& analysis) {
     Figure figure = make_figure(
         chapter, "surface_wave_spectrum", "Spectrum of the surface in wavenumber and frequency",
         "Power spectral density of eta'(x, t); k > 0 travels downstream. Lines: dispersion relation of "
-        "gravity-capillary waves on a current U, and what the water carries.",
+        "gravity-capillary waves on a current of the surface's velocity (the depth mean U where that is not "
+        "known), and what the water carries.",
         "thesis chapter 2; Lamb, Hydrodynamics, art. 266", make_axis("wavenumber k", "rad/m"),
         make_axis("angular frequency omega", "rad/s"));
     attempt(record, analysis, std::move(figure), [&](Figure& f) {
@@ -93,8 +111,7 @@ void add_wave_spectrum(const FlowRecord& record, const SurfaceFluctuation& surfa
                 map.values.push_back(static_cast<float>(spectrum.at(m, i)));
         }
         f.maps.push_back(std::move(map));
-        if (record.flow() != nullptr && bulk_velocity(record) > 0.0)
-            add_dispersion(waves_on(record), spectrum, f);
+        if (record.flow() != nullptr && bulk_velocity(record) > 0.0) add_dispersion(record, spectrum, f);
     });
 }
 
@@ -112,6 +129,34 @@ SurfaceFluctuation surface_fluctuation(const SpaceTime& surface) {
     result.level_deviation = mean_with_confidence(level).standard_deviation;
     result.line = fluctuation(result.line, options);
     return result;
+}
+
+bool is_flat(const FlowRecord& record, const SpaceTime& fluctuation) {
+    constexpr double resolved = 1e-3;  // of the particle spacing
+    return record.flow() != nullptr && record.origin() == Origin::simulated &&
+           standard_deviation(fluctuation).value < resolved * record.flow()->numerics.spacing;
+}
+
+std::optional<ThesisSurface> thesis_surface(const Case& c) {
+    const std::optional<int> condition = flow_condition_of(c);
+    if (!condition) return std::nullopt;
+    switch (*condition) {
+        case 1:
+            return ThesisSurface{0.145e-3, -0.25};
+        case 2:
+            return ThesisSurface{0.140e-3, -0.27};
+        case 5:
+            return ThesisSurface{0.140e-3, 0.11};
+        case 8:
+            return ThesisSurface{0.145e-3, 0.06};
+        default:
+            return std::nullopt;
+    }
+}
+
+std::string beside_surface_velocity(double celerity, double surface_velocity) {
+    return fmt::format("{:+.1f} % beside the surface velocity {:.4g} m/s",
+                       100.0 * (celerity / surface_velocity - 1.0), surface_velocity);
 }
 
 void add_surface_spectra(const FlowRecord& record, const SurfaceFluctuation& surface, Analysis& analysis) {
@@ -146,8 +191,8 @@ void add_surface_spectra(const FlowRecord& record, const SurfaceFluctuation& sur
                                  {spectrum.frequency.begin() + 1, spectrum.frequency.end()},
                                  {spectrum.density.begin() + 1, spectrum.density.end()});
         for (std::size_t k = 1; k < spectrum.density.size(); ++k) {
-            curve.y_half_width.push_back(0.5 * (spectrum.factor[k] - 1.0 / spectrum.factor[k]) *
-                                         spectrum.density[k]);
+            curve.y_lower.push_back(spectrum.density[k] / spectrum.factor[k]);
+            curve.y_upper.push_back(spectrum.density[k] * spectrum.factor[k]);
         }
         f.curves.push_back(std::move(curve));
     });

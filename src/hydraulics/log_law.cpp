@@ -123,4 +123,24 @@ LogLawFit fit_log_law_with_zero_plane(std::span<const double> z, std::span<const
     return fit_log_law_with_zero_plane(VelocityPoints{z, velocity}, kappa, {from, to});
 }
 
+std::optional<double> profile_depth_mean(const VelocityPoints& points, double depth) {
+    const FitRange whole{points.zero_plane, points.zero_plane + depth};
+    const LogLawFit fit = fit_log_law(points, log_law_kappa, whole);
+    if (!fit.valid || !(fit.friction_velocity > 0.0)) return std::nullopt;
+    const FitPoints inside(points, whole);
+    const double at_rest = fit.equivalent_roughness * std::exp(-log_law_kappa * rough_log_law_constant);
+    // Integral of the law from where its velocity is zero.
+    const auto below = [&](double z) {
+        if (z <= at_rest) return 0.0;
+        return fit.friction_velocity / log_law_kappa * (z * std::log(z / at_rest) - z + at_rest);
+    };
+    const Eigen::Index last = inside.height.size() - 1;
+    double sum = below(inside.height(0)) + below(depth) - below(inside.height(last));
+    for (Eigen::Index i = 0; i < last; ++i) {
+        sum +=
+            0.5 * (inside.velocity(i) + inside.velocity(i + 1)) * (inside.height(i + 1) - inside.height(i));
+    }
+    return sum / depth;
+}
+
 }  // namespace riffle

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "hydraulics/profile_fit.hpp"
@@ -38,5 +39,10 @@ struct LogLawFit : FitQuality {
 [[nodiscard]] LogLawFit fit_log_law_with_zero_plane(std::span<const double> z,
                                                     std::span<const double> velocity, double kappa,
                                                     double from, double to);
+
+/// Depth mean of a profile over 0 < z - zero_plane < depth, m/s: by trapezoids between the points, below the
+/// lowest and above the highest by the rough log law fitted to all (below its height of zero velocity the
+/// water is at rest). Points outside of the depth are left out. Nothing where the law cannot be fitted.
+[[nodiscard]] std::optional<double> profile_depth_mean(const VelocityPoints& points, double depth);
 
 }  // namespace riffle

@@ -82,7 +82,11 @@ void expect_sound(const Analysis& analysis) {
         EXPECT_FALSE(each.x.unit.empty() || each.y.unit.empty()) << each.key;
         for (const Curve& curve : each.curves) {
             EXPECT_EQ(curve.x.size(), curve.y.size()) << each.key << ": " << curve.name;
-            for (const auto& widths : {curve.x_half_width, curve.y_half_width})
+            for (std::size_t i = 0; i < curve.y_lower.size(); ++i) {
+                EXPECT_LE(curve.y_lower[i], curve.y[i]) << each.key;
+                EXPECT_GE(curve.y_upper[i], curve.y[i]) << each.key;
+            }
+            for (const auto& widths : {curve.x_half_width, curve.y_half_width, curve.y_lower, curve.y_upper})
                 EXPECT_TRUE(widths.empty() || widths.size() == curve.x.size())
                     << each.key << ": " << curve.name;
         }
@@ -146,6 +150,9 @@ TEST_F(Analyses, FindsWhatTheFileWasMadeOf) {
     EXPECT_NEAR(finding(analysis, "friction_velocity").value, crest, 0.01 * crest);
     EXPECT_NEAR(finding(analysis, "bed_drag_share").value, 0.999, 1e-3);
     EXPECT_NEAR(finding(analysis, "momentum_balance").value, 1.0, 1e-9);
+    // The drag is under the whole depth: a balanced flow has that of the column, not rho u*^2.
+    const Finding& stress = finding(analysis, "bed_stress");
+    EXPECT_NEAR(stress.value / stress.reference.value_or(0.0), 0.999 / record.column()->drag_share, 1e-2);
     EXPECT_NEAR(finding(analysis, "mean_water_depth").value, 0.05, 2e-5);
     // Two waves of 8 and 5 micrometres and noise of one: sqrt((64 + 25)/2 + 1) = 6.75 micrometres.
     EXPECT_NEAR(finding(analysis, "surface_standard_deviation").value, 6.75e-6, 0.1e-6);
@@ -172,6 +179,31 @@ TEST_F(Analyses, FindsWhatTheInstrumentsMeasured) {
     EXPECT_NEAR(finding(analysis, "celerity_between_places_1").value, truth.celerity, 0.02 * truth.celerity);
     // u' and w' of correlation -0.4: ejections and sweeps carry more than the whole.
     EXPECT_GT(finding(analysis, "ejection_share").value + finding(analysis, "sweep_share").value, 1.0);
+}
+
+TEST_F(Analyses, BoundsOfSpectraArePositive) {
+    const RunRecord record(sample());
+    const Analysis analysis = analyse(record);
+    for (const char* key : {"velocity_spectrum", "surface_frequency_spectrum"}) {
+        const Curve& curve = figure(analysis, key).curves.front();
+        ASSERT_EQ(curve.y_lower.size(), curve.y.size()) << key;
+        EXPECT_TRUE(curve.y_half_width.empty()) << key;
+        for (const double lower : curve.y_lower) EXPECT_GT(lower, 0.0) << key;
+    }
+}
+
+TEST_F(Analyses, LeaveOutAZeroPlaneOutsideOfTheBed) {
+    const RunRecord record(sample());
+    const Analysis analysis = analyse(record, "fits");
+    const Finding* const plane = find_finding(analysis, "zero_plane");
+    const Case& c = *record.flow();
+    if (plane != nullptr) {
+        EXPECT_GE(plane->value, -c.datum());
+        EXPECT_LE(plane->value, c.crest() - c.datum());
+    } else {
+        EXPECT_EQ(find_finding(analysis, "zero_plane_friction_velocity"), nullptr);
+        EXPECT_THAT(analysis.warnings, ::testing::Contains(HasSubstr("free zero plane")));
+    }
 }
 
 TEST_F(Analyses, SayWhyAFigureIsMissing) {

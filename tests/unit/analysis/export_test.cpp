@@ -51,6 +51,21 @@ Analysis sample_analysis() {
     return analysis;
 }
 
+TEST(AnalysisJson, HoldsTheBoundsOfLopsidedIntervals) {
+    Analysis analysis = sample_analysis();
+    Figure& figure = analysis.figures.front();
+    figure.curves[1].y_lower = {0.25};
+    figure.curves[1].y_upper = {1.5};
+    const auto json = nlohmann::json::parse(analysis_to_json({analysis}));
+    const auto& curves = json.at("analyses").at(0).at("figures").at(0).at("curves");
+    EXPECT_TRUE(curves.at(0).at("y_lower").empty());
+    EXPECT_EQ(curves.at(1).at("y_lower").at(0), 0.25);
+    EXPECT_EQ(curves.at(1).at("y_upper").at(0), 1.5);
+    const std::string csv = curves_to_csv(figure);
+    EXPECT_NE(csv.find("lower bound of height z [m],upper bound of height z [m]"), std::string::npos);
+    EXPECT_NE(csv.find(",0.25,1.5\n"), std::string::npos);
+}
+
 TEST(AnalysisJson, HoldsEveryMemberAndNullForWhatIsNotFinite) {
     const auto json = nlohmann::json::parse(analysis_to_json({sample_analysis()}));
     EXPECT_EQ(json.at("format"), "riffle-analysis");

@@ -5,12 +5,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
+#include <limits>
 #include <string>
 
 #include "analysis/chapters.hpp"
 #include "analysis/figure_tools.hpp"
+#include "analysis/surface_parts.hpp"
 #include "base/error.hpp"
+#include "hydraulics/channel_laws.hpp"
 
 namespace riffle {
 namespace {
@@ -55,6 +59,59 @@ TEST(LaboratoryRecords, AProfileGivesTheLogLaw) {
     const Analysis analysis = analyse(record);
     expect_within(analysis, "log_law_friction_velocity", 0.044);
     expect_within(analysis, "equivalent_roughness", 0.035);
+}
+
+TEST(LaboratoryRecords, AProfileHasItsOwnMeanVelocity) {
+    const LaboratoryRecord record(examples / "adv-profile.csv", of_condition_2());
+    // Of the law that the profile was made of, not the 0.35 m/s of the case; 1 %: noise of the points.
+    const double law = rough_log_law_depth_mean(0.05, 0.044, 0.035);
+    EXPECT_NEAR(bulk_velocity(record), law, 0.01 * law);
+}
+
+/// Wave probes in any order.
+class WaveProbes : public FlowRecord {
+  public:
+    std::vector<ElevationProbe> probes;
+    [[nodiscard]] std::string name() const override { return "probes"; }
+    [[nodiscard]] std::string source() const override { return "probes"; }
+    [[nodiscard]] Origin origin() const override { return Origin::measured; }
+    [[nodiscard]] const Case* flow() const override { return nullptr; }
+    [[nodiscard]] TimeWindow window() const override { return {0.0, 20.0}; }
+    [[nodiscard]] const std::vector<ElevationProbe>& elevation_probes() const override { return probes; }
+};
+
+TEST(LaboratoryRecords, TheOrderOfProbesDoesNotMatter) {
+    const auto probe = [](const char* name, double x) {
+        ElevationProbe result{name, x, {}, {}};
+        for (int i = 0; i < 2000; ++i) {
+            result.time.push_back(0.01 * i);
+            result.elevation.push_back(std::sin(12.0 * (0.01 * i - x / 0.4)) +
+                                       0.5 * std::sin(31.0 * (0.01 * i - x / 0.4)));
+        }
+        return result;
+    };
+    WaveProbes sorted;
+    WaveProbes mixed;
+    sorted.probes = {probe("a", 0.0), probe("b", 0.03), probe("c", 0.1)};
+    mixed.probes = {sorted.probes[2], sorted.probes[0], sorted.probes[1]};
+    const Analysis first = analyse(sorted, "surface");
+    const Analysis second = analyse(mixed, "surface");
+    ASSERT_FALSE(first.findings.empty());
+    ASSERT_EQ(first.findings.size(), second.findings.size());
+    for (std::size_t i = 0; i < first.findings.size(); ++i) {
+        EXPECT_EQ(first.findings[i].key, second.findings[i].key);
+        EXPECT_EQ(first.findings[i].value, second.findings[i].value) << first.findings[i].key;
+    }
+    // A second probe at a place, and one of an unknown place.
+    mixed.probes.push_back(probe("d", 0.03));
+    mixed.probes.push_back(probe("e", 0.2));
+    mixed.probes.back().x = std::numeric_limits<double>::quiet_NaN();
+    std::vector<std::string> warnings;
+    const std::vector<SurfaceStation> stations = stations_of_probes(mixed, warnings);
+    ASSERT_EQ(stations.size(), 4U);
+    EXPECT_EQ(stations.back().name, "e");
+    ASSERT_EQ(warnings.size(), 1U);
+    EXPECT_NE(warnings.front().find("place of b"), std::string::npos);
 }
 
 TEST(LaboratoryRecords, VelocitiesAtAPointGiveTheirMoments) {

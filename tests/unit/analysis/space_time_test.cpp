@@ -137,5 +137,26 @@ TEST(SpaceTime, ResamplingKeepsDryPointsDry) {
     }
 }
 
+TEST(SpaceTimes, FewerColumnsOfAnyNumberKeepThePeriod) {
+    for (const std::size_t columns : {521UL, 1040UL, 1021UL, 600UL}) {  // primes among them
+        SpaceTime data;
+        data.columns = columns;
+        data.spacing = 1.0 / static_cast<double>(columns);
+        data.periodic = true;
+        data.times = {0.0};
+        for (std::size_t i = 0; i < columns; ++i)
+            data.values.push_back(std::sin(2.0 * std::numbers::pi * data.x(i)));
+        const SpaceTime fewer = fewer_columns(data, 512);
+        EXPECT_LE(fewer.columns, 512U) << columns;
+        EXPECT_GE(fewer.columns, 256U) << columns;
+        EXPECT_NEAR(fewer.length(), data.length(), 1e-12) << columns;
+        ASSERT_EQ(fewer.values.size(), fewer.columns);
+        // Linear interpolation between columns: (2 pi dx)^2/8.
+        const double error = std::pow(2.0 * std::numbers::pi * data.spacing, 2) / 8.0;
+        for (std::size_t i = 0; i < fewer.columns; ++i)
+            EXPECT_NEAR(fewer.at(0, i), std::sin(2.0 * std::numbers::pi * fewer.x(i)), error + 1e-12);
+    }
+}
+
 }  // namespace
 }  // namespace riffle

@@ -53,6 +53,35 @@ TEST(SurfaceCorrelation, APeriodBeyondTheLineIsNotDetermined) {
     EXPECT_TRUE(std::isinf(fit.characteristic_period.half_width));
 }
 
+TEST(SurfaceCorrelation, APeriodBelowTheResolutionIsNotDetermined) {
+    // Neighbouring points of opposite sign: rows of particles, not patterns.
+    const SurfaceGrid grid{.columns = 60, .spacing = 0.005, .rows = 600, .interval = 0.1};
+    SpaceTime rows = travelling_surface(grid, {.period = 0.1, .correlation_radius = 0.05, .seed = 5}, 0.3);
+    for (std::size_t j = 0; j < rows.rows(); ++j) {
+        const double amplitude = rows.at(j, 0);
+        for (std::size_t i = 0; i < rows.columns; ++i) rows.row(j)[i] = i % 2 == 0 ? amplitude : -amplitude;
+    }
+    const SpatialCorrelation correlation = spatial_correlation(rows, 0.1);
+    EXPECT_NEAR(correlation.correlation[1], -1.0, 1e-12);
+    EXPECT_DOUBLE_EQ(correlation.shortest_period, 0.02);
+    const auto fit = fit_surface_correlation(correlation);
+    EXPECT_TRUE(std::isnan(fit.characteristic_period.value));
+    EXPECT_TRUE(std::isinf(fit.characteristic_period.half_width));
+}
+
+TEST(SurfaceCorrelation, TheFittedFunctionHasItsImages) {
+    const double period = 0.2;
+    // Two images to each side: the first that is left out.
+    const double left_out = std::exp(-std::pow(2.0 * period / 0.12, 2));
+    for (const double rho : {0.0, 0.03, 0.1}) {
+        const double here = horoshenkov_correlation(rho, 0.1, 0.12, period);
+        EXPECT_NEAR(here, horoshenkov_correlation(period - rho, 0.1, 0.12, period), left_out);
+    }
+    EXPECT_DOUBLE_EQ(horoshenkov_correlation(0.0, 0.1, 0.12, period), 1.0);
+    EXPECT_EQ(horoshenkov_correlation(0.03, 0.1, 0.12, std::nullopt),
+              horoshenkov_correlation(0.03, 0.1, 0.12));
+}
+
 TEST(SurfaceCorrelation, OfATravellingSurfaceIsCoveredByItsIntervals) {
     // 150 trials of a 95 % interval scatter by 1.8 %: 89.6-100 % is three standard deviations.
     const SurfaceGrid grid{.columns = 40, .spacing = 0.01, .rows = 600, .interval = 0.1};

@@ -198,5 +198,19 @@ TEST(LogLaw, SaysWhenThereIsNoFit) {
     EXPECT_NE(no_plane.why_not.find("zero plane"), std::string::npos);
 }
 
+TEST(LogLaw, DepthMeanOfAProfileIsThatOfTheLaw) {
+    const Profile p = rough_profile(60, 0.0, 1);
+    const double depth = 0.05;
+    const auto mean = profile_depth_mean({p.z, p.velocity, {}, plane}, depth);
+    ASSERT_TRUE(mean);
+    // Above its height of zero velocity; below it the law is negative, the water at rest.
+    const double at_rest = roughness * std::exp(-kappa * rough_log_law_constant);
+    const double expected = rough_log_law_depth_mean(depth, friction_velocity, roughness) +
+                            friction_velocity / kappa * at_rest / depth;
+    // Trapezoids over steps of 0.5 mm: u* / kappa / z dz^2 / 12 of the range.
+    EXPECT_NEAR(*mean, expected, 1e-5);
+    EXPECT_FALSE(profile_depth_mean({std::vector<double>{0.01}, std::vector<double>{0.2}, {}, 0.0}, depth));
+}
+
 }  // namespace
 }  // namespace riffle
