@@ -6,9 +6,12 @@
 #include <random>
 #include <vector>
 
+#include "analysis/chapters.hpp"
 #include "analysis/depth_correlation.hpp"
+#include "analysis/figure_tools.hpp"
 #include "analysis/velocity_spectra.hpp"
 #include "base/error.hpp"
+#include "case/flow_conditions.hpp"
 
 namespace riffle {
 namespace {
@@ -142,6 +145,54 @@ TEST(VelocitySpectra, NamesTheHeightThatFellDry) {
         EXPECT_NE(std::string(error.what()).find("z = 0.045 m"), std::string::npos);
     }
     EXPECT_THROW((void)velocity_spectra(std::vector<HeightRecord>{{0.1, {1.0, 2.0}}}, interval), InputError);
+}
+
+/// A run with the velocities of two instruments.
+class TwoInstruments : public FlowRecord {
+  public:
+    Case flow_case = builtin_case("condition-2");
+    std::vector<VelocityProbe> probes;
+    [[nodiscard]] std::string name() const override { return "run"; }
+    [[nodiscard]] std::string source() const override { return "run"; }
+    [[nodiscard]] Origin origin() const override { return Origin::simulated; }
+    [[nodiscard]] const Case* flow() const override { return &flow_case; }
+    [[nodiscard]] TimeWindow window() const override { return {0.0, 30.0}; }
+    [[nodiscard]] const std::vector<VelocityProbe>& velocity_probes() const override { return probes; }
+};
+
+TEST(Subsurface, TakesTheUsersInstrumentAndNoDepthFromOneSpacing) {
+    std::mt19937_64 generator(3);
+    std::normal_distribution<double> normal;
+    const auto probe = [&](const char* name, std::size_t points) {
+        VelocityProbe result;
+        result.name = name;
+        for (std::size_t i = 0; i < points; ++i) {
+            result.x.push_back(0.1);
+            result.z.push_back(0.01 + 0.004 * static_cast<double>(i));
+        }
+        for (int row = 0; row < 1500; ++row) {
+            result.time.push_back(interval * row);
+            for (std::size_t i = 0; i < points; ++i) {
+                result.u.push_back(0.3 + 0.02 * normal(generator));
+                result.w.push_back(0.01 * normal(generator));  // independent of its neighbours
+            }
+        }
+        return result;
+    };
+    TwoInstruments record;
+    record.probes = {probe("standard_velocity", 10), probe("adv", 1)};
+    const Analysis analysis = analyse(record, "subsurface");
+    EXPECT_EQ(find_finding(analysis, "influence_depth"), nullptr);
+    std::string warnings;
+    for (const std::string& each : analysis.warnings) warnings += each + "\n";
+    EXPECT_NE(warnings.find("not resolved"), std::string::npos) << warnings;
+    EXPECT_NE(warnings.find("standard_velocity are used for the correlation over the depth only"),
+              std::string::npos)
+        << warnings;
+    // The single point of the user's instrument stands at 10 mm.
+    const Finding* const deviation = find_finding(analysis, "point_velocity_deviation");
+    ASSERT_NE(deviation, nullptr);
+    EXPECT_NE(deviation->label.find("z = 10 mm"), std::string::npos) << deviation->label;
 }
 
 }  // namespace
