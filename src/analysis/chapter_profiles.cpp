@@ -333,6 +333,18 @@ void add_errors(const FlowRecord& record, const Profiles& p, Analysis& analysis)
         }
         error.curves.push_back(profile_curve("against the column twin", Origin::column, relative, p.z));
     }
+    if (record.column() != nullptr && record.origin() == Origin::measured) {
+        const ColumnProfile& column = record.column()->profile;
+        const ProfileComparison beside = compare_profiles({column.z, column.velocity}, {p.z, p.velocity});
+        error.curves.push_back(
+            error_curve("column twin", Origin::column, beside, &ComparedPoint::relative_error));
+        square.curves.push_back(error_curve("column twin", Origin::column, beside, &ComparedPoint::msep));
+        if (std::isfinite(beside.errors.mean_msep)) {
+            analysis.findings.push_back(make_finding(chapter, "msep_column",
+                                                     "MSEP of the column twin's u at the measured points",
+                                                     "%", beside.errors.mean_msep));
+        }
+    }
     const std::string why = measured.note.empty() ? "no measured profile is known: the case names none "
                                                     "([measured] velocity_profile, or friction_velocity and "
                                                     "equivalent_roughness); --measured FILE gives one"

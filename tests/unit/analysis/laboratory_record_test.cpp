@@ -66,6 +66,7 @@ TEST(LaboratoryRecords, AProfileHasItsOwnMeanVelocity) {
     // Of the law that the profile was made of, not the 0.35 m/s of the case; 1 %: noise of the points.
     const double law = rough_log_law_depth_mean(0.05, 0.044, 0.035);
     EXPECT_NEAR(bulk_velocity(record), law, 0.01 * law);
+    EXPECT_GT(value_of(analyse(record, "profiles"), "msep_column"), 0.0);
 }
 
 /// Wave probes in any order.
