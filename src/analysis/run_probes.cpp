@@ -201,7 +201,9 @@ RunProbes read_probes(const ResultsReader& reader, const Case& c, const TimeWind
                       std::size_t most_values) {
     RunProbes probes;
     if (!reader.has("/probes")) return probes;
-    for (const std::string& name : reader.children("/probes")) {
+    const std::vector<std::string> names = reader.children("/probes");
+    const std::size_t share = most_values / std::max<std::size_t>(1, names.size());
+    for (const std::string& name : names) {
         const auto attribute = reader.attribute("/probes/" + name, "kind");
         const auto* kind = attribute ? std::get_if<std::string>(&*attribute) : nullptr;
         if (kind == nullptr || !reader.has("/probes/" + name + "/time")) {
@@ -209,7 +211,7 @@ RunProbes read_probes(const ResultsReader& reader, const Case& c, const TimeWind
                                       " of the results file has no kind or no samples");
             continue;
         }
-        const ProbeGroup group(reader, name, window, most_values, probes.warnings);
+        const ProbeGroup group(reader, name, window, share, probes.warnings);
         if (group.time().empty()) {
             probes.warnings.push_back("instrument " + name + " has no samples in the window");
         } else if (*kind == "wave") {

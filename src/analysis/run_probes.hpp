@@ -11,8 +11,8 @@
 namespace riffle {
 
 /// The instruments of a run, from the groups `/probes/NAME` of its results file (docs/results-format.md),
-/// over the window. A row of instruments that would have more than `most_values` values keeps its last ones,
-/// which `warnings` then says. Throws FileError where arrays do not fit each other.
+/// over the window. Instruments share `most_values` equally; one with more values than that keeps its last
+/// ones, which `warnings` then says. Throws FileError where arrays do not fit each other.
 struct RunProbes {
     std::vector<ElevationProbe> wave;
     std::vector<VelocityProbe> velocity;
