@@ -44,7 +44,7 @@ const save = (() => {
     const curves = entries.flatMap(({ figure, run }) => figure.curves.map(curve => ({ ...curve, run: curve.run || run })));
     if (curves.length) {
       files.push({ name: `${key}.csv`, button: 'CSV', content: () => {
-        const names = { half_width: 'half-width of', lower: 'lower end of', upper: 'upper end of' };
+        const names = { half_width: 'half-width of', lower: 'lower bound of', upper: 'upper bound of' };
         const wide = ['x', 'y'].flatMap(side => Object.keys(names).map(part => [side, part]))
           .filter(([side, part]) => curves.some(curve => (curve[`${side}_${part}`] || []).length));
         const head = ['curve', 'run', 'origin', heading(first.x.label, first.x.unit), heading(first.y.label, first.y.unit),
