@@ -76,6 +76,8 @@ class SimulationOf final : public SimulationIn<D> {
     // Sweeps (simulation_sweeps.cpp).
     /// One evaluation of all rates, the motion that follows from it, and the packing of the moved particles.
     void evaluate(const StageSteps& steps);
+    /// Ask for what follows the sums of a block, so that it arrives meanwhile.
+    void fetch_for_stress(std::size_t begin, std::size_t end);
     void evaluate_gradients(Task& task, std::size_t begin, std::size_t end, double density_step);
     void evaluate_walls(Task& task, std::size_t begin, std::size_t end, double step);
     void evaluate_forces(Task& task, std::size_t begin, std::size_t end, double step);

@@ -10,6 +10,19 @@
 
 namespace riffle {
 
+namespace {
+
+/// Ask for values [begin, end) that will be read and written.
+template <class Values>
+void fetch(const Values& values, std::size_t begin, std::size_t end) {
+    constexpr std::size_t step = 64 / sizeof(values[0]);  // a line of the caches
+    for (std::size_t i = begin; i < end; i += step) {
+        __builtin_prefetch(&values[i], 1);
+    }
+}
+
+}  // namespace
+
 /// A function of the height, f(heights, results), for the particles of a block, which follow each other in
 /// memory; the results by lane, zero in empty ones.
 template <int D, class Real>
@@ -62,8 +75,21 @@ void SimulationOf<D, Real>::evaluate(const StageSteps& steps) {
 }
 
 template <int D, class Real>
+void SimulationOf<D, Real>::fetch_for_stress(std::size_t begin, std::size_t end) {
+    const auto first = static_cast<std::size_t>(clusters_.begin[begin]);
+    const auto last = static_cast<std::size_t>(clusters_.begin[end]);
+    fetch(particles_.density_deviation, first, last);
+    fetch(particles_.mass, first, last);
+    fetch(particles_.position[vertical], first, last);
+    if (!data_.stress.empty()) {
+        fetch(data_.stress, begin * cluster_size, end * cluster_size);
+    }
+}
+
+template <int D, class Real>
 void SimulationOf<D, Real>::evaluate_gradients(Task& task, std::size_t begin, std::size_t end,
                                                double density_step) {
+    fetch_for_stress(begin, end);
     timed(block_seconds_[begin / block_clusters].gradients,
           [&] { loops_.gradient(data_, begin, end, task.sums); });
     if (closure_) {
