@@ -35,8 +35,11 @@ export async function open(browser, file, width, height, scheme) {
 // Figures are drawn when they come into view: show each, and wait until it is drawn.
 export async function draw_all(page) {
   for (const plot of await page.$$('figure .plot')) {
-    await plot.evaluate(element => element.scrollIntoView({ block: 'center' }));
-    await page.waitForFunction(element => element.classList.contains('js-plotly-plot') && element._fullLayout, plot, { timeout: 60000 });
+    // Again and again: figures above that are being drawn move it away.
+    await page.waitForFunction(element => {
+      element.scrollIntoView({ block: 'center' });
+      return element.classList.contains('js-plotly-plot') && element._fullLayout;
+    }, plot, { timeout: 60000, polling: 100 });
   }
   await page.evaluate(() => scrollTo(0, 0));
 }
