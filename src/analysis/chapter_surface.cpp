@@ -29,6 +29,7 @@ std::string flatness_remark(const Case& c) {
         case ClosureKind::ramp:
         case ClosureKind::nezu_rodi:
         case ClosureKind::nikuradse:
+        case ClosureKind::czernuszenko_rylov:
             break;
     }
     return "the mixing-length closure averages turbulence out and keeps its mean stress only, so that no "

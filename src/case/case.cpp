@@ -10,9 +10,10 @@ double Case::normal_gravity() const { return fluid.gravity * std::cos(std::atan(
 
 bool Case::same_parameters(const Case& other) const {
     return title == other.title && description == other.description && channel == other.channel &&
-           bed == other.bed && turbulence == other.turbulence && fluid == other.fluid &&
-           numerics == other.numerics && start == other.start && stirring == other.stirring &&
-           run == other.run && output == other.output && measured == other.measured && probes == other.probes;
+           bed == other.bed && side_walls == other.side_walls && turbulence == other.turbulence &&
+           fluid == other.fluid && numerics == other.numerics && start == other.start &&
+           stirring == other.stirring && run == other.run && output == other.output &&
+           measured == other.measured && probes == other.probes;
 }
 
 }  // namespace riffle

@@ -14,10 +14,12 @@ namespace riffle {
 enum class Preset { riffle, thesis, paper };
 enum class Ends { periodic, walls };
 enum class Top { free_surface, wall, periodic };
+enum class Sides { periodic, walls, half };
+enum class SideDragForm { consistent, thesis, none };
 enum class BedKind { spheres, slip, no_slip };
 enum class Packing { hexagonal, square };
-enum class DragForm { consistent, thesis, paper };
-enum class ClosureKind { none, ramp, nezu_rodi, nikuradse, sps };
+enum class DragForm { consistent, thesis, paper, slice };
+enum class ClosureKind { none, ramp, nezu_rodi, nikuradse, sps, czernuszenko_rylov };
 enum class StressTerms { full, shear };
 enum class KernelKind { wendland_c2, cubic_spline };
 enum class EquationOfState { linear, tait };
@@ -30,7 +32,7 @@ enum class EddyStress { two_point, stress_divergence };
 enum class Stepping { semi_implicit_euler, predictor_corrector };
 enum class WallKind { dummy, dynamic };
 enum class Precision { single_precision, double_precision };
-enum class StartKind { column, uniform, rest, power_law, results, standing_wave, taylor_green };
+enum class StartKind { column, uniform, rest, power_law, results, standing_wave, taylor_green, section };
 enum class StartLattice { square, hexagonal };
 enum class SurfaceDetection { volume_fraction, position_divergence, density_ratio, depth_sum };
 enum class RunUntil { time, converged };
@@ -41,9 +43,17 @@ struct Channel {
     double slope = 0.0;    ///< S0 = tan(theta)
     double depth = 0.0;    ///< h_w, measured from the zero datum, m
     double length = 0.2;   ///< along x, m
-    double width = 0.459;  ///< of the flume, m (side walls of the column's hydraulic radius; 3D later)
+    double width = 0.459;  ///< of the flume, m; with periodic sides the simulated width
+    int dimensions = 2;    ///< 2: the x-z plane; 3: x, y across the channel from 0 at a side wall, z
     Ends ends = Ends::periodic;
+    Sides sides = Sides::periodic;
     Top top = Top::free_surface;
+
+    /// Extent of the simulated water across the channel, m: half the width where the other half is its mirror
+    /// image.
+    [[nodiscard]] double simulated_width() const { return sides == Sides::half ? 0.5 * width : width; }
+    /// Place of the channel's centreline across it, m.
+    [[nodiscard]] double centreline() const { return 0.5 * width; }
 
     bool operator==(const Channel&) const = default;
 };
@@ -57,20 +67,37 @@ struct Bed {
     double datum_below_crest = 0.004;  ///< m; 0 for smooth beds
     double drag_coefficient = 0.8;     ///< C_d
     DragForm drag_form = DragForm::consistent;
+    std::optional<double>
+        sphere_ramp;  ///< 3D: length over which a sphere's drag sets in, m; see Case::sphere_ramp()
 
     bool operator==(const Bed&) const = default;
+};
+
+/// [side_walls]: drag of the walls beside the water (three dimensions)
+struct SideWalls {
+    SideDragForm drag_form = SideDragForm::consistent;
+    std::optional<double> layer;  ///< thickness of the layer it acts in, m; unset: the roughness height
+
+    bool operator==(const SideWalls&) const = default;
 };
 
 /// [turbulence]
 struct Turbulence {
     ClosureKind closure = ClosureKind::ramp;
     double kappa = 0.41;
-    double lambda = 0.09;                ///< plateau of the ramp, l_m = lambda H
-    double wake_strength = 0.0;          ///< Coles' Pi of Nezu & Rodi's mixing length
-    double zero = 0.0;                   ///< height above the bed level where the mixing length starts, m
-    double smagorinsky_constant = 0.12;  ///< C_s of the SPS closure
-    std::optional<double> filter_width;  ///< Delta of the SPS closure, m; unset: spacing / sqrt(2)
+    double lambda = 0.09;                 ///< plateau of the ramp, l_m = lambda H
+    std::optional<double> wake_strength;  ///< Coles' Pi of Nezu & Rodi's mixing length; see wake()
+    double zero = 0.0;                    ///< height above the bed level where the mixing length starts, m
+    double smagorinsky_constant = 0.12;   ///< C_s of the SPS closure
+    std::optional<double> filter_width;   ///< Delta of the SPS closure, m; unset: spacing / sqrt(2)
     StressTerms stress_terms = StressTerms::full;
+    double edge_zone = 0.5;       ///< gamma of Czernuszenko & Rylov: the edge zones are gamma H/2 wide
+    double spanwise_ratio = 0.5;  ///< l_y / l_x of Czernuszenko & Rylov
+
+    /// Coles' Pi in use: that of wide channels, 0.2, for Czernuszenko & Rylov, else none.
+    [[nodiscard]] double wake() const {
+        return wake_strength.value_or(closure == ClosureKind::czernuszenko_rylov ? 0.2 : 0.0);
+    }
 
     bool operator==(const Turbulence&) const = default;
 };
@@ -160,6 +187,16 @@ struct Output {
     double checkpoint_interval = 60.0;  ///< s of wall-clock time
     double progress_interval = 1.0;     ///< s of wall-clock time
     bool standard_probes = true;        ///< whether the instruments of the case's kind record without asking
+    // Three dimensions.
+    double mean_field_interval = 5.0;  ///< s, length of the averaging windows of the mean field; 0: none
+    std::optional<double> mean_field_spacing;  ///< m, cells of the mean field; unset: the particle spacing
+    double surface_map_interval = 0.1;         ///< s between plan maps of the surface; 0: none
+    // Snapshots: what of which part of the water.
+    std::string snapshot_fields = "velocity pressure density eddy_viscosity";  ///< beside position and id
+    std::vector<double> snapshot_x;                                            ///< m, from and to; empty: all
+    std::vector<double> snapshot_y;
+    std::vector<double> snapshot_z;
+    int compression = 4;  ///< of the results file, deflate level 0 to 9
 
     bool operator==(const Output&) const = default;
 };
@@ -186,6 +223,7 @@ struct Probe {
     double sampling_frequency = 0.0;  ///< Hz
     double start = 0.0;               ///< simulated time from which it records, s
     std::vector<double> x;            ///< m; velocity: one, or as many as z
+    std::vector<double> y;            ///< m, three dimensions: one, or as many as x; empty: the centreline
     std::vector<double> z;            ///< m above the bed level; velocity: one, or as many as x
     double sampling_length = 0.0;     ///< velocity: height of the measuring volume, m; 0: a point
     std::optional<double> spacing;    ///< surface line, grid: between points, m; unset: from the particles'
@@ -207,6 +245,7 @@ struct Case {
     std::string description;
     Channel channel;
     Bed bed;
+    SideWalls side_walls;
     Turbulence turbulence;
     Fluid fluid;
     Numerics numerics;
@@ -235,6 +274,18 @@ struct Case {
     [[nodiscard]] double datum() const { return bed.roughness_height - bed.datum_below_crest; }
     /// Height of the roughness crest above the bed level, m.
     [[nodiscard]] double crest() const { return bed.roughness_height; }
+    /// Length over which the drag of a sphere sets in, m: a tenth of the diameter; the spacing in the form of
+    /// the thesis.
+    [[nodiscard]] double sphere_ramp() const {
+        return bed.sphere_ramp.value_or(bed.drag_form == DragForm::thesis ? numerics.spacing
+                                                                          : 0.1 * bed.sphere_diameter);
+    }
+    /// Thickness of the layer in which the side walls' drag acts, m.
+    [[nodiscard]] double side_layer() const { return side_walls.layer.value_or(bed.roughness_height); }
+    /// Whether the case has side walls with drag.
+    [[nodiscard]] bool has_side_walls() const {
+        return channel.dimensions == 3 && channel.sides != Sides::periodic;
+    }
     /// Component of gravity down the bed, g sin(theta), m/s2.
     [[nodiscard]] double streamwise_gravity() const;
     /// Component of gravity normal to the bed, g cos(theta), m/s2.

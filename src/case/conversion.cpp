@@ -149,7 +149,7 @@ std::variant<Value, std::string> convert_list(const Key& key, const RawValue& ra
     } else {
         items.push_back(std::visit(Single{}, raw));
     }
-    if (items.empty()) {
+    if (items.empty() && !key.accepts_empty) {
         return fmt::format("{} = []: expected {}; give at least one", shown_name(key), expectation(key));
     }
     std::vector<double> numbers;

@@ -94,6 +94,7 @@ Case paper() {
     c.bed.drag_form = DragForm::paper;
     c.turbulence.closure = ClosureKind::nezu_rodi;
     c.turbulence.zero = 0.0045;
+    c.turbulence.wake_strength = 0.0;
     c.turbulence.stress_terms = StressTerms::shear;
     // No eddy viscosity at the bed keeps the lowest rows in order; the hexagonal lattice does better there.
     c.start.lattice = StartLattice::hexagonal;

@@ -78,6 +78,11 @@ Key&& Key::may_be_diameters() && {
     return std::move(*this);
 }
 
+Key&& Key::may_be_empty() && {
+    accepts_empty = true;
+    return std::move(*this);
+}
+
 Key&& Key::applies_with(std::string other, std::vector<std::string> options, bool strictly) && {
     applies = {std::move(other), std::move(options), strictly};
     return std::move(*this);

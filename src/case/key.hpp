@@ -68,8 +68,9 @@ struct Key {
     std::string example;       ///< a right value, as written in a case file
     bool required = false;
     bool accepts_diameters = false;
-    bool list = false;      ///< one number or a list of them; empty: not given
-    bool repeated = false;  ///< of a section that may stand several times, [[section]]
+    bool list = false;           ///< one number or a list of them; empty: not given
+    bool accepts_empty = false;  ///< a list that may be written as []: not given
+    bool repeated = false;       ///< of a section that may stand several times, [[section]]
     Applies applies;
     std::function<Value(const Case&, std::size_t item)> read;
     std::function<void(Case&, const Value&, std::size_t item)> write;
@@ -98,6 +99,7 @@ struct Key {
     Key&& with_example(std::string text) &&;
     Key&& is_required() &&;
     Key&& may_be_diameters() &&;
+    Key&& may_be_empty() &&;
     Key&& applies_with(std::string other, std::vector<std::string> options, bool strictly = false) &&;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "case/channel_keys.hpp"
 #include "case/probe_keys.hpp"
 #include "case/units.hpp"
 
@@ -11,129 +12,6 @@ namespace riffle {
 namespace {
 
 using enum Dimension;
-
-SectionKeys heading() {
-    SectionKeys s{"", "Before the first section.", {}};
-    s.keys.push_back(make_key("title", &Case::title, "Title of the run, for reports."));
-    s.keys.push_back(make_key("description", &Case::description, "What the case is about, in any length."));
-    return s;
-}
-
-SectionKeys channel() {
-    SectionKeys s{"channel", "The channel and the depth of the water.", {}};
-    const auto key = [](const char* name, auto member, const char* meaning) {
-        return make_key("channel", name, &Case::channel, member, meaning);
-    };
-    s.keys.push_back(key("slope", &Channel::slope, "Bed slope S0 = tan(theta).")
-                         .at_least(0)
-                         .at_most(1)
-                         .is_required()
-                         .with_example("0.004"));
-    s.keys.push_back(key("depth", &Channel::depth,
-                         "Water depth h_w over the zero datum (`bed.datum_below_crest` below the crests; the "
-                         "bed where smooth).")
-                         .measured_in(length)
-                         .greater_than(0)
-                         .is_required()
-                         .with_example("\"50 mm\""));
-    s.keys.push_back(key("length", &Channel::length, "Length of the simulated reach along the bed.")
-                         .measured_in(length)
-                         .greater_than(0));
-    s.keys.push_back(
-        key("width", &Channel::width, "Width of the flume.").measured_in(length).greater_than(0));
-    s.keys.push_back(key("ends", &Channel::ends, "What the two ends of the reach are."));
-    s.keys.push_back(key("top", &Channel::top, "What the water ends at above."));
-    return s;
-}
-
-SectionKeys bed() {
-    SectionKeys s{"bed", "The bed and its roughness.", {}};
-    const auto key = [](const char* name, auto member, const char* meaning) {
-        return make_key("bed", name, &Case::bed, member, meaning);
-    };
-    const char* const smooth = "0 for a smooth bed";
-    s.keys.push_back(key("kind", &Bed::kind, "Kind of the bed."));
-    s.keys.push_back(key("sphere_diameter", &Bed::sphere_diameter, "Diameter D of the bed's spheres.")
-                         .measured_in(length)
-                         .greater_than(0)
-                         .applies_with("bed.kind", {"spheres"}));
-    s.keys.push_back(key("packing", &Bed::packing, "Arrangement of the spheres, seen from above.")
-                         .applies_with("bed.drag_form", {"consistent"}));
-    s.keys.push_back(
-        key("roughness_height", &Bed::roughness_height,
-            "Thickness d_h of the roughness zone, from the bed level z = 0 up to the crests; a length "
-            "or a multiple of D.")
-            .measured_in(length)
-            .at_least(0)
-            .may_be_diameters()
-            .with_default_note(std::string("required for spheres; ") + smooth)
-            .with_example("\"0.4 D\""));
-    s.keys.push_back(key("datum_below_crest", &Bed::datum_below_crest,
-                         "Distance of the zero datum, from which the depth is measured, below the crests.")
-                         .measured_in(length)
-                         .at_least(0)
-                         .with_default_note(std::string("4 mm for spheres; ") + smooth));
-    s.keys.push_back(key("drag_coefficient", &Bed::drag_coefficient, "Drag coefficient C_d of the spheres.")
-                         .at_least(0)
-                         .at_most(10)
-                         .applies_with("bed.kind", {"spheres"}));
-    s.keys.push_back(key("drag_form", &Bed::drag_form, "How the drag enters the momentum equation.")
-                         .applies_with("bed.kind", {"spheres"}));
-    return s;
-}
-
-SectionKeys turbulence() {
-    SectionKeys s{"turbulence", "The turbulence closure and its constants.", {}};
-    const auto key = [](const char* name, auto member, const char* meaning) {
-        return make_key("turbulence", name, &Case::turbulence, member, meaning);
-    };
-    const std::string closure = "turbulence.closure";
-    s.keys.push_back(key("closure", &Turbulence::closure, "Where the eddy viscosity comes from."));
-    s.keys.push_back(key("kappa", &Turbulence::kappa, "Von Karman's constant.")
-                         .greater_than(0)
-                         .at_most(1)
-                         .applies_with(closure, {"ramp", "nezu-rodi"}));
-    s.keys.push_back(key("lambda", &Turbulence::lambda, "Plateau of the ramp: l_m = lambda H.")
-                         .greater_than(0)
-                         .at_most(1)
-                         .applies_with(closure, {"ramp"}));
-    s.keys.push_back(key("wake_strength", &Turbulence::wake_strength, "Coles' wake strength Pi.")
-                         .at_least(0)
-                         .at_most(2)
-                         .applies_with(closure, {"nezu-rodi"}));
-    s.keys.push_back(key("zero", &Turbulence::zero,
-                         "Height above the bed level at which the mixing length starts from zero.")
-                         .measured_in(length)
-                         .at_least(0)
-                         .applies_with(closure, {"ramp", "nezu-rodi", "nikuradse"}));
-    s.keys.push_back(key("smagorinsky_constant", &Turbulence::smagorinsky_constant, "Constant C_s.")
-                         .greater_than(0)
-                         .at_most(1)
-                         .applies_with(closure, {"sps"}));
-    s.keys.push_back(key("filter_width", &Turbulence::filter_width, "Filter width Delta.")
-                         .measured_in(length)
-                         .greater_than(0)
-                         .unset_by("auto", "spacing / sqrt(2)")
-                         .applies_with(closure, {"sps"}));
-    s.keys.push_back(
-        key("stress_terms", &Turbulence::stress_terms, "What is kept of the strain rate and the stress.")
-            .applies_with(closure, {"ramp", "nezu-rodi", "nikuradse", "sps"}));
-    return s;
-}
-
-SectionKeys fluid() {
-    SectionKeys s{"fluid", "The water.", {}};
-    const auto key = [](const char* name, auto member, const char* meaning) {
-        return make_key("fluid", name, &Case::fluid, member, meaning);
-    };
-    s.keys.push_back(key("density", &Fluid::density, "Density rho0.").measured_in(density).greater_than(0));
-    s.keys.push_back(key("kinematic_viscosity", &Fluid::kinematic_viscosity, "Molecular viscosity nu0.")
-                         .measured_in(kinematic_viscosity)
-                         .at_least(0));
-    s.keys.push_back(
-        key("gravity", &Fluid::gravity, "Acceleration of gravity g.").measured_in(acceleration).at_least(0));
-    return s;
-}
 
 SectionKeys numerics() {
     SectionKeys s{"numerics", "The numerical scheme. `preset` sets the defaults of the other keys.", {}};
@@ -172,7 +50,8 @@ SectionKeys numerics() {
                          .applies_with("numerics.density_filter", {"shepard", "mls"}));
     s.keys.push_back(key("viscosity", &Numerics::viscosity, "Form of the pair viscosity."));
     s.keys.push_back(key("eddy_stress", &Numerics::eddy_stress, "How the stress of the closure acts.")
-                         .applies_with("turbulence.closure", {"ramp", "nezu-rodi", "nikuradse", "sps"}));
+                         .applies_with("turbulence.closure",
+                                       {"ramp", "nezu-rodi", "nikuradse", "sps", "czernuszenko-rylov"}));
     s.keys.push_back(key("xsph", &Numerics::xsph, "Smoothing of the particles' transport velocity; 0: none.")
                          .at_least(0)
                          .at_most(1));
@@ -332,6 +211,39 @@ SectionKeys output() {
     s.keys.push_back(make_key("output", "standard_probes", &Case::output, &Output::standard_probes,
                               "Whether the instruments that suit the case record without being asked for; "
                               "`riffle check` lists them."));
+    const auto in_space = [](Key row) {
+        return std::move(row).applies_with("channel.dimensions", {"3"}, true);
+    };
+    s.keys.push_back(in_space(key("mean_field_interval", &Output::mean_field_interval,
+                                  "Length of the averaging windows of the mean field; 0: none.")
+                                  .at_least(0)));
+    s.keys.push_back(in_space(make_key("output", "mean_field_spacing", &Case::output,
+                                       &Output::mean_field_spacing, "Edge of the mean field's cells.")
+                                  .measured_in(length)
+                                  .greater_than(0)
+                                  .unset_by("auto", "the particle spacing")));
+    s.keys.push_back(in_space(key("surface_map_interval", &Output::surface_map_interval,
+                                  "Between plan maps of the surface; 0: none.")
+                                  .at_least(0)));
+    s.keys.push_back(make_key("output", "snapshot_fields", &Case::output, &Output::snapshot_fields,
+                              "What the snapshots hold beside position and number of the particles: any of "
+                              "velocity, pressure, density, eddy_viscosity."));
+    const auto region = [](const char* name, auto member, const char* meaning) {
+        return make_key("output", name, &Case::output, member, meaning)
+            .measured_in(length)
+            .may_be_empty()
+            .with_example("[\"0 mm\", \"50 mm\"]");
+    };
+    s.keys.push_back(
+        region("snapshot_x", &Output::snapshot_x, "From and to where along the channel; not given: all."));
+    s.keys.push_back(in_space(
+        region("snapshot_y", &Output::snapshot_y, "From and to where across the channel; not given: all.")));
+    s.keys.push_back(region("snapshot_z", &Output::snapshot_z,
+                            "From and to which height above the bed level; not given: all."));
+    s.keys.push_back(make_key("output", "compression", &Case::output, &Output::compression,
+                              "Of the results file: 0 none, 9 smallest and slowest.")
+                         .at_least(0)
+                         .at_most(9));
     return s;
 }
 
@@ -364,8 +276,11 @@ SectionKeys measured() {
 }
 
 std::vector<SectionKeys> make_table() {
-    return {heading(), channel(),  bed(), turbulence(), fluid(),    numerics(),
-            start(),   stirring(), run(), output(),     measured(), probe_keys()};
+    std::vector<SectionKeys> table = channel_keys();
+    for (auto* const section : {numerics, start, stirring, run, output, measured, probe_keys}) {
+        table.push_back(section());
+    }
+    return table;
 }
 
 }  // namespace
@@ -410,10 +325,14 @@ bool key_applies(const Key& key, const Case& c, std::size_t item) {
     }
     const Key& other = *find_key(key.applies.id);
     const Value value = other.get(c, item);
-    const auto* const text = std::get_if<std::string>(&value);
-    const std::string now = text != nullptr                                 ? *text
-                            : std::holds_alternative<std::monostate>(value) ? other.unset_word
-                                                                            : std::string();
+    std::string now;
+    if (const auto* const text = std::get_if<std::string>(&value)) {
+        now = *text;
+    } else if (const auto* const integer = std::get_if<long long>(&value)) {
+        now = std::to_string(*integer);
+    } else if (std::holds_alternative<std::monostate>(value)) {
+        now = other.unset_word;
+    }
     return std::find(key.applies.words.begin(), key.applies.words.end(), now) != key.applies.words.end() &&
            key_applies(other, c, item);
 }

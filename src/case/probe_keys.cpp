@@ -37,6 +37,15 @@ SectionKeys probe_keys() {
                          .with_default_note("required for these kinds")
                          .with_example("[\"100 mm\"]")
                          .applies_with(kind, {"velocity", "wave", "flow_rate"}, true));
+    s.keys.push_back(
+        key("y", &Probe::y,
+            "Positions across a three-dimensional channel: one, or as many as x (velocity: as the "
+            "points).")
+            .measured_in(length)
+            .may_be_empty()
+            .with_default_note("the centreline")
+            .with_example("[\"100 mm\"]")
+            .applies_with(kind, {"velocity", "wave", "surface_line", "grid"}, true));
     s.keys.push_back(key("z", &Probe::z, "Heights above the bed level; one, or as many as x.")
                          .measured_in(length)
                          .with_default_note("required for this kind")

@@ -41,9 +41,11 @@ class ProbeValidation {
                 break;
             case ProbeKind::surface_line:
                 check_surface();
+                check_across();
                 check_spacing();
                 break;
             case ProbeKind::grid:
+                check_across();
                 check_grid();
                 break;
             case ProbeKind::flow_rate:
@@ -102,6 +104,26 @@ class ProbeValidation {
             if (x < 0.0 || x > c_.channel.length) {
                 add("x", fmt::format("x = {} is outside of the channel: expected 0 to its length {}",
                                      length_text(x), length_text(c_.channel.length)));
+            }
+        }
+        check_across();
+    }
+
+    /// Positions across a three-dimensional channel.
+    void check_across() {
+        if (!p_.y.empty() && c_.channel.dimensions == 2) {
+            add("y", "y: positions across the channel go with [channel] dimensions = 3; remove the key");
+            return;
+        }
+        const std::size_t points = std::max(p_.x.size(), p_.kind == ProbeKind::velocity ? p_.z.size() : 1);
+        if (p_.y.size() > 1 && p_.y.size() != points) {
+            add("y", fmt::format("y has {} positions: expected one, or {} as there are points", p_.y.size(),
+                                 points));
+        }
+        for (const double y : p_.y) {
+            if (y < 0.0 || y > c_.channel.simulated_width()) {
+                add("y", fmt::format("y = {} is outside of the simulated channel: expected 0 to {}",
+                                     length_text(y), length_text(c_.channel.simulated_width())));
             }
         }
     }

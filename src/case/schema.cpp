@@ -80,7 +80,8 @@ Json choices(const Key& key) {
 Json key_schema(const Key& key) {
     Json list = choices(key);
     if (key.list) {
-        list.push_back({{"type", "array"}, {"minItems", 1}, {"items", {{"oneOf", list}}}});
+        list.push_back(
+            {{"type", "array"}, {"minItems", key.accepts_empty ? 0 : 1}, {"items", {{"oneOf", list}}}});
     }
     Json schema = list.size() == 1 ? list.front() : Json{{"oneOf", list}};
     schema["description"] = key.meaning;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "case/probe_validation.hpp"
+#include "case/space_validation.hpp"
 #include "case/units.hpp"
 
 namespace riffle {
@@ -99,7 +100,7 @@ class Validation {
         const Numerics& n = c_.numerics;
         const double smoothing_length = n.smoothing_ratio * n.spacing;
         const double support = 2 * smoothing_length;
-        const double reach = support + n.skin_in(2) * smoothing_length;
+        const double reach = support + n.skin_in(c_.channel.dimensions) * smoothing_length;
         if (c_.channel.ends == Ends::periodic && c_.channel.length < 2 * reach) {
             add({"channel.length", "numerics.spacing"},
                 fmt::format(
@@ -218,6 +219,7 @@ class Validation {
                 check_velocity_start();
                 break;
             case StartKind::rest:
+            case StartKind::section:
                 break;
         }
     }
@@ -287,6 +289,8 @@ class Validation {
 
 void validate(const Case& c, const Places& places, bool check_files, Problems& problems) {
     Validation(c, places, problems).run(check_files);
+    validate_space(c, places, problems);
+    validate_snapshots(c, places, problems);
     validate_probes(c, places, problems);
 }
 

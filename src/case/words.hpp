@@ -50,6 +50,24 @@ struct Words<Top> {
 };
 
 template <>
+struct Words<Sides> {
+    static constexpr std::array<Word, 3> list{{
+        {"periodic", "what leaves at one side enters at the other: part of a wide channel"},
+        {"walls", "frictionless walls at y = 0 and y = width, whose drag is that of [side_walls]"},
+        {"half", "a side wall at y = 0 and the plane of symmetry at y = width / 2"},
+    }};
+};
+
+template <>
+struct Words<SideDragForm> {
+    static constexpr std::array<Word, 3> list{{
+        {"consistent", "the bed's drag times H / (k^2 width) on each wall (Yang & Lim), over the layer"},
+        {"thesis", "as printed in the thesis (5.11-5.13); counts k^2 twice and scales as 1 / spacing"},
+        {"none", "frictionless walls"},
+    }};
+};
+
+template <>
 struct Words<BedKind> {
     static constexpr std::array<Word, 3> list{{
         {"spheres", "a layer of spheres that acts by its drag in the roughness zone"},
@@ -68,21 +86,27 @@ struct Words<Packing> {
 
 template <>
 struct Words<DragForm> {
-    static constexpr std::array<Word, 3> list{{
-        {"consistent", "frontal area of the packed spheres per volume; does not depend on the spacing"},
+    static constexpr std::array<Word, 4> list{{
+        {"consistent",
+         "frontal area of the packed spheres per volume; in 3D the drag of each sphere over its volume; does "
+         "not "
+         "depend on the spacing"},
         {"thesis", "as printed in the thesis; scales as 1 / spacing"},
-        {"paper", "as printed in the paper: C_d / (2 D) over the roughness zone"},
+        {"paper", "as printed in the paper: C_d / (2 D) over the roughness zone (2D)"},
+        {"slice",
+         "3D: the drag of each slice of a sphere over the slice; its plan mean is the 2D consistent form"},
     }};
 };
 
 template <>
 struct Words<ClosureKind> {
-    static constexpr std::array<Word, 5> list{{
+    static constexpr std::array<Word, 6> list{{
         {"none", "laminar"},
         {"ramp", "mixing length kappa z, at most lambda H (thesis 4.2)"},
         {"nezu-rodi", "mixing length of Nezu & Rodi with Coles' wake (thesis 2.21)"},
         {"nikuradse", "mixing length of Nikuradse (thesis 2.20)"},
         {"sps", "sub-particle scale model with a constant C_s (thesis 4.1)"},
+        {"czernuszenko-rylov", "anisotropic mixing lengths over the cross-section (thesis 5.1-5.7)"},
     }};
 };
 
@@ -214,7 +238,7 @@ struct Words<StartLattice> {
 
 template <>
 struct Words<StartKind> {
-    static constexpr std::array<Word, 7> list{{
+    static constexpr std::array<Word, 8> list{{
         {"column", "the steady velocity profile of the column twin"},
         {"uniform", "one velocity everywhere"},
         {"rest", "still water"},
@@ -222,6 +246,7 @@ struct Words<StartKind> {
         {"results", "the last state of a results file"},
         {"standing-wave", "a standing gravity wave, one wave length over the channel length"},
         {"taylor-green", "Taylor-Green vortices (periodic in both directions)"},
+        {"section", "3D: the steady velocity of the cross-section twin"},
     }};
 };
 

@@ -7,6 +7,8 @@
 
 #include "roughness/consistent_drag.hpp"
 #include "roughness/paper_drag.hpp"
+#include "roughness/sphere_drag.hpp"
+#include "roughness/sphere_lattice.hpp"
 #include "roughness/thesis_drag.hpp"
 
 namespace riffle {
@@ -38,6 +40,36 @@ std::unique_ptr<const BedDrag> height_drag(const Case& c, Law law) {
     return std::make_unique<HeightDrag<Law>>(law, c.bed.roughness_height);
 }
 
+/// Drag of the spheres at their places, in three dimensions: beta = phi f(z).
+template <class Form>
+class SphereDrag final : public BedDrag {
+  public:
+    SphereDrag(const Case& c, Form form) : lattice_(c), form_(form) {}
+
+    [[nodiscard]] double coefficient(double z) const override {
+        return z < 0.0 ? 0.0 : lattice_.plan_mean(z) * form_(z);
+    }
+    [[nodiscard]] double coefficient_at(double x, double y, double z) const override {
+        const double phi = z < 0.0 ? 0.0 : lattice_.shape_factor(x, y, z);
+        return phi > 0.0 ? phi * form_(z) : 0.0;
+    }
+    [[nodiscard]] bool varies_in_plan() const override { return true; }
+    [[nodiscard]] double top() const override { return lattice_.top(); }
+    void coefficients(std::span<const double> z, std::span<double> result) const override {
+        assert(result.size() == z.size());
+        for (std::size_t i = 0; i < z.size(); ++i) result[i] = coefficient(z[i]);
+    }
+
+  private:
+    SphereLattice lattice_;
+    Form form_;
+};
+
+template <class Form>
+std::unique_ptr<const BedDrag> sphere_drag(const Case& c, Form form) {
+    return std::make_unique<SphereDrag<Form>>(c, form);
+}
+
 using Factory = std::unique_ptr<const BedDrag> (*)(const Case&);
 
 struct Registration {
@@ -46,6 +78,10 @@ struct Registration {
 };
 
 std::unique_ptr<const BedDrag> make_consistent(const Case& c) {
+    if (c.channel.dimensions == 3) {
+        const double volume = volume_drag_coefficient(c.bed.drag_coefficient, c.bed.sphere_diameter);
+        return sphere_drag(c, [volume](double) { return volume; });
+    }
     const double spheres_per_area = c.bed.packing == Packing::hexagonal
                                         ? hexagonal_spheres_per_area(c.bed.sphere_diameter)
                                         : square_spheres_per_area(c.bed.sphere_diameter);
@@ -56,6 +92,10 @@ std::unique_ptr<const BedDrag> make_consistent(const Case& c) {
 }
 
 std::unique_ptr<const BedDrag> make_thesis(const Case& c) {
+    if (c.channel.dimensions == 3) {
+        const double printed = printed_sphere_drag_coefficient(c.bed.drag_coefficient, c.numerics.spacing);
+        return sphere_drag(c, [printed](double) { return printed; });
+    }
     return height_drag(c, [b = c.bed, spacing = c.numerics.spacing](double z) {
         return thesis_drag_coefficient(z, b.drag_coefficient, b.sphere_diameter, b.roughness_height, spacing);
     });
@@ -67,11 +107,19 @@ std::unique_ptr<const BedDrag> make_paper(const Case& c) {
     });
 }
 
+std::unique_ptr<const BedDrag> make_slice(const Case& c) {
+    return sphere_drag(
+        c, [b = c.bed, centre = SphereLattice(c).centre_height(), ramp = c.sphere_ramp()](double z) {
+            return slice_drag_coefficient(z, b.drag_coefficient, b.sphere_diameter, centre, ramp);
+        });
+}
+
 /// A new drag form is one new file with its pure function and one line here.
 constexpr std::array registry{
     Registration{DragForm::consistent, make_consistent},
     Registration{DragForm::thesis, make_thesis},
     Registration{DragForm::paper, make_paper},
+    Registration{DragForm::slice, make_slice},
 };
 
 }  // namespace

@@ -7,16 +7,27 @@
 
 namespace riffle {
 
-/// Drag of the bed's roughness elements as a body force: acceleration -beta(z) u |u|.
+/// Drag of the bed's roughness elements as a body force: acceleration -beta u |u|, in three dimensions also
+/// -beta v |v| across the channel.
 class BedDrag {
   public:
     virtual ~BedDrag() = default;
 
-    /// beta(z), 1/m, at height z above the bed level; zero outside the roughness zone.
+    /// beta(z), 1/m, at height z above the bed level; zero outside the roughness zone. Where the elements
+    /// stand at their places, the mean over the horizontal plane: what the column twin needs.
     [[nodiscard]] virtual double coefficient(double z) const = 0;
 
     /// Height above which the coefficient is zero, m.
     [[nodiscard]] virtual double top() const = 0;
+
+    /// beta at a point, where the elements stand at their places; else that of the height.
+    [[nodiscard]] virtual double coefficient_at(double x, double y, double z) const {
+        static_cast<void>(x);
+        static_cast<void>(y);
+        return coefficient(z);
+    }
+    /// Whether coefficient_at() varies over the horizontal plane.
+    [[nodiscard]] virtual bool varies_in_plan() const { return false; }
 
     /// coefficient() at each height.
     virtual void coefficients(std::span<const double> z, std::span<double> result) const = 0;

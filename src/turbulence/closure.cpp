@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cstddef>
 
+#include "turbulence/czernuszenko_rylov.hpp"
 #include "turbulence/nezu_rodi.hpp"
 #include "turbulence/nikuradse.hpp"
 #include "turbulence/ramp.hpp"
@@ -31,6 +32,36 @@ class HeightClosure final : public Closure {
     Law law_;
 };
 
+/// Czernuszenko & Rylov (2000): Nezu & Rodi's mixing length over the height, smaller beside side walls and in
+/// the spanwise direction.
+class CzernuszenkoRylov final : public Closure {
+  public:
+    explicit CzernuszenkoRylov(const Case& c)
+        : t_(c.turbulence),
+          depth_(c.total_depth()),
+          width_(c.channel.width),
+          edge_zone_(c.turbulence.edge_zone * 0.5 * depth_),
+          walls_(c.has_side_walls()) {}
+
+    [[nodiscard]] double mixing_length(double z) const override {
+        return nezu_rodi_mixing_length(z, t_.zero, depth_, t_.kappa, t_.wake());
+    }
+    void mixing_lengths(std::span<const double> z, std::span<double> result) const override {
+        assert(result.size() == z.size());
+        for (std::size_t i = 0; i < z.size(); ++i) result[i] = mixing_length(z[i]);
+    }
+    [[nodiscard]] bool varies_across() const override { return walls_; }
+    [[nodiscard]] double side_factor(double y) const override {
+        return walls_ ? edge_zone_factor(std::min(y, width_ - y), edge_zone_) : 1.0;
+    }
+    [[nodiscard]] double spanwise_ratio() const override { return t_.spanwise_ratio; }
+
+  private:
+    Turbulence t_;
+    double depth_, width_, edge_zone_;
+    bool walls_;
+};
+
 template <class Law>
 std::unique_ptr<const Closure> height_closure(Law law) {
     return std::make_unique<HeightClosure<Law>>(law);
@@ -51,7 +82,7 @@ std::unique_ptr<const Closure> make_ramp(const Case& c) {
 
 std::unique_ptr<const Closure> make_nezu_rodi(const Case& c) {
     return height_closure([t = c.turbulence, depth = c.total_depth()](double z) {
-        return nezu_rodi_mixing_length(z, t.zero, depth, t.kappa, t.wake_strength);
+        return nezu_rodi_mixing_length(z, t.zero, depth, t.kappa, t.wake());
     });
 }
 
@@ -69,6 +100,10 @@ std::unique_ptr<const Closure> make_sps(const Case& c) {
 
 std::unique_ptr<const Closure> make_none(const Case&) { return nullptr; }
 
+std::unique_ptr<const Closure> make_czernuszenko_rylov(const Case& c) {
+    return std::make_unique<CzernuszenkoRylov>(c);
+}
+
 /// A new closure is one new file with its pure function and one line here.
 constexpr std::array registry{
     Registration{ClosureKind::none, make_none},
@@ -76,6 +111,7 @@ constexpr std::array registry{
     Registration{ClosureKind::nezu_rodi, make_nezu_rodi},
     Registration{ClosureKind::nikuradse, make_nikuradse},
     Registration{ClosureKind::sps, make_sps},
+    Registration{ClosureKind::czernuszenko_rylov, make_czernuszenko_rylov},
 };
 
 }  // namespace

@@ -30,6 +30,17 @@ class Closure {
         return mixing_length_viscosity(mixing_length(z), strain_rate);
     }
 
+    /// Whether side_factor() is anything but 1.
+    [[nodiscard]] virtual bool varies_across() const { return false; }
+    /// Factor of the mixing length at y across the channel (m), beside side walls.
+    [[nodiscard]] virtual double side_factor(double y) const {
+        static_cast<void>(y);
+        return 1.0;
+    }
+    /// l_y/l_x: 1 where the mixing length is the same in all directions, as in all closures but that of
+    /// Czernuszenko & Rylov.
+    [[nodiscard]] virtual double spanwise_ratio() const { return 1.0; }
+
     /// Mixing length at each height; a loop over the scalar function, vectorisable in each closure.
     virtual void mixing_lengths(std::span<const double> z, std::span<double> result) const = 0;
 };

@@ -18,10 +18,11 @@ using testing::StartsWith;
 TEST(BadInput, SmallestCaseIsRight) { EXPECT_EQ(error_of(smallest), ""); }
 
 TEST(BadInput, UnknownKeyNamesPlaceAndNearestMatch) {
-    EXPECT_THAT(error_of(changed("slope = 0.004", "slop = 0.004")),
-                AllOf(HasSubstr("case.toml:2:1: unknown key `slop` in [channel]: did you mean `slope`?"),
-                      HasSubstr("the keys there are slope, depth, length, width, ends, top"),
-                      HasSubstr("[channel] slope is missing")));
+    EXPECT_THAT(
+        error_of(changed("slope = 0.004", "slop = 0.004")),
+        AllOf(HasSubstr("case.toml:2:1: unknown key `slop` in [channel]: did you mean `slope`?"),
+              HasSubstr("the keys there are slope, depth, length, width, dimensions, ends, sides, top"),
+              HasSubstr("[channel] slope is missing")));
 }
 
 TEST(BadInput, UnknownKeyLikeNoOther) {
@@ -42,7 +43,7 @@ TEST(BadInput, KeyInTheWrongSectionIsSentHome) {
 TEST(BadInput, UnknownSection) {
     EXPECT_THAT(error_of(smallest + "[turbulance]\nkappa = 0.4\n"),
                 AllOf(StartsWith("case.toml:6:2: unknown section [turbulance]: did you mean [turbulence]?"),
-                      HasSubstr("the sections are channel, bed, turbulence")));
+                      HasSubstr("the sections are channel, bed, side_walls, turbulence")));
 }
 
 TEST(BadInput, SectionWrittenAsValue) {

@@ -247,10 +247,28 @@ Case any_case() {
                                          "start.amplitude",
                                          "channel.depth",
                                          "channel.slope",
-                                         "run.average_from"};
+                                         "run.average_from",
+                                         "channel.dimensions",
+                                         "channel.width",
+                                         "channel.sides",
+                                         "bed.drag_form",
+                                         "numerics.wall",
+                                         "numerics.skin",
+                                         "start.lattice",
+                                         "turbulence.stress_terms",
+                                         "output.snapshot_fields",
+                                         "output.snapshot_x",
+                                         "output.snapshot_y",
+                                         "output.snapshot_z"};
+    if (*rc::gen::arbitrary<bool>()) {
+        c.channel.dimensions = 3;
+        c.channel.sides = *rc::gen::element(Sides::periodic, Sides::walls, Sides::half);
+    }
     for (const SectionKeys& section : key_table()) {
         for (const Key& key : section.keys) {
-            if (!section.repeated() && std::find(fixed.begin(), fixed.end(), key.id()) == fixed.end() &&
+            const bool without_place = key.applies.strictly && key.section != "run" && !key_applies(key, c);
+            if (!section.repeated() && !without_place &&
+                std::find(fixed.begin(), fixed.end(), key.id()) == fixed.end() &&
                 *rc::gen::arbitrary<bool>()) {
                 key.set(c, any_value(key));
             }
@@ -260,6 +278,21 @@ Case any_case() {
     c.channel.depth = *number_between(0.03, 3.0);
     c.channel.length = *number_between(0.1, 30.0);
     c.bed.sphere_diameter = *number_between(0.005, 0.1);
+    if (c.channel.dimensions == 3) {
+        c.numerics.wall = WallKind::dummy;
+        // Spheres that tile the channel, and side walls within their edge zones.
+        c.bed.sphere_diameter = *number_between(0.01, 0.02);
+        c.bed.sphere_ramp = 0.1 * c.bed.sphere_diameter;
+        c.bed.packing = Packing::hexagonal;
+        c.bed.drag_form = *rc::gen::element(DragForm::consistent, DragForm::slice, DragForm::thesis);
+        c.channel.length = c.bed.sphere_diameter * *rc::gen::inRange(10, 20);
+        c.channel.width = c.bed.sphere_diameter * std::sqrt(3.0) * *rc::gen::inRange(5, 20);
+        c.turbulence.edge_zone = 10.0;
+        if (c.has_side_walls()) {
+            c.side_walls.layer = *number_between(0.005, 0.01);
+        }
+        c.output.snapshot_y = {0.0, 0.01};
+    }
     c.bed.roughness_height = c.bed.sphere_diameter * *number_between(0.5, 1.0);
     c.bed.datum_below_crest = c.bed.roughness_height * *number_between(0.0, 1.0);
     c.turbulence.zero = *number_between(0.0, 0.02);

@@ -1,0 +1,222 @@
+#include "case/space_validation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <sstream>
+
+#include "case/units.hpp"
+#include "case/words.hpp"
+
+namespace riffle {
+
+namespace {
+
+std::string length_text(double value) { return quantity_text(value, Dimension::length); }
+
+std::string rounded_length_text(double value) { return fmt::format("{:.4f} mm", 1e3 * value); }
+
+class SpaceValidation {
+  public:
+    SpaceValidation(const Case& c, const Places& places, Problems& problems)
+        : c_(c), places_(places), problems_(problems) {}
+
+    void run() {
+        if (c_.channel.dimensions == 2) {
+            check_plane();
+            return;
+        }
+        check_kinds();
+        check_width();
+        if (c_.bed.kind == BedKind::spheres) {
+            check_spheres();
+        }
+        if (c_.has_side_walls() && c_.side_walls.drag_form != SideDragForm::none) {
+            check_side_walls();
+        }
+        if (c_.start.kind == StartKind::section && !c_.has_side_walls()) {
+            add({"start.kind", "channel.sides"},
+                "[start] kind = \"section\": with sides = \"periodic\" the flow does not vary across the "
+                "channel; choose kind = \"column\", or sides = \"walls\" or \"half\"");
+        }
+    }
+
+  private:
+    void add(const std::vector<std::string>& keys, std::string message) {
+        problems_.add(places_.of_first(keys), std::move(message));
+    }
+
+    void check_plane() {
+        if (c_.bed.drag_form == DragForm::slice) {
+            add({"bed.drag_form", "channel.dimensions"},
+                "[bed] drag_form = \"slice\" goes with [channel] dimensions = 3; in two dimensions choose "
+                "\"consistent\", which is its plan mean");
+        }
+        if (c_.start.kind == StartKind::section) {
+            add({"start.kind", "channel.dimensions"},
+                "[start] kind = \"section\" goes with [channel] dimensions = 3; choose \"column\"");
+        }
+    }
+
+    /// A choice that three dimensions do not have.
+    void refuse(bool wrong, const std::string& id, std::string_view chosen, const char* instead) {
+        if (wrong) {
+            const auto dot = id.find('.');
+            add({id, "channel.dimensions"},
+                fmt::format("[{}] {} = \"{}\" is not there with [channel] dimensions = 3: choose {}",
+                            id.substr(0, dot), id.substr(dot + 1), chosen, instead));
+        }
+    }
+
+    void check_kinds() {
+        const Case& c = c_;
+        refuse(c.channel.ends != Ends::periodic, "channel.ends", word(c.channel.ends), "\"periodic\"");
+        refuse(c.channel.top != Top::free_surface, "channel.top", word(c.channel.top), "\"free-surface\"");
+        refuse(c.bed.kind == BedKind::spheres && c.bed.drag_form == DragForm::paper, "bed.drag_form",
+               word(c.bed.drag_form), R"("consistent", "slice" or "thesis")");
+        refuse(c.start.lattice != StartLattice::square, "start.lattice", word(c.start.lattice), "\"square\"");
+        refuse(c.start.kind == StartKind::standing_wave || c.start.kind == StartKind::taylor_green,
+               "start.kind", word(c.start.kind), R"("column", "section", "uniform", "power-law" or "rest")");
+        refuse(c.numerics.wall == WallKind::dynamic, "numerics.wall", word(c.numerics.wall), "\"dummy\"");
+        refuse(c.turbulence.stress_terms == StressTerms::shear, "turbulence.stress_terms",
+               word(c.turbulence.stress_terms), "\"full\"");
+    }
+
+    void check_width() {
+        const Numerics& n = c_.numerics;
+        const double h = n.smoothing_ratio * n.spacing;
+        const bool periodic = c_.channel.sides == Sides::periodic;
+        const double needed = periodic ? 2.0 * (2.0 + n.skin_in(3)) * h : 2.0 * h;
+        if (c_.channel.simulated_width() < needed) {
+            add({"channel.width", "numerics.spacing"},
+                fmt::format(
+                    "[channel] width: the simulated width is {}, at least {} ({}) is needed; make the "
+                    "channel wider or the spacing smaller",
+                    length_text(c_.channel.simulated_width()), rounded_length_text(needed),
+                    periodic ? "two kernel supports of 2 h with their skin" : "one kernel support, 2 h"));
+        }
+    }
+
+    void check_spheres() {
+        const double d = c_.bed.sphere_diameter;
+        if (d > c_.channel.width) {
+            add({"bed.sphere_diameter", "channel.width"},
+                fmt::format(
+                    "[bed] sphere_diameter is {}, wider than the channel ({}): make the spheres smaller "
+                    "or the channel wider",
+                    length_text(d), length_text(c_.channel.width)));
+            return;
+        }
+        const double across = c_.bed.packing == Packing::hexagonal ? std::numbers::sqrt3 * d : d;
+        check_tiling("channel.length", "length", c_.channel.length, d, "D");
+        if (c_.channel.sides == Sides::periodic) {
+            check_tiling("channel.width", "width", c_.channel.width, across,
+                         c_.bed.packing == Packing::hexagonal ? "sqrt(3) D" : "D");
+        }
+        // Each sphere must be seen by some particles, or its drag depends on where they happen to be.
+        constexpr double particles_over_sphere = 4.0;
+        if (c_.numerics.spacing > d / particles_over_sphere) {
+            add({"numerics.spacing", "bed.sphere_diameter"},
+                fmt::format("[numerics] spacing is {}: less than {:.0f} particles over a sphere of {} do not "
+                            "resolve its drag; make the spacing {} or less",
+                            length_text(c_.numerics.spacing), particles_over_sphere, length_text(d),
+                            length_text(d / particles_over_sphere)));
+        }
+        if (c_.sphere_ramp() > d) {
+            add({"bed.sphere_ramp"},
+                fmt::format("[bed] sphere_ramp is {}: expected at most the sphere diameter {}",
+                            length_text(c_.sphere_ramp()), length_text(d)));
+        }
+    }
+
+    /// The spheres of a periodic bed repeat in the period of their lattice.
+    void check_tiling(const std::string& id, const char* name, double extent, double period,
+                      const char* period_text) {
+        constexpr double largest_stretch = 0.01;  // of the lattice (roughness/sphere_lattice.hpp)
+        const double periods = std::max(1.0, std::round(extent / period));
+        if (std::abs(extent / (periods * period) - 1.0) <= largest_stretch) {
+            return;
+        }
+        const double below = period * std::max(1.0, std::floor(extent / period));
+        const double above = below + period;
+        add({id, "bed.sphere_diameter"},
+            fmt::format(
+                "[channel] {} is {}: the spheres do not tile it, as their lattice repeats every {} = {}; "
+                "take {} or {}",
+                name, length_text(extent), period_text, rounded_length_text(period),
+                rounded_length_text(below), rounded_length_text(above)));
+    }
+
+    void check_side_walls() {
+        const double layer = c_.side_layer();
+        if (layer <= 0.0) {
+            add({"side_walls.layer", "bed.roughness_height"},
+                "[side_walls] layer is missing: on a smooth bed there is no roughness height to take it "
+                "from; "
+                "give a length, or drag_form = \"none\"");
+            return;
+        }
+        if (layer < c_.numerics.spacing) {
+            add({"side_walls.layer", "numerics.spacing"},
+                fmt::format(
+                    "[side_walls] layer is {}, thinner than the spacing {}: hardly a particle would feel "
+                    "the drag of the wall; make it thicker or the spacing smaller",
+                    length_text(layer), length_text(c_.numerics.spacing)));
+        }
+        const double edge_zone = c_.turbulence.edge_zone * 0.5 * c_.total_depth();
+        if (c_.turbulence.closure == ClosureKind::czernuszenko_rylov && layer > edge_zone) {
+            add({"side_walls.layer", "turbulence.edge_zone"},
+                fmt::format("[side_walls] layer is {}, thicker than the edge zone of the mixing lengths, "
+                            "edge_zone H / 2 = {}: make it thinner, or edge_zone larger",
+                            length_text(layer), rounded_length_text(edge_zone)));
+        }
+        if (layer > 0.25 * c_.channel.width) {
+            add({"side_walls.layer", "channel.width"},
+                fmt::format(
+                    "[side_walls] layer is {}: the layers of both walls would fill more than half of the "
+                    "channel ({}); make it thinner",
+                    length_text(layer), length_text(c_.channel.width)));
+        }
+    }
+
+    const Case& c_;
+    const Places& places_;
+    Problems& problems_;
+};
+
+}  // namespace
+
+void validate_space(const Case& c, const Places& places, Problems& problems) {
+    SpaceValidation(c, places, problems).run();
+}
+
+void validate_snapshots(const Case& c, const Places& places, Problems& problems) {
+    constexpr std::array<const char*, 4> known = {"velocity", "pressure", "density", "eddy_viscosity"};
+    std::istringstream fields(c.output.snapshot_fields);
+    for (std::string field; fields >> field;) {
+        if (std::find(known.begin(), known.end(), field) == known.end()) {
+            problems.add(
+                places.of_first({"output.snapshot_fields"}),
+                fmt::format("[output] snapshot_fields: \"{}\" is no field of a snapshot; expected some of "
+                            "{}, with spaces between them",
+                            field, fmt::join(known, ", ")));
+        }
+    }
+    const std::pair<const char*, const std::vector<double>&> ranges[] = {{"snapshot_x", c.output.snapshot_x},
+                                                                         {"snapshot_y", c.output.snapshot_y},
+                                                                         {"snapshot_z", c.output.snapshot_z}};
+    for (const auto& [name, range] : ranges) {
+        if (!range.empty() && (range.size() != 2 || !(range[0] < range[1]))) {
+            problems.add(
+                places.of_first({fmt::format("output.{}", name)}),
+                fmt::format("[output] {}: expected two lengths, from and to, the first one smaller, for "
+                            "example {} = [\"0 mm\", \"50 mm\"]",
+                            name, name));
+        }
+    }
+}
+
+}  // namespace riffle
