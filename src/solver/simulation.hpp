@@ -26,13 +26,20 @@ struct ParticleFields {
     std::vector<double> wall_acceleration_x;     ///< part of both from walls
     std::vector<double> wall_acceleration_z;     ///< the same, normal to the bed
     std::vector<double> drag_acceleration_x;     ///< of the bed drag (negative for u > 0)
+    // Three dimensions only, else empty.
+    std::vector<double> drag_acceleration_y;       ///< of the bed drag
+    std::vector<double> side_wall_acceleration_x;  ///< of the drag in the side walls' layers
+    std::vector<double> side_wall_acceleration_z;
+    std::vector<double> shear_stress;          ///< tau_xz of viscosity and closure, Pa
+    std::vector<double> lateral_shear_stress;  ///< tau_xy, Pa
 
-    void resize(std::size_t n);
-    /// All of them.
-    static constexpr std::array<std::vector<double> ParticleFields::*, 9> all();
+    void resize(std::size_t n, int dimensions);
+    /// All of them; those of three dimensions come last.
+    static constexpr std::array<std::vector<double> ParticleFields::*, 14> all();
+    static constexpr std::size_t in_plane = 9;
 };
 
-constexpr std::array<std::vector<double> ParticleFields::*, 9> ParticleFields::all() {
+constexpr std::array<std::vector<double> ParticleFields::*, 14> ParticleFields::all() {
     return {&ParticleFields::pressure,
             &ParticleFields::eddy_viscosity,
             &ParticleFields::shear,
@@ -41,7 +48,12 @@ constexpr std::array<std::vector<double> ParticleFields::*, 9> ParticleFields::a
             &ParticleFields::viscous_acceleration_x,
             &ParticleFields::wall_acceleration_x,
             &ParticleFields::wall_acceleration_z,
-            &ParticleFields::drag_acceleration_x};
+            &ParticleFields::drag_acceleration_x,
+            &ParticleFields::drag_acceleration_y,
+            &ParticleFields::side_wall_acceleration_x,
+            &ParticleFields::side_wall_acceleration_z,
+            &ParticleFields::shear_stress,
+            &ParticleFields::lateral_shear_stress};
 }
 
 /// State that a run needs beside the particles to go on with the same bits.
@@ -49,9 +61,10 @@ struct SimulationClock {
     double time = 0.0;
     std::int64_t steps = 0;
     std::int64_t list_builds = 0;
-    double time_step = 0.0;             ///< last step
-    double largest_acceleration = 0.0;  ///< of the last evaluation
-    double displacement_bound = 0.0;    ///< bound of the relative motion since the last list build, m
+    double time_step = 0.0;                   ///< last step
+    double largest_acceleration = 0.0;        ///< of the last evaluation
+    double displacement_bound = 0.0;          ///< bound of the relative motion since the last list build, m
+    double side_wall_drag_coefficient = 0.0;  ///< beta of the side walls' layers in the next step, 1/m
 };
 
 /// Where the time of a step goes, s: summed over the steps since the last reset. The parts inside the sweeps

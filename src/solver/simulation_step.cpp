@@ -13,9 +13,10 @@
 
 namespace riffle {
 
-void ParticleFields::resize(std::size_t n) {
-    for (const auto field : all()) {
-        (this->*field).resize(n, 0.0);
+void ParticleFields::resize(std::size_t n, int dimensions) {
+    const auto fields = all();
+    for (std::size_t k = 0; k < (dimensions == 3 ? fields.size() : in_plane); ++k) {
+        (this->*fields[k]).resize(n, 0.0);
     }
 }
 
@@ -47,7 +48,7 @@ SimulationOf<D, Real>::SimulationOf(const Case& c, const ColumnResult* column, P
     check_state();
     make_walls();
     build_lists(true);
-    fields_.resize(particles_.size());
+    fields_.resize(particles_.size(), D);
 }
 
 template <int D, class Real>
@@ -115,7 +116,7 @@ void SimulationOf<D, Real>::take_step(double fields_due) {
     // As the recorder will see the time: the same sum.
     keep_fields_ = clock_.time + dt >= fields_due;
     if (keep_fields_) {
-        fields_.resize(particles_.size());
+        fields_.resize(particles_.size(), D);
     }
     if (predictor_corrector_) {
         saved_ = particles_;
