@@ -84,6 +84,62 @@ Case flow_condition(std::size_t number) {
     return c;
 }
 
+/// A three-dimensional run of a condition: the numerics of docs/theory.md for three dimensions.
+Case space_condition(std::size_t number, double spacing) {
+    Case c = flow_condition(number);
+    c.channel.dimensions = 3;
+    c.turbulence.closure = ClosureKind::czernuszenko_rylov;
+    c.numerics = Numerics{};
+    c.numerics.spacing = spacing;
+    c.start.lattice = StartLattice::square;
+    return c;
+}
+
+/// At the size of the thesis' three-dimensional runs, 3 H long as nearly as the spheres tile it.
+Case thesis_space_condition(std::size_t number) {
+    Case c = space_condition(number, number <= 2 ? 0.0015 : 0.0025);
+    c.title += ", in three dimensions";
+    const double diameter = c.bed.sphere_diameter;
+    c.channel.length = Diameters{std::round(3.0 * c.total_depth() / diameter)}.length(diameter);
+    c.channel.sides = Sides::walls;
+    c.start.kind = StartKind::section;
+    c.output.snapshot_interval = 5.0;
+    c.output.snapshot_fields = "velocity";
+    return c;
+}
+
+/// Half of the channel's width and two spheres long, for minutes on a laptop.
+Case coarse_space_condition(std::size_t number) {
+    Case c = space_condition(number, 0.004);
+    c.title += ", in three dimensions, coarse";
+    c.channel.length = 2.0 * c.bed.sphere_diameter;
+    c.channel.sides = Sides::half;
+    c.start.kind = StartKind::section;
+    c.run.time = 60.0;
+    c.output.mean_field_interval = 2.0;
+    return c;
+}
+
+/// A cell of two by one periods of the spheres' lattice, part of a wide channel.
+Case wide_space_condition(std::size_t number) {
+    Case c = space_condition(number, 0.003);
+    c.title += ", in three dimensions, wide channel";
+    c.channel.length = 2.0 * c.bed.sphere_diameter;
+    c.channel.width = 0.0433;
+    c.run.time = 60.0;
+    c.output.mean_field_interval = 2.0;
+    return c;
+}
+
+struct SpaceFamily {
+    std::string_view suffix;
+    Case (*make)(std::size_t number);
+};
+constexpr std::array<SpaceFamily, 3> space_families{{{"-3d", thesis_space_condition},
+                                                     {"-3d-coarse", coarse_space_condition},
+                                                     {"-3d-wide", wide_space_condition}}};
+constexpr std::array<std::size_t, 4> space_conditions{1, 2, 5, 8};  ///< those of the thesis
+
 /// Geometry and closure as the paper states them, heights from its bed level at -8 mm.
 Case paper() {
     Case c = rough_bed();
@@ -111,6 +167,11 @@ std::vector<std::string> builtin_case_names() {
         names.push_back(fmt::format("condition-{}", number));
     }
     names.emplace_back("paper-2016");
+    for (const SpaceFamily& family : space_families) {
+        for (const std::size_t number : space_conditions) {
+            names.push_back(fmt::format("condition-{}{}", number, family.suffix));
+        }
+    }
     return names;
 }
 
@@ -129,7 +190,11 @@ Case builtin_case(std::string_view name) {
     } else if (name == "paper-2016") {
         c = paper();
     } else {
-        c = flow_condition(static_cast<std::size_t>(found - names.begin()));
+        const auto number = static_cast<std::size_t>(name[std::string_view("condition-").size()] - '0');
+        const std::string_view suffix = name.substr(std::string_view("condition-0").size());
+        const auto* const family = std::find_if(space_families.begin(), space_families.end(),
+                                                [&](const SpaceFamily& f) { return f.suffix == suffix; });
+        c = family == space_families.end() ? flow_condition(number) : family->make(number);
     }
     c.text = case_text(c);
     return c;
