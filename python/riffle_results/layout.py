@@ -10,6 +10,13 @@ _LISTS = {
 
 _PLACES = ("x", "y", "z")
 
+# Dimensions of the fields over places of a group; its arrays of these names are their coordinates.
+_FIELDS = {
+    "mean_field": ("time", "z", "y", "x"),
+    "surface_map": ("time", "y", "x"),
+    "section": ("z", "y"),
+}
+
 
 def dimensions(kind, group, arrays):
     """Dimensions of each array by name, and the names of those that are coordinates."""
@@ -18,6 +25,10 @@ def dimensions(kind, group, arrays):
     if kind == "profile_blocks":
         axes = ("time", "layer", "quantity")
         return {name: axes[:array.ndim] for name, array in arrays.items()}, ["time"]
+    if kind in _FIELDS:
+        places = _FIELDS[kind]
+        axes = [name for name in ("time", *_PLACES) if name in arrays]
+        return {name: (name,) if name in axes else places[:array.ndim] for name, array in arrays.items()}, axes
     if kind == "probes":
         return _of_probe(group, arrays)
     first, coordinates = _LISTS[kind]
@@ -26,12 +37,13 @@ def dimensions(kind, group, arrays):
 
 def _of_probe(group, arrays):
     """The axes of an instrument are its arrays x, y, z; all else has a row per time. Rows of one number per point have
-    the dimension `point`, or x where that alone gives the places; rows of a plane have the axes as dimensions."""
+    the dimension `point`, or x where that alone gives the places; rows of a plane have the axes x and z as dimensions
+    (in three dimensions the plane's place y is an axis of length one)."""
     axes = [name for name in _PLACES if name in arrays]
     rows = {name: array for name, array in arrays.items() if name not in axes}
     grid = any(array.ndim > 2 for array in rows.values())
     if grid:
-        places = tuple(reversed(axes))  # (z, x): x runs fastest
+        places = tuple(name for name in reversed(axes) if name != "y")  # (z, x): x runs fastest
     else:
         places = ("point",) if len(axes) > 1 else tuple(axes)
     result = {name: (name,) if grid or len(axes) == 1 else ("point",) for name in axes}

@@ -74,7 +74,8 @@ class Results:
     def __repr__(self):
         if not self._file:
             return f"<riffle results {self.path}, closed>"
-        parts = [name for name in ("time_series", "profiles", "profile_blocks", "surface", "column") if name in self._file]
+        parts = [name for name in ("time_series", "profiles", "profile_blocks", "mean_field", "surface", "surface_map", "column",
+                                   "section") if name in self._file]
         return (f"<riffle results {self.path}\n  title: {self.title}\n  complete: {self.complete}\n"
                 f"  datasets: {', '.join(parts)}\n  snapshots: {len(self.snapshot_names)}\n"
                 f"  probes: {', '.join(self.probe_names) or 'none'}>")
@@ -132,6 +133,22 @@ class Results:
     def surface(self):
         """Elevation of the free surface over (time, x)."""
         return self._dataset("surface")
+
+    @property
+    def mean_field(self):
+        """Three dimensions: time means in cells over (time, z, y, x), `time` being the end of each averaging window.
+        Missing until the first window ends."""
+        return self._dataset("mean_field")
+
+    @property
+    def surface_map(self):
+        """Three dimensions: elevation of the free surface over (time, y, x)."""
+        return self._dataset("surface_map")
+
+    @property
+    def section(self):
+        """Three dimensions with side walls: the cross-section twin over (z, y); its summary is in the attributes."""
+        return self._dataset("section")
 
     @property
     def column(self):

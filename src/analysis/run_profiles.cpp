@@ -79,7 +79,7 @@ Profiles average_profile_blocks(const ResultsReader& reader, const Case& c, cons
     const std::vector<double> samples = reader.read_doubles("/profile_blocks/samples");
     const std::vector<std::size_t> shape = reader.shape("/profile_blocks/sums");
     ProfileSampler sampler(c, column);
-    if (shape.size() != 3 || shape[1] != sampler.layers() || shape[2] != profile_quantities) {
+    if (shape.size() != 3 || shape[1] != sampler.layers() || shape[2] != sampler.quantities()) {
         throw FileError("/profile_blocks/sums of the results file does not have the layers of its case");
     }
     const std::size_t rows = std::min({time.size(), samples.size(), shape[0]});

@@ -205,16 +205,26 @@ void validate_snapshots(const Case& c, const Places& places, Problems& problems)
                             field, fmt::join(known, ", ")));
         }
     }
-    const std::pair<const char*, const std::vector<double>&> ranges[] = {{"snapshot_x", c.output.snapshot_x},
-                                                                         {"snapshot_y", c.output.snapshot_y},
-                                                                         {"snapshot_z", c.output.snapshot_z}};
-    for (const auto& [name, range] : ranges) {
+    struct Range {
+        const char* name;
+        const std::vector<double>& range;
+        double extent;  // of the water, m; waves may rise above the depth
+    };
+    const Range ranges[] = {{"snapshot_x", c.output.snapshot_x, c.channel.length},
+                            {"snapshot_y", c.output.snapshot_y, c.channel.simulated_width()},
+                            {"snapshot_z", c.output.snapshot_z, 1.5 * c.total_depth()}};
+    for (const auto& [name, range, extent] : ranges) {
         if (!range.empty() && (range.size() != 2 || !(range[0] < range[1]))) {
             problems.add(
                 places.of_first({fmt::format("output.{}", name)}),
                 fmt::format("[output] {}: expected two lengths, from and to, the first one smaller, for "
                             "example {} = [\"0 mm\", \"50 mm\"]",
                             name, name));
+        } else if (!range.empty() && (range[1] <= 0.0 || range[0] >= extent)) {
+            problems.add(
+                places.of_first({fmt::format("output.{}", name)}),
+                fmt::format("[output] {}: there is no water from {} to {}; expected a part of 0 to {}", name,
+                            length_text(range[0]), length_text(range[1]), length_text(extent)));
         }
     }
 }

@@ -41,6 +41,14 @@ void print_probes(const Forecast& f) {
     }
 }
 
+nlohmann::ordered_json parts_json(const Forecast& f) {
+    auto list = nlohmann::ordered_json::array();
+    for (const RecordForecast& part : f.parts) {
+        list.push_back({{"name", part.name}, {"bytes", part.bytes}});
+    }
+    return list;
+}
+
 nlohmann::ordered_json probes_json(const Forecast& f) {
     auto list = nlohmann::ordered_json::array();
     for (const ProbeForecast& p : f.probes) {
@@ -78,6 +86,9 @@ void print_forecast(const Case& c, const Forecast& f) {
                             duration_text(f.wall_seconds), f.updates_per_second * 1e-6));
     row("memory", size_text(f.memory_bytes));
     row("disk", fmt::format("at most {}", size_text(f.disk_bytes)));
+    for (const RecordForecast& part : f.parts) {
+        fmt::print("    {:<20} {}\n", part.name, size_text(part.bytes));
+    }
     print_probes(f);
 }
 
@@ -93,6 +104,7 @@ void print_json(const Forecast& f, const std::vector<std::string>& warnings) {
                                          {"wall_seconds", f.wall_seconds},
                                          {"memory_bytes", f.memory_bytes},
                                          {"disk_bytes", f.disk_bytes},
+                                         {"disk_parts", parts_json(f)},
                                          {"probes", probes_json(f)},
                                          {"probe_notes", f.probe_notes},
                                          {"warnings", warnings}};

@@ -1,4 +1,4 @@
-// Discharge per unit width and depth at sections.
+// Discharge and depth at sections: per unit width, in three dimensions of the whole width.
 
 #include "base/parallel.hpp"
 #include "instruments/instrument.hpp"
@@ -9,11 +9,13 @@ namespace {
 
 class FlowRateSections final : public Instrument {
   public:
-    explicit FlowRateSections(const Probe& probe) : Instrument(probe) {
+    FlowRateSections(const Probe& probe, bool space) : Instrument(probe) {
         const std::size_t n = probe.x.size();
         add_axis("x", "distance along the channel", probe.x);
         add_record("time", "s", "simulated time", {}, true);
-        add_record("flow_rate", "m2/s", "discharge per unit width through the section", {n});
+        add_record("flow_rate", space ? "m3/s" : "m2/s",
+                   space ? "discharge through the section" : "discharge per unit width through the section",
+                   {n});
         add_record("depth", "m", "depth of the water above the bed level", {n});
     }
 
@@ -36,8 +38,8 @@ class FlowRateSections final : public Instrument {
 
 }  // namespace
 
-std::unique_ptr<Instrument> make_flow_rate_sections(const Probe& probe, const Case& /*c*/) {
-    return std::make_unique<FlowRateSections>(probe);
+std::unique_ptr<Instrument> make_flow_rate_sections(const Probe& probe, const Case& c) {
+    return std::make_unique<FlowRateSections>(probe, c.channel.dimensions == 3);
 }
 
 }  // namespace riffle

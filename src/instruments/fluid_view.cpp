@@ -1,8 +1,10 @@
 #include "instruments/fluid_view.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "particles/lattice.hpp"
 #include "sph/free_surface.hpp"
 #include "sph/kernel_registry.hpp"
 
@@ -10,115 +12,252 @@ namespace riffle {
 
 namespace {
 
-std::vector<double> volumes(const Particles<2>& p, double density) {
-    std::vector<double> volume(p.size());
-    for (std::size_t i = 0; i < p.size(); ++i) {
-        volume[i] = p.mass[i] / (density * (1.0 + p.density_deviation[i]));
-    }
-    return volume;
-}
-
-/// Sums over the neighbours of a point, weighted with the kernel: of 1 and of the distances in smoothing
-/// lengths, and each times a velocity.
+/// Sums over the neighbours of a point, weighted with the kernel: of 1, of the distances in smoothing lengths
+/// and their products, and each component of the velocity times 1 and the distances.
+template <int D>
 struct Moments {
-    double one = 0.0, x = 0.0, z = 0.0, xx = 0.0, xz = 0.0, zz = 0.0;
-    double u = 0.0, ux = 0.0, uz = 0.0, w = 0.0, wx = 0.0, wz = 0.0;
+    static constexpr auto axes = static_cast<std::size_t>(D);
+    double one = 0.0;
+    double images = 0.0;  ///< of 1 over the mirror images
+    Vec<D> r{};
+    std::array<double, axes*(axes + 1) / 2> rr{};  ///< upper triangle, by rows
+    std::array<std::array<double, axes + 1>, axes> velocity{};
+
+    void add(double weight, const Vec<D>& distance, const Vec<D>& v) {
+        one += weight;
+        std::size_t product = 0;
+        for (std::size_t k = 0; k < D; ++k) {
+            r[k] += weight * distance[k];
+            for (std::size_t l = k; l < D; ++l) {
+                rr[product++] += weight * distance[k] * distance[l];
+            }
+            const double flux = weight * v[k];
+            velocity[k][0] += flux;
+            for (std::size_t l = 0; l < D; ++l) {
+                velocity[k][l + 1] += flux * distance[l];
+            }
+        }
+    }
 };
 
-/// Value at the point of the plane that fits the neighbours best, from their moments. Where they are too few
-/// or stand too much in line to say a slope, their mean.
-struct PlaneFit {
-    double weight_one, weight_x, weight_z;
+/// Value at the point of the linear field that fits the neighbours best, from their moments. Where they are
+/// too few or stand too much in line or plane to say a slope, their mean.
+template <int D>
+struct LinearFit {
+    std::array<double, static_cast<std::size_t>(D) + 1> weight{};
 
-    explicit PlaneFit(const Moments& m) : weight_one(1.0 / m.one), weight_x(0.0), weight_z(0.0) {
+    explicit LinearFit(const Moments<D>& m) {
+        weight[0] = 1.0 / m.one;
+        if constexpr (D == 2) {
+            fit_plane(m);
+        } else {
+            fit_space(m);
+        }
+    }
+    [[nodiscard]] double value(const std::array<double, static_cast<std::size_t>(D) + 1>& sums) const {
+        double result = weight[0] * sums[0];
+        for (std::size_t k = 1; k <= D; ++k) {
+            result += weight[k] * sums[k];
+        }
+        return result;
+    }
+
+  private:
+    void fit_plane(const Moments<D>& m) {
+        const auto [xx, xz, zz] = m.rr;
+        const auto [x, z] = m.r;
         // First row of the inverse of ((1, x, z), (x, xx, xz), (z, xz, zz)).
-        const double cofactor_one = m.xx * m.zz - m.xz * m.xz;
-        const double cofactor_x = m.xz * m.z - m.x * m.zz;
-        const double cofactor_z = m.x * m.xz - m.xx * m.z;
-        const double determinant = m.one * cofactor_one + m.x * cofactor_x + m.z * cofactor_z;
+        const double cofactor_one = xx * zz - xz * xz;
+        const double cofactor_x = xz * z - x * zz;
+        const double cofactor_z = x * xz - xx * z;
+        const double determinant = m.one * cofactor_one + x * cofactor_x + z * cofactor_z;
         // Of a full support the second moments are about 0.3; a thousandth of that says nothing.
         constexpr double least = 1e-4;
         if (determinant > least * m.one * m.one * m.one) {
-            weight_one = cofactor_one / determinant;
-            weight_x = cofactor_x / determinant;
-            weight_z = cofactor_z / determinant;
+            weight = {cofactor_one / determinant, cofactor_x / determinant, cofactor_z / determinant};
         }
     }
-    [[nodiscard]] double value(double sum, double sum_x, double sum_z) const {
-        return weight_one * sum + weight_x * sum_x + weight_z * sum_z;
+    void fit_space(const Moments<D>& m) {
+        const auto [x, y, z] = m.r;
+        // The second moments about the neighbours' middle, N = M - r r^T / m; the first row of the inverse of
+        // ((m, r^T), (r, M)) is (1/m + r.s/m, -s) with N s = r/m.
+        const double xx = m.rr[0] - x * x / m.one;
+        const double xy = m.rr[1] - x * y / m.one;
+        const double xz = m.rr[2] - x * z / m.one;
+        const double yy = m.rr[3] - y * y / m.one;
+        const double yz = m.rr[4] - y * z / m.one;
+        const double zz = m.rr[5] - z * z / m.one;
+        const double c_xx = yy * zz - yz * yz;
+        const double c_xy = xz * yz - xy * zz;
+        const double c_xz = xy * yz - xz * yy;
+        const double c_yy = xx * zz - xz * xz;
+        const double c_yz = xy * xz - xx * yz;
+        const double c_zz = xx * yy - xy * xy;
+        const double determinant = xx * c_xx + xy * c_xy + xz * c_xz;
+        // Of a full support the second moments are about 0.25; a thousandth of that says nothing.
+        constexpr double least = 1e-5;
+        if (determinant > least * m.one * m.one * m.one) {
+            const double scale = 1.0 / (determinant * m.one);
+            const double s_x = scale * (c_xx * x + c_xy * y + c_xz * z);
+            const double s_y = scale * (c_xy * x + c_yy * y + c_yz * z);
+            const double s_z = scale * (c_xz * x + c_yz * y + c_zz * z);
+            weight = {(1.0 + x * s_x + y * s_y + z * s_z) / m.one, -s_x, -s_y, -s_z};
+        }
     }
 };
 
+/// Numbers of the particles that have an image behind a plane across the channel, and the plane.
+struct Image {
+    std::size_t particle;
+    double plane;
+};
+
+template <int D>
+std::vector<Image> images_of(const Case& c, const Particles<D>& particles, double reach) {
+    std::vector<Image> images;
+    if constexpr (D == 3) {
+        if (!domain_of<3>(c).periodic[1]) {
+            const double width = c.channel.simulated_width();
+            for (std::size_t i = 0; i < particles.size(); ++i) {
+                const double y = particles.position[1][i];
+                if (y < reach) {
+                    images.push_back({i, 0.0});
+                }
+                if (y > width - reach) {
+                    images.push_back({i, width});
+                }
+            }
+        }
+    }
+    return images;
+}
+
 }  // namespace
 
-FluidView::FluidView(const Particles<2>& particles, const Domain<2>& domain, KernelKind kernel,
-                     double density, double smoothing_length, SurfaceDetection detection)
-    : particles_(particles),
-      domain_(domain),
-      kernel_(kernel),
-      h_(smoothing_length),
-      detection_(detection),
-      volume_(volumes(particles, density)),
-      cells_(domain, particles.position[0], particles.position[1], 2.0 * smoothing_length) {}
+template <int D>
+typename FluidViewIn<D>::Mirrored FluidViewIn<D>::mirror(const Case& c, const Particles<D>& particles,
+                                                         double reach) {
+    Mirrored mirrored;
+    const std::vector<Image> images = images_of(c, particles, reach);
+    if (images.empty()) {
+        return mirrored;
+    }
+    mirrored.position = particles.position;
+    mirrored.of.reserve(images.size());
+    for (const auto& [particle, plane] : images) {
+        for (std::size_t k = 0; k < D; ++k) {
+            const double place = particles.position[k][particle];
+            mirrored.position[k].push_back(k == 1 ? 2.0 * plane - place : place);
+        }
+        mirrored.of.push_back(particle);
+    }
+    return mirrored;
+}
 
-FluidView::Velocity FluidView::velocity_at(double x, double z) const {
-    Moments m;
+template <int D>
+typename FluidViewIn<D>::Positions FluidViewIn<D>::positions() const {
+    const auto& source = mirrored_.of.empty() ? particles_.position : mirrored_.position;
+    Positions spans;
+    std::copy(source.begin(), source.end(), spans.begin());
+    return spans;
+}
+
+template <int D>
+FluidViewIn<D>::FluidViewIn(const Case& c, const Particles<D>& particles, double h)
+    : particles_(particles),
+      domain_(domain_of<D>(c)),
+      kernel_(c.numerics.kernel),
+      h_(h),
+      width_(D == 2 ? 1.0 : c.channel.simulated_width()),
+      detection_(c.output.surface_detection),
+      mirrored_(mirror(c, particles, 2.0 * h)),
+      volume_(particles.size() + mirrored_.of.size()),
+      cells_(domain_, positions(), 2.0 * h) {
+    const std::size_t n = particles.size();
+    for (std::size_t i = 0; i < n; ++i) {
+        volume_[i] = particles.mass[i] / (c.fluid.density * (1.0 + particles.density_deviation[i]));
+    }
+    for (std::size_t i = 0; i < mirrored_.of.size(); ++i) {
+        volume_[n + i] = volume_[mirrored_.of[i]];
+    }
+}
+
+template <int D>
+FluidView::Velocity FluidViewIn<D>::velocity_at(const Vec<3>& point) const {
+    Vec<D> at{};
+    at[0] = point[0];
+    if constexpr (D == 3) {
+        at[1] = point[1];
+    }
+    at[D - 1] = point[2];
+    Moments<D> m;
+    const std::size_t n = particles_.size();
     const double inverse_h = 1.0 / h_;
-    visit_kernel<2>(kernel_, [&](auto kernel) {
-        cells_.around(x, z, [&](std::size_t j) {
-            const double rx = cells_.distance(cells_.x()[j], x) * inverse_h;
-            const double rz = (cells_.z()[j] - z) * inverse_h;
-            const double squared = rx * rx + rz * rz;
+    visit_kernel<D>(kernel_, [&](auto kernel) {
+        cells_.around(at, [&](std::size_t j) {
+            Vec<D> r;
+            double squared = 0.0;
+            for (std::size_t k = 0; k < D; ++k) {
+                r[k] = cells_.distance(k, cells_.positions()[k][j], at[k]) * inverse_h;
+                squared += r[k] * r[k];
+            }
             if (squared >= 4.0) {
                 return;
             }
-            const double weight =
-                volume_[j] * inverse_h * inverse_h * decltype(kernel)::value(std::sqrt(squared));
-            const double u = weight * particles_.velocity[0][j];
-            const double w = weight * particles_.velocity[1][j];
-            m.one += weight;
-            m.x += weight * rx;
-            m.z += weight * rz;
-            m.xx += weight * rx * rx;
-            m.xz += weight * rx * rz;
-            m.zz += weight * rz * rz;
-            m.u += u;
-            m.ux += u * rx;
-            m.uz += u * rz;
-            m.w += w;
-            m.wx += w * rx;
-            m.wz += w * rz;
+            double weight = volume_[j];
+            for (std::size_t k = 0; k < D; ++k) {
+                weight *= inverse_h;
+            }
+            weight *= decltype(kernel)::value(std::sqrt(squared));
+            if (j >= n) {
+                m.images += weight;
+                return;
+            }
+            Vec<D> v;
+            for (std::size_t k = 0; k < D; ++k) {
+                v[k] = particles_.velocity[k][j];
+            }
+            m.add(weight, r, v);
         });
     });
-    if (m.one < wet_share) {
+    if (m.one + m.images < wet_share) {
         const double dry = std::numeric_limits<double>::quiet_NaN();
-        return {dry, dry};
+        return {dry, dry, dry};
     }
-    const PlaneFit fit(m);
-    return {fit.value(m.u, m.ux, m.uz), fit.value(m.w, m.wx, m.wz)};
+    const LinearFit<D> fit(m);
+    return {fit.value(m.velocity[0]), D == 3 ? fit.value(m.velocity[1]) : 0.0, fit.value(m.velocity[D - 1])};
 }
 
-std::vector<double> FluidView::surface_at(std::span<const double> x) const {
-    std::vector<Vec<1>> at;
-    for (const double place : x) {
-        at.push_back({place});
+template <int D>
+std::vector<double> FluidViewIn<D>::surface_at(std::span<const Vec<2>> at) const {
+    std::vector<Vec<D - 1>> places(at.size());
+    for (std::size_t i = 0; i < at.size(); ++i) {
+        std::copy_n(at[i].begin(), D - 1, places[i].begin());
     }
-    return find_surface<2>(
-        detection_, {domain_, {particles_.position[0], particles_.position[1]}, volume_, kernel_, h_}, at);
+    return find_surface<D>(detection_, {domain_, positions(), volume_, kernel_, h_}, places);
 }
 
-FluidView::Section FluidView::section_at(double x) const {
+template <int D>
+FluidView::Section FluidViewIn<D>::section_at(double x) const {
     Section section{0.0, 0.0};
+    const std::size_t n = particles_.size();
     const double inverse_h = 1.0 / h_;
     visit_kernel<1>(kernel_, [&](auto kernel) {
-        cells_.around(x, [&](std::size_t j) {
-            const double q = std::abs(cells_.distance(cells_.x()[j], x)) * inverse_h;
+        cells_.around_section(x, [&](std::size_t j) {
+            if (j >= n) {
+                return;
+            }
+            const double q = std::abs(cells_.distance(0, cells_.positions()[0][j], x)) * inverse_h;
             const double area = volume_[j] * inverse_h * decltype(kernel)::value(q);
             section.flow_rate += area * particles_.velocity[0][j];
             section.depth += area;
         });
     });
+    section.depth /= width_;
     return section;
 }
+
+template class FluidViewIn<2>;
+template class FluidViewIn<3>;
 
 }  // namespace riffle

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -15,43 +16,68 @@ namespace riffle {
 /// and 1/2 on the surface and on the bed.
 inline constexpr double wet_share = 0.5;
 
-/// The flow at one instant as instruments look at it. Keeps views of the particles, which must outlive it and
-/// stay as they are.
+/// The flow at one instant as instruments look at it, in two or three dimensions. Points are (x, y, z); in
+/// two dimensions y is not looked at.
 class FluidView {
   public:
-    /// `density`: rho0, kg/m3; `smoothing_length`: h, m.
-    FluidView(const Particles<2>& particles, const Domain<2>& domain, KernelKind kernel, double density,
-              double smoothing_length, SurfaceDetection detection);
+    virtual ~FluidView() = default;
 
     struct Velocity {
-        double u, w;  ///< m/s
+        double u, v, w;  ///< m/s; v is 0 in two dimensions
     };
     /// Velocity at a point: the kernel sum over the fluid particles, normalised with the sum of the kernel
-    /// (Shepard) and corrected to first order, so that a field linear in x and z is reproduced up to
-    /// rounding, beside the bed and the surface too. NaN where less than `wet_share` of the support is
-    /// filled.
-    [[nodiscard]] Velocity velocity_at(double x, double z) const;
+    /// (Shepard) and corrected to first order, so that a linear field is reproduced up to rounding, beside
+    /// the bed, the sides and the surface too. NaN where less than `wet_share` of the support is filled; for
+    /// this the water goes on behind side walls and a plane of symmetry as its mirror image.
+    [[nodiscard]] virtual Velocity velocity_at(const Vec<3>& point) const = 0;
 
-    /// Elevation of the surface over each x, m above the bed level, found as `detection` says
-    /// (sph/free_surface.hpp); NaN where there is no water.
-    [[nodiscard]] std::vector<double> surface_at(std::span<const double> x) const;
+    /// Elevation of the surface over each place (x, y), m above the bed level, found as the case says
+    /// (sph/free_surface.hpp), with the mirror images; NaN where there is no water.
+    [[nodiscard]] virtual std::vector<double> surface_at(std::span<const Vec<2>> at) const = 0;
 
     struct Section {
-        double flow_rate;  ///< of water per unit width, m2/s
-        double depth;      ///< area of water per length of channel, m
+        double flow_rate;  ///< of water: per unit width, m2/s; in three dimensions of the whole width, m3/s
+        double depth;      ///< area of water per length of channel; volume per plan area, m
     };
     /// Flow through a section: the sums of V u and V over the particles, weighted along x with the
     /// one-dimensional kernel. Their means over all sections of a channel are those of its water.
-    [[nodiscard]] Section section_at(double x) const;
+    [[nodiscard]] virtual Section section_at(double x) const = 0;
+};
+
+/// The view of the particles of a simulation in D dimensions. Keeps views of the particles, which must
+/// outlive it and stay as they are.
+template <int D>
+class FluidViewIn final : public FluidView {
+  public:
+    /// `h`: smoothing length, m.
+    FluidViewIn(const Case& c, const Particles<D>& particles, double h);
+
+    [[nodiscard]] Velocity velocity_at(const Vec<3>& point) const override;
+    [[nodiscard]] std::vector<double> surface_at(std::span<const Vec<2>> at) const override;
+    [[nodiscard]] Section section_at(double x) const override;
 
   private:
-    const Particles<2>& particles_;
-    Domain<2> domain_;
+    /// The particles with their mirror images behind sides that are not periodic.
+    struct Mirrored {
+        std::array<std::vector<double>, static_cast<std::size_t>(D)> position;
+        std::vector<std::size_t> of;  ///< particle of each image; empty: there are none, nor positions
+    };
+    using Positions = typename ParticleCells<D>::Positions;
+    [[nodiscard]] static Mirrored mirror(const Case& c, const Particles<D>& particles, double reach);
+    [[nodiscard]] Positions positions() const;
+
+    const Particles<D>& particles_;
+    Domain<D> domain_;
     KernelKind kernel_;
     double h_;
+    double width_;  ///< of a section: 1 in two dimensions
     SurfaceDetection detection_;
-    std::vector<double> volume_;  ///< area of each particle, m2
-    ParticleCells cells_;
+    Mirrored mirrored_;
+    std::vector<double> volume_;  ///< of each particle, m2 or m3; then of each image
+    ParticleCells<D> cells_;
 };
+
+extern template class FluidViewIn<2>;
+extern template class FluidViewIn<3>;
 
 }  // namespace riffle

@@ -50,6 +50,14 @@ void Instrument::add_record(std::string name, std::string unit, std::string long
     records_.push_back(std::move(record));
 }
 
+std::vector<double> across(const Probe& probe, const Case& c, std::size_t points) {
+    std::vector<double> y(points, c.channel.centreline());
+    for (std::size_t i = 0; i < points && !probe.y.empty(); ++i) {
+        y[i] = of_point(probe.y, i);
+    }
+    return y;
+}
+
 std::unique_ptr<Instrument> make_instrument(const Probe& probe, const Case& c) {
     switch (probe.kind) {
         case ProbeKind::velocity:

@@ -14,12 +14,13 @@ namespace riffle {
 
 /// The state after a step, for instruments.
 struct FlowState {
-    double time = 0.0;                ///< s
-    double streamwise_gravity = 0.0;  ///< m/s2
-    const Particles<2>* particles = nullptr;
-    const FluidView* fluid = nullptr;  ///< where an instrument `looks_at_fluid`
-    /// Accelerations by particle, m/s2, where an instrument `needs_forces`.
-    std::span<const double> drag_x = {}, wall_x = {}, wall_z = {};
+    double time = 0.0;                  ///< s
+    double streamwise_gravity = 0.0;    ///< m/s2
+    std::span<const double> mass = {};  ///< by particle, kg; in two dimensions per width, kg/m
+    const FluidView* fluid = nullptr;   ///< where an instrument `looks_at_fluid`
+    /// Accelerations by particle, m/s2, where an instrument `needs_forces`; of the side walls' drag in three
+    /// dimensions only.
+    std::span<const double> drag_x = {}, wall_x = {}, wall_z = {}, side_wall_x = {};
 };
 
 /// An array that an instrument fills: one row per sample, or per averaging window.
@@ -95,7 +96,15 @@ class Instrument {
     std::size_t rows_ = 0;
 };
 
-// The instruments (one file each);.
+/// One value for all points, or one for each: the value of the point.
+[[nodiscard]] inline double of_point(const std::vector<double>& values, std::size_t point) {
+    return values.size() == 1 ? values.front() : values[point];
+}
+
+/// Positions across the channel of an instrument with `points` points: its y, or the centreline.
+[[nodiscard]] std::vector<double> across(const Probe& probe, const Case& c, std::size_t points);
+
+// The instruments, one file each.
 [[nodiscard]] std::unique_ptr<Instrument> make_velocity_points(const Probe& probe, const Case& c);
 [[nodiscard]] std::unique_ptr<Instrument> make_wave_probes(const Probe& probe, const Case& c);
 [[nodiscard]] std::unique_ptr<Instrument> make_surface_line(const Probe& probe, const Case& c);

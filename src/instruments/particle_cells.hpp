@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -11,70 +12,88 @@ namespace riffle {
 /// Particles sorted into cells at least as wide and high as a kernel reaches, so that those around a point
 /// are found without looking at all. Keeps views of the positions, which must outlive it and stay as they
 /// are.
+template <int D>
 class ParticleCells {
   public:
+    using Positions = std::array<std::span<const double>, static_cast<std::size_t>(D)>;
+
     /// `reach`: distance within which around() finds all particles, m.
-    ParticleCells(const Domain<2>& domain, std::span<const double> x, std::span<const double> z,
-                  double reach);
+    ParticleCells(const Domain<D>& domain, const Positions& positions, double reach);
 
-    [[nodiscard]] std::span<const double> x() const { return x_; }
-    [[nodiscard]] std::span<const double> z() const { return z_; }
-    /// Lowest height of the domain, m.
-    [[nodiscard]] double lowest() const { return lower_z_; }
+    [[nodiscard]] const Positions& positions() const { return positions_; }
 
-    /// Distance a - b along the channel, of the nearest images where it is periodic.
-    [[nodiscard]] double distance(double a, double b) const {
+    /// Distance a - b along an axis, of the nearest images where it is periodic.
+    [[nodiscard]] double distance(std::size_t axis, double a, double b) const {
         const double d = a - b;
-        if (!periodic_) {
+        if (!domain_.periodic[axis] || axis == vertical) {
             return d;
         }
-        return d > 0.5 * extent_x_ ? d - extent_x_ : (d < -0.5 * extent_x_ ? d + extent_x_ : d);
+        const double extent = extent_[axis];
+        return d > 0.5 * extent ? d - extent : (d < -0.5 * extent ? d + extent : d);
     }
 
     /// f(particle) for the particles of the cells that hold all within `reach` of a point, in an order that
     /// follows from the order of the particles alone.
     template <class F>
-    void around(double x, double z, const F& f) const {
-        const int row = row_of(z);
-        around(x, row > 0 ? row - 1 : 0, row + 2 < rows_ ? row + 2 : rows_, f);
+    void around(const Vec<D>& point, const F& f) const {
+        const int row = index(vertical, point[vertical]);
+        const int first = row > 0 ? row - 1 : 0;
+        const int end = row + 2 < count_[vertical] ? row + 2 : count_[vertical];
+        beside(0, point[0], [&](int column) {
+            if constexpr (D == 2) {
+                members(column, first, end, f);
+            } else {
+                beside(1, point[1], [&](int file) { members(column * count_[1] + file, first, end, f); });
+            }
+        });
     }
 
-    /// The same for all heights: the particles within `reach` of x, from the lowest row of cells up in each
-    /// column.
+    /// The same for the whole cross-section: the particles within `reach` of x, from the lowest row of cells
+    /// up in each column.
     template <class F>
-    void around(double x, const F& f) const {
-        around(x, 0, rows_, f);
+    void around_section(double x, const F& f) const {
+        beside(0, x, [&](int column) {
+            const int files = D == 2 ? 1 : count_[1];
+            for (int file = 0; file < files; ++file) {
+                members(column * files + file, 0, count_[vertical], f);
+            }
+        });
     }
 
   private:
+    static constexpr std::size_t vertical = D - 1;
+
+    /// f(cell along the axis) for the one that holds x and its neighbours.
     template <class F>
-    void around(double x, int first_row, int end_row, const F& f) const {
-        const int centre = column_of(x);
+    void beside(std::size_t axis, double x, const F& f) const {
+        const int count = count_[axis];
+        const int centre = index(axis, x);
         for (int c = centre - 1; c <= centre + 1; ++c) {
-            int column = c;
-            if (periodic_ && columns_ >= 3) {
-                column = (c + columns_) % columns_;
-            } else if (c < 0 || c >= columns_) {
-                continue;  // of one or two columns all are in range
-            }
-            const std::size_t cell = static_cast<std::size_t>(column) * static_cast<std::size_t>(rows_);
-            const auto begin = static_cast<std::size_t>(begin_[cell + static_cast<std::size_t>(first_row)]);
-            const auto end = static_cast<std::size_t>(begin_[cell + static_cast<std::size_t>(end_row)]);
-            for (std::size_t k = begin; k < end; ++k) {
-                f(static_cast<std::size_t>(members_[k]));
+            if (domain_.periodic[axis] && count >= 3) {
+                f((c + count) % count);
+            } else if (c >= 0 && c < count) {  // of one or two cells all are in range
+                f(c);
             }
         }
     }
-    [[nodiscard]] int column_of(double x) const;
-    [[nodiscard]] int row_of(double z) const;
+    /// f(particle) for some rows of a column of cells.
+    template <class F>
+    void members(int column, int first_row, int end_row, const F& f) const {
+        const std::size_t cell =
+            static_cast<std::size_t>(column) * static_cast<std::size_t>(count_[vertical]);
+        const auto begin = static_cast<std::size_t>(begin_[cell + static_cast<std::size_t>(first_row)]);
+        const auto end = static_cast<std::size_t>(begin_[cell + static_cast<std::size_t>(end_row)]);
+        for (std::size_t k = begin; k < end; ++k) {
+            f(static_cast<std::size_t>(members_[k]));
+        }
+    }
+    [[nodiscard]] int index(std::size_t axis, double x) const;
 
-    std::span<const double> x_;
-    std::span<const double> z_;
-    double lower_x_, lower_z_, extent_x_;
-    double columns_per_length_, rows_per_length_;
-    bool periodic_;
-    int columns_ = 1;
-    int rows_ = 1;
+    Positions positions_;
+    Domain<D> domain_;
+    Vec<D> extent_{};
+    Vec<D> per_length_{};                                   ///< cells per length
+    std::array<int, static_cast<std::size_t>(D)> count_{};  ///< cells along each axis
     std::vector<std::int32_t> begin_;    ///< by cell, columns first: its first member; and the end
     std::vector<std::int32_t> members_;  ///< particles by cell
 };

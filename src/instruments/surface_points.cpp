@@ -11,29 +11,36 @@ namespace {
 
 class SurfacePoints final : public Instrument {
   public:
-    SurfacePoints(const Probe& probe, std::vector<double> x) : Instrument(probe), x_(std::move(x)) {
-        add_axis("x", "distance along the channel", x_);
+    SurfacePoints(const Probe& probe, const Case& c, const std::vector<double>& x) : Instrument(probe) {
+        const std::vector<double> y = across(probe, c, x.size());
+        for (std::size_t i = 0; i < x.size(); ++i) {
+            places_.push_back({x[i], y[i]});
+        }
+        add_axis("x", "distance along the channel", x);
+        if (c.channel.dimensions == 3) {
+            add_axis("y", "distance across the channel", y);
+        }
         add_record("time", "s", "simulated time", {}, true);
-        add_record("elevation", "m", "surface elevation above the bed level", {x_.size()});
+        add_record("elevation", "m", "surface elevation above the bed level", {x.size()});
     }
 
     void sample(const FlowState& state) override {
         record(0).add(state.time);
-        for (const double elevation : state.fluid->surface_at(x_)) {
+        for (const double elevation : state.fluid->surface_at(places_)) {
             record(1).add(elevation);
         }
         end_row();
     }
-    [[nodiscard]] std::size_t points() const override { return x_.size(); }
+    [[nodiscard]] std::size_t points() const override { return places_.size(); }
 
   private:
-    std::vector<double> x_;
+    std::vector<Vec<2>> places_;
 };
 
 }  // namespace
 
-std::unique_ptr<Instrument> make_wave_probes(const Probe& probe, const Case& /*c*/) {
-    return std::make_unique<SurfacePoints>(probe, probe.x);
+std::unique_ptr<Instrument> make_wave_probes(const Probe& probe, const Case& c) {
+    return std::make_unique<SurfacePoints>(probe, c, probe.x);
 }
 
 std::unique_ptr<Instrument> make_surface_line(const Probe& probe, const Case& c) {
@@ -45,7 +52,7 @@ std::unique_ptr<Instrument> make_surface_line(const Probe& probe, const Case& c)
     for (std::size_t i = 0; i < n; ++i) {
         x.push_back((static_cast<double>(i) + 0.5) * spacing);
     }
-    return std::make_unique<SurfacePoints>(probe, std::move(x));
+    return std::make_unique<SurfacePoints>(probe, c, x);
 }
 
 }  // namespace riffle

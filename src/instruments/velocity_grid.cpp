@@ -1,8 +1,10 @@
 // Means and second moments of the velocity on a grid, window by window, as particle image velocimetry gives
 // them.
 
+#include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "base/parallel.hpp"
 #include "instruments/instrument.hpp"
@@ -23,11 +25,19 @@ std::vector<double> line(double from, double to, double spacing) {
 
 class VelocityGrid final : public Instrument {
   public:
-    VelocityGrid(const Probe& probe, std::vector<double> x, std::vector<double> z)
-        : Instrument(probe), x_(std::move(x)), z_(std::move(z)), sums_(x_.size() * z_.size()) {
+    VelocityGrid(const Probe& probe, const Case& c, std::vector<double> x, std::vector<double> z)
+        : Instrument(probe),
+          x_(std::move(x)),
+          y_(across(probe, c, 1).front()),
+          z_(std::move(z)),
+          sums_(x_.size() * z_.size()),
+          space_(c.channel.dimensions == 3) {
         const std::vector<std::size_t> shape = {z_.size(), x_.size()};
         window_end_ = window_after(probe.start);
         add_axis("x", "distance along the channel", x_);
+        if (space_) {
+            add_axis("y", "distance of the grid across the channel", {y_});
+        }
         add_axis("z", "height above the bed level", z_);
         add_record("time", "s", "end of the averaging window", {}, true);
         add_record("samples", "1", "samples in the window", {}, true);
@@ -36,13 +46,17 @@ class VelocityGrid final : public Instrument {
         add_record("velocity_variance", "m2/s2", "mean square of u'", shape);
         add_record("vertical_velocity_variance", "m2/s2", "mean square of w'", shape);
         add_record("velocity_covariance", "m2/s2", "mean of u'w'", shape);
+        if (space_) {
+            add_record("spanwise_velocity", "m/s", "mean spanwise velocity of the window", shape);
+            add_record("spanwise_velocity_variance", "m2/s2", "mean square of v'", shape);
+        }
     }
 
     void sample(const FlowState& state) override {
         const std::size_t width = x_.size();
         parallel_blocks(sums_.size(), 64, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
-                sums_[i].add(state.fluid->velocity_at(x_[i % width], z_[i / width]));
+                sums_[i].add(state.fluid->velocity_at({x_[i % width], y_, z_[i / width]}));
             }
         });
         samples_ += 1.0;
@@ -57,7 +71,9 @@ class VelocityGrid final : public Instrument {
     [[nodiscard]] std::vector<double> unfinished() const override {
         std::vector<double> saved = {window_end_, samples_};
         for (const Sums& s : sums_) {
-            saved.insert(saved.end(), {s.wet, s.u, s.w, s.uu, s.ww, s.uw});
+            for (double Sums::*const sum : saved_sums()) {
+                saved.push_back(s.*sum);
+            }
         }
         return saved;
     }
@@ -66,8 +82,8 @@ class VelocityGrid final : public Instrument {
         window_end_ = *next++;
         samples_ = *next++;
         for (Sums& s : sums_) {
-            for (double* const sum : {&s.wet, &s.u, &s.w, &s.uu, &s.ww, &s.uw}) {
-                *sum = *next++;
+            for (double Sums::*const sum : saved_sums()) {
+                s.*sum = *next++;
             }
         }
     }
@@ -75,19 +91,27 @@ class VelocityGrid final : public Instrument {
   private:
     /// Sums over the wet samples of a point.
     struct Sums {
-        double wet = 0.0, u = 0.0, w = 0.0, uu = 0.0, ww = 0.0, uw = 0.0;
+        double wet = 0.0, u = 0.0, w = 0.0, uu = 0.0, ww = 0.0, uw = 0.0, v = 0.0, vv = 0.0;
 
-        void add(const FluidView::Velocity& v) {
-            if (std::isfinite(v.u)) {
+        void add(const FluidView::Velocity& velocity) {
+            if (std::isfinite(velocity.u)) {
                 wet += 1.0;
-                u += v.u;
-                w += v.w;
-                uu += v.u * v.u;
-                ww += v.w * v.w;
-                uw += v.u * v.w;
+                u += velocity.u;
+                w += velocity.w;
+                uu += velocity.u * velocity.u;
+                ww += velocity.w * velocity.w;
+                uw += velocity.u * velocity.w;
+                v += velocity.v;
+                vv += velocity.v * velocity.v;
             }
         }
     };
+    /// The sums that an unfinished window is saved as.
+    [[nodiscard]] std::span<double Sums::*const> saved_sums() const {
+        static constexpr std::array<double Sums::*, 8> all = {&Sums::wet, &Sums::u,  &Sums::w, &Sums::uu,
+                                                              &Sums::ww,  &Sums::uw, &Sums::v, &Sums::vv};
+        return std::span(all).first(space_ ? all.size() : 6);
+    }
 
     /// Windows end at multiples of their length.
     [[nodiscard]] double window_after(double time) const {
@@ -104,8 +128,10 @@ class VelocityGrid final : public Instrument {
             const double n = usable ? s.wet : std::numeric_limits<double>::quiet_NaN();
             const double u = s.u / n;
             const double w = s.w / n;
-            const double row[] = {u, w, s.uu / n - u * u, s.ww / n - w * w, s.uw / n - u * w};
-            for (std::size_t k = 0; k < std::size(row); ++k) {
+            const double v = s.v / n;
+            const double row[] = {
+                u, w, s.uu / n - u * u, s.ww / n - w * w, s.uw / n - u * w, v, s.vv / n - v * v};
+            for (std::size_t k = 0; 2 + k < records().size(); ++k) {
                 record(2 + k).add(row[k]);
             }
             s = {};
@@ -115,8 +141,10 @@ class VelocityGrid final : public Instrument {
     }
 
     std::vector<double> x_;
+    double y_;
     std::vector<double> z_;
     std::vector<Sums> sums_;  ///< by row, then column
+    bool space_;              ///< three dimensions
     double samples_ = 0.0;
     double window_end_ = 0.0;
 };
@@ -131,7 +159,7 @@ std::unique_ptr<Instrument> make_velocity_grid(const Probe& probe, const Case& c
         x_to -= 1e-6 * c.channel.length;  // the end of a periodic channel is its start
     }
     return std::make_unique<VelocityGrid>(
-        probe, line(x_from, x_to, spacing),
+        probe, c, line(x_from, x_to, spacing),
         line(probe.z_from.value_or(0.5 * spacing), probe.z_to.value_or(c.total_depth()), spacing));
 }
 

@@ -166,7 +166,7 @@ void write_checkpoint(const std::filesystem::path& path, const Content& content,
     std::size_t size = 0;
     try {
         const Hdf5Handle file = create_hdf5_in_memory(user_block_size);
-        for (const Dataset& dataset : content.datasets) write_hdf5_dataset(file, dataset, Hdf5Storage::plain);
+        for (const Dataset& dataset : content.datasets) write_hdf5_dataset(file, dataset, {});
         for (const Attribute& attribute : content.attributes) write_hdf5_attribute(file, attribute);
         const std::span<const std::byte> image = hdf5_image(file);
         const UserBlock block = make_user_block(image);

@@ -34,6 +34,7 @@ struct Attribute {
 struct Content {
     std::vector<Dataset> datasets;
     std::vector<Attribute> attributes;
+    int compression = 4;  ///< deflate level of new large arrays and series in a results file; 0: none
 };
 
 }  // namespace riffle

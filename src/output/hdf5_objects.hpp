@@ -10,9 +10,9 @@
 namespace riffle {
 
 /// How the values of a new dataset lie in the file.
-enum class Hdf5Storage {
-    plain,       ///< as they are: the fastest
-    compressed,  ///< large arrays in compressed chunks
+struct Hdf5Storage {
+    bool chunked = false;  ///< large arrays in chunks, not only those that grow
+    int compression = 4;   ///< deflate level of chunks; 0: none
 };
 
 /// Write a dataset as it asks for: add its rows behind those in the file, or replace what the path holds (in

@@ -20,7 +20,6 @@ constexpr std::size_t series_chunk_bytes = std::size_t{16}
                                            << 10U;  // 2048 rows of double: rewritten with each update
 constexpr std::size_t array_chunk_bytes = std::size_t{256}
                                           << 10U;  // within the library's chunk cache of 1 MiB
-constexpr unsigned compression_level = 4;
 
 std::vector<hsize_t> extents(const std::vector<std::size_t>& shape) { return {shape.begin(), shape.end()}; }
 
@@ -31,7 +30,10 @@ std::size_t count(const std::vector<std::size_t>& shape) {
 /// Chunks of as many whole rows as go into the wanted size; of parts of a row where one is larger than that.
 std::vector<hsize_t> chunk_extents(const Dataset& dataset, std::size_t element_size) {
     std::vector<hsize_t> chunk = extents(dataset.shape);
-    std::size_t room = (dataset.append ? series_chunk_bytes : array_chunk_bytes) / element_size;
+    const std::size_t row =
+        dataset.shape.empty() ? 1 : count({dataset.shape.begin() + 1, dataset.shape.end()});
+    const bool short_rows = dataset.append && row * element_size < array_chunk_bytes;
+    std::size_t room = (short_rows ? series_chunk_bytes : array_chunk_bytes) / element_size;
     for (std::size_t axis = chunk.size(); axis-- > 1;) {
         chunk[axis] = std::clamp<hsize_t>(chunk[axis], 1, std::max<std::size_t>(room, 1));
         room /= static_cast<std::size_t>(chunk[axis]);
@@ -46,12 +48,15 @@ Hdf5Handle creation_properties(const Dataset& dataset, std::size_t element_size,
     // Without times of creation, equal content makes equal files.
     hdf5_check(H5Pset_obj_track_times(properties.get(), false), "leave out times");
     const bool large = count(dataset.shape) * element_size >= compress_from_bytes;
-    if (dataset.append || (storage == Hdf5Storage::compressed && large && !dataset.shape.empty())) {
+    if (dataset.append || (storage.chunked && large && !dataset.shape.empty())) {
         const std::vector<hsize_t> chunk = chunk_extents(dataset, element_size);
         hdf5_check(H5Pset_chunk(properties.get(), static_cast<int>(chunk.size()), chunk.data()),
                    "set chunks");
-        hdf5_check(H5Pset_shuffle(properties.get()), "set the shuffle filter");
-        hdf5_check(H5Pset_deflate(properties.get(), compression_level), "set the compression");
+        if (storage.compression > 0) {
+            hdf5_check(H5Pset_shuffle(properties.get()), "set the shuffle filter");
+            hdf5_check(H5Pset_deflate(properties.get(), static_cast<unsigned>(storage.compression)),
+                       "set the compression");
+        }
     }
     return properties;
 }
@@ -165,7 +170,7 @@ void write_text(const Hdf5Handle& file, const Dataset& dataset, const std::strin
     const Hdf5Handle type = hdf5_text_type();
     const Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose, "make a scalar");
     const Hdf5Handle links = make_groups_on_the_way();
-    const Hdf5Handle properties = creation_properties(Dataset(), 1, Hdf5Storage::plain);
+    const Hdf5Handle properties = creation_properties(Dataset(), 1, {});
     const Hdf5Handle target(H5Dcreate2(file.get(), dataset.path.c_str(), type.get(), space.get(), links.get(),
                                        properties.get(), H5P_DEFAULT),
                             H5Dclose, "create the text " + dataset.path);

@@ -20,7 +20,7 @@ constexpr std::int64_t tolerated_unused_bytes = std::int64_t{1} << 20U;
 
 void apply(const Hdf5Handle& file, const Content& content) {
     for (const Dataset& dataset : content.datasets)
-        write_hdf5_dataset(file, dataset, Hdf5Storage::compressed);
+        write_hdf5_dataset(file, dataset, {.chunked = true, .compression = content.compression});
     for (const Attribute& attribute : content.attributes) write_hdf5_attribute(file, attribute);
 }
 

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <map>
 #include <stdexcept>
+#include <utility>
 
 #include "base/markup.hpp"
 #include "output/atomic_file.hpp"
@@ -38,11 +39,24 @@ std::string data_item(const std::string& file, const SnapshotEntry& snapshot, co
 }
 
 /// Which points are drawn: all of them. XDMF 2 readers draw all points without being told, XDMF 3 readers
-/// none. The list is written out once for each number of particles, and included afterwards.
+/// none. The list is a dataset of the results file, or is written out once for each number of particles, and
+/// included afterwards.
 class Topologies {
   public:
+    explicit Topologies(std::string file) : file_(std::move(file)) {}
+
     /// `grid_number`: of the grid that this topology is for, counted from 1.
-    std::string of(std::size_t grid_number, std::size_t particles) {
+    std::string of(std::size_t grid_number, const SnapshotEntry& snapshot) {
+        const std::size_t particles = snapshot.particles;
+        if (snapshot.points_in) {
+            const SnapshotEntry list{.index = *snapshot.points_in, .particles = particles};
+            return fmt::format(
+                R"(<Topology TopologyType="Polyvertex" NumberOfElements="{}" NodesPerElement="1">
+          {}
+        </Topology>)",
+                particles,
+                data_item(file_, list, {.name = "point", .components = 1, .type = ElementType::int32}));
+        }
         const auto [place, first] = grid_with_.try_emplace(particles, grid_number);
         if (!first) {
             return fmt::format(
@@ -60,6 +74,7 @@ class Topologies {
     }
 
   private:
+    std::string file_;
     std::map<std::size_t, std::size_t> grid_with_;  ///< by number of particles
 };
 
@@ -106,9 +121,10 @@ void write_xdmf(const std::filesystem::path& path, const std::string& results_fi
   <Domain>
     <Grid Name="particles" GridType="Collection" CollectionType="Temporal">
 )";
-    Topologies topologies;
+    Topologies topologies(results_file_name);
     for (std::size_t i = 0; i < snapshots.size(); ++i) {
-        const std::string topology = topologies.of(i + 1, snapshots[i].particles);
+        if (snapshots[i].particles == 0) continue;  // readers refuse a cloud without points
+        const std::string topology = topologies.of(i + 1, snapshots[i]);
         text += grid(results_file_name, snapshots[i], topology, *position, fields);
     }
     text += "    </Grid>\n  </Domain>\n</Xdmf>\n";

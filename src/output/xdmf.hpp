@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +24,8 @@ struct SnapshotEntry {
     std::size_t index = 0;      ///< NNNNN of "/snapshots/NNNNN"
     double time = 0;            ///< s
     std::size_t particles = 0;  ///< N
+    /// Snapshot whose dataset "point" holds the numbers 0 to N - 1; unset: they are written out in the index.
+    std::optional<std::size_t> points_in = {};
 };
 
 /// Write the XDMF 3 index of the snapshots that ParaView and VTK open: a temporal collection of point clouds
@@ -31,5 +35,18 @@ struct SnapshotEntry {
 /// other than 1 or 3.
 void write_xdmf(const std::filesystem::path& path, const std::string& results_file_name,
                 const std::vector<SnapshotEntry>& snapshots, const std::vector<SnapshotField>& fields);
+
+/// Cell values on a grid of boxes, one set for each of several times.
+struct GridSeries {
+    std::string group;                         ///< of the datasets in the results file
+    std::array<std::vector<double>, 3> edges;  ///< of the cells along x, y and z, m
+    std::vector<double> times;                 ///< of the rows of the datasets, s
+    std::vector<std::string> fields;           ///< datasets of shape (times, z, y, x), 32-bit floating point
+};
+
+/// Write the XDMF index of a series of rectilinear grids with cell-centred values that lie in the results
+/// file. Atomic like write_text_atomically. Throws FileError.
+void write_grid_xdmf(const std::filesystem::path& path, const std::string& results_file_name,
+                     const GridSeries& grid);
 
 }  // namespace riffle

@@ -33,29 +33,64 @@ constexpr double sorting_bytes = 60.0;
 /// Bytes of what a run records, before compression.
 struct RecordedBytes {
     double kept = 0.0;     ///< series and profile blocks: in memory to the end and in the file
-    double written = 0.0;  ///< surface and snapshots: in memory until they are written
-    double state = 0.0;    ///< the last state
+    double surface = 0.0;  ///< these and the instruments' records: in memory until they are written
+    double surface_map = 0.0;
+    double mean_field = 0.0;
+    double snapshots = 0.0;
+    double probes = 0.0;
+    double state = 0.0;            ///< the last state
+    double mean_field_sums = 0.0;  ///< of its window: in memory and in the checkpoints
+    double sampling = 0.0;         ///< what finds the mean field's cell of each particle
+
+    [[nodiscard]] double written() const { return surface + surface_map + mean_field + snapshots + probes; }
 };
+
+/// Share of the lattice's particles that the snapshots' region holds.
+double snapshot_share(const Case& c) {
+    const auto share = [](const std::vector<double>& range, double extent) {
+        return range.empty() ? 1.0
+                             : std::max(0.0, std::min(range[1], extent) - std::max(range[0], 0.0)) / extent;
+    };
+    return share(c.output.snapshot_x, c.channel.length) * share(c.output.snapshot_z, c.total_depth()) *
+           (c.channel.dimensions == 3 ? share(c.output.snapshot_y, c.channel.simulated_width()) : 1.0);
+}
 
 RecordedBytes recorded_bytes(const Case& c, double particles, double time) {
     const auto count = [&](double interval) { return interval > 0.0 ? time / interval : 0.0; };
+    const int dimensions = c.channel.dimensions;
     const Lattice lattice = lattice_of(c);
-    const double series = count(c.output.series_interval) * 14.0 * sizeof(double);
-    const double surface = c.channel.top == Top::free_surface
-                               ? count(c.output.surface_interval) * (lattice.columns * 4.0 + 8.0)
-                               : 0.0;
-    const double blocks = time / profile_block_duration * lattice.rows * profile_quantities * sizeof(double);
-    const double snapshots = (count(c.output.snapshot_interval) + 1.0) * particles * 10.0 * sizeof(float);
-    return {
-        .kept = series + blocks, .written = surface + snapshots, .state = particles * 9.0 * sizeof(double)};
+    RecordedBytes bytes;
+    bytes.kept = count(c.output.series_interval) * static_cast<double>(TimeSeries(c).columns().size()) *
+                     sizeof(double) +
+                 time / profile_block_duration * lattice.rows *
+                     static_cast<double>(profile_quantities(dimensions)) * sizeof(double);
+    if (c.channel.top == Top::free_surface) {
+        bytes.surface = count(c.output.surface_interval) * (lattice.columns * 4.0 + 8.0);
+    }
+    if (dimensions == 3) {
+        const auto places = static_cast<double>(surface_map_places(c, c.channel.length).size() *
+                                                surface_map_places(c, c.channel.simulated_width()).size());
+        bytes.surface_map = count(c.output.surface_map_interval) * (places * 4.0 + 8.0);
+    }
+    const MeanField field(c);
+    bytes.mean_field =
+        std::floor(count(c.output.mean_field_interval) + 1e-9) * static_cast<double>(field.row_bytes());
+    bytes.mean_field_sums = static_cast<double>(field.sums().size() * sizeof(double));
+    bytes.sampling = field.on() ? 8.0 * particles : 0.0;
+    if (c.output.snapshot_interval > 0.0) {
+        bytes.snapshots = (count(c.output.snapshot_interval) + 1.0) * particles * snapshot_share(c) *
+                          static_cast<double>(SnapshotRecorder(c).bytes_per_particle());
+    }
+    bytes.state = particles * 3.0 * (1.0 + dimensions) * sizeof(double);
+    return bytes;
 }
 
 /// Resident memory at the end of a run. `simulation`: bytes of its arrays.
 double memory_bytes(const Case& c, const Forecast& f, const RecordedBytes& recorded, double simulation) {
     const double share = std::min(1.0, c.output.checkpoint_interval / f.wall_seconds);
-    const double waiting = std::min(share * recorded.written, static_cast<double>(pending_limit));
+    const double waiting = std::min(share * recorded.written(), static_cast<double>(pending_limit));
     return process_bytes + simulation + static_cast<double>(f.particles) * sorting_bytes + recorded.state +
-           recorded.kept + waiting;
+           recorded.kept + recorded.mean_field_sums + recorded.sampling + waiting;
 }
 
 using Clock = std::chrono::steady_clock;
@@ -82,15 +117,13 @@ double typical_seconds(const F& f) {
 }
 
 /// Cost of the instruments, measured with samples of the present state. `step_seconds`: of a step.
-void forecast_probes(const Case& c, const Simulation& simulation, double step_seconds, Forecast& f) {
+template <int D>
+void forecast_probes(const Case& c, const SimulationIn<D>& simulation, double step_seconds, Forecast& f) {
     const Scheme& scheme = simulation.scheme();
     const ProbeSet probes(c, largest_step(c, scheme));
     f.probe_notes = probes.notes();
-    const auto make_view = [&] {
-        return FluidView(simulation.particles(), domain_of(c), c.numerics.kernel, scheme.density,
-                         scheme.smoothing_length, c.output.surface_detection);
-    };
-    const FluidView view = make_view();
+    const auto make_view = [&] { return FluidViewIn<D>(c, simulation.particles(), scheme.smoothing_length); };
+    const FluidViewIn<D> view = make_view();
     const FlowState state = flow_state(simulation, &view);
     // Instruments that are due together share one view: its cost is that of the fastest, by frequency.
     double fastest = 0.0;
@@ -122,21 +155,19 @@ void forecast_probes(const Case& c, const Simulation& simulation, double step_se
     }
 }
 
-}  // namespace
-
-Forecast forecast_run(const Case& c, int threads) {
-    set_thread_count(threads);
+template <int D>
+Forecast forecast_in(const Case& c) {
     std::optional<ColumnResult> column;
     if (has_column(c)) {
         column = solve_column(c);
     }
     const ColumnResult* twin = column ? &*column : nullptr;
     const Scheme scheme = make_scheme(c, twin);
-    Particles<2> particles =
+    Particles<D> particles =
         c.start.kind == StartKind::results
-            ? particles_from_results(c, scheme, ResultsReader(c.start.file), c.start.file.string())
-            : initial_particles(c, scheme, twin);
-    const auto simulation = make_simulation(c, twin, std::move(particles));
+            ? particles_from_results<D>(c, scheme, ResultsReader(c.start.file), c.start.file.string())
+            : initial_particles<D>(c, scheme, twin);
+    const auto simulation = make_simulation<D>(c, twin, std::move(particles));
 
     Forecast f;
     f.particles = simulation->particles().size();
@@ -175,12 +206,29 @@ Forecast forecast_run(const Case& c, int threads) {
     forecast_probes(c, *simulation, seconds / steps, f);
     RecordedBytes recorded = recorded_bytes(c, static_cast<double>(f.particles), f.end_time);
     for (const ProbeForecast& probe : f.probes) {
-        recorded.written += probe.bytes;
+        recorded.probes += probe.bytes;
     }
     f.memory_bytes = memory_bytes(c, f, recorded, static_cast<double>(simulation->bytes()));
-    // The state is in the results and in two checkpoints.
-    f.disk_bytes = recorded.kept + recorded.written + 3.0 * recorded.state;
+    f.parts = {{"series and profiles", recorded.kept},
+               {"surface", recorded.surface},
+               {"surface map", recorded.surface_map},
+               {"mean field", recorded.mean_field},
+               {"snapshots", recorded.snapshots},
+               {"probes", recorded.probes},
+               // The state is in the results and, with the mean field's sums, in two checkpoints.
+               {"state and checkpoints", 3.0 * recorded.state + 2.0 * recorded.mean_field_sums}};
+    std::erase_if(f.parts, [](const RecordForecast& part) { return part.bytes == 0.0; });
+    for (const RecordForecast& part : f.parts) {
+        f.disk_bytes += part.bytes;
+    }
     return f;
+}
+
+}  // namespace
+
+Forecast forecast_run(const Case& c, int threads) {
+    set_thread_count(threads);
+    return c.channel.dimensions == 2 ? forecast_in<2>(c) : forecast_in<3>(c);
 }
 
 }  // namespace riffle

@@ -21,6 +21,12 @@ struct ProbeForecast {
     double time_share = 0.0;          ///< of the time of the steps, measured with samples of the case itself
 };
 
+/// What a part of the records of a run takes.
+struct RecordForecast {
+    std::string name;
+    double bytes = 0.0;  ///< to end_time, before compression
+};
+
 /// What a run will need, for `riffle check`. The speed is measured by a few steps of the case itself.
 struct Forecast {
     std::size_t particles = 0;
@@ -38,7 +44,8 @@ struct Forecast {
     /// Resident memory at end_time, as `ps` shows it between two writes; replacing the results file takes the
     /// file's size on top for a moment.
     double memory_bytes = 0.0;
-    double disk_bytes = 0.0;  ///< results and two checkpoints, before compression
+    double disk_bytes = 0.0;            ///< results and two checkpoints, before compression
+    std::vector<RecordForecast> parts;  ///< of disk_bytes
     std::optional<double> relaxation_time;
     std::vector<ProbeForecast> probes;
     std::vector<std::string> probe_notes;  ///< what the standard instruments leave out, and why

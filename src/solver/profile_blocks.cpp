@@ -1,8 +1,11 @@
 #include "solver/profile_blocks.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 
+#include "base/parallel.hpp"
 #include "particles/lattice.hpp"
 #include "statistics/confidence.hpp"
 
@@ -34,35 +37,55 @@ double column_stress(const ColumnResult& column, double z) {
 
 }  // namespace
 
-const std::array<std::string, profile_quantities>& profile_quantity_names() {
-    static const std::array<std::string, profile_quantities> names = {
-        "count",     "height",  "u",        "w",          "uu",
-        "ww",        "uw",      "column_u", "shear",      "eddy_viscosity",
-        "pressure",  "density", "mass",     "pair_force", "viscous_force",
-        "drag_force"};
-    return names;
+std::span<const std::string> profile_quantity_names(int dimensions) {
+    static const std::array<std::string, profile_quantities(3)> names = {"count",
+                                                                         "height",
+                                                                         "u",
+                                                                         "w",
+                                                                         "uu",
+                                                                         "ww",
+                                                                         "uw",
+                                                                         "column_u",
+                                                                         "shear",
+                                                                         "eddy_viscosity",
+                                                                         "pressure",
+                                                                         "density",
+                                                                         "mass",
+                                                                         "pair_force",
+                                                                         "viscous_force",
+                                                                         "drag_force",
+                                                                         "v",
+                                                                         "vv",
+                                                                         "uv",
+                                                                         "vw",
+                                                                         "side_wall_force"};
+    return std::span(names).first(profile_quantities(dimensions));
 }
 
-ProfileSampler::ProfileSampler(const Case& c, const ColumnResult* column) : case_(c), column_(column) {
+ProfileSampler::ProfileSampler(const Case& c, const ColumnResult* column)
+    : case_(c), column_(column), quantities_(profile_quantities(c.channel.dimensions)) {
     const Lattice lattice = lattice_of(c);
     layers_ = static_cast<std::size_t>(lattice.rows);
     thickness_ = lattice.dz;
+    plan_area_ = c.channel.length * (c.channel.dimensions == 2 ? 1.0 : c.channel.simulated_width());
     current_.end = profile_block_duration;
-    current_.sums.assign(layers_ * profile_quantities, 0.0);
+    current_.sums.assign(layers_ * quantities_, 0.0);
 }
 
-void ProfileSampler::sample(const Simulation& simulation) {
-    const Particles<2>& p = simulation.particles();
+template <int D>
+void ProfileSampler::add_particles(const SimulationIn<D>& simulation, std::size_t begin, std::size_t end,
+                                   std::vector<double>& layer_sums) const {
+    const Particles<D>& p = simulation.particles();
     const ParticleFields& f = simulation.fields();
-    for (std::size_t i = 0; i < p.size(); ++i) {
-        const double z = p.position[1][i];
+    for (std::size_t i = begin; i < end; ++i) {
+        const double z = p.position[D - 1][i];
         const double u = p.velocity[0][i];
-        const double w = p.velocity[1][i];
+        const double w = p.velocity[D - 1][i];
         const double mass = p.mass[i];
         // A particle above the last layer or below the first belongs to it: none is dropped.
         const auto layer =
             static_cast<std::size_t>(std::clamp(z / thickness_, 0.0, static_cast<double>(layers_) - 0.5));
-        double* sums = &current_.sums[layer * profile_quantities];
+        double* sums = &layer_sums[layer * profile_quantities(D)];
         const auto add = [&](LayerQuantity q, double value) { sums[index(q)] += value; };
         add(LayerQuantity::count, 1.0);
         add(LayerQuantity::height, z);
@@ -80,6 +103,37 @@ void ProfileSampler::sample(const Simulation& simulation) {
         add(LayerQuantity::pair_force, mass * f.pair_acceleration_x[i]);
         add(LayerQuantity::viscous_force, mass * f.viscous_acceleration_x[i]);
         add(LayerQuantity::drag_force, mass * f.drag_acceleration_x[i]);
+        if constexpr (D == 3) {
+            const double v = p.velocity[1][i];
+            add(LayerQuantity::v, v);
+            add(LayerQuantity::vv, v * v);
+            add(LayerQuantity::uv, u * v);
+            add(LayerQuantity::vw, v * w);
+            add(LayerQuantity::side_wall_force, mass * f.side_wall_acceleration_x[i]);
+        }
+    }
+}
+
+template <int D>
+void ProfileSampler::sample(const SimulationIn<D>& simulation) {
+    const std::size_t n = simulation.particles().size();
+    if constexpr (D == 2) {
+        add_particles(simulation, 0, n, current_.sums);
+    } else {
+        // Many particles: in parallel.
+        constexpr std::size_t block = std::size_t{1} << 15U;
+        const std::vector<double> none(current_.sums.size(), 0.0);
+        current_.sums = reduce_blocks(
+            n, block, current_.sums,
+            [&](std::size_t begin, std::size_t end) {
+                std::vector<double> sums = none;
+                add_particles(simulation, begin, end, sums);
+                return sums;
+            },
+            [](std::vector<double> sums, const std::vector<double>& part) {
+                std::transform(sums.begin(), sums.end(), part.begin(), sums.begin(), std::plus<>());
+                return sums;
+            });
     }
     current_.samples += 1.0;
     if (simulation.clock().time >= current_.end) {
@@ -92,6 +146,9 @@ void ProfileSampler::sample(const Simulation& simulation) {
     }
 }
 
+template void ProfileSampler::sample(const SimulationIn<2>&);
+template void ProfileSampler::sample(const SimulationIn<3>&);
+
 void ProfileSampler::restore(std::vector<ProfileBlock> blocks, ProfileBlock current) {
     blocks_ = std::move(blocks);
     current_ = std::move(current);
@@ -99,7 +156,7 @@ void ProfileSampler::restore(std::vector<ProfileBlock> blocks, ProfileBlock curr
 
 Profiles ProfileSampler::average(double from, double to) const {
     Profiles result;
-    std::vector<double> sums(layers_ * profile_quantities, 0.0);
+    std::vector<double> sums(layers_ * quantities_, 0.0);
     std::vector<std::vector<double>> layer_velocity(layers_);
     const double tolerance = 1e-6;
     for (const ProfileBlock& block : blocks_) {
@@ -115,7 +172,7 @@ Profiles ProfileSampler::average(double from, double to) const {
             sums[k] += block.sums[k];
         }
         for (std::size_t layer = 0; layer < layers_; ++layer) {
-            const double* s = &block.sums[layer * profile_quantities];
+            const double* s = &block.sums[layer * quantities_];
             if (s[index(LayerQuantity::count)] > 0.0) {
                 layer_velocity[layer].push_back(s[index(LayerQuantity::u)] / s[index(LayerQuantity::count)]);
             }
@@ -125,7 +182,6 @@ Profiles ProfileSampler::average(double from, double to) const {
         return result;
     }
     const double rho = case_.fluid.density;
-    const double length = case_.channel.length;
     double pair_flux = 0.0;
     double viscous_flux = 0.0;
     std::vector<double> pair_upper(layers_, 0.0);
@@ -134,20 +190,20 @@ Profiles ProfileSampler::average(double from, double to) const {
         // The momentum that the layers above a plane lose to it is the stress on the plane.
         pair_upper[layer] = -pair_flux;
         viscous_upper[layer] = -viscous_flux;
-        const double* s = &sums[layer * profile_quantities];
-        pair_flux += s[index(LayerQuantity::pair_force)] / (result.samples * length);
-        viscous_flux += s[index(LayerQuantity::viscous_force)] / (result.samples * length);
+        const double* s = &sums[layer * quantities_];
+        pair_flux += s[index(LayerQuantity::pair_force)] / (result.samples * plan_area_);
+        viscous_flux += s[index(LayerQuantity::viscous_force)] / (result.samples * plan_area_);
     }
     std::vector<double> reynolds(layers_, 0.0);
     for (std::size_t layer = 0; layer < layers_; ++layer) {
-        const double* s = &sums[layer * profile_quantities];
+        const double* s = &sums[layer * quantities_];
         const double n = s[index(LayerQuantity::count)];
         reynolds[layer] = n > 0.0 ? -rho * (s[index(LayerQuantity::uw)] / n -
                                             s[index(LayerQuantity::u)] * s[index(LayerQuantity::w)] / (n * n))
                                   : 0.0;
     }
     for (std::size_t layer = 0; layer < layers_; ++layer) {
-        const double* s = &sums[layer * profile_quantities];
+        const double* s = &sums[layer * quantities_];
         const double n = s[index(LayerQuantity::count)];
         if (n == 0.0) {
             continue;  // no particle was ever here: the profile has no value at this height
@@ -180,7 +236,14 @@ Profiles ProfileSampler::average(double from, double to) const {
         result.analytic_stress.push_back(column_ != nullptr && upper < case_.total_depth() - 0.5 * thickness_
                                              ? column_stress(*column_, upper)
                                              : line);
-        result.drag.push_back(s[index(LayerQuantity::drag_force)] / (result.samples * length * thickness_));
+        const double volume = result.samples * plan_area_ * thickness_;
+        result.drag.push_back(s[index(LayerQuantity::drag_force)] / volume);
+        if (quantities_ > index(LayerQuantity::v)) {
+            const double v = mean(LayerQuantity::v);
+            result.spanwise_velocity.push_back(v);
+            result.spanwise_velocity_rms.push_back(std::sqrt(std::max(0.0, mean(LayerQuantity::vv) - v * v)));
+            result.side_wall_drag.push_back(s[index(LayerQuantity::side_wall_force)] / volume);
+        }
     }
     return result;
 }

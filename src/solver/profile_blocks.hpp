@@ -1,7 +1,7 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -30,16 +30,24 @@ enum class LayerQuantity : std::size_t {
     pair_force,
     viscous_force,
     drag_force,
+    // Three dimensions only.
+    v,
+    vv,
+    uv,
+    vw,
+    side_wall_force,
     quantities
 };
-inline constexpr std::size_t profile_quantities = static_cast<std::size_t>(LayerQuantity::quantities);
-[[nodiscard]] const std::array<std::string, profile_quantities>& profile_quantity_names();
+[[nodiscard]] constexpr std::size_t profile_quantities(int dimensions) {
+    return static_cast<std::size_t>(dimensions == 2 ? LayerQuantity::v : LayerQuantity::quantities);
+}
+[[nodiscard]] std::span<const std::string> profile_quantity_names(int dimensions);
 
 /// Layer sums of one block of time (profile_block_duration), over its samples.
 struct ProfileBlock {
     double end = 0.0;  ///< end of the block, s
     double samples = 0.0;
-    std::vector<double> sums;  ///< layers x profile_quantities
+    std::vector<double> sums;  ///< layers x quantities
 };
 
 /// Length of a block, s. Averages over any window of whole blocks can be made afterwards.
@@ -54,6 +62,8 @@ struct Profiles {
         velocity_deviation, column_velocity, velocity_gradient, eddy_viscosity, pressure, density,
         viscous_stress, pair_stress, reynolds_stress, total_stress, analytic_stress, velocity_rms,
         vertical_velocity_rms, drag;
+    /// Three dimensions only, else empty.
+    std::vector<double> spanwise_velocity, spanwise_velocity_rms, side_wall_drag;
 
     [[nodiscard]] bool empty() const { return z.empty(); }
 };
@@ -64,11 +74,14 @@ class ProfileSampler {
     ProfileSampler(const Case& c, const ColumnResult* column);
 
     /// Add the particles of one instant to the current block; closes blocks whose end has passed.
-    void sample(const Simulation& simulation);
+    template <int D>
+    void sample(const SimulationIn<D>& simulation);
 
     [[nodiscard]] const std::vector<ProfileBlock>& blocks() const { return blocks_; }
     [[nodiscard]] const ProfileBlock& current() const { return current_; }
     [[nodiscard]] std::size_t layers() const { return layers_; }
+    /// Sums per layer.
+    [[nodiscard]] std::size_t quantities() const { return quantities_; }
 
     /// Put back saved blocks.
     void restore(std::vector<ProfileBlock> blocks, ProfileBlock current);
@@ -77,10 +90,16 @@ class ProfileSampler {
     [[nodiscard]] Profiles average(double from, double to) const;
 
   private:
+    template <int D>
+    void add_particles(const SimulationIn<D>& simulation, std::size_t begin, std::size_t end,
+                       std::vector<double>& layer_sums) const;
+
     Case case_;
     const ColumnResult* column_;
     std::size_t layers_ = 0;
+    std::size_t quantities_ = 0;
     double thickness_ = 0.0;
+    double plan_area_ = 0.0;  ///< of the bed, m2; in two dimensions its length, m
     std::vector<ProfileBlock> blocks_;
     ProfileBlock current_;
 };

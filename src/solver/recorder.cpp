@@ -6,8 +6,8 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <numeric>
 #include <optional>
+#include <utility>
 
 #include "base/error.hpp"
 #include "particles/lattice.hpp"
@@ -38,28 +38,32 @@ Dataset rows_of(const std::string& path, std::vector<std::size_t> shape, std::ve
             .append = true};
 }
 
-template <class T>
-void add_field(Content& content, const std::string& path, std::size_t components, std::vector<T> values,
-               const std::string& unit, const std::string& long_name) {
-    const std::size_t n = values.size() / components;
-    std::vector<std::size_t> shape = {n};
-    if (components > 1) {
-        shape.push_back(components);
-    }
-    content.datasets.push_back(
-        {.path = path, .shape = shape, .values = std::move(values), .unit = unit, .long_name = long_name});
-}
-
 }  // namespace
 
-FlowState flow_state(const Simulation& simulation, const FluidView* fluid) {
+template <int D>
+FlowState flow_state(const SimulationIn<D>& simulation, const FluidView* fluid) {
+    const ParticleFields& fields = simulation.fields();
     return {.time = simulation.clock().time,
             .streamwise_gravity = simulation.scheme().streamwise_gravity,
-            .particles = &simulation.particles(),
+            .mass = simulation.particles().mass,
             .fluid = fluid,
-            .drag_x = simulation.fields().drag_acceleration_x,
-            .wall_x = simulation.fields().wall_acceleration_x,
-            .wall_z = simulation.fields().wall_acceleration_z};
+            .drag_x = fields.drag_acceleration_x,
+            .wall_x = fields.wall_acceleration_x,
+            .wall_z = fields.wall_acceleration_z,
+            .side_wall_x = fields.side_wall_acceleration_x};
+}
+
+template FlowState flow_state(const SimulationIn<2>&, const FluidView*);
+template FlowState flow_state(const SimulationIn<3>&, const FluidView*);
+
+std::vector<double> surface_map_places(const Case& c, double extent) {
+    const double wanted = 2.0 * c.numerics.spacing;
+    std::vector<double> places(
+        std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(extent / wanted))));
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        places[i] = (static_cast<double>(i) + 0.5) * extent / static_cast<double>(places.size());
+    }
+    return places;
 }
 
 Recorder::Recorder(const Case& c, const ColumnResult* column)
@@ -67,11 +71,24 @@ Recorder::Recorder(const Case& c, const ColumnResult* column)
       series_(c),
       profiles_(c, column),
       probes_(c, largest_step(c, make_scheme(c, column))),
+      mean_field_(c),
+      snapshots_(c),
       mean_level_(c.total_depth()),
       has_surface_(c.channel.top == Top::free_surface) {
     const Lattice lattice = lattice_of(c);
     for (int i = 0; i < lattice.columns; ++i) {
         surface_x_.push_back((i + 0.5) * lattice.dx);
+        surface_.places.push_back({surface_x_.back(), c.channel.centreline()});
+    }
+    if (c.channel.dimensions == 3) {
+        map_interval_ = c.output.surface_map_interval;
+        map_x_ = surface_map_places(c, c.channel.length);
+        map_y_ = surface_map_places(c, c.channel.simulated_width());
+        for (const double y : map_y_) {
+            for (const double x : map_x_) {
+                map_.places.push_back({x, y});
+            }
+        }
     }
 }
 
@@ -84,110 +101,83 @@ double Recorder::fields_due() const {
                      next(output.snapshot_interval, due_.snapshot), probes_.forces_due()});
 }
 
-void Recorder::record(const Simulation& simulation) {
+template <int D>
+void Recorder::record(const SimulationIn<D>& simulation) {
     const double time = simulation.clock().time;
     const Output& output = case_.output;
     const bool series_due = is_due(time, output.series_interval, due_.series);
-    const bool surface_due = is_due(time, output.surface_interval, due_.surface);
+    const bool surface_due = is_due(time, output.surface_interval, due_.surface) && has_surface_;
+    const bool map_due = has_maps() && is_due(time, map_interval_, due_.surface_map);
     // One view of the fluid serves the surface and all instruments.
     const bool started = simulation.clock().steps > 0;
-    std::optional<FluidView> fluid;
-    if ((has_surface_ && surface_due) || (started && probes_.due_for_fluid(time))) {
-        const Scheme& scheme = simulation.scheme();
-        fluid.emplace(simulation.particles(), domain_of(case_), case_.numerics.kernel, scheme.density,
-                      scheme.smoothing_length, case_.output.surface_detection);
+    std::optional<FluidViewIn<D>> fluid;
+    if (surface_due || map_due || (started && probes_.due_for_fluid(time))) {
+        fluid.emplace(case_, simulation.particles(), simulation.scheme().smoothing_length);
     }
-    if (has_surface_ && surface_due) {
-        record_surface(time, *fluid);
+    if (surface_due) {
+        mean_level_ = surface_.record(time, *fluid);
+    }
+    if (map_due) {
+        map_.record(time, *fluid);
     }
     // Before the first evaluation there are no forces to average.
     if (started) {
         if (probes_.due(time)) {
-            record_probes(simulation, fluid ? &*fluid : nullptr);
+            probes_.record(flow_state(simulation, fluid ? &*fluid : nullptr));
         }
         if (series_due) {
             series_.sample(simulation, mean_level_);
         }
         if (is_due(time, output.profile_interval, due_.profile)) {
             profiles_.sample(simulation);
+            if constexpr (D == 3) {
+                if (mean_field_.on()) {
+                    mean_field_.sample(simulation);
+                }
+            }
         }
     }
     if (is_due(time, output.snapshot_interval, due_.snapshot)) {
-        record_snapshot(simulation);
+        snapshots_.record(simulation);
     }
 }
 
-void Recorder::record_probes(const Simulation& simulation, const FluidView* fluid) {
-    probes_.record(flow_state(simulation, fluid));
-}
+template void Recorder::record(const SimulationIn<2>&);
+template void Recorder::record(const SimulationIn<3>&);
 
-void Recorder::record_surface(double time, const FluidView& fluid) {
-    const std::vector<double> elevation = fluid.surface_at(surface_x_);
+double Recorder::Elevations::record(double time_now, const FluidView& fluid) {
     double sum = 0.0;
     double count = 0.0;
-    for (const double e : elevation) {
-        new_surface_.push_back(static_cast<float>(e));
+    for (const double e : fluid.surface_at(places)) {
+        values.push_back(static_cast<float>(e));
         if (std::isfinite(e)) {
             sum += e;
             count += 1.0;
         }
     }
-    new_surface_time_.push_back(time);
-    mean_level_ = count > 0.0 ? sum / count : std::numeric_limits<double>::quiet_NaN();
+    time.push_back(time_now);
+    return count > 0.0 ? sum / count : std::numeric_limits<double>::quiet_NaN();
 }
 
-void Recorder::record_snapshot(const Simulation& simulation) {
-    const Particles<2>& p = simulation.particles();
-    const ParticleFields& f = simulation.fields();
-    const std::size_t n = p.size();
-    // In the order of the particles' numbers, so that row i of every snapshot is the same particle.
-    std::vector<std::size_t> order(n);
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return p.id[a] < p.id[b]; });
-    std::vector<float> position(3 * n, 0.0F);
-    std::vector<float> velocity(3 * n, 0.0F);
-    std::vector<float> pressure(n);
-    std::vector<float> density(n);
-    std::vector<float> eddy_viscosity(n);
-    std::vector<std::int32_t> id(n);
-    for (std::size_t row = 0; row < n; ++row) {
-        const std::size_t i = order[row];
-        for (std::size_t k = 0; k < 2; ++k) {
-            const std::size_t axis = k == 0 ? 0 : 2;  // x and z of three axes
-            position[3 * row + axis] = static_cast<float>(p.position[k][i]);
-            velocity[3 * row + axis] = static_cast<float>(p.velocity[k][i]);
-        }
-        pressure[row] = static_cast<float>(case_.fluid.density *
-                                           simulation.scheme().state.pressure(p.density_deviation[i]));
-        density[row] = static_cast<float>(case_.fluid.density * (1.0 + p.density_deviation[i]));
-        eddy_viscosity[row] = static_cast<float>(f.eddy_viscosity[i]);
-        id[row] = static_cast<std::int32_t>(p.id[i]);
-    }
-    new_snapshot_bytes_ += n * (6 * sizeof(float) + 3 * sizeof(float) + sizeof(std::int32_t));
-    const std::string group = snapshot_group(snapshot_times_.size());
-    add_field(new_snapshots_, group + "/position", 3, std::move(position), "m", "position (x, y, z)");
-    add_field(new_snapshots_, group + "/velocity", 3, std::move(velocity), "m/s", "velocity (u, v, w)");
-    add_field(new_snapshots_, group + "/pressure", 1, std::move(pressure), "Pa", "pressure");
-    add_field(new_snapshots_, group + "/density", 1, std::move(density), "kg/m3", "density");
-    add_field(new_snapshots_, group + "/eddy_viscosity", 1, std::move(eddy_viscosity), "m2/s",
-              "eddy viscosity");
-    add_field(new_snapshots_, group + "/id", 1, std::move(id), "1", "particle number");
-    new_snapshots_.attributes.push_back({.path = group, .name = "time", .value = simulation.clock().time});
-    snapshot_times_.push_back(simulation.clock().time);
+void Recorder::Elevations::take(Content& content, const std::string& group, std::vector<std::size_t> shape) {
+    const std::size_t n = time.size();
+    taken += n;
+    shape.insert(shape.begin(), n);
+    content.datasets.push_back(rows_of(group + "/time", {n}, std::exchange(time, {}), "s", "time"));
+    content.datasets.push_back(rows_of(group + "/elevation", std::move(shape), std::exchange(values, {}), "m",
+                                       "surface elevation above the bed level"));
 }
 
 std::size_t Recorder::pending_bytes() const {
     const std::size_t series = (series_.rows() - taken_series_) * series_.columns().size() * sizeof(double);
     const std::size_t blocks = (profiles_.blocks().size() - taken_blocks_) * profiles_.layers() *
-                               profile_quantities * sizeof(double);
-    return series + blocks + new_surface_.size() * sizeof(float) + new_snapshot_bytes_ +
-           probes_.pending_bytes();
+                               profiles_.quantities() * sizeof(double);
+    return series + blocks + (surface_.values.size() + map_.values.size()) * sizeof(float) +
+           snapshots_.pending_bytes() + mean_field_.pending_bytes() + probes_.pending_bytes();
 }
 
 Content Recorder::take_new_rows() {
-    Content content = std::move(new_snapshots_);
-    new_snapshots_ = {};
-    new_snapshot_bytes_ = 0;
+    Content content = snapshots_.take();
 
     const std::size_t rows = series_.rows() - taken_series_;
     for (const SeriesColumn& column : series_.columns()) {
@@ -212,25 +202,24 @@ Content Recorder::take_new_rows() {
         rows_of("/profile_blocks/time", {new_blocks}, std::move(end), "s", "end of the block"));
     content.datasets.push_back(
         rows_of("/profile_blocks/samples", {new_blocks}, std::move(samples), "1", "samples in the block"));
-    content.datasets.push_back(rows_of("/profile_blocks/sums",
-                                       {new_blocks, profiles_.layers(), profile_quantities}, std::move(sums),
-                                       "1", "sums over particles and samples, SI, by layer and quantity"));
+    content.datasets.push_back(
+        rows_of("/profile_blocks/sums", {new_blocks, profiles_.layers(), profiles_.quantities()},
+                std::move(sums), "1", "sums over particles and samples, SI, by layer and quantity"));
     taken_blocks_ = blocks.size();
 
     if (has_surface_) {
-        const std::size_t n = new_surface_time_.size();
-        surface_rows_ += n;
-        content.datasets.push_back(rows_of("/surface/time", {n}, std::move(new_surface_time_), "s", "time"));
-        content.datasets.push_back(rows_of("/surface/elevation", {n, surface_x_.size()},
-                                           std::move(new_surface_), "m",
-                                           "surface elevation above the bed level"));
-        new_surface_time_ = {};
-        new_surface_ = {};
+        surface_.take(content, "/surface", {surface_x_.size()});
         add_array(content, "/surface/x", surface_x_, "m", "distance along the channel");
     }
-    Content probes = probes_.take_new_rows();
-    std::move(probes.datasets.begin(), probes.datasets.end(), std::back_inserter(content.datasets));
-    std::move(probes.attributes.begin(), probes.attributes.end(), std::back_inserter(content.attributes));
+    if (has_maps()) {
+        map_.take(content, "/surface_map", {map_y_.size(), map_x_.size()});
+        add_array(content, "/surface_map/x", map_x_, "m", "distance along the channel");
+        add_array(content, "/surface_map/y", map_y_, "m", "distance across the channel");
+    }
+    for (Content part : {mean_field_.take_new_rows(), probes_.take_new_rows()}) {
+        std::move(part.datasets.begin(), part.datasets.end(), std::back_inserter(content.datasets));
+        std::move(part.attributes.begin(), part.attributes.end(), std::back_inserter(content.attributes));
+    }
     return content;
 }
 
@@ -243,9 +232,14 @@ std::map<std::string, std::size_t> Recorder::rows() const {
         rows[std::string("/profile_blocks/") + name] = taken_blocks_;
     }
     if (has_surface_) {
-        rows["/surface/time"] = surface_rows_;
-        rows["/surface/elevation"] = surface_rows_;
+        rows["/surface/time"] = surface_.taken;
+        rows["/surface/elevation"] = surface_.taken;
     }
+    if (has_maps()) {
+        rows["/surface_map/time"] = map_.taken;
+        rows["/surface_map/elevation"] = map_.taken;
+    }
+    mean_field_.add_rows(rows);
     return rows;
 }
 
@@ -255,15 +249,18 @@ void Recorder::save(Content& checkpoint) const {
     number("due_surface", due_.surface);
     number("due_profile", due_.profile);
     number("due_snapshot", due_.snapshot);
+    number("due_surface_map", due_.surface_map);
     number("mean_level", mean_level_);
     number("block_end", profiles_.current().end);
     number("block_samples", profiles_.current().samples);
     number("series_rows", static_cast<double>(taken_series_));
     number("block_rows", static_cast<double>(taken_blocks_));
-    number("surface_rows", static_cast<double>(surface_rows_));
+    number("surface_rows", static_cast<double>(surface_.taken));
+    number("surface_map_rows", static_cast<double>(map_.taken));
     add_array(checkpoint, "/recorder/block_sums", profiles_.current().sums, "1",
               "sums of the block that is being filled");
-    add_array(checkpoint, "/recorder/snapshot_times", snapshot_times_, "s", "times of the snapshots so far");
+    snapshots_.save(checkpoint);
+    mean_field_.save(checkpoint);
     probes_.save(checkpoint);
 }
 
@@ -271,13 +268,15 @@ void Recorder::restore(const Content& checkpoint, const ResultsReader& results) 
     due_ = {.series = checkpoint_number(checkpoint, "due_series"),
             .surface = checkpoint_number(checkpoint, "due_surface"),
             .profile = checkpoint_number(checkpoint, "due_profile"),
-            .snapshot = checkpoint_number(checkpoint, "due_snapshot")};
+            .snapshot = checkpoint_number(checkpoint, "due_snapshot"),
+            .surface_map = checkpoint_number(checkpoint, "due_surface_map")};
     mean_level_ = checkpoint_number(checkpoint, "mean_level");
     taken_series_ = static_cast<std::size_t>(checkpoint_number(checkpoint, "series_rows"));
     taken_blocks_ = static_cast<std::size_t>(checkpoint_number(checkpoint, "block_rows"));
-    surface_rows_ = static_cast<std::size_t>(checkpoint_number(checkpoint, "surface_rows"));
-    snapshot_times_ =
-        std::get<std::vector<double>>(checkpoint_dataset(checkpoint, "/recorder/snapshot_times").values);
+    surface_.taken = static_cast<std::size_t>(checkpoint_number(checkpoint, "surface_rows"));
+    map_.taken = static_cast<std::size_t>(checkpoint_number(checkpoint, "surface_map_rows"));
+    snapshots_.restore(checkpoint);
+    mean_field_.restore(checkpoint);
 
     probes_.restore(checkpoint);
     for (SeriesColumn& column : series_.columns()) {
@@ -287,7 +286,7 @@ void Recorder::restore(const Content& checkpoint, const ResultsReader& results) 
     const std::vector<double> end = results.read_doubles("/profile_blocks/time");
     const std::vector<double> samples = results.read_doubles("/profile_blocks/samples");
     const std::vector<double> sums = results.read_doubles("/profile_blocks/sums");
-    const std::size_t width = profiles_.layers() * profile_quantities;
+    const std::size_t width = profiles_.layers() * profiles_.quantities();
     std::vector<ProfileBlock> blocks;
     for (std::size_t b = 0; b < taken_blocks_; ++b) {
         const auto first = sums.begin() + static_cast<std::ptrdiff_t>(b * width);

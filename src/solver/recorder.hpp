@@ -10,15 +10,17 @@
 #include "instruments/probe_set.hpp"
 #include "output/dataset.hpp"
 #include "output/results_file.hpp"
+#include "solver/mean_field.hpp"
 #include "solver/profile_blocks.hpp"
 #include "solver/series.hpp"
 #include "solver/simulation.hpp"
+#include "solver/snapshots.hpp"
 
 namespace riffle {
 
-/// Everything that a run records on the way: time series, surface, profile blocks, snapshots, and
-/// the records of the instruments. What is due is
-/// decided by the simulated time alone, so that a resumed run records the same rows.
+/// Everything that a run records on the way: time series, surface, profile blocks, snapshots, the records of
+/// the instruments; in three dimensions the mean field and maps of the surface. What is due is decided by the
+/// simulated time alone, so that a resumed run records the same rows.
 class Recorder {
   public:
     Recorder(const Case& c, const ColumnResult* column);
@@ -27,13 +29,14 @@ class Recorder {
     [[nodiscard]] double fields_due() const;
 
     /// Record what is due at the present state. Call after the start and after each step.
-    void record(const Simulation& simulation);
+    template <int D>
+    void record(const SimulationIn<D>& simulation);
 
     [[nodiscard]] const TimeSeries& series() const { return series_; }
     [[nodiscard]] const ProfileSampler& profiles() const { return profiles_; }
     [[nodiscard]] double mean_level() const { return mean_level_; }
-    [[nodiscard]] std::size_t snapshots() const { return snapshot_times_.size(); }
-    [[nodiscard]] const std::vector<double>& snapshot_times() const { return snapshot_times_; }
+    [[nodiscard]] const SnapshotRecorder& snapshots() const { return snapshots_; }
+    [[nodiscard]] const MeanField& mean_field() const { return mean_field_; }
 
     /// Bytes recorded since the last take_new_rows().
     [[nodiscard]] std::size_t pending_bytes() const;
@@ -52,34 +55,46 @@ class Recorder {
 
   private:
     struct Due {
-        double series = 0.0, surface = 0.0, profile = 0.0, snapshot = 0.0;
+        double series = 0.0, surface = 0.0, profile = 0.0, snapshot = 0.0, surface_map = 0.0;
     };
-    void record_surface(double time, const FluidView& fluid);
-    void record_probes(const Simulation& simulation, const FluidView* fluid);
-    void record_snapshot(const Simulation& simulation);
+    /// Elevations at places in the plan, and the rows of them that are not yet taken.
+    struct Elevations {
+        std::vector<Vec<2>> places;
+        std::size_t taken = 0;
+        std::vector<double> time = {};
+        std::vector<float> values = {};
+
+        /// Add a row; gives its mean over the wet places, NaN where all are dry.
+        double record(double time_now, const FluidView& fluid);
+        /// Move the rows into the content, each of this shape.
+        void take(Content& content, const std::string& group, std::vector<std::size_t> shape);
+    };
+    [[nodiscard]] bool has_maps() const { return has_surface_ && map_interval_ > 0.0; }
 
     Case case_;
     TimeSeries series_;
     ProfileSampler profiles_;
     ProbeSet probes_;
     Due due_;
-    std::vector<double> surface_x_;
+    MeanField mean_field_;
+    SnapshotRecorder snapshots_;
+    std::vector<double> surface_x_, map_x_, map_y_;
+    Elevations surface_, map_;
     double mean_level_ = 0.0;
     bool has_surface_ = false;
+    double map_interval_ = 0.0;  ///< 0 in two dimensions
 
     std::size_t taken_series_ = 0;
     std::size_t taken_blocks_ = 0;
-    std::size_t surface_rows_ = 0;
-    std::vector<double> new_surface_time_;
-    std::vector<float> new_surface_;
-    std::vector<double> snapshot_times_;
-    Content new_snapshots_;
-    std::size_t new_snapshot_bytes_ = 0;
 };
 
 /// The present state of a simulation, for instruments; `fluid`: of the same state, null where none looks at
 /// it.
-[[nodiscard]] FlowState flow_state(const Simulation& simulation, const FluidView* fluid);
+template <int D>
+[[nodiscard]] FlowState flow_state(const SimulationIn<D>& simulation, const FluidView* fluid);
+
+/// Places of the map of the surface along an axis of the plan: two particle spacings apart, m.
+[[nodiscard]] std::vector<double> surface_map_places(const Case& c, double extent);
 
 /// Bytes of recorded data that may wait in memory before they are written out.
 inline constexpr std::size_t pending_limit = std::size_t{256} << 20U;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "base/error.hpp"
@@ -30,8 +31,16 @@ void make_folder(const fs::path& folder) {
 bool may_change(const std::string& key) {
     constexpr std::array<const char*, 2> steps = {"numerics.courant_number", "numerics.time_step"};
     // A record that begins or ends in the middle would have gaps that no reader expects.
-    return key != "output.standard_probes" &&
+    constexpr std::array<const char*, 4> fixed = {"output.standard_probes", "output.mean_field_interval",
+                                                  "output.mean_field_spacing", "output.snapshot_fields"};
+    return std::find(fixed.begin(), fixed.end(), key) == fixed.end() &&
            (key.rfind("run.", 0) == 0 || key.rfind("output.", 0) == 0 || key == steps[0] || key == steps[1]);
+}
+
+/// f.operator()<D>() with the dimensions of the case.
+template <class F>
+RunOutcome in_dimensions(const Case& c, const F& f) {
+    return c.channel.dimensions == 2 ? f.template operator()<2>() : f.template operator()<3>();
 }
 
 /// Refuse probes that the time step cannot serve, before anything is written.
@@ -61,9 +70,11 @@ RunOutcome run_case(const Case& c, const RunOptions& options) {
         fs::remove(files.checkpoint());
         fs::remove(CheckpointFile::previous(files.checkpoint()));
     }
-    RunSession session(c, options);
-    session.start();
-    return session.advance();
+    return in_dimensions(c, [&]<int D>() {
+        RunSession<D> session(c, options);
+        session.start();
+        return session.advance();
+    });
 }
 
 RunOutcome resume_run(const RunOptions& options, const fs::path& checkpoint,
@@ -80,17 +91,20 @@ RunOutcome resume_run(const RunOptions& options, const fs::path& checkpoint,
         if (!may_change(o.key)) {
             throw InputError(fmt::format(
                 "--set {}: a resumed run may change only the keys of [run] and [output], "
-                "numerics.courant_number and numerics.time_step, and not output.standard_probes; start a new "
-                "run for this",
+                "numerics.courant_number and numerics.time_step, but not output.standard_probes, "
+                "output.mean_field_interval, output.mean_field_spacing and output.snapshot_fields; start a "
+                "new run for this",
                 o.key));
         }
     }
     const Content saved = CheckpointFile::read(from);
     const std::string text = std::get<std::string>(checkpoint_dataset(saved, "/case/text").values);
     const Case c = parse_case(text, from.string(), {}, overrides);
-    RunSession session(c, options);
-    session.resume(from);
-    return session.advance();
+    return in_dimensions(c, [&]<int D>() {
+        RunSession<D> session(c, options);
+        session.resume(from);
+        return session.advance();
+    });
 }
 
 }  // namespace riffle

@@ -68,7 +68,7 @@ Content run_head(const Case& c, const std::optional<ColumnResult>& column) {
     attribute("riffle_version", version());
     attribute("build", build_description());
     attribute("title", c.title);
-    attribute("dimension", std::int64_t{2});
+    attribute("dimension", std::int64_t{c.channel.dimensions});
     attribute("created", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))));
     content.datasets.push_back(case_dataset(c));
     if (column) {
@@ -120,6 +120,11 @@ void add_profiles_content(Content& content, const std::optional<ColumnResult>& c
     add("velocity_rms", p.velocity_rms, "m/s", "rms fluctuation of u");
     add("vertical_velocity_rms", p.vertical_velocity_rms, "m/s", "rms fluctuation of w");
     add("drag", p.drag, "N/m3", "bed drag per unit volume");
+    if (!p.spanwise_velocity.empty()) {
+        add("spanwise_velocity", p.spanwise_velocity, "m/s", "time-mean spanwise velocity");
+        add("spanwise_velocity_rms", p.spanwise_velocity_rms, "m/s", "rms fluctuation of v");
+        add("side_wall_drag", p.side_wall_drag, "N/m3", "drag of the side walls' layers per unit volume");
+    }
     const auto attribute = [&](const char* name, double value) {
         add_attribute(content, "/profiles", name, value);
     };
@@ -127,28 +132,26 @@ void add_profiles_content(Content& content, const std::optional<ColumnResult>& c
     attribute("window_end", p.window_end);
     attribute("samples", p.samples);
     std::string quantities;
-    for (const std::string& name : profile_quantity_names()) {
+    for (const std::string& name : profile_quantity_names(p.spanwise_velocity.empty() ? 2 : 3)) {
         quantities += (quantities.empty() ? "" : " ") + name;
     }
     add_attribute(content, "/profile_blocks", "quantities", quantities);
 }
 
-void write_snapshot_index(const std::filesystem::path& path, const Recorder& recorder,
-                          std::size_t particles) {
-    if (recorder.snapshots() == 0) {
-        return;
+void write_indexes(const RunFiles& files, const Recorder& recorder) {
+    const std::string results = files.results().filename().string();
+    const SnapshotRecorder& snapshots = recorder.snapshots();
+    if (!snapshots.entries().empty()) {
+        write_xdmf(files.xdmf(), results, snapshots.entries(), snapshots.fields());
     }
-    std::vector<SnapshotEntry> entries;
-    for (std::size_t i = 0; i < recorder.snapshots(); ++i) {
-        entries.push_back({.index = i, .time = recorder.snapshot_times()[i], .particles = particles});
+    const MeanField& field = recorder.mean_field();
+    if (field.on() && !field.window_ends().empty()) {
+        write_grid_xdmf(files.mean_field_xdmf(), results,
+                        {.group = "/mean_field",
+                         .edges = {field.edges(0), field.edges(1), field.edges(2)},
+                         .times = field.window_ends(),
+                         .fields = MeanField::field_names()});
     }
-    const std::vector<SnapshotField> fields = {{.name = "position", .components = 3},
-                                               {.name = "velocity", .components = 3},
-                                               {.name = "pressure"},
-                                               {.name = "density"},
-                                               {.name = "eddy_viscosity"},
-                                               {.name = "id", .components = 1, .type = ElementType::int32}};
-    write_xdmf(path, "results.h5", entries, fields);
 }
 
 }  // namespace riffle

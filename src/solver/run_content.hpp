@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <optional>
 
 #include "case/case.hpp"
@@ -8,6 +7,7 @@
 #include "output/dataset.hpp"
 #include "solver/convergence.hpp"
 #include "solver/recorder.hpp"
+#include "solver/run.hpp"
 #include "solver/summary.hpp"
 
 namespace riffle {
@@ -28,7 +28,7 @@ namespace riffle {
 void add_profiles_content(Content& content, const std::optional<ColumnResult>& column,
                           const Recorder& recorder, const Convergence& convergence);
 
-/// The XDMF index of the snapshots.
-void write_snapshot_index(const std::filesystem::path& path, const Recorder& recorder, std::size_t particles);
+/// The XDMF indexes of the snapshots and of the mean field, as far as there are any.
+void write_indexes(const RunFiles& files, const Recorder& recorder);
 
 }  // namespace riffle

@@ -40,7 +40,8 @@ std::string smaller_step(const Numerics& numerics) {
 
 }  // namespace
 
-RunSession::RunSession(Case c, RunOptions options)
+template <int D>
+RunSession<D>::RunSession(Case c, RunOptions options)
     : case_(std::move(c)), options_(std::move(options)), files_{options_.folder}, log_(files_.log()) {
     set_thread_count(options_.threads);
     if (has_column(case_)) {
@@ -56,21 +57,23 @@ RunSession::RunSession(Case c, RunOptions options)
     convergence_.reason = column_ ? "not yet tested for convergence" : no_steady_flow;
 }
 
-void RunSession::make_simulation_of_case(bool from_start) {
+template <int D>
+void RunSession<D>::make_simulation_of_case(bool from_start) {
     const ColumnResult* column = column_ ? &*column_ : nullptr;
     const Scheme scheme = make_scheme(case_, column);
-    Particles<2> particles;
+    Particles<D> particles;
     if (from_start && case_.start.kind == StartKind::results) {
-        particles =
-            particles_from_results(case_, scheme, ResultsReader(case_.start.file), case_.start.file.string());
+        particles = particles_from_results<D>(case_, scheme, ResultsReader(case_.start.file),
+                                              case_.start.file.string());
     } else {
-        particles = initial_particles(case_, scheme, column);
+        particles = initial_particles<D>(case_, scheme, column);
     }
-    simulation_ = make_simulation(case_, column, std::move(particles));
+    simulation_ = make_simulation<D>(case_, column, std::move(particles));
     recorder_ = std::make_unique<Recorder>(case_, column);
 }
 
-void RunSession::start() {
+template <int D>
+void RunSession<D>::start() {
     make_simulation_of_case(true);
     const Scheme& scheme = simulation_->scheme();
     log_.info(fmt::format("riffle {} ({}), {} instructions, {} threads", version(), build_description(),
@@ -84,13 +87,15 @@ void RunSession::start() {
         simulation_->particles().size(), simulation_->walls().size(), 1e3 * scheme.spacing,
         1e3 * scheme.smoothing_length, scheme.state.sound_speed, scheme.acoustic_step));
     Content content = run_head(case_, column_);
+    content.compression = case_.output.compression;
     recorder_->record(*simulation_);
     add_run_attributes(content, false);
     ResultsFile::create(files_.results(), content, options_.overwrite);
     write_out(false);
 }
 
-void RunSession::resume(const std::filesystem::path& checkpoint) {
+template <int D>
+void RunSession<D>::resume(const std::filesystem::path& checkpoint) {
     const Content saved = CheckpointFile::read(checkpoint);
     // The start particles only give the arrays their walls and sizes; the state replaces them. A start from a
     // results file that is gone must not stop a resume.
@@ -112,23 +117,27 @@ void RunSession::resume(const std::filesystem::path& checkpoint) {
     // The results may be ahead of the checkpoint: cut them back before anything is added.
     Content content;
     content.datasets.push_back(case_dataset(case_));
-    ResultsFile::update(files_.results(), content, recorder_->rows(), recorder_->snapshots());
+    ResultsFile::update(files_.results(), content, recorder_->rows(),
+                        recorder_->snapshots().entries().size());
     log_.info(fmt::format("resumed at t = {:.6g} s, step {}, from {}", simulation_->clock().time,
                           simulation_->clock().steps, checkpoint.filename().string()));
     update_convergence(false);
 }
 
-double RunSession::seconds_since(Clock::time_point t) const {
+template <int D>
+double RunSession<D>::seconds_since(Clock::time_point t) const {
     return std::chrono::duration<double>(Clock::now() - t).count();
 }
 
-bool RunSession::finished() const {
+template <int D>
+bool RunSession<D>::finished() const {
     // A hair's breadth of the step's rounding must not cost another step.
     return simulation_->clock().time >= case_.run.time * (1.0 - 1e-12) ||
            (case_.run.until == RunUntil::converged && convergence_.converged);
 }
 
-RunOutcome RunSession::advance() {
+template <int D>
+RunOutcome RunSession<D>::advance() {
     bool stopped = false;
     while (!finished()) {
         if (options_.stop_signal != nullptr && options_.stop_signal->load() != 0) {
@@ -184,7 +193,8 @@ RunOutcome RunSession::advance() {
     return outcome;
 }
 
-void RunSession::update_convergence(bool final_test) {
+template <int D>
+void RunSession<D>::update_convergence(bool final_test) {
     const TimeSeries& series = recorder_->series();
     if (!column_) {
         // No steady flow to converge to: averages over the second half, or from the asked time.
@@ -201,20 +211,23 @@ void RunSession::update_convergence(bool final_test) {
     }
 }
 
-void RunSession::write_out(bool complete) {
+template <int D>
+void RunSession<D>::write_out(bool complete) {
     const auto start = Clock::now();
     Content content = recorder_->take_new_rows();
+    content.compression = case_.output.compression;
     add_run_attributes(content, complete);
     add_profiles_content(content, column_, *recorder_, convergence_);
     add_state(content, "/state", *simulation_);
     ResultsFile::update(files_.results(), content);
     write_checkpoint();
-    write_snapshot_index(files_.xdmf(), *recorder_, simulation_->particles().size());
+    write_indexes(files_, *recorder_);
     last_write_ = Clock::now();
     write_seconds_ = std::chrono::duration<double>(last_write_ - start).count();
 }
 
-void RunSession::write_checkpoint() {
+template <int D>
+void RunSession<D>::write_checkpoint() {
     Content content;
     const auto number = [&](const char* name, double value) { add_attribute(content, "/", name, value); };
     number("time", simulation_->clock().time);
@@ -226,7 +239,8 @@ void RunSession::write_checkpoint() {
     CheckpointFile::write(files_.checkpoint(), content);
 }
 
-void RunSession::add_run_attributes(Content& content, bool complete) const {
+template <int D>
+void RunSession<D>::add_run_attributes(Content& content, bool complete) const {
     const auto attribute = [&](const std::string& path, const std::string& name, AttributeValue value) {
         add_attribute(content, path, name, std::move(value));
     };
@@ -253,7 +267,8 @@ void RunSession::add_run_attributes(Content& content, bool complete) const {
                   static_cast<double>(simulation_->particles().size()) / std::max(1e-9, seconds));
 }
 
-void RunSession::report_progress() {
+template <int D>
+void RunSession<D>::report_progress() {
     last_progress_ = Clock::now();
     if (!options_.progress) {
         return;
@@ -281,5 +296,8 @@ void RunSession::report_progress() {
     progress.convergence = convergence_.reason;
     options_.progress(progress);
 }
+
+template class RunSession<2>;
+template class RunSession<3>;
 
 }  // namespace riffle

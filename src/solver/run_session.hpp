@@ -11,7 +11,8 @@
 
 namespace riffle {
 
-/// One run in progress: the simulation, what it records, and its files.
+/// One run in progress, in D dimensions: the simulation, what it records, and its files.
+template <int D>
 class RunSession {
   public:
     RunSession(Case c, RunOptions options);
@@ -42,7 +43,7 @@ class RunSession {
     RunFiles files_;
     RunLog log_;
     std::optional<ColumnResult> column_;
-    std::unique_ptr<Simulation> simulation_;
+    std::unique_ptr<SimulationIn<D>> simulation_;
     std::unique_ptr<Recorder> recorder_;
     Convergence convergence_;
     double next_test_ = 1.0;
@@ -53,5 +54,8 @@ class RunSession {
     Clock::time_point last_progress_ = begin_;
     double write_seconds_ = 0.0;  ///< duration of the last write
 };
+
+extern template class RunSession<2>;
+extern template class RunSession<3>;
 
 }  // namespace riffle

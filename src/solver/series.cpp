@@ -6,6 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "base/parallel.hpp"
 #include "particles/lattice.hpp"
 
 namespace riffle {
@@ -14,16 +15,116 @@ namespace {
 
 /// Sums of one layer for the fluctuation and the order of the particles.
 struct Layer {
-    double count = 0.0, u = 0.0, w = 0.0, uu = 0.0, ww = 0.0, cosine = 0.0, sine = 0.0;
+    double count = 0.0, u = 0.0, v = 0.0, w = 0.0, uu = 0.0, vv = 0.0, ww = 0.0, cosine = 0.0, sine = 0.0;
+
+    void add(const Layer& other) {
+        for (double Layer::*const sum : {&Layer::count, &Layer::u, &Layer::v, &Layer::w, &Layer::uu,
+                                         &Layer::vv, &Layer::ww, &Layer::cosine, &Layer::sine}) {
+            this->*sum += other.*sum;
+        }
+    }
 };
 
 struct Totals {
     double mass = 0.0, momentum = 0.0, above = 0.0, above_mass = 0.0, energy = 0.0;
     double drag = 0.0, wall = 0.0, pairs = 0.0;
+    double side_wall = 0.0, centre = 0.0, centre_mass = 0.0, secondary = 0.0;
     double fastest = 0.0;
     double s_low = std::numeric_limits<double>::infinity();
     double s_high = -std::numeric_limits<double>::infinity();
+    std::vector<Layer> layers;
+
+    void add(const Totals& other) {
+        for (double Totals::*const sum :
+             {&Totals::mass, &Totals::momentum, &Totals::above, &Totals::above_mass, &Totals::energy,
+              &Totals::drag, &Totals::wall, &Totals::pairs, &Totals::side_wall, &Totals::centre,
+              &Totals::centre_mass, &Totals::secondary}) {
+            this->*sum += other.*sum;
+        }
+        fastest = std::max(fastest, other.fastest);
+        s_low = std::min(s_low, other.s_low);
+        s_high = std::max(s_high, other.s_high);
+        for (std::size_t k = 0; k < layers.size(); ++k) {
+            layers[k].add(other.layers[k]);
+        }
+    }
 };
+
+/// Sums over the particles of one block.
+template <int D>
+Totals sums_over(const SimulationIn<D>& simulation, const Case& c, std::size_t begin, std::size_t end) {
+    const Particles<D>& p = simulation.particles();
+    const ParticleFields& f = simulation.fields();
+    const Lattice lattice = lattice_of(c);
+    const double datum = c.datum();
+    const double centreline = c.channel.centreline();
+    const double half_strip = centreline_half_strip(c);
+    Totals sum;
+    sum.layers.resize(static_cast<std::size_t>(lattice.rows));
+    for (std::size_t i = begin; i < end; ++i) {
+        const double mass = p.mass[i];
+        const double z = p.position[D - 1][i];
+        const double u = p.velocity[0][i];
+        const double w = p.velocity[D - 1][i];
+        double speed_squared = u * u + w * w;
+        Layer& layer =
+            sum.layers[static_cast<std::size_t>(std::clamp(z / lattice.dz, 0.0, lattice.rows - 0.5))];
+        if constexpr (D == 3) {
+            const double v = p.velocity[1][i];
+            speed_squared += v * v;
+            layer.v += v;
+            layer.vv += v * v;
+            sum.secondary += v * v + w * w;
+            sum.side_wall -= mass * f.side_wall_acceleration_x[i];
+            if (z > datum && std::abs(p.position[1][i] - centreline) < half_strip) {
+                sum.centre += mass * u;
+                sum.centre_mass += mass;
+            }
+        }
+        sum.mass += mass;
+        sum.momentum += mass * u;
+        sum.energy += 0.5 * mass * speed_squared;
+        sum.fastest = std::max(sum.fastest, speed_squared);
+        if (z > datum) {
+            sum.above += mass * u;
+            sum.above_mass += mass;
+        }
+        sum.drag -= mass * f.drag_acceleration_x[i];
+        sum.wall -= mass * f.wall_acceleration_x[i];
+        sum.pairs += mass * (f.pair_acceleration_x[i] + f.viscous_acceleration_x[i]);
+        sum.s_low = std::min(sum.s_low, p.density_deviation[i]);
+        sum.s_high = std::max(sum.s_high, p.density_deviation[i]);
+        layer.count += 1.0;
+        layer.u += u;
+        layer.w += w;
+        layer.uu += u * u;
+        layer.ww += w * w;
+        const double phase = 2.0 * std::numbers::pi * z / lattice.dz;
+        layer.cosine += std::cos(phase);
+        layer.sine += std::sin(phase);
+    }
+    return sum;
+}
+
+/// The sums over all particles; in three dimensions, where they are many, in parallel.
+template <int D>
+Totals all_sums(const SimulationIn<D>& simulation, const Case& c) {
+    const std::size_t n = simulation.particles().size();
+    if constexpr (D == 2) {
+        return sums_over(simulation, c, 0, n);
+    } else {
+        Totals none;
+        none.layers.resize(static_cast<std::size_t>(lattice_of(c).rows));
+        constexpr std::size_t block = std::size_t{1} << 15U;
+        return reduce_blocks(
+            n, block, none,
+            [&](std::size_t begin, std::size_t end) { return sums_over(simulation, c, begin, end); },
+            [](Totals sum, const Totals& part) {
+                sum.add(part);
+                return sum;
+            });
+    }
+}
 
 }  // namespace
 
@@ -43,8 +144,15 @@ TimeSeries::TimeSeries(const Case& c) : case_(c) {
     add("density_deviation_maximum", "1", "largest rho/rho0 - 1");
     add("velocity_fluctuation", "m/s", "rms departure of the particle velocities from their layer means");
     add("particle_order", "1", "layering of the particles, 1: perfect rows, 0: none");
-    add("kinetic_energy", "J/m", "kinetic energy per unit width");
+    const bool space = c.channel.dimensions == 3;
+    add("kinetic_energy", space ? "J" : "J/m", space ? "kinetic energy" : "kinetic energy per unit width");
     add("time_step", "s", "time step");
+    if (space) {
+        add("side_wall_over_gravity", "1", "drag of the side walls' layers over the weight component");
+        add("centreline_velocity", "m/s",
+            "mean streamwise velocity above the datum in a strip along the centreline");
+        add("secondary_velocity", "m/s", "rms of the velocity in the cross-section");
+    }
 }
 
 const std::vector<double>& TimeSeries::column(const std::string& name) const {
@@ -61,51 +169,21 @@ double TimeSeries::last(const std::string& name) const {
     return values.empty() ? 0.0 : values.back();
 }
 
-void TimeSeries::sample(const Simulation& simulation, double mean_level) {
-    const Particles<2>& p = simulation.particles();
-    const ParticleFields& f = simulation.fields();
-    const Lattice lattice = lattice_of(case_);
-    const double datum = case_.datum();
-    Totals sum;
-    std::vector<Layer> layers(static_cast<std::size_t>(lattice.rows));
-    for (std::size_t i = 0; i < p.size(); ++i) {
-        const double mass = p.mass[i];
-        const double z = p.position[1][i];
-        const double u = p.velocity[0][i];
-        const double w = p.velocity[1][i];
-        const double speed_squared = u * u + w * w;
-        sum.mass += mass;
-        sum.momentum += mass * u;
-        sum.energy += 0.5 * mass * speed_squared;
-        sum.fastest = std::max(sum.fastest, speed_squared);
-        if (z > datum) {
-            sum.above += mass * u;
-            sum.above_mass += mass;
-        }
-        sum.drag -= mass * f.drag_acceleration_x[i];
-        sum.wall -= mass * f.wall_acceleration_x[i];
-        sum.pairs += mass * (f.pair_acceleration_x[i] + f.viscous_acceleration_x[i]);
-        sum.s_low = std::min(sum.s_low, p.density_deviation[i]);
-        sum.s_high = std::max(sum.s_high, p.density_deviation[i]);
-        Layer& layer = layers[static_cast<std::size_t>(std::clamp(z / lattice.dz, 0.0, lattice.rows - 0.5))];
-        layer.count += 1.0;
-        layer.u += u;
-        layer.w += w;
-        layer.uu += u * u;
-        layer.ww += w * w;
-        const double phase = 2.0 * std::numbers::pi * z / lattice.dz;
-        layer.cosine += std::cos(phase);
-        layer.sine += std::sin(phase);
-    }
+template <int D>
+void TimeSeries::sample(const SimulationIn<D>& simulation, double mean_level) {
+    const Totals sum = all_sums(simulation, case_);
     double fluctuation = 0.0;
     double order = 0.0;
-    for (const Layer& l : layers) {
+    for (const Layer& l : sum.layers) {
         if (l.count > 0.0) {
             fluctuation += l.uu + l.ww - (l.u * l.u + l.w * l.w) / l.count;
+            if constexpr (D == 3) {
+                fluctuation += l.vv - l.v * l.v / l.count;
+            }
             order += std::hypot(l.cosine, l.sine);
         }
     }
-    const auto n = static_cast<double>(p.size());
+    const auto n = static_cast<double>(simulation.particles().size());
     const double weight = sum.mass * simulation.scheme().streamwise_gravity;
     const auto over_weight = [&](double force) { return weight > 0.0 ? force / weight : 0.0; };
     const double row[] = {simulation.clock().time,
@@ -113,7 +191,7 @@ void TimeSeries::sample(const Simulation& simulation, double mean_level) {
                           sum.momentum / sum.mass,
                           over_weight(sum.drag),
                           over_weight(sum.wall),
-                          over_weight(weight + sum.pairs - sum.drag),
+                          over_weight(weight + sum.pairs - sum.drag - sum.side_wall),
                           mean_level,
                           std::sqrt(sum.fastest),
                           sum.s_low,
@@ -121,10 +199,21 @@ void TimeSeries::sample(const Simulation& simulation, double mean_level) {
                           std::sqrt(std::max(0.0, fluctuation / n)),
                           order / n,
                           sum.energy,
-                          simulation.clock().time_step};
+                          simulation.clock().time_step,
+                          over_weight(sum.side_wall),
+                          sum.centre_mass > 0.0 ? sum.centre / sum.centre_mass : 0.0,
+                          std::sqrt(sum.secondary / n)};
     for (std::size_t k = 0; k < columns_.size(); ++k) {
         columns_[k].values.push_back(row[k]);
     }
+}
+
+template void TimeSeries::sample(const SimulationIn<2>&, double);
+template void TimeSeries::sample(const SimulationIn<3>&, double);
+
+double centreline_half_strip(const Case& c) {
+    return c.bed.kind == BedKind::spheres ? 0.5 * std::numbers::sqrt3 * c.bed.sphere_diameter
+                                          : 0.05 * c.channel.width;
 }
 
 }  // namespace riffle

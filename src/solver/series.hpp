@@ -23,7 +23,8 @@ class TimeSeries {
     explicit TimeSeries(const Case& c);
 
     /// Add the row of the present state. `mean_level`: of the newest surface sample, m.
-    void sample(const Simulation& simulation, double mean_level);
+    template <int D>
+    void sample(const SimulationIn<D>& simulation, double mean_level);
 
     [[nodiscard]] const std::vector<SeriesColumn>& columns() const { return columns_; }
     [[nodiscard]] std::vector<SeriesColumn>& columns() { return columns_; }
@@ -35,5 +36,9 @@ class TimeSeries {
     Case case_;
     std::vector<SeriesColumn> columns_;
 };
+
+/// Half the width of the strip along the centreline whose mean velocity is the centreline's, m: half a period
+/// of the spheres' lattice across the channel; on smooth beds a twentieth of the width.
+[[nodiscard]] double centreline_half_strip(const Case& c);
 
 }  // namespace riffle

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 
 #include "base/error.hpp"
+#include "case/words.hpp"
 #include "solver/content.hpp"
 #include "solver/recorder.hpp"
 
@@ -12,7 +14,14 @@ namespace riffle {
 
 namespace {
 
-constexpr std::array<const char*, 2> axis_names = {"x", "z"};
+template <int D>
+constexpr auto axis_names = [] {
+    if constexpr (D == 2) {
+        return std::array<const char*, 2>{"x", "z"};
+    } else {
+        return std::array<const char*, 3>{"x", "y", "z"};
+    }
+}();
 
 std::vector<double> doubles(const Content& content, const std::string& path) {
     return std::get<std::vector<double>>(checkpoint_dataset(content, path).values);
@@ -33,17 +42,19 @@ double group_number(const Content& content, const std::string& group, const std:
 
 }  // namespace
 
-void add_state(Content& content, const std::string& group, const Simulation& simulation) {
-    const Particles<2> p = simulation.state();
-    for (std::size_t k = 0; k < 2; ++k) {
-        const std::string axis = axis_names[k];
+template <int D>
+void add_state(Content& content, const std::string& group, const SimulationIn<D>& simulation) {
+    const Particles<D> p = simulation.state();
+    for (std::size_t k = 0; k < D; ++k) {
+        const std::string axis = axis_names<D>[k];
         add_array(content, group + "/position_" + axis, p.position[k], "m", "position " + axis);
         add_array(content, group + "/velocity_" + axis, p.velocity[k], "m/s", "velocity along " + axis);
         add_array(content, group + "/listed_position_" + axis, p.listed_position[k], "m",
                   "position at the last build of the neighbour lists, " + axis);
     }
     add_array(content, group + "/density_deviation", p.density_deviation, "1", "rho/rho0 - 1");
-    add_array(content, group + "/mass", p.mass, "kg/m", "mass per unit width");
+    add_array(content, group + "/mass", p.mass, D == 2 ? "kg/m" : "kg",
+              D == 2 ? "mass per unit width" : "mass");
     add_array(content, group + "/wall_density_deviation", simulation.wall_density_deviation(), "1",
               "rho/rho0 - 1 of the wall particles");
     content.datasets.push_back({.path = group + "/id",
@@ -61,13 +72,17 @@ void add_state(Content& content, const std::string& group, const Simulation& sim
     attribute("time_step", clock.time_step);
     attribute("largest_acceleration", clock.largest_acceleration);
     attribute("displacement_bound", clock.displacement_bound);
+    if (D == 3) {
+        attribute("side_wall_drag_coefficient", clock.side_wall_drag_coefficient);
+    }
     attribute("sound_speed", simulation.scheme().state.sound_speed);
 }
 
-void restore_state(const Content& content, const std::string& group, Simulation& simulation) {
-    Particles<2> p;
-    for (std::size_t k = 0; k < 2; ++k) {
-        const std::string axis = axis_names[k];
+template <int D>
+void restore_state(const Content& content, const std::string& group, SimulationIn<D>& simulation) {
+    Particles<D> p;
+    for (std::size_t k = 0; k < D; ++k) {
+        const std::string axis = axis_names<D>[k];
         p.position[k] = doubles(content, group + "/position_" + axis);
         p.velocity[k] = doubles(content, group + "/velocity_" + axis);
         p.listed_position[k] = doubles(content, group + "/listed_position_" + axis);
@@ -85,10 +100,14 @@ void restore_state(const Content& content, const std::string& group, Simulation&
     clock.time_step = group_number(content, group, "time_step");
     clock.largest_acceleration = group_number(content, group, "largest_acceleration");
     clock.displacement_bound = group_number(content, group, "displacement_bound");
+    if (D == 3) {
+        clock.side_wall_drag_coefficient = group_number(content, group, "side_wall_drag_coefficient");
+    }
     simulation.restore(std::move(p), clock, doubles(content, group + "/wall_density_deviation"));
 }
 
-Particles<2> particles_from_results(const Case& c, const Scheme& scheme, const ResultsReader& results,
+template <int D>
+Particles<D> particles_from_results(const Case& c, const Scheme& scheme, const ResultsReader& results,
                                     const std::string& file_name) {
     if (!results.has("/state/position_x")) {
         throw InputError(
@@ -98,6 +117,20 @@ Particles<2> particles_from_results(const Case& c, const Scheme& scheme, const R
     }
     const Case other = parse_case(results.read_string("/case/text"), file_name);
     const auto differs = [](double a, double b) { return std::abs(a - b) > 1e-9 * std::abs(b); };
+    if (other.channel.dimensions != D) {
+        throw InputError(fmt::format(
+            "[start] file = \"{}\" was run in {} dimensions, this case has {}: start from a run of the same "
+            "number, or from the column",
+            file_name, other.channel.dimensions, D));
+    }
+    if (D == 3 && (differs(other.channel.width, c.channel.width) || other.channel.sides != c.channel.sides)) {
+        throw InputError(
+            fmt::format("[start] file = \"{}\" was run with channel.width {} m and sides = \"{}\", this case "
+                        "has {} m and "
+                        "\"{}\": start from a run of the same water, or from the column",
+                        file_name, other.channel.width, word(other.channel.sides), c.channel.width,
+                        word(c.channel.sides)));
+    }
     if (differs(other.channel.length, c.channel.length) || differs(other.total_depth(), c.total_depth()) ||
         differs(other.numerics.spacing, c.numerics.spacing)) {
         throw InputError(
@@ -108,9 +141,9 @@ Particles<2> particles_from_results(const Case& c, const Scheme& scheme, const R
                         file_name, other.channel.length, other.total_depth(), other.numerics.spacing,
                         c.channel.length, c.total_depth(), c.numerics.spacing));
     }
-    Particles<2> p;
-    for (std::size_t k = 0; k < 2; ++k) {
-        const std::string axis = axis_names[k];
+    Particles<D> p;
+    for (std::size_t k = 0; k < D; ++k) {
+        const std::string axis = axis_names<D>[k];
         p.position[k] = results.read_doubles("/state/position_" + axis);
         p.velocity[k] = results.read_doubles("/state/velocity_" + axis);
     }
@@ -131,5 +164,14 @@ Particles<2> particles_from_results(const Case& c, const Scheme& scheme, const R
     }
     return p;
 }
+
+template void add_state(Content&, const std::string&, const SimulationIn<2>&);
+template void add_state(Content&, const std::string&, const SimulationIn<3>&);
+template void restore_state(const Content&, const std::string&, SimulationIn<2>&);
+template void restore_state(const Content&, const std::string&, SimulationIn<3>&);
+template Particles<2> particles_from_results(const Case&, const Scheme&, const ResultsReader&,
+                                             const std::string&);
+template Particles<3> particles_from_results(const Case&, const Scheme&, const ResultsReader&,
+                                             const std::string&);
 
 }  // namespace riffle

@@ -10,15 +10,18 @@ namespace riffle {
 
 /// Add the state of a simulation under `group` ("/state"): particles in double precision in their present
 /// order, listed positions, walls. With the clock as attributes of the group.
-void add_state(Content& content, const std::string& group, const Simulation& simulation);
+template <int D>
+void add_state(Content& content, const std::string& group, const SimulationIn<D>& simulation);
 
 /// Put the state of a checkpoint back into a simulation of the same case.
-void restore_state(const Content& content, const std::string& group, Simulation& simulation);
+template <int D>
+void restore_state(const Content& content, const std::string& group, SimulationIn<D>& simulation);
 
 /// Particles of the last state in a results file, for `[start] kind = "results"`. Throws InputError when the
-/// file's water does not fit the case (other length, depth or spacing). Volumes and pressures are kept where
-/// the equation of state differs.
-[[nodiscard]] Particles<2> particles_from_results(const Case& c, const Scheme& scheme,
+/// file's water does not fit the case (other dimensions, length, width, depth or spacing). Volumes and
+/// pressures are kept where the equation of state differs.
+template <int D>
+[[nodiscard]] Particles<D> particles_from_results(const Case& c, const Scheme& scheme,
                                                   const ResultsReader& results, const std::string& file_name);
 
 }  // namespace riffle

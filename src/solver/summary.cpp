@@ -181,6 +181,15 @@ RunSummary summarise(const Case& c, const ColumnResult* column, const TimeSeries
                              "density_deviation_maximum"}) {
         summary.set(name, window_mean(series, name, from, to));
     }
+    if (c.channel.dimensions == 3) {
+        const auto centreline =
+            mean_with_confidence(std::span(series.column("centreline_velocity")).subspan(first));
+        summary.set("centreline_velocity", centreline.mean);
+        summary.set("centreline_velocity_half_width", centreline.half_width);
+        for (const char* name : {"side_wall_over_gravity", "secondary_velocity"}) {
+            summary.set(name, window_mean(series, name, from, to));
+        }
+    }
     summary.set("level_trend", window_trend(series, "mean_level", from, to));
     // The level's drift over the whole run, from the means of its first and last seconds.
     summary.set("level_drift", window_mean(series, "mean_level", to - 1.0, to) -

@@ -1,9 +1,11 @@
 #!/usr/bin/python3
-"""Open DIR/results.xdmf with the XDMF readers of ParaView and compare what they show with DIR/results.h5.
+"""Open DIR/results.xdmf, and DIR/mean_field.xdmf where there is one, with the XDMF readers of ParaView and compare what
+they show with DIR/results.h5.
 
 Usage: check_xdmf.py DIR
 
-Compares the times, the number of particles, the points and each array of each snapshot, value by value.
+Compares the times, the number of particles, the points and each array of each snapshot, and the times, the grid and each
+array of each window of the mean field, value by value.
 Exit status: 0 everything agrees, 1 something differs, 77 a reader or h5py is not installed (packages python3-paraview,
 python3-h5py; the Python of Debian, /usr/bin/python3, has them).
 """
@@ -14,6 +16,8 @@ from pathlib import Path
 
 SKIPPED = 77
 POSITION = "position"
+FOR_THE_INDEX = {"point"}  # datasets of a snapshot that are no arrays of its particles
+FIELD = "mean_field"
 
 
 def write_reference(results, target):
@@ -27,7 +31,10 @@ def write_reference(results, target):
         for name, group in file["snapshots"].items():
             arrays[f"{name}/time"] = group.attrs["time"]
             for field, data in group.items():
-                arrays[f"{name}/field/{field}"] = data[...]
+                if field not in FOR_THE_INDEX:
+                    arrays[f"{name}/field/{field}"] = data[...]
+        for name, data in file.get(FIELD, {}).items():
+            arrays[f"{FIELD}/field/{name}"] = data[...]
     numpy.savez(target, **arrays)
 
 
@@ -44,7 +51,8 @@ def load_reference(results):
             for key, value in data.items():
                 name, _, field = key.partition("/")
                 snapshots.setdefault(name, {})[field.removeprefix("field/")] = value
-    return [snapshots[name] for name in sorted(snapshots)]
+    field = snapshots.pop(FIELD, None)
+    return [snapshots[name] for name in sorted(snapshots)], field
 
 
 def leaf(data):
@@ -58,9 +66,8 @@ def leaf(data):
     return data
 
 
-def check_reader(reader, path, reference):
-    import numpy
-    from vtkmodules.util.numpy_support import vtk_to_numpy
+def open_index(reader, path, expected_times):
+    """Times that the reader finds in the index, and the list that its error messages will be added to."""
     from vtkmodules.vtkCommonCore import vtkCommand
     from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Pipeline
 
@@ -70,7 +77,40 @@ def check_reader(reader, path, reference):
     reader.UpdateInformation()
     information = reader.GetOutputInformation(0)
     times = [float(t) for t in information.Get(Pipeline.TIME_STEPS()) or []]
-    assert times == [float(s["time"]) for s in reference], f"times {times}"
+    assert times == [float(t) for t in expected_times], f"times {times}"
+    return times, problems
+
+
+def check_field(reader, path, reference):
+    """The windows of the mean field: cells between the centres, values in them."""
+    import numpy
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+
+    axes = ("x", "y", "z")
+    fields = set(reference) - {*axes, "time", "samples"}
+    times, problems = open_index(reader, path, reference["time"])
+    for row, time in enumerate(times):
+        reader.UpdateTimeStep(time)
+        grid = leaf(reader.GetOutputDataObject(0))
+        assert grid.IsA("vtkRectilinearGrid"), f"a {grid.GetClassName()}"
+        for name, coordinates in zip(axes, (grid.GetXCoordinates(), grid.GetYCoordinates(), grid.GetZCoordinates())):
+            edges = vtk_to_numpy(coordinates)
+            centres = (edges[1:] + edges[:-1]) / 2
+            assert numpy.allclose(centres, reference[name], rtol=1e-6, atol=1e-9), f"cells along {name} differ"
+        names = {grid.GetCellData().GetArrayName(i) for i in range(grid.GetCellData().GetNumberOfArrays())}
+        assert names == fields, f"arrays {sorted(names)}, not {sorted(fields)}, at {time} s"
+        for name in fields:
+            shown = vtk_to_numpy(grid.GetCellData().GetArray(name))
+            assert numpy.array_equal(shown, reference[name][row].ravel(), equal_nan=True), f"array {name} differs at {time} s"
+    assert not problems, problems[0]
+    return len(times)
+
+
+def check_reader(reader, path, reference):
+    import numpy
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+
+    times, problems = open_index(reader, path, [s["time"] for s in reference])
     for time, snapshot in zip(times, reference):
         reader.UpdateTimeStep(time)
         grid = leaf(reader.GetOutputDataObject(0))
@@ -106,7 +146,7 @@ def main():
         print(__doc__)
         return 2
     folder = Path(sys.argv[1]).resolve()  # the XDMF 3 reader needs the folder to find the HDF5 file
-    reference = load_reference(folder / "results.h5")
+    reference, field = load_reference(folder / "results.h5")
     try:
         from vtkmodules.vtkIOXdmf2 import vtkXdmfReader
         from vtkmodules.vtkIOXdmf3 import vtkXdmf3Reader
@@ -118,6 +158,9 @@ def main():
         try:
             count = check_reader(make_reader(), folder / "results.xdmf", reference)
             print(f"{make_reader.__name__}: {count} snapshots agree with results.h5")
+            if field is not None and len(field["time"]) > 0:
+                count = check_field(make_reader(), folder / "mean_field.xdmf", field)
+                print(f"{make_reader.__name__}: {count} windows of the mean field agree with results.h5")
         except AssertionError as error:
             print(f"{make_reader.__name__}: {error}")
             status = 1

@@ -17,6 +17,31 @@ SKIPPED = 77  # exit status by which ctest knows a skipped test
 # Flow condition 2 with some 500 particles: a simulated second takes a fraction of one.
 SMALL = ["--set", "numerics.spacing=2.5mm", "--set", "channel.length=0.06"]
 
+# The same water in three dimensions, two lattice periods of 25 mm spheres across, some 1400 particles.
+SPACE_CASE = """
+title = "condition 2, a cell of the bed"
+[channel]
+dimensions = 3
+slope = 0.004
+depth = "50 mm"
+length = "50 mm"
+width = "43.3013 mm"
+[bed]
+sphere_diameter = "25 mm"
+roughness_height = "10 mm"
+datum_below_crest = "4 mm"
+[turbulence]
+closure = "czernuszenko-rylov"
+[numerics]
+spacing = "5 mm"
+[start]
+jitter = 0.1
+[run]
+until = "1 s"
+[output]
+mean_field_interval = "0.15 s"
+"""
+
 # Results that tell about the machine and the hour, not about the flow.
 OF_THE_MACHINE = {
     "/@created", "/@unused_bytes", "/summary@wall_clock_seconds", "/summary@particle_updates_per_second",
@@ -58,6 +83,12 @@ name = "forces"
 kind = "force"
 sampling_frequency = "50 Hz"
 """
+
+
+SPACE_PROBES = (PROBES.replace('x = "30 mm"', 'x = "30 mm"\ny = "12 mm"')
+                .replace('x = [0, "28 mm"]', 'x = [0, "28 mm"]\ny = ["10 mm", "20 mm"]')
+                .replace('"surface_line"', '"surface_line"\ny = "15 mm"')
+                .replace('"grid"', '"grid"\ny = "40 mm"').replace(", 0.05]", "]"))
 
 
 def until(seconds):
@@ -143,6 +174,23 @@ class CommandLineTest(unittest.TestCase):
         path = self.folder / "probes.toml"
         path.write_text(CASE.read_text() + PROBES)
         return path
+
+    def space_case(self):
+        path = self.folder / "space.toml"
+        path.write_text(SPACE_CASE)
+        return path
+
+    def space_case_with_probes(self):
+        """The cell of the bed with an instrument of each kind, off the centreline where they can be."""
+        path = self.folder / "space-probes.toml"
+        path.write_text(SPACE_CASE + SPACE_PROBES)
+        return path
+
+    def run_space(self, name, seconds, *options, threads=1, case=None):
+        """A short run in three dimensions in self.folder/name; its folder."""
+        folder = self.folder / name
+        self.succeed("run", case or self.space_case(), "-o", folder, "-j", threads, "-q", *until(seconds), *options)
+        return folder
 
     def run_small(self, name, seconds, *options, threads=1, case=CASE):
         """A short run in self.folder/name; its folder."""

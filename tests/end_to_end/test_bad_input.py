@@ -51,6 +51,23 @@ class BadInput(CommandLineTest):
         refuse("wave", 'sampling_frequency = "50 Hz"\nx = "1 m"\n', "x = 1 m is outside of the channel")
         refuse("grid", 'sampling_frequency = "50 Hz"\nspacing = "0.1 mm"\n', "too fine")
 
+    def test_three_dimensions(self):
+        case = self.space_case()
+
+        def refuse(setting, *says):
+            target = self.folder / "run"
+            self.fail_with(2, "run", case, "-o", target, "--set", setting, says=says)
+            self.assertFalse(target.exists(), "a refused case leaves a folder behind")
+
+        refuse('output.snapshot_y=["50 mm", "60 mm"]', "snapshot_y", "no water from 50 mm to 60 mm", "43.3013 mm")
+        refuse('output.snapshot_z=["20 mm", "10 mm"]', "snapshot_z", "the first one smaller")
+        refuse('output.snapshot_fields="velocity speed"', "snapshot_fields", '"speed"', "eddy_viscosity")
+        refuse('output.mean_field_spacing=0', "mean_field_spacing", "greater than 0")
+        case.write_text(case.read_text() + '[[probe]]\nname = "p"\nkind = "velocity"\nsampling_frequency = "50 Hz"\n'
+                        'x = "10 mm"\ny = "50 mm"\nz = "20 mm"\n')
+        refuse("run.time=1", "[[probe]]", "y = 50 mm is outside of the simulated channel", "43.3013 mm")
+        self.fail_with(2, "check", CASE, "--set", "output.mean_field_spacing=0.01", says=["mean_field_spacing"])
+
     def test_damaged_case_files_never_crash_the_command(self):
         text = CASE.read_bytes()
         case = self.folder / "damaged.toml"

@@ -45,8 +45,26 @@ class Package(CommandLineTest):
             self.assertIn(word, str(caught.exception))
 
     def test_every_array_is_there_with_its_values_units_and_name(self):
-        with open_results(self.run_folder) as run, h5py.File(self.run_folder / "results.h5") as file:
-            groups = {name: getattr(run, name) for name in ("time_series", "profiles", "profile_blocks", "surface", "column")}
+        self.assert_holds_every_array(self.run_folder, ("time_series", "profiles", "profile_blocks", "surface", "column"))
+
+    def test_every_array_of_three_dimensions_is_there_too(self):
+        folder = self.run_space("space", 0.45, *every(snapshot=0.2), case=self.space_case_with_probes())
+        self.assert_holds_every_array(folder, ("time_series", "profiles", "profile_blocks", "surface", "column",
+                                               "mean_field", "surface_map"))
+        with open_results(folder) as run:
+            field = run.mean_field
+            self.assertEqual(field.velocity.dims, ("time", "z", "y", "x"))
+            means = field.velocity.sel(time=0.3, z=0.045, method="nearest").mean().item()
+            self.assertAlmostEqual(means, float(run.summary["surface_velocity"]), delta=0.05)
+            self.assertEqual(run.surface_map.elevation.dims, ("time", "y", "x"))
+            self.assertEqual(run.probe("piv").velocity.dims, ("time", "z", "x"))
+            self.assertAlmostEqual(run.probe("piv").y.item(), 0.04)
+            self.assertEqual(run.probe("adv").velocity.dims, ("time", "point"))
+            self.assertIn("mean_field", repr(run))
+
+    def assert_holds_every_array(self, folder, names):
+        with open_results(folder) as run, h5py.File(folder / "results.h5") as file:
+            groups = {name: getattr(run, name) for name in names}
             groups |= {f"snapshots/{name}": run.snapshot(name) for name in run.snapshot_names}
             groups |= {f"probes/{name}": run.probe(name) for name in run.probe_names}
             self.assertGreaterEqual(len(run.snapshot_names), 3)

@@ -5,13 +5,20 @@ import sys
 
 from riffle_cli import SKIPPED, SMALL, SOURCE, CommandLineTest, every, main, until
 
-UNITS = {"m", "s", "m/s", "1/s", "m2/s", "m2/s2", "Pa", "kg/m3", "N/m3", "N/m", "J/m", "kg/m", "1"}
+UNITS = {"m", "s", "m/s", "1/s", "m2/s", "m2/s2", "Pa", "kg/m3", "N/m3", "N/m", "J/m", "kg/m", "1",
+         "m3/s", "N", "J", "kg"}
 
 
-def documented():
-    """Rows of docs/results-format.md: (paths of datasets, their units or none), and the attributes of /summary."""
+def documented(dimensions=2):
+    """Rows of docs/results-format.md: (paths of datasets, their units or none), and the attributes of /summary. What its
+    section on three dimensions says comes after, and instead of, the rest."""
     rows, summary = [], set()
+    space = False
     for line in (SOURCE / "docs/results-format.md").read_text().splitlines():
+        if line.startswith("## "):
+            space = line == "## Three dimensions"
+        if space and dimensions == 2:
+            continue
         cells = [cell.strip() for cell in line.strip("| ").split(" | ")]
         if len(cells) < 2 or not cells[0].startswith("`/"):
             continue
@@ -29,7 +36,7 @@ def documented():
             else:
                 paths.append(name if name.startswith("/") else paths[0].rsplit("/", 1)[0] + "/" + name)
         tail = []
-        for part in reversed(re.split(r", ", cells[-1])):
+        for part in reversed(re.split(r"[,;] ", cells[-1])):
             if part not in UNITS:
                 break
             tail.insert(0, part)
@@ -44,10 +51,19 @@ def documented():
 
 class Results(CommandLineTest):
     def test_every_documented_dataset_is_there_and_every_dataset_is_documented(self):
+        folder = self.run_small("run", 0.45, *every(snapshot=0.2), case=self.case_with_probes())
+        self.assert_documented(folder, *documented())
+
+    def test_every_documented_dataset_of_three_dimensions_is_there(self):
+        folder = self.run_space("run", 0.45, *every(snapshot=0.2), case=self.space_case_with_probes())
+        documents, summary = documented(3)
+        summary |= {"side_wall_over_gravity", "centreline_velocity", "centreline_velocity_half_width",
+                    "secondary_velocity"}
+        self.assert_documented(folder, documents, summary)
+
+    def assert_documented(self, folder, documents, summary):
         import h5py
 
-        folder = self.run_small("run", 0.45, *every(snapshot=0.2), case=self.case_with_probes())
-        documents, summary = documented()
         found = {}
 
         def visit(name, item):
@@ -94,6 +110,11 @@ class Results(CommandLineTest):
             self.assert_same_results(one, self.run_small(f"threads-{threads}", 0.45, *every(snapshot=0.2),
                                                          threads=threads, case=case))
 
+    def test_any_number_of_threads_gives_the_same_bits_in_three_dimensions(self):
+        case = self.space_case_with_probes()
+        one = self.run_space("one", 0.2, *every(snapshot=0.1), threads=1, case=case)
+        self.assert_same_results(one, self.run_space("three", 0.2, *every(snapshot=0.1), threads=3, case=case))
+
     def test_the_instruments_record_what_check_forecasts(self):
         import h5py
         import json
@@ -114,6 +135,54 @@ class Results(CommandLineTest):
                 row = recorded / max(1, group["time"].size)
                 self.assertLessEqual(abs(recorded - probe["bytes"]), row, probe["name"])
                 self.assertGreater(probe["time_share"], 0)
+
+    def test_check_forecasts_what_a_run_in_three_dimensions_records(self):
+        import h5py
+        import json
+
+        case = self.space_case_with_probes()
+        options = [*every(snapshot=0.1), "--set", 'output.snapshot_y=["0 mm", "21.65065 mm"]']
+        folder = self.run_space("run", 0.451, *options, case=case)
+        forecast = json.loads(self.succeed("check", case, "--json", *until(0.451), *options).stdout)
+        parts = {part["name"]: part["bytes"] for part in forecast["disk_parts"]}
+        self.assertAlmostEqual(sum(parts.values()), forecast["disk_bytes"], delta=1)
+
+        def recorded(file, groups, leave_out=("x", "y", "z", "point")):
+            sizes = []
+            for group in groups:
+                if group in file:
+                    file[group].visititems(lambda name, item: sizes.append(
+                        item.nbytes if isinstance(item, h5py.Dataset) and name.split("/")[-1] not in leave_out else 0))
+            return sum(sizes)
+
+        with h5py.File(folder / "results.h5") as file:
+            self.assertEqual(recorded(file, ["mean_field"]), parts["mean field"])
+            # A record more or less at the ends of the run.
+            for groups, name, tolerance in ((["surface_map"], "surface map", 0.3), (["surface"], "surface", 0.1),
+                                            (["probes"], "probes", 0.1), (["snapshots"], "snapshots", 0.25),
+                                            (["time_series", "profile_blocks"], "series and profiles", 0.2)):
+                size = recorded(file, groups)
+                self.assertLess(abs(size / parts[name] - 1), tolerance, f"{name}: {size} of {parts[name]} bytes")
+
+    def test_the_mean_field_agrees_with_the_layers(self):
+        import h5py
+        import numpy
+
+        folder = self.run_space("run", 0.31)
+        with h5py.File(folder / "results.h5") as file:
+            field = file["mean_field"]
+            self.assertEqual(field["velocity"].shape[0], 2)
+            numpy.testing.assert_allclose(field["time"][...], [0.15, 0.3])
+            count, velocity = field["count"][...].astype(float), field["velocity"][...].astype(float)
+            particles = file["summary"].attrs["particles"]
+            numpy.testing.assert_allclose(count.sum(axis=(1, 2, 3)), particles, rtol=1e-5)  # single precision
+            # Both windows together are the first three blocks, the layers are the rows of cells.
+            names = file["profile_blocks"].attrs["quantities"].split()
+            sums = file["profile_blocks/sums"][:3].sum(axis=0)
+            samples = field["samples"][...]
+            momentum = (numpy.nan_to_num(velocity) * count).sum(axis=(2, 3))
+            layers = (momentum * samples[:, None]).sum(axis=0)
+            numpy.testing.assert_allclose(layers, sums[:, names.index("u")], rtol=1e-4)
 
     def test_the_instruments_agree_with_the_other_records(self):
         import h5py
@@ -169,7 +238,18 @@ class Results(CommandLineTest):
         self.assert_same_results(first, self.folder / "second")
 
     def test_the_xdmf_index_opens_in_the_readers_of_paraview(self):
-        folder = self.run_small("run", 0.25, *every(snapshot=0.1))
+        self.assert_opens_in_paraview(self.run_small("run", 0.25, *every(snapshot=0.1)))
+
+    def test_the_xdmf_indexes_of_three_dimensions_open_too(self):
+        folder = self.run_space("run", 0.35, *every(snapshot=0.1))
+        self.assertTrue((folder / "mean_field.xdmf").exists())
+        self.assert_opens_in_paraview(folder)
+        # Of a part of the water the number of particles changes from snapshot to snapshot.
+        part = self.run_space("part", 0.35, *every(snapshot=0.1), "--set", 'output.snapshot_y=["5 mm", "17 mm"]',
+                              "--set", 'output.snapshot_fields="velocity eddy_viscosity"')
+        self.assert_opens_in_paraview(part)
+
+    def assert_opens_in_paraview(self, folder):
         check = subprocess.run([sys.executable, SOURCE / "tests/end_to_end/check_xdmf.py", folder],
                                capture_output=True, text=True, timeout=120)
         if check.returncode == SKIPPED:

@@ -33,6 +33,30 @@ class Resume(CommandLineTest):
         self.assert_same_results(straight, parts)
         self.fail_with(2, "resume", parts, "--set", "output.standard_probes=false", says=["output.standard_probes"])
 
+    def test_a_run_in_three_dimensions_in_two_parts_equals_one(self):
+        # The cut falls into a window of the mean field.
+        options = every(snapshot=0.1)
+        case = self.space_case_with_probes()
+        straight = self.run_space("straight", 0.4, *options, case=case)
+        parts = self.run_space("parts", 0.2, *options, case=case)
+        self.fail_with(2, "resume", parts, "--set", "output.mean_field_spacing=0.01", says=["output.mean_field_spacing"])
+        self.succeed("resume", parts, "-j", 2, "-q", *until(0.4))
+        self.assert_same_results(straight, parts)
+        for index in ("results.xdmf", "mean_field.xdmf"):
+            self.assertEqual((straight / index).read_bytes(), (parts / index).read_bytes())
+
+    def test_a_run_in_three_dimensions_that_is_killed_can_be_resumed(self):
+        straight = self.run_space("straight", 1.0)
+        folder = self.folder / "killed"
+        process = start("run", self.space_case(), "-o", folder, "-j", 1, *until(1.0), *every(checkpoint=0.02))
+        wait_for((folder / "checkpoint-previous.h5").exists, "the second checkpoint")
+        time.sleep(self.random.uniform(0.0, 0.5))
+        process.kill()
+        process.communicate()
+        self.assertNotEqual(process.returncode, 0, "the run ended before it could be killed")
+        self.succeed("resume", folder, "-j", 1, "-q", "--set", "output.checkpoint_interval=60")
+        self.assert_same_results(straight, folder, leave_out=["/case/text"])
+
     def test_resume_of_a_complete_run_changes_nothing(self):
         folder = self.run_small("run", 0.2)
         copy = shutil.copytree(folder, self.folder / "copy")

@@ -20,10 +20,10 @@ TEST(FluidView, ReproducesALinearFieldAnywhereInDisorderedWater) {
     const Water water = Water(small_water(), 0.4)
                             .with_velocity([](double, double z) { return 0.1 + 12.0 * z; },
                                            [](double, double z) { return 0.02 - 0.5 * z; });
-    const FluidView view = water.view();
+    const FluidViewIn<2> view = water.view();
     for (const double x : {0.0, 0.0137, 0.05, 0.0999}) {
         for (const double z : {0.0011, 0.005, 0.0203, 0.036, 0.0392}) {
-            const auto v = view.velocity_at(x, z);
+            const auto v = view.velocity_at({x, 0.0, z});
             EXPECT_NEAR(v.u, 0.1 + 12.0 * z, 1e-12) << x << ", " << z;
             EXPECT_NEAR(v.w, 0.02 - 0.5 * z, 1e-12) << x << ", " << z;
         }
@@ -34,9 +34,9 @@ TEST(FluidView, ReproducesALinearFieldAlongTheChannelAwayFromItsEnds) {
     const Water water = Water(small_water(), 0.4)
                             .with_velocity([](double x, double z) { return 3.0 * x - 2.0 * z; },
                                            [](double x, double) { return 0.5 * x; });
-    const FluidView view = water.view();
+    const FluidViewIn<2> view = water.view();
     for (const double x : {0.02, 0.0431, 0.08}) {
-        const auto v = view.velocity_at(x, 0.0123);
+        const auto v = view.velocity_at({x, 0.0, 0.0123});
         EXPECT_NEAR(v.u, 3.0 * x - 2.0 * 0.0123, 1e-12);
         EXPECT_NEAR(v.w, 0.5 * x, 1e-12);
     }
@@ -51,28 +51,28 @@ TEST(FluidView, SmoothsACurvedFieldByTheKernelsSecondMoment) {
             .with_velocity([=](double, double z) { return c * z * z; }, [](double, double) { return 0.0; });
     const double z = 0.0203;
     const double moment = 5.0 / 18.0 * water.h * water.h;
-    EXPECT_NEAR(water.view().velocity_at(0.05, z).u - c * z * z, c * moment, 0.1 * c * moment);
+    EXPECT_NEAR(water.view().velocity_at({0.05, 0.0, z}).u - c * z * z, c * moment, 0.1 * c * moment);
 }
 
 TEST(FluidView, ReadsUniformFlowAndItsPeriodicImages) {
     const Water water =
         Water(small_water(), 0.3)
             .with_velocity([](double, double) { return 0.35; }, [](double, double) { return 0.0; });
-    const FluidView view = water.view();
-    EXPECT_NEAR(view.velocity_at(0.0, 0.02).u, 0.35, 1e-14);
-    EXPECT_DOUBLE_EQ(view.velocity_at(0.0, 0.02).u, view.velocity_at(0.1, 0.02).u);
-    EXPECT_NEAR(view.velocity_at(0.03, 0.02).w, 0.0, 1e-15);
+    const FluidViewIn<2> view = water.view();
+    EXPECT_NEAR(view.velocity_at({0.0, 0.0, 0.02}).u, 0.35, 1e-14);
+    EXPECT_DOUBLE_EQ(view.velocity_at({0.0, 0.0, 0.02}).u, view.velocity_at({0.1, 0.0, 0.02}).u);
+    EXPECT_NEAR(view.velocity_at({0.03, 0.0, 0.02}).w, 0.0, 1e-15);
 }
 
 TEST(FluidView, IsDryAboveTheSurface) {
     const Water water =
         Water(small_water())
             .with_velocity([](double, double) { return 1.0; }, [](double, double) { return 0.0; });
-    const FluidView view = water.view();
+    const FluidViewIn<2> view = water.view();
     // Half of the support is filled on the surface itself, to the lattice's tenth of a spacing.
-    EXPECT_TRUE(std::isfinite(view.velocity_at(0.05, 0.04 - 0.0002).u));
-    EXPECT_TRUE(std::isnan(view.velocity_at(0.05, 0.04 + 0.0002).u));
-    EXPECT_TRUE(std::isnan(view.velocity_at(0.05, 0.07).w));
+    EXPECT_TRUE(std::isfinite(view.velocity_at({0.05, 0.0, 0.04 - 0.0002}).u));
+    EXPECT_TRUE(std::isnan(view.velocity_at({0.05, 0.0, 0.04 + 0.0002}).u));
+    EXPECT_TRUE(std::isnan(view.velocity_at({0.05, 0.0, 0.07}).w));
 }
 
 TEST(FluidView, FindsNeighboursInTheShortestPeriodicChannel) {
@@ -82,7 +82,7 @@ TEST(FluidView, FindsNeighboursInTheShortestPeriodicChannel) {
     const Water water =
         Water(c).with_velocity([](double, double z) { return z; }, [](double, double) { return 0.0; });
     for (const double x : {0.0, 0.004, 0.0101, 0.0199}) {
-        EXPECT_NEAR(water.view().velocity_at(x, 0.02).u, 0.02, 1e-14);
+        EXPECT_NEAR(water.view().velocity_at({x, 0.0, 0.02}).u, 0.02, 1e-14);
         // Sums of the kernel over a lattice at h = 2 dx are 1 to 1 %.
         EXPECT_NEAR(water.view().section_at(x).depth, 0.04, 0.01 * 0.04);
     }
@@ -107,7 +107,7 @@ TEST(FluidView, FlowRateIsTheMassFlux) {
         Water(small_water(), 0.4, [](double x) { return 0.004 * std::sin(2.0 * std::numbers::pi * x / 0.1); })
             .with_velocity([](double x, double z) { return 10.0 * z + std::sin(60.0 * x); },
                            [](double, double) { return 0.1; });
-    const FluidView view = water.view();
+    const FluidViewIn<2> view = water.view();
     const int sections = 100;
     double mean = 0.0;
     for (int i = 0; i < sections; ++i) {
@@ -125,14 +125,14 @@ TEST(FluidView, FollowsASineSurface) {
     const double amplitude = 0.003;
     const auto wave = [&](double x) { return amplitude * std::sin(2.0 * std::numbers::pi * x / 0.1); };
     const Water water(small_water(), 0.0, wave);
-    std::vector<double> x;
+    std::vector<Vec<2>> x;
     for (int i = 0; i < 25; ++i) {
-        x.push_back(i * 0.004);
+        x.push_back({i * 0.004, 0.0});
     }
     const std::vector<double> elevation = water.view().surface_at(x);
     for (std::size_t i = 0; i < x.size(); ++i) {
         // The surface is found to 0.15 spacings, with the flattening of a wave of 25 h by its kernel in it.
-        EXPECT_NEAR(elevation[i], 0.04 + wave(x[i]), 0.15 * 0.002);
+        EXPECT_NEAR(elevation[i], 0.04 + wave(x[i][0]), 0.15 * 0.002);
     }
 }
 

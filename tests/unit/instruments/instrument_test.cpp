@@ -77,7 +77,7 @@ TEST(BedForce, SumsTheForcesOnTheParticles) {
     const std::vector<double> normal(n, 9.81);
     instrument->sample({.time = 0.5,
                         .streamwise_gravity = 0.04,
-                        .particles = &water.particles,
+                        .mass = water.particles.mass,
                         .drag_x = drag,
                         .wall_x = wall,
                         .wall_z = normal});
@@ -159,8 +159,8 @@ TEST(ProbeSet, SamplesAtTheFirstStepBehindEachMultiple) {
     for (int k = 0; k * step < 0.5; ++k) {
         const double time = k * step;
         if (set.due(time)) {
-            const FluidView fluid = water.view();
-            set.record({.time = time, .particles = &water.particles, .fluid = &fluid});
+            const FluidViewIn<2> fluid = water.view();
+            set.record({.time = time, .mass = water.particles.mass, .fluid = &fluid});
         }
     }
     const auto time = values_of(*set.members()[0].instrument, "time");

@@ -56,18 +56,11 @@ struct Water {
         }
         return *this;
     }
-    [[nodiscard]] FluidView view() const {
-        return {particles,
-                domain_of(parameters),
-                parameters.numerics.kernel,
-                parameters.fluid.density,
-                h,
-                parameters.output.surface_detection};
-    }
+    [[nodiscard]] FluidViewIn<2> view() const { return {parameters, particles, h}; }
     /// One sample at a time.
     void sample(Instrument& instrument, double time = 1.0) const {
-        const FluidView fluid = view();
-        instrument.sample({.time = time, .particles = &particles, .fluid = &fluid});
+        const FluidViewIn<2> fluid = view();
+        instrument.sample({.time = time, .mass = particles.mass, .fluid = &fluid});
     }
 };
 

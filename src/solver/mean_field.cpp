@@ -1,0 +1,293 @@
+#include "solver/mean_field.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "base/parallel.hpp"
+#include "particles/lattice.hpp"
+#include "solver/content.hpp"
+#include "solver/recorder.hpp"
+
+namespace riffle {
+
+namespace {
+
+constexpr std::size_t index(CellQuantity q) { return static_cast<std::size_t>(q); }
+
+/// A field of the file: how it follows from the sums of a cell.
+struct Field {
+    enum class Kind { count, mean, covariance, force };
+    const char* name;
+    const char* unit;
+    const char* long_name;
+    Kind kind;
+    CellQuantity sum;
+    CellQuantity first = CellQuantity::count;  ///< of a covariance
+    CellQuantity second = CellQuantity::count;
+};
+
+constexpr std::array<Field, 17> fields = [] {
+    using enum Field::Kind;
+    using Q = CellQuantity;
+    return std::array<Field, 17>{{
+        {"count", "1", "mean number of particles in the cell", count, Q::count},
+        {"velocity", "m/s", "mean streamwise velocity", mean, Q::u},
+        {"spanwise_velocity", "m/s", "mean spanwise velocity", mean, Q::v},
+        {"vertical_velocity", "m/s", "mean vertical velocity", mean, Q::w},
+        {"velocity_variance", "m2/s2", "mean square of u'", covariance, Q::uu, Q::u, Q::u},
+        {"spanwise_velocity_variance", "m2/s2", "mean square of v'", covariance, Q::vv, Q::v, Q::v},
+        {"vertical_velocity_variance", "m2/s2", "mean square of w'", covariance, Q::ww, Q::w, Q::w},
+        {"velocity_covariance", "m2/s2", "mean of u'w'", covariance, Q::uw, Q::u, Q::w},
+        {"velocity_spanwise_covariance", "m2/s2", "mean of u'v'", covariance, Q::uv, Q::u, Q::v},
+        {"spanwise_vertical_covariance", "m2/s2", "mean of v'w'", covariance, Q::vw, Q::v, Q::w},
+        {"shear_stress", "Pa", "stress tau_xz of viscosity and closure", mean, Q::shear_stress},
+        {"lateral_shear_stress", "Pa", "stress tau_xy of viscosity and closure", mean,
+         Q::lateral_shear_stress},
+        {"pressure", "Pa", "mean pressure", mean, Q::pressure},
+        {"eddy_viscosity", "m2/s", "mean eddy viscosity", mean, Q::eddy_viscosity},
+        {"drag", "N/m3", "streamwise force of the bed on the water, per volume", force, Q::drag_force},
+        {"spanwise_drag", "N/m3", "spanwise force of the bed on the water, per volume", force,
+         Q::spanwise_drag_force},
+        {"side_wall_drag", "N/m3", "streamwise force of the side walls' layers on the water, per volume",
+         force, Q::side_wall_force},
+    }};
+}();
+
+/// The value of a field in a cell. `sums`: of the cell; `volume`: of the cell, m3.
+double value_of(const Field& field, const double* sums, double samples, double volume) {
+    const auto sum = [&](CellQuantity q) { return sums[index(q)]; };
+    const double n = sum(CellQuantity::count);
+    const double mean_of_none = std::numeric_limits<double>::quiet_NaN();
+    switch (field.kind) {
+        case Field::Kind::count:
+            return n / samples;
+        case Field::Kind::mean:
+            return n > 0.0 ? sum(field.sum) / n : mean_of_none;
+        case Field::Kind::covariance: {
+            if (n == 0.0) {
+                return mean_of_none;
+            }
+            const double value = sum(field.sum) / n - sum(field.first) * sum(field.second) / (n * n);
+            // A mean square is none below zero; rounding may leave one there.
+            return field.first == field.second ? std::max(0.0, value) : value;
+        }
+        case Field::Kind::force:
+            return sum(field.sum) / (samples * volume);
+    }
+    return mean_of_none;
+}
+
+}  // namespace
+
+MeanField::MeanField(const Case& c) {
+    if (c.channel.dimensions == 2 || c.output.mean_field_interval <= 0.0) {
+        return;
+    }
+    interval_ = c.output.mean_field_interval;
+    const Lattice lattice = lattice_of(c);
+    const double spacing = c.output.mean_field_spacing.value_or(c.numerics.spacing);
+    const double extent[] = {c.channel.length, c.channel.simulated_width()};
+    for (std::size_t k = 0; k < 2; ++k) {
+        count_[k] = std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(extent[k] / spacing)));
+        edge_[k] = extent[k] / static_cast<double>(count_[k]);
+    }
+    count_[2] = static_cast<std::size_t>(lattice.rows);
+    edge_[2] = lattice.dz;
+    sums_.assign(cells() * cell_quantities, 0.0);
+    window_end_ = window_after(0.0);
+    new_fields_.resize(fields.size());
+}
+
+double MeanField::window_after(double time) const {
+    return (std::floor(time / interval_ + 1e-9) + 1.0) * interval_;
+}
+
+std::vector<double> MeanField::centres(std::size_t axis) const {
+    std::vector<double> centres(count_[axis]);
+    for (std::size_t i = 0; i < centres.size(); ++i) {
+        centres[i] = (static_cast<double>(i) + 0.5) * edge_[axis];
+    }
+    return centres;
+}
+
+std::vector<double> MeanField::edges(std::size_t axis) const {
+    std::vector<double> edges(count_[axis] + 1);
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        edges[i] = static_cast<double>(i) * edge_[axis];
+    }
+    return edges;
+}
+
+void MeanField::sample(const SimulationIn<3>& simulation) {
+    const Particles<3>& p = simulation.particles();
+    const ParticleFields& f = simulation.fields();
+    const std::size_t n = p.size();
+    constexpr std::size_t block = std::size_t{1} << 14U;
+    cell_.resize(n);
+    parallel_blocks(n, block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            std::size_t cell = 0;
+            for (std::size_t k = 0; k < 3; ++k) {
+                const double place =
+                    std::clamp(p.position[k][i] / edge_[k], 0.0, static_cast<double>(count_[k]) - 0.5);
+                cell = cell * count_[k] + static_cast<std::size_t>(place);
+            }
+            cell_[i] = static_cast<std::uint32_t>(cell);
+        }
+    });
+    // Sorted by slices across the channel, each of which has its own cells: the slices can be summed in
+    // parallel, and each sum has its order from that of the particles.
+    const std::size_t slice_cells = count_[1] * count_[2];
+    std::vector<std::size_t> begin_of(count_[0] + 1, 0);
+    for (std::size_t i = 0; i < n; ++i) {
+        ++begin_of[cell_[i] / slice_cells + 1];
+    }
+    std::partial_sum(begin_of.begin(), begin_of.end(), begin_of.begin());
+    order_.resize(n);
+    std::vector<std::size_t> next(begin_of.begin(), begin_of.end() - 1);
+    for (std::size_t i = 0; i < n; ++i) {
+        order_[next[cell_[i] / slice_cells]++] = static_cast<std::uint32_t>(i);
+    }
+    parallel_blocks(count_[0], 1, [&](std::size_t slice, std::size_t) {
+        for (std::size_t k = begin_of[slice]; k < begin_of[slice + 1]; ++k) {
+            const std::size_t i = order_[k];
+            double* const sums = &sums_[cell_[i] * cell_quantities];
+            const double u = p.velocity[0][i];
+            const double v = p.velocity[1][i];
+            const double w = p.velocity[2][i];
+            const double mass = p.mass[i];
+            const double added[] = {1.0,
+                                    u,
+                                    v,
+                                    w,
+                                    u * u,
+                                    v * v,
+                                    w * w,
+                                    u * w,
+                                    u * v,
+                                    v * w,
+                                    f.shear_stress[i],
+                                    f.lateral_shear_stress[i],
+                                    f.pressure[i],
+                                    f.eddy_viscosity[i],
+                                    mass * f.drag_acceleration_x[i],
+                                    mass * f.drag_acceleration_y[i],
+                                    mass * f.side_wall_acceleration_x[i]};
+            static_assert(std::size(added) == cell_quantities);
+            for (std::size_t q = 0; q < cell_quantities; ++q) {
+                sums[q] += added[q];
+            }
+        }
+    });
+    samples_ += 1.0;
+    if (simulation.clock().time >= window_end_) {
+        finish_window();
+        window_end_ = window_after(simulation.clock().time);
+    }
+}
+
+void MeanField::finish_window() {
+    const double volume = edge_[0] * edge_[1] * edge_[2];
+    const auto [nx, ny, nz] = count_;
+    for (std::vector<float>& values : new_fields_) {
+        values.resize(values.size() + cells());
+    }
+    parallel_blocks(nz, 1, [&](std::size_t iz, std::size_t) {
+        for (std::size_t iy = 0; iy < ny; ++iy) {
+            for (std::size_t ix = 0; ix < nx; ++ix) {
+                const double* const sums = &sums_[((ix * ny + iy) * nz + iz) * cell_quantities];
+                const std::size_t place = (iz * ny + iy) * nx + ix;
+                for (std::size_t k = 0; k < fields.size(); ++k) {
+                    std::vector<float>& values = new_fields_[k];
+                    values[values.size() - cells() + place] =
+                        static_cast<float>(value_of(fields[k], sums, samples_, volume));
+                }
+            }
+        }
+    });
+    ends_.push_back(window_end_);
+    new_samples_.push_back(samples_);
+    samples_ = 0.0;
+    std::fill(sums_.begin(), sums_.end(), 0.0);
+}
+
+std::size_t MeanField::row_bytes() const { return on() ? cells() * fields.size() * sizeof(float) + 16 : 0; }
+
+std::size_t MeanField::pending_bytes() const { return new_samples_.size() * row_bytes(); }
+
+Content MeanField::take_new_rows() {
+    Content content;
+    if (!on()) {
+        return content;
+    }
+    const std::size_t rows = new_samples_.size();
+    const auto add = [&](const std::string& name, std::vector<std::size_t> shape, auto values,
+                         const char* unit, const char* long_name) {
+        content.datasets.push_back({.path = "/mean_field/" + name,
+                                    .shape = std::move(shape),
+                                    .values = std::move(values),
+                                    .unit = unit,
+                                    .long_name = long_name,
+                                    .append = true});
+    };
+    const auto first_new = ends_.begin() + static_cast<std::ptrdiff_t>(taken_);
+    add("time", {rows}, std::vector<double>(first_new, ends_.end()), "s", "end of the averaging window");
+    add("samples", {rows}, std::exchange(new_samples_, {}), "1", "samples in the window");
+    for (std::size_t k = 0; k < fields.size(); ++k) {
+        add(fields[k].name, {rows, count_[2], count_[1], count_[0]}, std::exchange(new_fields_[k], {}),
+            fields[k].unit, fields[k].long_name);
+    }
+    if (taken_ == 0) {
+        add_array(content, "/mean_field/x", centres(0), "m", "distance along the channel, cell centres");
+        add_array(content, "/mean_field/y", centres(1), "m", "distance across the channel, cell centres");
+        add_array(content, "/mean_field/z", centres(2), "m", "height above the bed level, cell centres");
+    }
+    taken_ += rows;
+    return content;
+}
+
+void MeanField::add_rows(std::map<std::string, std::size_t>& rows) const {
+    if (on()) {
+        rows["/mean_field/time"] = taken_;
+        rows["/mean_field/samples"] = taken_;
+        for (const Field& field : fields) {
+            rows[std::string("/mean_field/") + field.name] = taken_;
+        }
+    }
+}
+
+void MeanField::save(Content& checkpoint) const {
+    if (on()) {
+        add_array(checkpoint, "/recorder/mean_field", {window_end_, samples_}, "1",
+                  "end and samples of the window that is being averaged");
+        add_array(checkpoint, "/recorder/mean_field_sums", sums_, "1", "its sums, by cell and quantity");
+        add_array(checkpoint, "/recorder/mean_field_ends", ends_, "s", "ends of the windows so far");
+    }
+}
+
+void MeanField::restore(const Content& checkpoint) {
+    if (on()) {
+        const auto doubles = [&](const char* path) {
+            return std::get<std::vector<double>>(checkpoint_dataset(checkpoint, path).values);
+        };
+        const std::vector<double> window = doubles("/recorder/mean_field");
+        window_end_ = window.at(0);
+        samples_ = window.at(1);
+        sums_ = doubles("/recorder/mean_field_sums");
+        ends_ = doubles("/recorder/mean_field_ends");
+        taken_ = ends_.size();
+    }
+}
+
+std::vector<std::string> MeanField::field_names() {
+    std::vector<std::string> names;
+    for (const Field& field : fields) {
+        names.emplace_back(field.name);
+    }
+    return names;
+}
+
+}  // namespace riffle

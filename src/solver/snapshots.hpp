@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "case/case.hpp"
+#include "output/dataset.hpp"
+#include "output/xdmf.hpp"
+#include "solver/simulation.hpp"
+
+namespace riffle {
+
+/// Snapshots of the particles: those fields, of that part of the water, that [output] asks for.
+class SnapshotRecorder {
+  public:
+    explicit SnapshotRecorder(const Case& c);
+
+    /// Add a snapshot of the present state.
+    template <int D>
+    void record(const SimulationIn<D>& simulation);
+
+    /// The snapshots so far, and what each holds, for their index.
+    [[nodiscard]] const std::vector<SnapshotEntry>& entries() const { return entries_; }
+    [[nodiscard]] std::vector<SnapshotField> fields() const;
+    /// Bytes that each particle of a snapshot takes.
+    [[nodiscard]] std::size_t bytes_per_particle() const;
+
+    /// Bytes recorded since the last take().
+    [[nodiscard]] std::size_t pending_bytes() const { return new_bytes_; }
+    /// What was recorded since the last call.
+    [[nodiscard]] Content take();
+
+    void save(Content& checkpoint) const;
+    void restore(const Content& checkpoint);
+
+  private:
+    struct Range {
+        double from, to;
+    };
+    template <int D>
+    [[nodiscard]] std::vector<std::size_t> chosen(const Particles<D>& particles) const;
+    [[nodiscard]] bool has(const char* field) const;
+    /// The snapshot that has the list of points for one with so many particles: the first such one.
+    [[nodiscard]] std::size_t points_in(std::size_t particles) const;
+
+    Case case_;
+    std::vector<std::string> chosen_fields_;
+    std::vector<SnapshotEntry> entries_;
+    Content new_;
+    std::size_t new_bytes_ = 0;
+};
+
+}  // namespace riffle

@@ -1,0 +1,245 @@
+// What is recorded of a run in three dimensions: sums that lose no particle and depend on nothing but the
+// flow.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "base/parallel.hpp"
+#include "output/results_file.hpp"
+#include "small_case.hpp"
+#include "solver/mean_field.hpp"
+#include "solver/profile_blocks.hpp"
+#include "solver/series.hpp"
+#include "solver/snapshots.hpp"
+
+namespace riffle {
+namespace {
+
+using Space = test::ChannelIn<3>;
+
+Case space_case() {
+    Case c = test::small_channel(3);
+    c.channel.dimensions = 3;
+    c.start.jitter = 0.2;
+    c.output.mean_field_interval = 1.0;
+    return c;
+}
+
+double sum_of(const MeanField& field, CellQuantity quantity) {
+    double sum = 0.0;
+    for (std::size_t cell = 0; cell < field.cells(); ++cell) {
+        sum += field.sums()[cell * cell_quantities + static_cast<std::size_t>(quantity)];
+    }
+    return sum;
+}
+
+double sum_of(const ProfileBlock& block, LayerQuantity quantity) {
+    double sum = 0.0;
+    for (std::size_t k = static_cast<std::size_t>(quantity); k < block.sums.size();
+         k += profile_quantities(3)) {
+        sum += block.sums[k];
+    }
+    return sum;
+}
+
+const std::vector<float>& floats(const Content& content, const std::string& path) {
+    for (const Dataset& dataset : content.datasets) {
+        if (dataset.path == path) {
+            return std::get<std::vector<float>>(dataset.values);
+        }
+    }
+    throw std::logic_error("no " + path);
+}
+
+TEST(MeanFieldSums, AreThoseOfTheLayersAndOfAllParticles) {
+    const Case c = space_case();
+    const Space channel(c);
+    channel.advance(30);
+    MeanField field(c);
+    ProfileSampler profiles(c, &channel.column);
+    field.sample(*channel.simulation);
+    profiles.sample(*channel.simulation);
+    const Particles<3>& p = channel.simulation->particles();
+    const ProfileBlock& block = profiles.current();
+    // Each particle is in one cell; sums of the same terms in another order.
+    EXPECT_EQ(sum_of(field, CellQuantity::count), static_cast<double>(p.size()));
+    EXPECT_EQ(sum_of(block, LayerQuantity::count), static_cast<double>(p.size()));
+    const auto total = [&](auto value) {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < p.size(); ++i) {
+            sum += value(i);
+        }
+        return sum;
+    };
+    const auto& [u, v, w] = p.velocity;
+    const double scale = 1e-12 * static_cast<double>(p.size());
+    EXPECT_NEAR(sum_of(field, CellQuantity::u), total([&](auto i) { return u[i]; }), scale);
+    EXPECT_NEAR(sum_of(field, CellQuantity::uv), total([&](auto i) { return u[i] * v[i]; }), scale);
+    EXPECT_NEAR(sum_of(field, CellQuantity::vw), sum_of(block, LayerQuantity::vw), scale);
+    EXPECT_NEAR(sum_of(field, CellQuantity::ww), sum_of(block, LayerQuantity::ww), scale);
+    EXPECT_NEAR(sum_of(field, CellQuantity::drag_force), sum_of(block, LayerQuantity::drag_force), scale);
+    EXPECT_NEAR(sum_of(field, CellQuantity::pressure), sum_of(block, LayerQuantity::pressure), 1e3 * scale);
+    EXPECT_GT(std::abs(sum_of(field, CellQuantity::drag_force)), 1e-4);
+    // A row of cells is a layer.
+    for (std::size_t layer = 0; layer < profiles.layers(); ++layer) {
+        double count = 0.0;
+        for (std::size_t cell = layer; cell < field.cells(); cell += profiles.layers()) {
+            count += field.sums()[cell * cell_quantities];
+        }
+        EXPECT_EQ(count, block.sums[layer * profile_quantities(3)]);
+    }
+}
+
+TEST(MeanFieldSums, AreTheSameBitsForAnyNumberOfThreads) {
+    const auto sums_with = [](int threads) {
+        set_thread_count(1);
+        const Space channel(space_case());
+        channel.advance(20);
+        set_thread_count(threads);
+        MeanField field(channel.parameters);
+        ProfileSampler profiles(channel.parameters, &channel.column);
+        TimeSeries series(channel.parameters);
+        for (int k = 0; k < 3; ++k) {
+            channel.advance(1);
+            field.sample(*channel.simulation);
+            profiles.sample(*channel.simulation);
+            series.sample(*channel.simulation, 0.05);
+        }
+        set_thread_count(0);
+        std::vector<double> all = field.sums();
+        all.insert(all.end(), profiles.current().sums.begin(), profiles.current().sums.end());
+        for (const SeriesColumn& column : series.columns()) {
+            all.insert(all.end(), column.values.begin(), column.values.end());
+        }
+        return all;
+    };
+    const std::vector<double> one = sums_with(1);
+    EXPECT_EQ(one, sums_with(2));
+    EXPECT_EQ(one, sums_with(3));
+}
+
+TEST(MeanFieldWindows, GoOnFromACheckpoint) {
+    Case c = space_case();
+    const Space channel(c);
+    channel.advance(1);
+    // A window of some ten steps.
+    c.output.mean_field_interval = 10.5 * channel.simulation->clock().time;
+    MeanField straight(c);
+    MeanField first(c);
+    MeanField second(c);
+    Content before;
+    Content after;
+    for (int k = 0; k < 25; ++k) {
+        channel.advance(1);
+        straight.sample(*channel.simulation);
+        (k < 14 ? first : second).sample(*channel.simulation);
+        if (k == 13) {
+            before = first.take_new_rows();
+            Content checkpoint;
+            first.save(checkpoint);
+            second.restore(checkpoint);
+        }
+    }
+    const Content all = straight.take_new_rows();
+    after = second.take_new_rows();
+    EXPECT_EQ(straight.window_ends(), second.window_ends());
+    ASSERT_GE(straight.window_ends().size(), 2U);
+    EXPECT_EQ(straight.sums(), second.sums());
+    for (const std::string& name : MeanField::field_names()) {
+        std::vector<float> parts = floats(before, "/mean_field/" + name);
+        const std::vector<float>& rest = floats(after, "/mean_field/" + name);
+        parts.insert(parts.end(), rest.begin(), rest.end());
+        const std::vector<float>& whole = floats(all, "/mean_field/" + name);
+        ASSERT_EQ(parts.size(), whole.size());
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            EXPECT_TRUE(parts[i] == whole[i] || (std::isnan(parts[i]) && std::isnan(whole[i]))) << name;
+        }
+    }
+}
+
+TEST(MeanFieldWindows, HoldTheMeansOfTheirCells) {
+    Case c = space_case();
+    c.output.mean_field_spacing = 1.0;  // one cell for each row
+    const Space channel(c);
+    c.output.mean_field_interval = 1e-9;  // each sample is a window
+    MeanField field(c);
+    ProfileSampler profiles(c, &channel.column);
+    channel.advance(5);
+    field.sample(*channel.simulation);
+    profiles.sample(*channel.simulation);
+    const Content rows = field.take_new_rows();
+    EXPECT_EQ(field.cells(), profiles.layers());
+    const double volume =
+        c.channel.length * c.channel.width * c.total_depth() / static_cast<double>(profiles.layers());
+    for (std::size_t layer = 0; layer < profiles.layers(); ++layer) {
+        const double* sums = &profiles.current().sums[layer * profile_quantities(3)];
+        const auto mean = [&](LayerQuantity q) { return sums[static_cast<std::size_t>(q)] / sums[0]; };
+        const double u = mean(LayerQuantity::u);
+        const double v = mean(LayerQuantity::v);
+        EXPECT_FLOAT_EQ(floats(rows, "/mean_field/count")[layer], static_cast<float>(sums[0]));
+        EXPECT_FLOAT_EQ(floats(rows, "/mean_field/velocity")[layer], static_cast<float>(u));
+        EXPECT_FLOAT_EQ(floats(rows, "/mean_field/spanwise_velocity")[layer], static_cast<float>(v));
+        EXPECT_NEAR(floats(rows, "/mean_field/velocity_spanwise_covariance")[layer],
+                    mean(LayerQuantity::uv) - u * v, 1e-9);
+        EXPECT_NEAR(floats(rows, "/mean_field/drag")[layer],
+                    sums[static_cast<std::size_t>(LayerQuantity::drag_force)] / volume, 1e-4);
+    }
+}
+
+TEST(SeriesInSpace, KnowTheSecondaryFlowAndTheCentreline) {
+    const Space channel(space_case());
+    channel.advance(10);
+    TimeSeries series(channel.parameters);
+    series.sample(*channel.simulation, channel.parameters.total_depth());
+    const Particles<3>& p = channel.simulation->particles();
+    double squares = 0.0;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        squares += p.velocity[1][i] * p.velocity[1][i] + p.velocity[2][i] * p.velocity[2][i];
+    }
+    EXPECT_NEAR(series.last("secondary_velocity"), std::sqrt(squares / static_cast<double>(p.size())), 1e-12);
+    // The strip of half a lattice period to each side is wider than this channel.
+    EXPECT_NEAR(series.last("centreline_velocity"), series.last("depth_mean_velocity"), 1e-12);
+    EXPECT_EQ(series.last("side_wall_over_gravity"), 0.0);
+    Case half = space_case();
+    EXPECT_DOUBLE_EQ(centreline_half_strip(half), 0.5 * std::sqrt(3.0) * half.bed.sphere_diameter);
+    half.bed.kind = BedKind::no_slip;
+    EXPECT_DOUBLE_EQ(centreline_half_strip(half), 0.05 * half.channel.width);
+}
+
+TEST(Snapshots, HoldTheChosenFieldsOfTheChosenParticles) {
+    Case c = space_case();
+    c.output.snapshot_fields = "pressure";
+    c.output.snapshot_y = {0.01, 0.02};
+    c.output.snapshot_z = {0.0, 0.03};
+    const Space channel(c);
+    channel.advance(2);
+    SnapshotRecorder snapshots(c);
+    snapshots.record(*channel.simulation);
+    const std::size_t n = snapshots.entries().front().particles;
+    const Content content = snapshots.take();
+    const std::vector<float>& position = floats(content, snapshot_group(0) + "/position");
+    ASSERT_EQ(position.size(), 3 * n);
+    for (std::size_t i = 0; i < n; ++i) {
+        EXPECT_GE(position[3 * i + 1], 0.00999F);
+        EXPECT_LE(position[3 * i + 1], 0.02001F);
+        EXPECT_LE(position[3 * i + 2], 0.03001F);
+    }
+    const Particles<3>& p = channel.simulation->particles();
+    std::size_t expected = 0;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        const auto& [x, y, z] = p.position;
+        expected += y[i] >= 0.01 && y[i] <= 0.02 && z[i] >= 0.0 && z[i] <= 0.03 ? 1 : 0;
+    }
+    EXPECT_EQ(n, expected);
+    EXPECT_GT(n, 0U);
+    EXPECT_EQ(floats(content, snapshot_group(0) + "/pressure").size(), n);
+    EXPECT_THROW((void)floats(content, snapshot_group(0) + "/velocity"), std::logic_error);
+    EXPECT_EQ(snapshots.bytes_per_particle(), 4U * (3 + 1 + 1));
+}
+
+}  // namespace
+}  // namespace riffle
