@@ -88,22 +88,41 @@ WallParticles<2> wall_particles<2>(const Case& c) {
 template <>
 WallParticles<3> wall_particles<3>(const Case& c) {
     const Lattice lattice = lattice_of(c);
+    const int layers = c.numerics.wall_layers;
+    const bool closed = c.channel.sides != Sides::periodic;
+    const double width = c.channel.simulated_width();
     WallParticles<3> wall;
-    for (int layer = 0; layer < c.numerics.wall_layers; ++layer) {
-        const double behind = (layer + 0.5) * lattice.dz;
-        for (int column = 0; column < lattice.columns; ++column) {
-            for (int file = 0; file < lattice.files; ++file) {
-                wall.position[0].push_back(lattice.x(column, -1 - layer));
-                wall.position[1].push_back(lattice.y(file));
-                wall.position[2].push_back(-behind);
-                wall.volume.push_back(lattice.volume<3>());
-                for (std::size_t k = 0; k < 9; ++k) {
-                    wall.projector[k].push_back(k == 8 ? 1.0 : 0.0);
-                }
-                for (std::size_t k = 0; k < 3; ++k) {
-                    wall.normal[k].push_back(k == 2 ? 1.0 : 0.0);
-                }
-                wall.depth.push_back(behind);
+    const auto add = [&](int column, int file, int row, const Vec<3>& n, double depth) {
+        const Vec<3> x{lattice.x(column, row), lattice.y(file), lattice.z(row)};
+        const bool corner = n[1] == 0.0 && n[2] == 0.0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            wall.position[k].push_back(x[k]);
+            wall.normal[k].push_back(n[k]);
+            for (std::size_t l = 0; l < 3; ++l) {
+                // In the edge between bed and side wall all motion but that along the channel.
+                const double within = k == l && k != 0 ? 1.0 : 0.0;
+                wall.projector[3 * k + l].push_back(corner ? within : n[k] * n[l]);
+            }
+        }
+        wall.volume.push_back(lattice.volume<3>());
+        wall.depth.push_back(depth);
+    };
+    const int beyond = closed ? layers : 0;
+    // Side walls stand half a depth above the still water, as end walls do.
+    const int top = lattice.rows + lattice.rows / 2;
+    for (int column = 0; column < lattice.columns; ++column) {
+        for (int file = -beyond; file < lattice.files + beyond; ++file) {
+            const bool side = file < 0 || file >= lattice.files;
+            for (int layer = 0; layer < layers; ++layer) {
+                add(column, file, -1 - layer, side ? Vec<3>{} : Vec<3>{0.0, 0.0, 1.0},
+                    (layer + 0.5) * lattice.dz);
+            }
+            if (!side) {
+                continue;
+            }
+            const double y = lattice.y(file);
+            for (int row = 0; row < top; ++row) {
+                add(column, file, row, {0.0, file < 0 ? 1.0 : -1.0, 0.0}, file < 0 ? -y : y - width);
             }
         }
     }

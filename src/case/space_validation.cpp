@@ -81,6 +81,13 @@ class SpaceValidation {
         refuse(c.start.kind == StartKind::standing_wave || c.start.kind == StartKind::taylor_green,
                "start.kind", word(c.start.kind), R"("column", "section", "uniform", "power-law" or "rest")");
         refuse(c.numerics.wall == WallKind::dynamic, "numerics.wall", word(c.numerics.wall), "\"dummy\"");
+        refuse(c.turbulence.closure == ClosureKind::czernuszenko_rylov &&
+                   c.turbulence.spanwise_ratio != 1.0 &&
+                   c.numerics.viscosity == ViscosityForm::monaghan_gingold &&
+                   c.numerics.eddy_stress == EddyStress::two_point,
+               "numerics.viscosity", word(c.numerics.viscosity),
+               "\"morris\", which can weigh the pairs by their direction as czernuszenko-rylov needs it, or "
+               "spanwise_ratio = 1");
         refuse(c.turbulence.stress_terms == StressTerms::shear, "turbulence.stress_terms",
                word(c.turbulence.stress_terms), "\"full\"");
     }
@@ -151,6 +158,12 @@ class SpaceValidation {
     }
 
     void check_side_walls() {
+        if (c_.bed.kind != BedKind::spheres) {
+            add({"side_walls.drag_form", "bed.kind"},
+                "[side_walls] drag_form: the drag of the side walls follows from that of the bed's spheres, "
+                "and this bed is smooth; choose drag_form = \"none\"");
+            return;
+        }
         const double layer = c_.side_layer();
         if (layer <= 0.0) {
             add({"side_walls.layer", "bed.roughness_height"},

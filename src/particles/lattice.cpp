@@ -16,8 +16,9 @@ Lattice lattice_of(const Case& c) {
     lattice.rows = std::max(1, static_cast<int>(std::lround(c.total_depth() * ratio / spacing)));
     lattice.dx = c.channel.length / lattice.columns;
     lattice.dz = c.total_depth() / lattice.rows;
-    lattice.files = std::max(1, static_cast<int>(std::lround(c.channel.width / spacing)));
-    lattice.dy = c.channel.width / lattice.files;
+    const double width = c.channel.simulated_width();
+    lattice.files = std::max(1, static_cast<int>(std::lround(width / spacing)));
+    lattice.dy = width / lattice.files;
     return lattice;
 }
 
@@ -35,7 +36,7 @@ Domain<D> domain_of(const Case& c) {
     };
     set(0, c.channel.ends == Ends::periodic, c.channel.length);
     if constexpr (D == 3) {
-        set(1, true, c.channel.width);
+        set(1, c.channel.sides == Sides::periodic, c.channel.simulated_width());
     }
     set(D - 1, c.channel.top == Top::periodic, depth);
     return domain;

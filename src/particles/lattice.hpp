@@ -34,8 +34,7 @@ struct Lattice {
 };
 [[nodiscard]] Lattice lattice_of(const Case& c);
 
-/// Domain of a case: periodic axes as the case says (across the channel always, for now), margins for the
-/// walls and for the moving surface.
+/// Domain of a case: periodic axes as the case says, margins for the walls and for the moving surface.
 template <int D = 2>
 [[nodiscard]] Domain<D> domain_of(const Case& c);
 

@@ -42,7 +42,8 @@ struct WallParticles {
     std::array<std::vector<double>, static_cast<std::size_t>(D)> position;
     std::vector<double> volume;
     /// Symmetric matrix P per particle (row-major, D x D): the part of the fluid's velocity relative to the
-    /// wall that counts in the continuity equation; n n^T on a flat wall, the identity in a corner.
+    /// wall that counts in the continuity equation; n n^T on a flat wall, in a corner
+    /// the identity, in an edge along the channel diag(0, 1, 1).
     std::array<std::vector<double>, static_cast<std::size_t>(D* D)> projector;
     std::array<std::vector<double>, static_cast<std::size_t>(D)>
         normal;                 ///< into the fluid; zero in a corner

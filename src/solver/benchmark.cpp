@@ -30,6 +30,10 @@ Case workload_case(const Workload& workload) {
         c.numerics.velocity_gradient = VelocityGradient::plain;
         c.turbulence.closure = ClosureKind::none;
     }
+    if (workload.scheme == "spheres") {
+        c.channel.dimensions = 3;
+        c.turbulence.closure = ClosureKind::czernuszenko_rylov;
+    }
     return c;
 }
 
@@ -131,10 +135,12 @@ std::vector<Workload> standard_workloads() {
     space("channel-3d-1m", 0.4, 0.36);
     space("channel-3d-8m", 1.16, 0.98);
     std::vector<Workload> all;
-    for (const char* scheme : {"plain", "default"}) {
+    for (const char* scheme : {"plain", "default", "spheres"}) {
         for (Workload w : workloads) {
             w.scheme = scheme;
-            all.push_back(w);
+            if (w.dimensions == 3 || w.scheme != "spheres") {
+                all.push_back(w);
+            }
         }
     }
     return all;
@@ -154,7 +160,9 @@ double workload_memory(const Workload& workload) {
 }
 
 double BenchmarkResult::useful_rate() const {
-    return 1e-9 * pairs_per_second() * pair_operations(workload.dimensions, workload.scheme != "plain").sum();
+    return 1e-9 * pairs_per_second() *
+           pair_operations(workload.dimensions, workload.scheme != "plain", workload.scheme == "spheres")
+               .sum();
 }
 
 BenchmarkResult run_benchmark(const Workload& workload, int threads, int repetitions, double seconds) {

@@ -10,8 +10,10 @@ namespace riffle {
 
 /// A standard workload of `riffle bench`.
 struct Workload {
-    std::string name;    ///< e.g. "channel-2d-5k"
-    std::string scheme;  ///< "default": closure and corrected pressure; "plain": laminar, symmetric pressure
+    std::string name;  ///< e.g. "channel-2d-5k"
+    std::string
+        scheme;  ///< "default": closure and corrected pressure; "plain": laminar, symmetric pressure;
+                 ///< "spheres", in 3D: the closure of Czernuszenko & Rylov over spheres at their places
     int dimensions = 2;
     double spacing = 0.0;  ///< m
     double length = 0.0;   ///< m

@@ -3,11 +3,28 @@
 #include <cmath>
 
 #include "sph/pair_terms.hpp"
+#include "turbulence/closure.hpp"
+#include "turbulence/czernuszenko_rylov.hpp"
 
 namespace riffle {
 
 bool needs_gradients(const Case& c) {
     return c.turbulence.closure != ClosureKind::none || c.numerics.pressure_form == PressureForm::corrected;
+}
+
+namespace {
+
+/// l_y/l_x of the closure of a case.
+double spanwise_ratio(const Case& c) {
+    const auto closure = make_closure(c);
+    return closure && c.channel.dimensions == 3 ? closure->spanwise_ratio() : 1.0;
+}
+
+}  // namespace
+
+bool has_directional_viscosity(const Case& c) {
+    return spanwise_ratio(c) != 1.0 && c.numerics.eddy_stress == EddyStress::two_point &&
+           c.numerics.viscosity == ViscosityForm::morris;
 }
 
 template <int D>
@@ -31,6 +48,13 @@ PairConstants<D, Real> pair_constants(const Case& c, const Scheme& scheme, const
     constants.hydrostatic_gradient = static_cast<Real>(scheme.normal_gravity / (c0 * c0));
     constants.correct_pressure = c.numerics.pressure_form == PressureForm::corrected;
     constants.correct_gradient = c.numerics.velocity_gradient == VelocityGradient::corrected;
+    if (has_directional_viscosity(c)) {
+        const auto weights = pair_direction_weights(static_cast<Real>(spanwise_ratio(c)));
+        constants.directional = {.slope = weights.slope,
+                                 .level = weights.level,
+                                 .level_across = weights.level_across,
+                                 .molecular = static_cast<Real>(2.0 * scheme.viscosity)};
+    }
     return constants;
 }
 
@@ -48,6 +72,16 @@ ParticleData<D> particle_constants(const Case& c, const Scheme& scheme, const Do
     data.closure = c.turbulence.closure != ClosureKind::none;
     data.two_point = !data.closure || c.numerics.eddy_stress == EddyStress::two_point;
     data.shear_only = c.turbulence.stress_terms == StressTerms::shear;
+    if constexpr (D == 3) {
+        data.shear_weight_across = stress_weight(false, true, spanwise_ratio(c));
+        data.normal_weight_across = stress_weight(true, true, spanwise_ratio(c));
+        if (c.has_side_walls() && c.side_walls.drag_form != SideDragForm::none) {
+            data.layer_below = c.side_layer();
+            if (c.channel.sides == Sides::walls) {
+                data.layer_above = c.channel.width - c.side_layer();
+            }
+        }
+    }
     return data;
 }
 

@@ -12,6 +12,10 @@ namespace riffle {
 /// Whether the velocity gradient and the correction matrix enter the equations of a case.
 [[nodiscard]] bool needs_gradients(const Case& c);
 
+/// Whether the two-point viscosity weighs the pairs by their direction: the closure's mixing length is
+/// another across the channel, and acts through the pairs.
+[[nodiscard]] bool has_directional_viscosity(const Case& c);
+
 /// Reach of the neighbour lists, m.
 template <int D>
 [[nodiscard]] double list_reach(const Case& c, const Scheme& scheme);

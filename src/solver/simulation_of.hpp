@@ -86,10 +86,21 @@ class SimulationOf final : public SimulationIn<D> {
     void wet_wall(std::size_t slot, std::size_t particle, double pressure);
     void gather_motion(double step);
     void advance_predictor_corrector(Task& task, std::size_t begin, std::size_t end, double step);
-    void measure_stirring();
-    void add_stirring(Task& task, std::size_t begin, std::size_t end) const;
     void keep_stress_fields(const Task& task, std::size_t begin, std::size_t end);
     void keep_force_fields(const Task& task, std::size_t begin, std::size_t end);
+
+    // Forcing (simulation_forcing.cpp).
+    void measure_stirring();
+    [[nodiscard]] Vec<D> stirring_at(std::size_t particle) const;
+    void add_stirring(Task& task, std::size_t begin, std::size_t end) const;
+    /// Coefficients of the bed's drag at the particles of a block, and at one.
+    void find_drag(Task& task, std::size_t begin, std::size_t end) const;
+    [[nodiscard]] double bed_drag_at(std::size_t particle) const;
+    /// Explicit drags on a particle (predictor-corrector), added to `a`.
+    void add_drags(Task& task, std::size_t lane, std::size_t particle, Vec<D>& a) const;
+    /// The coefficient of the side walls' drag from the sums of AdvanceResult, and from the particles.
+    void set_side_drag(double bed_drag, double side_layer);
+    void measure_side_drag();
 
     // Filters (simulation_filters.cpp).
     void filter_density();
@@ -153,8 +164,10 @@ class SimulationOf final : public SimulationIn<D> {
     WallLaw wall_law_;
     std::unique_ptr<const Closure> closure_;
     std::unique_ptr<const BedDrag> drag_;
-    Stirring2D stirring_;
-    double stirring_mean_ = 0.0;  ///< streamwise mean of the stirring over the particles, m/s2
+    bool side_drag_ = false;      ///< side walls with drag
+    double wall_over_bed_ = 0.0;  ///< force on each side wall over that on the bed; 0: a fixed coefficient
+    StirringIn<D> stirring_;
+    Vec<D> stirring_mean_{};  ///< of the horizontal components over the particles, m/s2
     Domain<D> domain_;
     FixedPoint<D> fixed_point_;
     PairLoops<D, Real> loops_;

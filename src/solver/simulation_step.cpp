@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "particles/lattice.hpp"
+#include "roughness/side_wall_partition.hpp"
 #include "solver/pair_setup.hpp"
 #include "solver/simulation_of.hpp"
 
@@ -29,8 +30,10 @@ SimulationOf<D, Real>::SimulationOf(const Case& c, const ColumnResult* column, P
       stirring_(c, c.stirring.celerity.value_or(column != nullptr ? column->total_mean_velocity : 0.0)),
       domain_(domain_of<D>(c)),
       fixed_point_(domain_),
-      loops_(pair_loops<D, Real>(
-          {.kernel = c.numerics.kernel, .viscosity = c.numerics.viscosity, .gradients = needs_gradients(c)})),
+      loops_(pair_loops<D, Real>({.kernel = c.numerics.kernel,
+                                  .viscosity = c.numerics.viscosity,
+                                  .gradients = needs_gradients(c),
+                                  .directional = has_directional_viscosity(c)})),
       particle_loops_(particle_loops<D, Real>()),
       column_width_(cluster_column_spacings(D) * c.numerics.spacing),
       predictor_corrector_(c.numerics.stepping == Stepping::predictor_corrector) {
@@ -44,6 +47,15 @@ SimulationOf<D, Real>::SimulationOf(const Case& c, const ColumnResult* column, P
     data_.constants = pair_constants<D, Real>(c, scheme_, fixed_point_);
     particle_data_ = particle_constants<D>(c, scheme_, domain_);
     refer_to_particles();
+    if (D == 3 && c.has_side_walls() && c.side_walls.drag_form != SideDragForm::none) {
+        side_drag_ = true;
+        if (c.side_walls.drag_form == SideDragForm::thesis) {
+            clock_.side_wall_drag_coefficient = printed_side_wall_coefficient(c);
+        } else if (drag_) {
+            wall_over_bed_ = side_wall_partition(c).wall_over_bed;
+            measure_side_drag();
+        }
+    }
 
     check_state();
     make_walls();

@@ -95,6 +95,16 @@ void SimulationOf<D, Real>::evaluate_gradients(Task& task, std::size_t begin, st
     if (closure_) {
         at_heights(begin, end, task.particles.mixing_length,
                    [&](auto z, auto result) { closure_->mixing_lengths(z, result); });
+        if constexpr (D == 3) {
+            if (closure_->varies_across()) {
+                for_clusters(begin, end, [&](std::size_t first, std::size_t last, std::size_t lane) {
+                    for (std::size_t i = first; i < last; ++i) {
+                        task.particles.mixing_length[lane + (i - first)] *=
+                            closure_->side_factor(particles_.position[1][i]);
+                    }
+                });
+            }
+        }
     }
     particle_loops_.stress(particle_data_, data_, task.sums, task.particles, density_step, begin, end);
     if (predictor_corrector_) {
@@ -119,6 +129,19 @@ void SimulationOf<D, Real>::keep_stress_fields(const Task& task, std::size_t beg
             fields_.shear[i] =
                 gradients ? static_cast<double>(gradient.velocity_gradient[vertical][lane]) : 0.0;
             fields_.regularity[i] = gradients ? static_cast<double>(gradient.regularity[lane]) : 1.0;
+            if constexpr (D == 3) {
+                const auto twice_strain = [&](std::size_t k, std::size_t l) {
+                    return gradients ? static_cast<double>(gradient.velocity_gradient[k * axes + l][lane]) +
+                                           static_cast<double>(gradient.velocity_gradient[l * axes + k][lane])
+                                     : 0.0;
+                };
+                const double density = scheme_.density * (1.0 + particles_.density_deviation[i]);
+                const double nu_t = fields_.eddy_viscosity[i];
+                fields_.shear_stress[i] = density * (scheme_.viscosity + nu_t) * twice_strain(0, 2);
+                fields_.lateral_shear_stress[i] =
+                    density * (scheme_.viscosity + particle_data_.shear_weight_across * nu_t) *
+                    twice_strain(0, 1);
+            }
         }
     });
 }
@@ -192,20 +215,7 @@ void SimulationOf<D, Real>::evaluate_forces(Task& task, std::size_t begin, std::
     const std::size_t block = begin / block_clusters;
     timed(block_seconds_[block].forces, [&] { loops_.force(data_, begin, end, task.sums); });
     if (drag_) {
-        // Few clusters reach into the roughness.
-        const double top = drag_->top();
-        const std::vector<double>& height = particles_.position[vertical];
-        for_clusters(begin, end, [&](std::size_t first, std::size_t last, std::size_t lane) {
-            std::fill_n(&task.particles.drag[lane], cluster_size, 0.0);
-            double lowest = height[first];
-            for (std::size_t i = first + 1; i < last; ++i) {
-                lowest = std::min(lowest, height[i]);
-            }
-            if (lowest <= top) {
-                drag_->coefficients({&height[first], last - first},
-                                    {&task.particles.drag[lane], last - first});
-            }
-        });
+        find_drag(task, begin, end);
     }
     if (stirring_.active()) {
         add_stirring(task, begin, end);
@@ -226,7 +236,9 @@ void SimulationOf<D, Real>::evaluate_forces(Task& task, std::size_t begin, std::
                                                         {.step = step,
                                                          .drag = drag_ != nullptr,
                                                          .acceleration = stirring_.active(),
-                                                         .transport = smoothed},
+                                                         .transport = smoothed,
+                                                         .side_drag = clock_.side_wall_drag_coefficient,
+                                                         .sum_of_drags = wall_over_bed_ > 0.0},
                                                         begin, end);
     }
     if (keep_fields_) {
@@ -242,7 +254,11 @@ void SimulationOf<D, Real>::gather_motion(double step) {
     bool fault = false;
     Vec<D> slowest{};  // zero: the walls
     Vec<D> fastest{};
+    double bed_drag = 0.0;
+    double side_layer = 0.0;
     for (const AdvanceResult<D>& block : block_advance_) {
+        bed_drag += block.bed_drag;
+        side_layer += block.side_layer;
         largest = std::max(largest, block.largest);
         fault = fault || block.fault;
         for (std::size_t k = 0; k < axes; ++k) {
@@ -252,6 +268,13 @@ void SimulationOf<D, Real>::gather_motion(double step) {
     }
     if (fault) {
         check_state();
+    }
+    if (wall_over_bed_ > 0.0) {
+        if (predictor_corrector_) {
+            measure_side_drag();
+        } else {
+            set_side_drag(bed_drag, side_layer);
+        }
     }
     clock_.largest_acceleration = std::sqrt(largest);
     double squared = 0.0;
@@ -277,6 +300,12 @@ void SimulationOf<D, Real>::keep_force_fields(const Task& task, std::size_t begi
             fields_.wall_acceleration_z[i] =
                 factor * static_cast<double>(task.sums.force.wall[vertical][lane]);
             fields_.drag_acceleration_x[i] = drag_ ? task.particles.drag_force[lane] : 0.0;
+            if constexpr (D == 3) {
+                fields_.drag_acceleration_y[i] = drag_ ? task.particles.drag_force_across[lane] : 0.0;
+                fields_.side_wall_acceleration_x[i] = side_drag_ ? task.particles.side_force[lane] : 0.0;
+                fields_.side_wall_acceleration_z[i] =
+                    side_drag_ ? task.particles.side_force_vertical[lane] : 0.0;
+            }
         }
     });
 }
@@ -296,6 +325,8 @@ void SimulationOf<D, Real>::advance_predictor_corrector(Task& task, std::size_t 
             const std::size_t lane = first_lane + (i - first);
             const double factor = corrected ? 1.0 / (1.0 + particles_.density_deviation[i]) : 1.0;
             double squared = 0.0;
+            Vec<D> drags{};
+            add_drags(task, lane, i, drags);
             double& s = particles_.density_deviation[i];
             s = saved_.density_deviation[i] + step * density_rate_[i];
             fault = fault || !std::isfinite(s);
@@ -307,11 +338,7 @@ void SimulationOf<D, Real>::advance_predictor_corrector(Task& task, std::size_t 
                            particle_data_.gravity[k];
                 a += stirring_.active() ? task.particles.acceleration[k][lane] : 0.0;
                 squared += a * a;
-                if (k == 0) {
-                    const double drag = drag_ ? -task.particles.drag[lane] * u * std::abs(u) : 0.0;
-                    task.particles.drag_force[lane] = drag;
-                    a += drag;
-                }
+                a += drags[k];
                 // dr/dt = u: the velocity of the same stage moves the particle.
                 x = saved_.position[k][i] + step * (u + (smoothed ? task.particles.transport[k][lane] : 0.0));
                 u = saved_.velocity[k][i] + step * a;
@@ -325,50 +352,6 @@ void SimulationOf<D, Real>::advance_predictor_corrector(Task& task, std::size_t 
         }
     });
     block_advance_[begin / block_clusters] = {.largest = largest, .fault = fault};
-}
-
-// The mean of the stirring over the particles: taken off it, so that it adds no streamwise momentum even
-// where the particles' spacing correlates with its pattern.
-template <int D, class Real>
-void SimulationOf<D, Real>::measure_stirring() {
-    if (!stirring_.active()) {
-        return;
-    }
-    using Sums = std::array<double, 2>;
-    const Sums sums = reduce_blocks(
-        particles_.size(), std::size_t{1024}, Sums{},
-        [&](std::size_t begin, std::size_t end) {
-            Sums part{};
-            for (std::size_t i = begin; i < end; ++i) {
-                double ax = 0.0;
-                double az = 0.0;
-                stirring_.add(particles_.position[0][i], particles_.position[vertical][i], clock_.time, ax,
-                              az);
-                part[0] += particles_.mass[i] * ax;
-                part[1] += particles_.mass[i];
-            }
-            return part;
-        },
-        [](const Sums& a, const Sums& b) {
-            return Sums{a[0] + b[0], a[1] + b[1]};
-        });
-    stirring_mean_ = sums[0] / sums[1];
-}
-
-template <int D, class Real>
-void SimulationOf<D, Real>::add_stirring(Task& task, std::size_t begin, std::size_t end) const {
-    for (auto& component : task.particles.acceleration) {
-        component.fill(0.0);
-    }
-    for_clusters(begin, end, [&](std::size_t first, std::size_t last, std::size_t first_lane) {
-        for (std::size_t i = first; i < last; ++i) {
-            const std::size_t lane = first_lane + (i - first);
-            double& ax = task.particles.acceleration[0][lane];
-            stirring_.add(particles_.position[0][i], particles_.position[vertical][i], clock_.time, ax,
-                          task.particles.acceleration[vertical][lane]);
-            ax -= stirring_mean_;
-        }
-    });
 }
 
 template class SimulationOf<2, float>;

@@ -79,8 +79,15 @@ bool has_column(const Case& c) {
 }
 
 template <int D>
-Particles<D> initial_particles(const Case& c, const Scheme& scheme, const ColumnResult* column) {
+Particles<D> initial_particles(const Case& c, const Scheme& scheme, const ColumnResult* column,
+                               const SectionVelocity& section) {
     constexpr std::size_t vertical = D - 1;
+    if (c.start.kind == StartKind::section && (D == 2 || !section)) {
+        throw InputError(
+            "[start] kind = \"section\" needs the steady flow over the cross-section, which this case does "
+            "not "
+            "have; choose \"column\", \"rest\" or \"uniform\"");
+    }
     Particles<D> particles = lattice_particles<D>(c);
     const Lattice lattice = lattice_of(c);
     const std::size_t n = particles.size();
@@ -104,7 +111,11 @@ Particles<D> initial_particles(const Case& c, const Scheme& scheme, const Column
         const double s = scheme.state.deviation(hydrostatic + extra_pressure[i]);
         particles.density_deviation[i] = s;
         particles.mass[i] = scheme.density * (1.0 + s) * lattice.volume<D>();
-        if (c.start.kind != StartKind::taylor_green) {
+        if (c.start.kind == StartKind::section) {
+            if constexpr (D == 3) {
+                particles.velocity[0][i] = section(particles.position[1][i], particles.position[2][i]);
+            }
+        } else if (c.start.kind != StartKind::taylor_green) {
             particles.velocity[0][i] = start_velocity(c, scheme, column, particles.position[vertical][i]);
         }
         for (std::size_t k = 0; k < D; ++k) {
@@ -118,7 +129,9 @@ Particles<D> initial_particles(const Case& c, const Scheme& scheme, const Column
     return particles;
 }
 
-template Particles<2> initial_particles<2>(const Case&, const Scheme&, const ColumnResult*);
-template Particles<3> initial_particles<3>(const Case&, const Scheme&, const ColumnResult*);
+template Particles<2> initial_particles<2>(const Case&, const Scheme&, const ColumnResult*,
+                                           const SectionVelocity&);
+template Particles<3> initial_particles<3>(const Case&, const Scheme&, const ColumnResult*,
+                                           const SectionVelocity&);
 
 }  // namespace riffle

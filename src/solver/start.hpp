@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "case/case.hpp"
 #include "column/column.hpp"
 #include "particles/particles.hpp"
@@ -10,9 +12,14 @@ namespace riffle {
 /// Whether the case has a steady shear flow that the column twin can solve.
 [[nodiscard]] bool has_column(const Case& c);
 
+/// Streamwise velocity over the cross-section, m/s, at (y, z), m.
+using SectionVelocity = std::function<double(double y, double z)>;
+
 /// Fluid particles at t = 0: lattice, mass from the hydrostatic density, velocity by the kind of start.
-/// `column` is needed for the start "column", and for "uniform" without a velocity.
+/// `column` is needed for the start "column", and for "uniform" without a velocity; `section`, in three
+/// dimensions, for "section". InputError where it is missing.
 template <int D = 2>
-[[nodiscard]] Particles<D> initial_particles(const Case& c, const Scheme& scheme, const ColumnResult* column);
+[[nodiscard]] Particles<D> initial_particles(const Case& c, const Scheme& scheme, const ColumnResult* column,
+                                             const SectionVelocity& section = {});
 
 }  // namespace riffle

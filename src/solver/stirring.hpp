@@ -1,8 +1,10 @@
 #pragma once
 
+#include <type_traits>
 #include <vector>
 
 #include "case/case.hpp"
+#include "particles/domain.hpp"
 
 namespace riffle {
 
@@ -22,6 +24,7 @@ class Stirring2D {
 
     /// Acceleration at (x, z) and time t, m/s2, added to ax, az.
     void add(double x, double z, double t, double& ax, double& az) const;
+    void add(const Vec<2>& x, double t, Vec<2>& a) const { add(x[0], x[1], t, a[0], a[1]); }
 
   private:
     struct Mode {
@@ -33,5 +36,35 @@ class Stirring2D {
     std::vector<Mode> modes_;
     double celerity_ = 0.0;
 };
+
+/// The same in three dimensions: beside those modes, rolls across the channel whose sense changes along it,
+///   chi = sum_m (F/sqrt(M)/|k_m|) sin^2(m pi z/H) g_m(y) cos(2 pi m (x - c t)/L + phase_m),  a = (0,
+///   dchi/dz, -dchi/dy),
+/// g_m = cos(2 pi m y/W + phase_m) between periodic sides, sin(m pi y/W) between side walls, through which
+/// nothing is driven.
+class Stirring3D {
+  public:
+    Stirring3D() = default;
+    Stirring3D(const Case& c, double celerity);
+
+    [[nodiscard]] bool active() const { return plane_.active(); }
+    void add(const Vec<3>& x, double t, Vec<3>& a) const;
+
+  private:
+    struct Roll {
+        double amplitude = 0.0;
+        double kx = 0.0;
+        double ky = 0.0;
+        double kz = 0.0;
+        double phase_x = 0.0;
+        double phase_y = 0.0;  ///< of g = cos(ky y + phase_y)
+    };
+    Stirring2D plane_;
+    std::vector<Roll> rolls_;
+    double celerity_ = 0.0;
+};
+
+template <int D>
+using StirringIn = std::conditional_t<D == 2, Stirring2D, Stirring3D>;
 
 }  // namespace riffle

@@ -14,7 +14,9 @@ struct PairOperations {
 
 /// `gradients`: with velocity gradient, correction matrix and stress tensor (default scheme); without: the
 /// divergence and the pressure alone (plain scheme).
-[[nodiscard]] constexpr PairOperations pair_operations(int dimensions, bool gradients) {
+/// `directional`: with the viscosity weighed by the direction of the pair.
+[[nodiscard]] constexpr PairOperations pair_operations(int dimensions, bool gradients,
+                                                       bool directional = false) {
     const int d = dimensions;
     const int distance = d              // r = unit * (x_i - x_j)
                          + (2 * d - 1)  // r.r
@@ -41,8 +43,12 @@ struct PairOperations {
     const int viscosity = 2               // (root_i + root_j)^2
                           + 1             // times weight
                           + 2 * d;        // times u, summed
-    return {.gradient_pass = common + diffusion + (gradients ? gradient : divergence),
-            .force_pass = common + (gradients ? stress : pressure) + viscosity};
+    const int direction = 4               // slope r_y r_y / (r.r + tiny)
+                          + 3             // eddy and molecular part, times weight
+                          + 2 * 3;        // two factors
+    return {
+        .gradient_pass = common + diffusion + (gradients ? gradient : divergence),
+        .force_pass = common + (gradients ? stress : pressure) + viscosity + (directional ? direction : 0)};
 }
 
 // Written out once: 2D plain 24 + 27, default 35 + 35; 3D plain 30 + 35, default 56 + 57.

@@ -8,6 +8,7 @@
 
 #include "case/case.hpp"
 #include "sph/neighbour_list.hpp"
+#include "sph/pair_terms.hpp"
 
 namespace riffle {
 
@@ -80,6 +81,7 @@ struct PairConstants {
     Real hydrostatic_gradient;                           ///< g_z/c0^2, 1/m
     bool correct_pressure;                               ///< B = M^-1 near full support, else the identity
     bool correct_gradient;
+    DirectionalViscosity<Real> directional;  ///< where LoopOptions ask for it
 };
 
 /// By lane of the block.
@@ -162,6 +164,8 @@ struct LoopOptions {
     /// The velocity gradient and the correction matrix are wanted. Without them the gradient pass leaves the
     /// rates of density alone, and the stress is the pressure alone.
     bool gradients = true;
+    /// Morris' viscosity with a weight of the pair's direction (three dimensions).
+    bool directional = false;
 };
 
 /// The loops, for clusters [begin, end) of the i side, at most block_clusters at a time. One table per

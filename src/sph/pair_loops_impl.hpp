@@ -296,6 +296,17 @@ RIFFLE_INLINE const std::vector<Record>& stress_records(const PairData<D, Real>&
     }
 }
 
+/// The form of the viscosity with its constants.
+template <class Viscosity, int D, class Real>
+RIFFLE_INLINE Viscosity viscosity_of(const PairConstants<D, Real>& c) {
+    if constexpr (std::is_same_v<Viscosity, DirectionalViscosity<Real>>) {
+        return c.directional;
+    } else {
+        static_cast<void>(c);
+        return {};
+    }
+}
+
 template <int D, class Real, class Kernel, class Viscosity, class Record>
 [[gnu::flatten]] void force_loop(PairData<D, Real>& data, std::size_t begin, std::size_t end,
                                  BlockWork<D, Real>& work) {
@@ -303,6 +314,7 @@ template <int D, class Real, class Kernel, class Viscosity, class Record>
     using stdx::sqrt;
     constexpr std::size_t components = std::tuple_size_v<decltype(Record::stress)>;
     const PairConstants<D, Real> c = data.constants;
+    const Viscosity form = viscosity_of<Viscosity>(c);
     const Real scale = Kernel::template gradient_constant<Real>() * c.gradient_scale;
     const std::vector<Record>& records = stress_records<Record>(data);
     for (std::size_t cluster = begin; cluster < end; ++cluster) {
@@ -332,7 +344,7 @@ template <int D, class Real, class Kernel, class Viscosity, class Record>
                 add(tensor, tensor_force<W, D>(weight, stress_sum, r));
                 const W viscosity =
                     pair_viscosity_sum<W>(root, halves<Real, Real>(a.viscosity_root, b.viscosity_root));
-                add(viscous, Viscosity::template force<W, D>(weight, viscosity, u, r, r_squared));
+                add(viscous, form.template force<W, D>(weight, viscosity, u, r, r_squared));
             });
 
         Components<W, D> wall_tensor{};
@@ -373,7 +385,7 @@ template <int D, class Real, class Kernel, class Viscosity, class Record>
                     }
                     const W viscosity =
                         pair_viscosity_sum<W>(root, halves<Real, Real>(a.viscosity_root, b.viscosity_root));
-                    add(wall_viscous, Viscosity::template force<W, D>(
+                    add(wall_viscous, form.template force<W, D>(
                                           W(shape * halves<Real, Real>(a.viscous_weight, b.viscous_weight)),
                                           viscosity, u, r, r_squared));
                 });
@@ -494,12 +506,18 @@ template <int D, class Real, class Kernel>
 }
 
 template <int D, class Real, class Kernel, class Record>
-PairLoops<D, Real> loops_of(ViscosityForm viscosity) {
+PairLoops<D, Real> loops_of(const LoopOptions& options) {
+    constexpr bool gradients = std::is_same_v<Record, StressRecord<D, Real>>;
     PairLoops<D, Real> loops{};
-    loops.gradient = &gradient_loop<D, Real, Kernel, std::is_same_v<Record, StressRecord<D, Real>>>;
-    loops.force = viscosity == ViscosityForm::morris
+    loops.gradient = &gradient_loop<D, Real, Kernel, gradients>;
+    loops.force = options.viscosity == ViscosityForm::morris
                       ? &force_loop<D, Real, Kernel, MorrisViscosity, Record>
                       : &force_loop<D, Real, Kernel, MonaghanGingoldViscosity, Record>;
+    if constexpr (D == 3 && gradients) {
+        if (options.directional) {
+            loops.force = &force_loop<D, Real, Kernel, DirectionalViscosity<Real>, Record>;
+        }
+    }
     loops.wall = &wall_loop<D, Real, Kernel, Record>;
     loops.filter = &filter_loop<D, Real, Kernel>;
     return loops;
@@ -509,8 +527,8 @@ template <int D, class Real>
 PairLoops<D, Real> loops(const LoopOptions& options) {
     return visit_kernel<D>(options.kernel, [&](auto chosen) {
         using Kernel = decltype(chosen);
-        return options.gradients ? loops_of<D, Real, Kernel, StressRecord<D, Real>>(options.viscosity)
-                                 : loops_of<D, Real, Kernel, PressureRecord<Real>>(options.viscosity);
+        return options.gradients ? loops_of<D, Real, Kernel, StressRecord<D, Real>>(options)
+                                 : loops_of<D, Real, Kernel, PressureRecord<Real>>(options);
     });
 }
 

@@ -101,6 +101,30 @@ struct MorrisViscosity {
     }
 };
 
+/// Morris' form with a weight of the pair's direction e = r/|r|, for an eddy viscosity that is another across
+/// the channel (turbulence/czernuszenko_rylov.hpp): 2 mu_ij K_k of the velocity component k, K_k = level_k -
+/// slope e_y^2, on the eddy part alone: sum K + molecular (1 - K).
+template <class Real>
+struct DirectionalViscosity {
+    Real slope = Real(0);
+    Real level = Real(1);         ///< of u and w
+    Real level_across = Real(1);  ///< of v
+    Real molecular = Real(0);     ///< 2 nu0, m2/s
+
+    template <class T, int D>
+    RIFFLE_INLINE Components<T, D> force(const T& volume_gradient, const T& viscosity_sum,
+                                         const Components<T, D>& u, const Components<T, D>& r,
+                                         const T& r_squared) const {
+        static_assert(D == 3, "the spanwise direction is the second of three");
+        const T across = slope * (r[1] * r[1]) / (r_squared + Real(1e-20));
+        const T eddy = volume_gradient * (viscosity_sum - molecular);
+        const T isotropic = volume_gradient * molecular;
+        const T factor = isotropic + eddy * (level - across);
+        const T factor_across = isotropic + eddy * (level_across - across);
+        return {factor * u[0], factor_across * u[1], factor * u[2]};
+    }
+};
+
 /// Viscosity along the line of centres (Monaghan & Gingold 1983; Monaghan 2005): (D+2) V_j 2 mu_ij
 /// (u.r/r^2) F r. It keeps the angular momentum, and its natural surface condition is zero traction.
 struct MonaghanGingoldViscosity {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "particles/clusters.hpp"
@@ -31,6 +32,12 @@ struct ParticleData {
     bool closure = false;     ///< an eddy viscosity is wanted
     bool two_point = true;    ///< it acts through the two-point viscosity, else in the tensor
     bool shear_only = false;  ///< |S| = |du/dz|, and tau_xz alone
+    /// Weights of the eddy stresses in the tensor with one axis across the channel, and with both.
+    double shear_weight_across = 1.0;
+    double normal_weight_across = 1.0;
+    /// Three dimensions: the drag of the side walls acts where y is below or above.
+    double layer_below = -std::numeric_limits<double>::infinity();
+    double layer_above = std::numeric_limits<double>::infinity();
     const Clusters<D>* clusters = nullptr;
 };
 
@@ -43,6 +50,10 @@ struct ParticleWork {
     LaneArray<Real> pressure;         ///< out: p/rho0
     LaneArray<Real> eddy_viscosity;   ///< out: nu_t
     LaneArray<double> drag_force;     ///< out: acceleration by the drag
+    // Three dimensions; out: the same across the channel, and by the drag of the side walls.
+    LaneArray<double> drag_force_across;
+    LaneArray<double> side_force;
+    LaneArray<double> side_force_vertical;
     /// in, where used: further accelerations (stirring) and a velocity added to the transport (XSPH).
     std::array<LaneArray<double>, static_cast<std::size_t>(D)> acceleration;
     std::array<LaneArray<double>, static_cast<std::size_t>(D)> transport;
@@ -69,6 +80,8 @@ struct AdvanceOptions {
     bool drag = false;
     bool acceleration = false;
     bool transport = false;
+    double side_drag = 0.0;     ///< beta of the side walls' layers, 1/m
+    bool sum_of_drags = false;  ///< the sums of AdvanceResult over the drags are wanted
 };
 
 /// Largest |a|^2 before the drag, the range of the velocities that moved the particles, and whether a
@@ -79,6 +92,8 @@ struct AdvanceResult {
     Vec<D> slowest{};
     Vec<D> fastest{};
     bool fault = false;
+    double bed_drag = 0.0;    ///< sum of m beta u|u| of the bed, N
+    double side_layer = 0.0;  ///< sum of m u|u| in the side walls' layers, kg m2/s2
 };
 
 /// The loops, for clusters [begin, end), at most block_clusters at a time.
@@ -87,7 +102,8 @@ struct ParticleLoops {
     /// ds/dt from the sums of the gradient pass; s += step ds/dt; pressure, eddy viscosity, stress records.
     void (*stress)(const ParticleData<D>&, PairData<D, Real>&, const BlockWork<D, Real>&,
                    ParticleWork<D, Real>&, double step, std::size_t begin, std::size_t end);
-    /// Semi-implicit Euler: velocity and position from the sums of the force pass, drag implicit along x.
+    /// Semi-implicit Euler: velocity and position from the sums of the force pass; the drags implicit: that
+    /// of the bed along x and in three dimensions along y, that of the side walls along x and z.
     AdvanceResult<D> (*advance)(const ParticleData<D>&, const BlockWork<D, Real>&, ParticleWork<D, Real>&,
                                 const AdvanceOptions&, std::size_t begin, std::size_t end);
     /// Motion records and displacements of the moved particles.

@@ -252,7 +252,14 @@ template <int D, class Real>
                     const bool xz = k != l && (k == 0 || l == 0) && (k == D - 1 || l == D - 1);
                     if (!p.two_point && (!p.shear_only || xz)) {
                         const T twice_strain = p.shear_only ? g[D - 1] : T(g[k * D + l] + g[l * D + k]);
-                        q -= nu_t * density_ratio * scale * twice_strain;
+                        if constexpr (D == 3) {
+                            const double weight_kl = k == 1 && l == 1   ? p.normal_weight_across
+                                                     : k == 1 || l == 1 ? p.shear_weight_across
+                                                                        : 1.0;
+                            q -= static_cast<Real>(weight_kl) * nu_t * density_ratio * scale * twice_strain;
+                        } else {
+                            q -= nu_t * density_ratio * scale * twice_strain;
+                        }
                     }
                     if (continued) {
                         store_lanes(b, &data.correction[k * D + l][slot]);
@@ -262,6 +269,46 @@ template <int D, class Real>
             put_stress<StressRecord<D, Real>, Real>(stress, root, members.cut(weight), wall_pressure,
                                                     &data.stress[slot]);
         });
+    }
+}
+
+/// One implicit step of a drag, u1 + dt beta u1|u1| = u; its acceleration.
+RIFFLE_INLINE Doubles drag_step(const Doubles& beta, double dt, Doubles& u) {
+    using stdx::abs;
+    using stdx::sqrt;
+    Doubles drag(0.0);
+    if (stdx::any_of(beta > 0.0)) {
+        const Doubles free = u;
+        u = 2.0 * free / (1.0 + sqrt(Doubles(1.0 + 4.0 * dt * beta * abs(free))));
+        drag = (u - free) / dt;
+    }
+    return drag;
+}
+
+/// The drags of bed and side walls on a cluster in three dimensions, whose particles stand at y.
+template <class Real>
+RIFFLE_INLINE void drag_in_space(const ParticleData<3>& p, const AdvanceOptions& options, std::size_t lane,
+                                 const Doubles& y, const Doubles& mass, Components<Doubles, 3>& u,
+                                 ParticleWork<3, Real>& own, Doubles& bed_drag, Doubles& side_layer) {
+    using stdx::abs;
+    const Doubles bed = options.drag ? load_lanes(&own.drag[lane]) : Doubles(0.0);
+    Doubles inside(0.0);
+    stdx::where(y < p.layer_below || y > p.layer_above, inside) = Doubles(1.0);
+    const Doubles side = options.side_drag * inside;
+    const Doubles both = bed + side;
+    // Bed and side wall act on the same velocity along x, and share the step in proportion.
+    const Doubles along = drag_step(both, options.step, u[0]);
+    Doubles share = side;
+    stdx::where(both > 0.0, share) = side / both;
+    const Doubles by_side = share * along;
+    store_lanes(Doubles(along - by_side), &own.drag_force[lane]);
+    store_lanes(by_side, &own.side_force[lane]);
+    store_lanes(drag_step(bed, options.step, u[1]), &own.drag_force_across[lane]);
+    store_lanes(drag_step(side, options.step, u[2]), &own.side_force_vertical[lane]);
+    if (options.sum_of_drags) {
+        const Doubles square = mass * u[0] * abs(u[0]);
+        bed_drag += bed * square;
+        side_layer += inside * square;
     }
 }
 
@@ -281,6 +328,8 @@ template <int D, class Real>
         fastest[k] = -std::numeric_limits<double>::infinity();
     }
     bool good = true;
+    Doubles bed_drag(0.0);
+    Doubles side_layer(0.0);
     for (std::size_t cluster = begin; cluster < end; ++cluster) {
         const std::size_t lane = (cluster - begin) * cluster_size;
         with_members(*p.clusters, cluster, [&](const auto& members) {
@@ -299,16 +348,16 @@ template <int D, class Real>
                 u[k] = members.load(p.velocity[k]) + dt * a;
             }
             largest = stdx::max(largest, squared);
-            if (options.drag) {
-                // u1 + dt beta u1|u1| = u.
-                const Doubles beta = load_lanes(&own.drag[lane]);
-                Doubles drag(0.0);
-                if (stdx::any_of(beta > 0.0)) {
-                    const Doubles free = u[0];
-                    u[0] = 2.0 * free / (1.0 + sqrt(Doubles(1.0 + 4.0 * dt * beta * abs(free))));
-                    drag = (u[0] - free) / dt;
+            if constexpr (D == 2) {
+                if (options.drag) {
+                    store_lanes(drag_step(load_lanes(&own.drag[lane]), dt, u[0]), &own.drag_force[lane]);
                 }
-                store_lanes(drag, &own.drag_force[lane]);
+            } else {
+                const Doubles y = options.side_drag > 0.0 || options.sum_of_drags
+                                      ? members.load(p.position[1])
+                                      : Doubles(0.0);
+                const Doubles mass = options.sum_of_drags ? members.cut(members.load(p.mass)) : Doubles(0.0);
+                drag_in_space(p, options, lane, y, mass, u, own, bed_drag, side_layer);
             }
             // Written so that a NaN is a fault too.
             auto fine = abs(s) <= 1e300;
@@ -333,7 +382,10 @@ template <int D, class Real>
             good = good && stdx::all_of(fine);
         });
     }
-    AdvanceResult<D> result{.largest = stdx::hmax(largest), .fault = !good};
+    AdvanceResult<D> result{.largest = stdx::hmax(largest),
+                            .fault = !good,
+                            .bed_drag = stdx::reduce(bed_drag),
+                            .side_layer = stdx::reduce(side_layer)};
     for (std::size_t k = 0; k < D; ++k) {
         result.slowest[k] = stdx::hmin(slowest[k]);
         result.fastest[k] = stdx::hmax(fastest[k]);

@@ -75,6 +75,10 @@ LoopRun<D, Real>::LoopRun(const PairSample<D>& sample, const RunOptions& options
     data.constants.hydrostatic_gradient = static_cast<Real>(options.hydrostatic_gradient);
     data.constants.correct_pressure = options.correct;
     data.constants.correct_gradient = options.correct;
+    data.constants.directional = {.slope = static_cast<Real>(options.directional.slope),
+                                  .level = static_cast<Real>(options.directional.level),
+                                  .level_across = static_cast<Real>(options.directional.level_across),
+                                  .molecular = static_cast<Real>(options.directional.molecular)};
     pack_fluid(sample);
     if (!sample.wall.empty()) {
         pack_walls(sample);

@@ -43,12 +43,17 @@ void expect_near(const std::array<std::vector<PlainSum>, N>& plain, std::size_t 
     }
 }
 
+/// Weights that no component shares, and a molecular part.
+constexpr DirectionalViscosity<double> directional{
+    .slope = 0.9, .level = 1.2, .level_across = 0.8, .molecular = 1e-3};
+
 struct Option {
     InstructionSet set;
     KernelKind kernel;
     ViscosityForm viscosity;
     int layers;
     bool gradients;
+    bool directional = false;  ///< in three dimensions
 };
 
 template <int D>
@@ -150,9 +155,13 @@ void compare_with_plain_sums(const Option& option) {
     PairSample<D> sample = disordered_sample<D>(0.3, option.layers, 11);
     LoopRun<D, Real> run(sample, {.diffusion = diffusion,
                                   .hydrostatic_gradient = hydrostatic_gradient,
-                                  .gradients = option.gradients});
-    run.run(pair_loops<D, Real>(
-        {.kernel = option.kernel, .viscosity = option.viscosity, .gradients = option.gradients}, option.set));
+                                  .gradients = option.gradients,
+                                  .directional = directional});
+    run.run(pair_loops<D, Real>({.kernel = option.kernel,
+                                 .viscosity = option.viscosity,
+                                 .gradients = option.gradients,
+                                 .directional = option.directional},
+                                option.set));
     Corrections<D> correction(sample.fluid.size());
     for (std::size_t i = 0; i < sample.fluid.size(); ++i) {
         for (std::size_t k = 0; k < D * D; ++k) {
@@ -169,7 +178,9 @@ void compare_with_plain_sums(const Option& option) {
                                              {.kernel = option.kernel,
                                               .viscosity = option.viscosity,
                                               .diffusion = diffusion,
-                                              .hydrostatic_gradient = hydrostatic_gradient},
+                                              .hydrostatic_gradient = hydrostatic_gradient,
+                                              .weighted = option.directional,
+                                              .directional = directional},
                                              correction);
     for (std::size_t i = 0; i < sample.fluid.size(); ++i) {
         const std::size_t slot = run.fluid_slot[i];
@@ -202,7 +213,8 @@ std::string name_of(const testing::TestParamInfo<Option>& info) {
     return instruction_set_name(info.param.set) +
            (info.param.kernel == KernelKind::wendland_c2 ? "_wendland" : "_cubic") +
            (info.param.viscosity == ViscosityForm::morris ? "_morris" : "_gingold") +
-           (info.param.layers > 0 ? "_walls" : "_periodic") + (info.param.gradients ? "" : "_plain");
+           (info.param.layers > 0 ? "_walls" : "_periodic") + (info.param.gradients ? "" : "_plain") +
+           (info.param.directional ? "_directional" : "");
 }
 
 std::vector<Option> all_options() {
@@ -212,6 +224,9 @@ std::vector<Option> all_options() {
         for (const KernelKind kernel : {KernelKind::wendland_c2, KernelKind::cubic_spline}) {
             for (const ViscosityForm viscosity : {ViscosityForm::morris, ViscosityForm::monaghan_gingold}) {
                 for (const int layers : {0, 3}) {
+                    if (viscosity == ViscosityForm::morris) {
+                        options.push_back({set, kernel, viscosity, layers, true, true});
+                    }
                     for (const bool gradients : {true, false}) {
                         options.push_back({set, kernel, viscosity, layers, gradients});
                     }

@@ -62,6 +62,12 @@ void check_antisymmetry() {
     RC_ASSERT(
         (MonaghanGingoldViscosity::force<double, D>(weight, viscosity_ij, u, r, squared)) ==
         minus(MonaghanGingoldViscosity::force<double, D>(weight, viscosity_ji, minus(u), minus(r), squared)));
+    if constexpr (D == 3) {
+        const DirectionalViscosity<double> directional{
+            .slope = number(), .level = number(), .level_across = number(), .molecular = number()};
+        RC_ASSERT((directional.force<double, D>(weight, viscosity_ij, u, r, squared)) ==
+                  minus(directional.force<double, D>(weight, viscosity_ji, minus(u), minus(r), squared)));
+    }
 
     // What the density diffusion takes from one particle the other gets; the continuity rate is the same for
     // both.

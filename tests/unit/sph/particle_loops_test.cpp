@@ -43,6 +43,7 @@ struct StressOptions {
     bool shear_only = false;
     bool continued = false;
     EquationOfState state = EquationOfState::linear;
+    double spanwise_ratio = 1.0;  ///< l_y/l_x in the tensor, three dimensions
 };
 
 /// Viscosity and stress of one particle, plainly.
@@ -90,6 +91,10 @@ PlainStress<D> plain_stress(const ParticleSet<D, Real>& set, const StressOptions
                 const bool shear = k != l && k + l == D - 1;
                 const double twice = o.shear_only ? (shear ? g(0, D - 1) : 0.0) : g(k, l) + g(l, k);
                 friction = plain.eddy_viscosity * ratio * scale * twice;
+                if (D == 3) {
+                    const double q = o.spanwise_ratio * o.spanwise_ratio;
+                    friction *= 0.5 * ((k == 1 ? q : 1.0) + (l == 1 ? q : 1.0));
+                }
             }
             plain.stress[D * k + l] = of_pressure - friction;
             plain.largest = std::max(plain.largest, std::abs(of_pressure) + std::abs(friction));
@@ -105,6 +110,8 @@ void check_stress(const ParticleLoops<D, Real>& loops, ParticleSet<D, Real>& set
     set.particles.two_point = o.two_point;
     set.particles.shear_only = o.shear_only;
     set.particles.state.kind = o.state;
+    set.particles.shear_weight_across = 0.5 * (1.0 + o.spanwise_ratio * o.spanwise_ratio);
+    set.particles.normal_weight_across = o.spanwise_ratio * o.spanwise_ratio;
     const std::size_t slots = set.cloud.clusters.slots() + 1;
     set.records.stress.resize(o.tensor ? slots : 0);
     set.records.pressure.resize(o.tensor ? 0 : slots);
@@ -165,6 +172,7 @@ TEST_P(ParticleLoopsTest, StressFollowsTheFormulas) {
                                      {.continued = true},
                                      {.closure = false},
                                      {.two_point = false},
+                                     {.two_point = false, .spanwise_ratio = 0.5},
                                      {.shear_only = true},
                                      {.two_point = false, .shear_only = true},
                                      {.corrected = false},
@@ -177,6 +185,59 @@ TEST_P(ParticleLoopsTest, StressFollowsTheFormulas) {
     }
 }
 
+/// Coefficients of the drags on a particle's component k.
+struct DragSum {
+    double bed = 0.0;
+    double side = 0.0;
+};
+template <int D, class Real>
+DragSum drag_sum(const ParticleSet<D, Real>& set, const AdvanceOptions& options, std::size_t i,
+                 std::size_t lane, std::size_t k) {
+    DragSum sum;
+    if (options.drag && k + 1 < D) {
+        sum.bed = set.work->drag[lane];
+    }
+    const double y = set.start[1][i];
+    if (D == 3 && k != 1 && (y < set.particles.layer_below || y > set.particles.layer_above)) {
+        sum.side = options.side_drag;
+    }
+    return sum;
+}
+
+/// The accelerations that the drags report for component k.
+template <int D, class Real>
+void expect_drag(const ParticleSet<D, Real>& set, std::size_t k, std::size_t lane, double bed, double side,
+                 double bound) {
+    const ParticleWork<D, Real>& work = *set.work;
+    if (k + 1 < D) {
+        EXPECT_NEAR((k == 0 ? work.drag_force : work.drag_force_across)[lane], bed, bound);
+    }
+    if (D == 3 && k != 1) {
+        EXPECT_NEAR((k == 0 ? work.side_force : work.side_force_vertical)[lane], side, bound);
+    }
+}
+
+/// The sums over the drags.
+template <int D, class Real>
+void expect_sums(const ParticleSet<D, Real>& set, const AdvanceOptions& options,
+                 const AdvanceResult<D>& result) {
+    double bed = 0.0;
+    double layers = 0.0;
+    double largest = 0.0;
+    if (D == 3 && options.sum_of_drags) {
+        set.for_particles([&](std::size_t i, std::size_t, std::size_t lane) {
+            const double square = set.mass[i] * set.velocity[0][i] * std::abs(set.velocity[0][i]);
+            const bool side = drag_sum(set, options, i, lane, 0).side > 0.0;
+            bed += set.work->drag[lane] * square;
+            layers += side ? square : 0.0;
+            largest += std::abs(square);
+        });
+        EXPECT_NE(layers, 0.0);
+    }
+    EXPECT_NEAR(result.bed_drag, bed, 1e-13 * 5.0 * largest);
+    EXPECT_NEAR(result.side_layer, layers, 1e-13 * largest);
+}
+
 /// Positions before and after a step, and everything that advance() changes.
 template <int D, class Real>
 void check_advance(const ParticleLoops<D, Real>& loops, ParticleSet<D, Real>& set, bool corrected,
@@ -184,6 +245,7 @@ void check_advance(const ParticleLoops<D, Real>& loops, ParticleSet<D, Real>& se
     set.particles.corrected = corrected;
     const auto position = set.position;
     const auto velocity = set.velocity;
+    set.start = position;
     const AdvanceResult<D> result = loops.advance(set.particles, *set.sums, *set.work, options, 0, set.end);
     EXPECT_FALSE(result.fault);
     double largest = 0.0;
@@ -203,12 +265,14 @@ void check_advance(const ParticleLoops<D, Real>& loops, ParticleSet<D, Real>& se
             squared += a * a;
             double u = velocity[k][i] + dt * a;
             const double bound = dt * rounding<Real> * 20.0 + 1e-14;  // the pair sums are up to 20 m/s2
-            if (k == 0 && options.drag) {
+            const DragSum drag = drag_sum(set, options, i, lane, k);
+            if (drag.bed + drag.side > 0.0) {
                 const double free = u;
-                u = set.velocity[0][i];
-                const double residual = u + dt * set.work->drag[lane] * u * std::abs(u) - free;
+                u = set.velocity[k][i];
+                const double residual = u + dt * (drag.bed + drag.side) * u * std::abs(u) - free;
                 EXPECT_NEAR(residual, 0.0, bound);
-                EXPECT_NEAR(set.work->drag_force[lane], (u - free) / dt, bound / dt);
+                expect_drag(set, k, lane, -drag.bed * u * std::abs(u), -drag.side * u * std::abs(u),
+                            bound / dt);
             }
             EXPECT_NEAR(set.velocity[k][i], u, bound);
             u = set.velocity[k][i] + (options.transport ? set.work->transport[k][lane] : 0.0);
@@ -227,6 +291,7 @@ void check_advance(const ParticleLoops<D, Real>& loops, ParticleSet<D, Real>& se
     });
     EXPECT_EQ(result.slowest, slowest);
     EXPECT_EQ(result.fastest, fastest);
+    expect_sums(set, options, result);
     // a^2 of about 30 m/s2 with pair sums rounded in Real.
     EXPECT_NEAR(result.largest, largest, 2.0 * 30.0 * 20.0 * rounding<Real> + 1e-9);
 }
@@ -237,8 +302,12 @@ TEST_P(ParticleLoopsTest, AdvanceFollowsTheFormulas) {
     for (const bool corrected : {true, false}) {
         for (const AdvanceOptions& options :
              {AdvanceOptions{.step = step}, AdvanceOptions{.step = step, .drag = true},
-              AdvanceOptions{.step = step, .drag = true, .acceleration = true, .transport = true}}) {
+              AdvanceOptions{.step = step, .drag = true, .acceleration = true, .transport = true},
+              AdvanceOptions{.step = step, .drag = true, .side_drag = 2.0, .sum_of_drags = true},
+              AdvanceOptions{.step = step, .side_drag = 2.0}}) {
             for_all([&](const auto& loops, const auto& set) {
+                set->particles.layer_below = 0.2;
+                set->particles.layer_above = 0.6;
                 // Away from the ends of the axis that is not periodic.
                 auto& z = set->position[set->axes - 1];
                 for (double& height : z) {

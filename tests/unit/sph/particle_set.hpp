@@ -17,6 +17,7 @@ struct ParticleSet {
     static constexpr std::size_t axes = D;
     Cloud<D> cloud;
     std::array<std::vector<double>, static_cast<std::size_t>(D)> position;
+    std::array<std::vector<double>, static_cast<std::size_t>(D)> start;  ///< positions before the step
     std::array<std::vector<double>, static_cast<std::size_t>(D)> velocity;
     std::vector<double> density_deviation;
     std::vector<double> mass;

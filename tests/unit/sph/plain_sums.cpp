@@ -173,6 +173,14 @@ class Summation {
         }
         const double root = 0.5 * (a.viscosity_root + b.viscosity_root);
         const double twice = 2.0 * root * root;
+        if (D == 3 && options_.weighted) {
+            const DirectionalViscosity<double>& weights = options_.directional;
+            const double across = p.r[1] / p.distance;
+            const double k =
+                (component == 1 ? weights.level_across : weights.level) - weights.slope * across * across;
+            return b.volume * (weights.molecular + k * (twice - weights.molecular)) * p.slope / p.distance *
+                   (a.u[component] - b.u[component]);
+        }
         if (options_.viscosity == ViscosityForm::morris) {
             return b.volume * twice * p.slope / p.distance * (a.u[component] - b.u[component]);
         }

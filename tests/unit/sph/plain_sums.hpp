@@ -5,6 +5,7 @@
 
 #include "case/case.hpp"
 #include "pair_sample.hpp"
+#include "sph/pair_terms.hpp"
 
 namespace riffle {
 
@@ -41,6 +42,8 @@ struct PlainOptions {
     ViscosityForm viscosity = ViscosityForm::morris;
     double diffusion = 0.0;
     double hydrostatic_gradient = 0.0;
+    bool weighted = false;  ///< Morris' viscosity by `directional` (three dimensions)
+    DirectionalViscosity<double> directional;
 };
 
 /// B by fluid particle, row-major.

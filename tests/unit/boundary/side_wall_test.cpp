@@ -1,0 +1,135 @@
+// The walls of a channel in three dimensions.
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+#include "boundary/wall.hpp"
+#include "particles/lattice.hpp"
+#include "sph/kernel.hpp"
+
+namespace riffle {
+namespace {
+
+Case channel(Sides sides) {
+    Case c;
+    c.channel.dimensions = 3;
+    c.bed.kind = BedKind::slip;
+    c.bed.datum_below_crest = 0.0;
+    c.channel.depth = 0.04;
+    c.channel.length = 0.02;
+    c.channel.width = 0.032;
+    c.channel.sides = sides;
+    c.numerics.spacing = 0.002;
+    return c;
+}
+
+/// sum V W at a point over fluid and walls, nearest images on periodic axes.
+double coverage(const Case& c, const Particles<3>& fluid, const WallParticles<3>& wall, const Vec<3>& x) {
+    const double h = c.numerics.smoothing_ratio * c.numerics.spacing;
+    const double volume = lattice_of(c).volume<3>();
+    const auto term = [&](const auto& position, std::size_t j) {
+        double squared = 0.0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            double d = x[k] - position[k][j];
+            if (k == 0) {
+                d -= c.channel.length * std::nearbyint(d / c.channel.length);
+            } else if (k == 1 && c.channel.sides == Sides::periodic) {
+                d -= c.channel.width * std::nearbyint(d / c.channel.width);
+            }
+            squared += d * d;
+        }
+        return volume * WendlandC2<3>::value(std::sqrt(squared) / h) / (h * h * h);
+    };
+    double sum = 0.0;
+    for (std::size_t j = 0; j < fluid.size(); ++j) {
+        sum += term(fluid.position, j);
+    }
+    for (std::size_t j = 0; j < wall.size(); ++j) {
+        sum += term(wall.position, j);
+    }
+    return sum;
+}
+
+class SideWallTest : public testing::TestWithParam<Sides> {};
+
+// To the kernel the walls are the continuation of the water, beside the bed, a side wall, a plane of symmetry
+// and in the edge between them.
+TEST_P(SideWallTest, CompletesTheSupport) {
+    const Case c = channel(GetParam());
+    const Particles<3> fluid = lattice_particles<3>(c);
+    const WallParticles<3> wall = wall_particles<3>(c);
+    const Lattice lattice = lattice_of(c);
+    const auto at = [&](int file, int row) {
+        return coverage(c, fluid, wall, {lattice.x(3, row), lattice.y(file), lattice.z(row)});
+    };
+    const double middle = at(lattice.files / 2, lattice.rows / 2);
+    EXPECT_NEAR(middle, 1.0, 0.01);
+    for (const int file : {0, 1, lattice.files / 2, lattice.files - 1}) {
+        for (const int row : {0, 1, lattice.rows / 2}) {
+            EXPECT_NEAR(at(file, row), middle, 1e-12) << file << " " << row;
+        }
+    }
+}
+
+// What counts of the water's velocity in the continuity equation: the part towards the wall; in the edge all
+// but the part along the channel, where sliding must cost nothing.
+TEST_P(SideWallTest, LetsTheWaterSlideAlongTheChannel) {
+    const Case c = channel(GetParam());
+    const WallParticles<3> wall = wall_particles<3>(c);
+    const double width = c.channel.simulated_width();
+    std::array<int, 3> found{};  // bed, sides, edges
+    for (std::size_t i = 0; i < wall.size(); ++i) {
+        const double y = wall.position[1][i];
+        const double z = wall.position[2][i];
+        const bool below = z < 0.0;
+        const bool beside = y < 0.0 || y > width;
+        ASSERT_TRUE(below || beside);
+        ++found[below && beside ? 2 : beside ? 1 : 0];
+        for (std::size_t k = 0; k < 9; ++k) {
+            const bool across = k == 4 && beside;
+            const bool up = k == 8 && below;
+            EXPECT_EQ(wall.projector[k][i], across || up ? 1.0 : 0.0);
+        }
+        const double depth = below ? -z : y < 0.0 ? -y : y - width;
+        EXPECT_NEAR(wall.depth[i], depth, 1e-15);
+        if (!(below && beside)) {
+            EXPECT_EQ(wall.normal[1][i], below ? 0.0 : y < 0.0 ? 1.0 : -1.0);
+            EXPECT_EQ(wall.normal[2][i], below ? 1.0 : 0.0);
+        }
+    }
+    EXPECT_GT(found[0], 0);
+    if (GetParam() == Sides::periodic) {
+        EXPECT_EQ(found[1] + found[2], 0);
+    } else {
+        // Three layers of ten columns behind both sides.
+        const Lattice lattice = lattice_of(c);
+        EXPECT_EQ(found[2], 2 * 3 * 3 * lattice.columns);
+        EXPECT_EQ(found[1], 2 * 3 * lattice.columns * (lattice.rows + lattice.rows / 2));
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(, SideWallTest, testing::Values(Sides::periodic, Sides::walls, Sides::half),
+                         [](const auto& info) {
+                             return info.param == Sides::periodic ? "periodic"
+                                    : info.param == Sides::walls  ? "walls"
+                                                                  : "half";
+                         });
+
+TEST(SideWall, DomainAndLatticeCoverTheSimulatedWidth) {
+    Case c = channel(Sides::half);
+    EXPECT_EQ(lattice_of(c).files, 8);
+    EXPECT_DOUBLE_EQ(lattice_of(c).y(7), 0.015);
+    EXPECT_FALSE(domain_of<3>(c).periodic[1]);
+    EXPECT_LT(domain_of<3>(c).lower[1], -0.006);
+    EXPECT_GT(domain_of<3>(c).upper[1], 0.022);
+    c.channel.sides = Sides::walls;
+    EXPECT_EQ(lattice_of(c).files, 16);
+    c.channel.sides = Sides::periodic;
+    EXPECT_TRUE(domain_of<3>(c).periodic[1]);
+    EXPECT_EQ(domain_of<3>(c).upper[1], 0.032);
+}
+
+}  // namespace
+}  // namespace riffle
