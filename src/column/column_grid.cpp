@@ -6,33 +6,61 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <utility>
 
 #include "base/error.hpp"
 
 namespace riffle {
 
-namespace {
+std::vector<double> distinct_between(std::vector<double> points, double from, double to) {
+    std::sort(points.begin(), points.end());
+    std::vector<double> result{from};
+    const double tolerance = 1e-6 * (to - from);
+    for (const double p : points) {
+        if (p > result.back() + tolerance && p < to - tolerance) result.push_back(p);
+    }
+    result.push_back(to);
+    return result;
+}
 
-/// 0, H and the heights between them where a coefficient is not smooth, in order.
-std::vector<double> breakpoints(const Case& c) {
+std::vector<double> column_breakpoints(const Case& c) {
     const double depth = c.total_depth();
-    std::vector<double> heights{0.0, c.turbulence.zero, c.datum(), c.crest(), depth};
+    std::vector<double> heights{c.turbulence.zero, c.datum(), c.crest()};
     if (c.turbulence.closure == ClosureKind::ramp) {
         heights.push_back(c.turbulence.zero +
                           c.turbulence.lambda / c.turbulence.kappa * (depth - c.turbulence.zero));
     }
-    std::sort(heights.begin(), heights.end());
-    // Heights that coincide but for rounding are one; so are those outside the water.
-    std::vector<double> result{0.0};
-    const double tolerance = 1e-6 * depth;
-    for (const double z : heights) {
-        if (z > result.back() + tolerance && z < depth - tolerance) result.push_back(z);
+    if (c.channel.dimensions == 3 && c.bed.kind == BedKind::spheres) {
+        // The ends of the ramp over which the drag of a sphere sets in.
+        heights.push_back(c.crest() - 0.5 * c.sphere_ramp());
+        heights.push_back(c.crest() + 0.5 * c.sphere_ramp());
     }
-    result.push_back(depth);
-    return result;
+    return distinct_between(std::move(heights), 0.0, depth);
 }
 
-}  // namespace
+std::vector<double> graded_faces(const std::vector<double>& breakpoints, int cells, int fewest) {
+    const auto segments = static_cast<double>(breakpoints.size() - 1);
+    const double extent = breakpoints.back() - breakpoints.front();
+    std::vector<double> faces{breakpoints.front()};
+    for (std::size_t s = 0; s + 1 < breakpoints.size(); ++s) {
+        const double low = breakpoints[s];
+        const double length = breakpoints[s + 1] - low;
+        // Half of the cells evenly over the segments, half by length.
+        const double share = 0.5 / segments + 0.5 * length / extent;
+        const int n = std::max(fewest, static_cast<int>(std::lround(share * cells)));
+        for (int i = 1; i < n; ++i) {
+            faces.push_back(low + 0.5 * length * (1.0 - std::cos(std::numbers::pi * i / n)));
+        }
+        faces.push_back(breakpoints[s + 1]);
+    }
+    return faces;
+}
+
+std::vector<double> midpoints(const std::vector<double>& faces) {
+    std::vector<double> centres;
+    for (std::size_t i = 0; i + 1 < faces.size(); ++i) centres.push_back(0.5 * (faces[i] + faces[i + 1]));
+    return centres;
+}
 
 ColumnGrid make_column_grid(const Case& c, int cells) {
     if (!(c.datum() >= 0.0) || !(c.total_depth() > c.datum())) {
@@ -43,24 +71,10 @@ ColumnGrid make_column_grid(const Case& c, int cells) {
                         "bed.datum_below_crest",
                         c.datum(), c.total_depth()));
     }
-    const std::vector<double> heights = breakpoints(c);
-    const auto segments = static_cast<double>(heights.size() - 1);
+    constexpr int fewest = 4;
     ColumnGrid grid;
-    grid.face.push_back(0.0);
-    for (std::size_t s = 0; s + 1 < heights.size(); ++s) {
-        const double low = heights[s];
-        const double length = heights[s + 1] - low;
-        // Half of the cells evenly over the segments, half by length.
-        const double share = 0.5 / segments + 0.5 * length / c.total_depth();
-        const int n = std::max(4, static_cast<int>(std::lround(share * cells)));
-        for (int i = 1; i < n; ++i) {
-            grid.face.push_back(low + 0.5 * length * (1.0 - std::cos(std::numbers::pi * i / n)));
-        }
-        grid.face.push_back(heights[s + 1]);
-    }
-    for (std::size_t i = 0; i + 1 < grid.face.size(); ++i) {
-        grid.centre.push_back(0.5 * (grid.face[i] + grid.face[i + 1]));
-    }
+    grid.face = graded_faces(column_breakpoints(c), cells, fewest);
+    grid.centre = midpoints(grid.face);
     return grid;
 }
 

@@ -15,6 +15,20 @@ struct ColumnGrid {
     std::vector<double> centre;  ///< n heights, midway between the faces
 };
 
+/// Heights from 0 to H at which a coefficient of the momentum balance is not smooth, in order, m.
+[[nodiscard]] std::vector<double> column_breakpoints(const Case& c);
+
+/// Faces of about `cells` cells with a face at each of the `breakpoints` (in order) and cosine spacing
+/// between them, at least `fewest` cells in each.
+[[nodiscard]] std::vector<double> graded_faces(const std::vector<double>& breakpoints, int cells, int fewest);
+
+/// The points midway between the faces.
+[[nodiscard]] std::vector<double> midpoints(const std::vector<double>& faces);
+
+/// `points` in order between `from` and `to`, those outside left out and those that coincide but for rounding
+/// taken as one.
+[[nodiscard]] std::vector<double> distinct_between(std::vector<double> points, double from, double to);
+
 /// Grid of about `cells` cells. Throws InputError unless 0 <= datum < H.
 [[nodiscard]] ColumnGrid make_column_grid(const Case& c, int cells);
 

@@ -1,0 +1,147 @@
+#include "column/section.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.hpp"
+#include "column/column.hpp"
+#include "column/section_solver.hpp"
+
+namespace riffle {
+
+namespace {
+
+/// Velocity in each cell from its height.
+template <class Profile>
+Eigen::VectorXd from_profile(const SectionGrid& grid, Profile profile) {
+    Eigen::VectorXd u(static_cast<Eigen::Index>(grid.size()));
+    for (std::size_t iz = 0; iz < grid.rows(); ++iz) {
+        u.segment(static_cast<Eigen::Index>(iz * grid.columns()), static_cast<Eigen::Index>(grid.columns()))
+            .setConstant(profile(grid.z[iz]));
+    }
+    return u;
+}
+
+/// A flow whose friction is of the order of its weight.
+Eigen::VectorXd first_guess(const Case& c, const SectionGrid& grid, const SectionBalance& balance) {
+    const Eigen::VectorXd still = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(grid.size()));
+    if (balance.bed_force(still.array() + 1.0) > 0.0) {
+        const ColumnResult column = solve_column(c);
+        return from_profile(grid, [&column](double z) { return column.velocity_at(z); });
+    }
+    const Eigen::VectorXd one = still.array() + 1.0;
+    return std::sqrt(balance.weight() / balance.wall_force(one)) * one;
+}
+
+/// Implicit Euler steps of growing length that turn into Newton's method: from any start they follow the
+/// transient to the steady state, which is the only one, as the stresses and the drag rise with the flow.
+Eigen::VectorXd solve_balance(const Case& c, const SectionGrid& grid, const SectionBalance& balance) {
+    Eigen::VectorXd u = first_guess(c, grid, balance);
+    const auto size = [&balance](const Eigen::VectorXd& force) {
+        return std::sqrt((force.array().square() / balance.area().array()).sum());
+    };
+    SectionFactorisation factors;
+    Eigen::VectorXd force = balance.residual(u);
+    double error = size(force);
+    double step_time = u.maxCoeff() / c.streamwise_gravity();  // that in which the weight makes the flow
+    double last_change = 1.0;
+    constexpr int most_iterations = 200;
+    for (int iteration = 0; iteration < most_iterations; ++iteration) {
+        factors.compute(balance.jacobian(u), balance.area() / step_time);
+        const Eigen::VectorXd change = factors.solve(force);
+        const Eigen::VectorXd next = u + change;
+        const Eigen::VectorXd next_force = balance.residual(next);
+        const double next_error = size(next_force);
+        if (!std::isfinite(next_error) || next_error > 2.0 * error) {
+            step_time *= 0.2;
+            continue;
+        }
+        const double relative = change.lpNorm<Eigen::Infinity>() / next.lpNorm<Eigen::Infinity>();
+        u = next;
+        force = next_force;
+        error = next_error;
+        step_time *= 5.0;
+        // Converged, or as far as rounding lets it.
+        if (step_time > 1e9 && (relative < 1e-12 || (relative < 1e-10 && relative > 0.5 * last_change))) {
+            return u;
+        }
+        last_change = relative;
+    }
+    throw InputError(
+        "the steady cross-section did not converge: check fluid.kinematic_viscosity, channel.slope, "
+        "bed.drag_coefficient and the [turbulence] constants of the case");
+}
+
+/// E-folding time of the slowest mode of small departures: the largest eigenvalue of J^-1 M, M the areas, by
+/// Arnoldi's method, as the modes across a wide channel lie close together.
+double slowest_decay_time(const SectionBalance& balance, const Eigen::VectorXd& u) {
+    SectionFactorisation factors;
+    factors.compute(balance.jacobian(u), Eigen::VectorXd::Zero(u.size()));
+    const Eigen::Index most = std::min<Eigen::Index>(60, u.size());
+    Eigen::MatrixXd basis(u.size(), most + 1);
+    Eigen::MatrixXd hessenberg = Eigen::MatrixXd::Zero(most + 1, most);
+    basis.col(0) = u.normalized();
+    double time = 0.0;
+    for (Eigen::Index k = 0; k < most; ++k) {
+        Eigen::VectorXd next = factors.solve(balance.area().cwiseProduct(basis.col(k)));
+        for (int pass = 0; pass < 2; ++pass) {  // twice is enough (Kahan, Parlett)
+            const Eigen::VectorXd along = basis.leftCols(k + 1).transpose() * next;
+            next -= basis.leftCols(k + 1) * along;
+            hessenberg.col(k).head(k + 1) += along;
+        }
+        hessenberg(k + 1, k) = next.norm();
+        const Eigen::EigenSolver<Eigen::MatrixXd> modes(hessenberg.topLeftCorner(k + 1, k + 1), false);
+        const double estimate = modes.eigenvalues().real().maxCoeff();
+        const bool converged = std::abs(estimate - time) <= 1e-10 * estimate;
+        time = estimate;
+        if (converged || !(hessenberg(k + 1, k) > 1e-14 * estimate)) break;
+        basis.col(k + 1) = next / hessenberg(k + 1, k);
+    }
+    return time;
+}
+
+}  // namespace
+
+bool has_section(const Case& c) {
+    if (!c.has_side_walls() || !(c.streamwise_gravity() > 0.0)) return false;
+    if (c.channel.ends != Ends::periodic || c.channel.top == Top::periodic) return false;
+    // Whether there is friction does not depend on the grid.
+    constexpr int coarse = 8;
+    return SectionBalance(c, make_section_grid(c, coarse, coarse)).has_friction();
+}
+
+SectionResult solve_section(const Case& c, const SectionOptions& options) {
+    check_section(c);
+    const SectionGrid grid = make_section_grid(c, options.cells_across, options.cells_over_depth);
+    const SectionBalance balance(c, grid);
+    const Eigen::VectorXd u = solve_balance(c, grid, balance);
+    SectionResult result = section_result(c, grid, balance, u);
+    result.relaxation_time = slowest_decay_time(balance, u);
+    return result;
+}
+
+SectionResult start_section(const Case& c, SectionStart start, const SectionOptions& options) {
+    check_section(c);
+    const SectionGrid grid = make_section_grid(c, options.cells_across, options.cells_over_depth);
+    const SectionBalance balance(c, grid);
+    const double depth = c.total_depth();
+    Eigen::VectorXd u = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(grid.size()));
+    if (start != SectionStart::rest) {
+        const ColumnResult column = solve_column(c);
+        const double power = 1.0 / c.start.exponent;
+        if (start == SectionStart::column) {
+            u = from_profile(grid, [&column](double z) { return column.velocity_at(z); });
+        } else if (start == SectionStart::uniform) {
+            u.setConstant(column.depth_mean_velocity);
+        } else {
+            const double largest = c.start.kind == StartKind::power_law && c.start.velocity
+                                       ? *c.start.velocity
+                                       : column.total_mean_velocity * (1.0 + power);
+            u = from_profile(grid, [&](double z) { return largest * std::pow(z / depth, power); });
+        }
+    }
+    return section_result(c, grid, balance, u);
+}
+
+}  // namespace riffle

@@ -1,0 +1,262 @@
+#include "column/section_balance.hpp"
+
+#include <cmath>
+
+#include "roughness/bed_drag.hpp"
+#include "roughness/side_wall_partition.hpp"
+#include "turbulence/closure.hpp"
+#include "turbulence/czernuszenko_rylov.hpp"
+
+namespace riffle {
+
+namespace {
+
+/// What stands beyond the last centre of a row of cells.
+enum class End {
+    open,    ///< no flux, where the mixing length fades: the gradient goes on as it is
+    mirror,  ///< a plane of symmetry: the gradient vanishes
+    rest,    ///< a wall at rest
+};
+
+/// Weights of the gradient at the centre i on the values at i - 1, i, i + 1: the mean of those at its faces.
+std::array<double, 3> gradient_weights(const std::vector<double>& centre, const std::vector<double>& face,
+                                       std::size_t i, End first, End last) {
+    const bool has_below = i > 0;
+    const bool has_above = i + 1 < centre.size();
+    const double below = has_below ? 1.0 / (centre[i] - centre[i - 1]) : 0.0;
+    const double above = has_above ? 1.0 / (centre[i + 1] - centre[i]) : 0.0;
+    if (!has_below) {
+        if (first == End::open) return {0.0, -above, above};
+        const double wall = first == End::rest ? 1.0 / (centre[i] - face[i]) : 0.0;
+        return {0.0, 0.5 * (wall - above), 0.5 * above};
+    }
+    if (!has_above) {
+        if (last == End::open) return {-below, below, 0.0};
+        return {-0.5 * below, 0.5 * below, 0.0};
+    }
+    return {-0.5 * below, 0.5 * (below - above), 0.5 * above};
+}
+
+}  // namespace
+
+SectionBalance::SectionBalance(const Case& c, const SectionGrid& grid)
+    : columns_(grid.columns()),
+      rows_(grid.rows()),
+      weight_(c.streamwise_gravity()),
+      viscosity_(c.fluid.kinematic_viscosity),
+      no_slip_(c.bed.kind == BedKind::no_slip),
+      wall_form_(c.side_walls.drag_form) {
+    const auto size = static_cast<Eigen::Index>(grid.size());
+    area_.resize(size);
+    bed_drag_ = Eigen::VectorXd::Zero(size);
+    layer_area_ = Eigen::VectorXd::Zero(size);
+    std::vector<double> drag(rows_, 0.0);
+    if (const auto bed = make_bed_drag(c)) bed->coefficients(grid.z, drag);
+    const double layer = wall_form_ == SideDragForm::none ? 0.0 : c.side_layer();
+    for (std::size_t iz = 0; iz < rows_; ++iz) {
+        for (std::size_t iy = 0; iy < columns_; ++iy) {
+            const auto i = static_cast<Eigen::Index>(grid.cell(iy, iz));
+            area_(i) = (grid.y_face[iy + 1] - grid.y_face[iy]) * (grid.z_face[iz + 1] - grid.z_face[iz]);
+            bed_drag_(i) = area_(i) * drag[iz];
+            if (grid.y[iy] < layer) layer_area_(i) = area_(i);
+        }
+    }
+    for (std::size_t iy = 0; iy < columns_; ++iy) {
+        bed_extent_.push_back(grid.y_face[iy + 1] - grid.y_face[iy]);
+    }
+    bed_distance_ = grid.z.front() - grid.z_face.front();
+    if (wall_form_ == SideDragForm::consistent) {
+        // Half of the section has half of the bed and one wall.
+        wall_over_bed_ = 2.0 * side_wall_partition(c).wall_over_bed;
+    } else if (wall_form_ == SideDragForm::thesis) {
+        fixed_coefficient_ = printed_side_wall_coefficient(c);
+    }
+    add_faces(c, grid);
+}
+
+void SectionBalance::add_faces(const Case& c, const SectionGrid& grid) {
+    std::vector<double> face_length(rows_ + 1, 0.0);
+    std::vector<double> face_factor(columns_ + 1, 1.0);
+    cell_length_.assign(rows_, 0.0);
+    cell_factor_.assign(columns_, 1.0);
+    double lateral_weight = 1.0;
+    if (const auto closure = make_closure(c)) {
+        closure->mixing_lengths(grid.z_face, face_length);
+        closure->mixing_lengths(grid.z, cell_length_);
+        for (std::size_t i = 0; i <= columns_; ++i) face_factor[i] = closure->side_factor(grid.y_face[i]);
+        for (std::size_t i = 0; i < columns_; ++i) cell_factor_[i] = closure->side_factor(grid.y[i]);
+        lateral_weight = stress_weight(false, true, closure->spanwise_ratio());
+    }
+    bed_length_squared_ = face_length.front() * face_length.front();
+    const auto square = [](double x) { return x * x; };
+    const auto neighbours = [&](Face& face, std::size_t side, std::size_t cell, std::size_t step, bool first,
+                                bool last, const std::array<double, 3>& weights, double share) {
+        const std::size_t at = 3 * side;
+        face.cells[at] = static_cast<Eigen::Index>(first ? cell : cell - step);
+        face.cells[at + 1] = static_cast<Eigen::Index>(cell);
+        face.cells[at + 2] = static_cast<Eigen::Index>(last ? cell : cell + step);
+        for (std::size_t k = 0; k < 3; ++k) face.weights[at + k] = share * weights[k];
+    };
+    for (std::size_t iz = 0; iz + 1 < rows_; ++iz) {
+        const double low = grid.z_face[iz + 1] - grid.z_face[iz];
+        const double high = grid.z_face[iz + 2] - grid.z_face[iz + 1];
+        for (std::size_t iy = 0; iy < columns_; ++iy) {
+            const std::array<double, 3> weights =
+                gradient_weights(grid.y, grid.y_face, iy, End::open, End::mirror);
+            Face face{};
+            const bool first = iy == 0;
+            const bool last = iy + 1 == columns_;
+            neighbours(face, 0, grid.cell(iy, iz), 1, first, last, weights, high / (low + high));
+            neighbours(face, 1, grid.cell(iy, iz + 1), 1, first, last, weights, low / (low + high));
+            face.inverse_distance = 1.0 / (grid.z[iz + 1] - grid.z[iz]);
+            face.length_squared = square(face_length[iz + 1] * cell_factor_[iy]);
+            face.stress_weight = 1.0;
+            face.extent = bed_extent_[iy];
+            vertical_faces_.push_back(face);
+        }
+    }
+    for (std::size_t iz = 0; iz < rows_; ++iz) {
+        const std::array<double, 3> weights =
+            gradient_weights(grid.z, grid.z_face, iz, no_slip_ ? End::rest : End::open, End::open);
+        for (std::size_t iy = 0; iy + 1 < columns_; ++iy) {
+            Face face{};
+            const bool first = iz == 0;
+            const bool last = iz + 1 == rows_;
+            const double both = bed_extent_[iy] + bed_extent_[iy + 1];
+            neighbours(face, 0, grid.cell(iy, iz), columns_, first, last, weights,
+                       bed_extent_[iy + 1] / both);
+            neighbours(face, 1, grid.cell(iy + 1, iz), columns_, first, last, weights,
+                       bed_extent_[iy] / both);
+            face.inverse_distance = 1.0 / (grid.y[iy + 1] - grid.y[iy]);
+            face.length_squared = square(cell_length_[iz] * face_factor[iy + 1]);
+            face.stress_weight = lateral_weight;
+            face.extent = grid.z_face[iz + 1] - grid.z_face[iz];
+            lateral_faces_.push_back(face);
+        }
+    }
+}
+
+SectionBalance::FaceFlow SectionBalance::flow(const Face& face, const Eigen::VectorXd& u) const {
+    const double normal = (u(face.plus()) - u(face.minus())) * face.inverse_distance;
+    double tangent = 0.0;
+    for (std::size_t k = 0; k < 6; ++k) tangent += face.weights[k] * u(face.cells[k]);
+    const double rate = std::hypot(normal, tangent);
+    const double factor = face.stress_weight * face.length_squared;
+    const double steepening = rate > 0.0 ? factor * normal / rate : 0.0;
+    const double viscosity = viscosity_ + factor * rate;
+    return {viscosity * normal, viscosity + steepening * normal, steepening * tangent};
+}
+
+SectionBalance::FaceFlow SectionBalance::bed_flow(std::size_t iy, const Eigen::VectorXd& u) const {
+    const double gradient = u(static_cast<Eigen::Index>(iy)) / bed_distance_;
+    const double factor = bed_length_squared_ * cell_factor_[iy] * cell_factor_[iy];
+    const double rate = std::abs(gradient);
+    return {(viscosity_ + factor * rate) * gradient, viscosity_ + 2.0 * factor * rate, 0.0};
+}
+
+double SectionBalance::layer_sum(const Eigen::VectorXd& u) const {
+    return (layer_area_.array() * u.array() * u.array().abs()).sum();
+}
+
+double SectionBalance::bed_force(const Eigen::VectorXd& u) const {
+    double force = (bed_drag_.array() * u.array() * u.array().abs()).sum();
+    if (no_slip_) {
+        for (std::size_t iy = 0; iy < columns_; ++iy) force += bed_extent_[iy] * bed_flow(iy, u).stress;
+    }
+    return force;
+}
+
+double SectionBalance::wall_coefficient(const Eigen::VectorXd& u) const {
+    if (wall_form_ != SideDragForm::consistent) return fixed_coefficient_;
+    const double layer = layer_sum(u);
+    // Water at rest: the limit of a uniform velocity.
+    if (!(layer > 0.0)) return wall_over_bed_ * bed_drag_.sum() / layer_area_.sum();
+    return wall_over_bed_ * bed_force(u) / layer;
+}
+
+double SectionBalance::wall_force(const Eigen::VectorXd& u) const {
+    return wall_coefficient(u) * layer_sum(u);
+}
+
+Eigen::VectorXd SectionBalance::residual(const Eigen::VectorXd& u) const {
+    Eigen::VectorXd force =
+        weight_ * area_.array() -
+        (bed_drag_.array() + wall_coefficient(u) * layer_area_.array()) * u.array() * u.array().abs();
+    for (const auto* faces : {&vertical_faces_, &lateral_faces_}) {
+        for (const Face& face : *faces) {
+            const double exchange = face.extent * flow(face, u).stress;
+            force(face.minus()) += exchange;
+            force(face.plus()) -= exchange;
+        }
+    }
+    if (no_slip_) {
+        for (std::size_t iy = 0; iy < columns_; ++iy) {
+            force(static_cast<Eigen::Index>(iy)) -= bed_extent_[iy] * bed_flow(iy, u).stress;
+        }
+    }
+    return force;
+}
+
+SectionJacobian SectionBalance::jacobian(const Eigen::VectorXd& u) const {
+    const Eigen::Index n = u.size();
+    const double wall = wall_coefficient(u);
+    std::vector<Eigen::Triplet<double>> entries;
+    entries.reserve(12 * (vertical_faces_.size() + lateral_faces_.size()) + 2 * static_cast<std::size_t>(n));
+    for (Eigen::Index i = 0; i < n; ++i) {
+        entries.emplace_back(i, i, 2.0 * std::abs(u(i)) * (bed_drag_(i) + wall * layer_area_(i)));
+    }
+    for (const auto* faces : {&vertical_faces_, &lateral_faces_}) {
+        for (const Face& face : *faces) {
+            const FaceFlow f = flow(face, u);
+            std::array<double, 6> slope{};
+            for (std::size_t k = 0; k < 6; ++k) slope[k] = f.tangent_slope * face.weights[k];
+            slope[1] -= f.normal_slope * face.inverse_distance;
+            slope[4] += f.normal_slope * face.inverse_distance;
+            for (std::size_t k = 0; k < 6; ++k) {
+                entries.emplace_back(face.minus(), face.cells[k], -face.extent * slope[k]);
+                entries.emplace_back(face.plus(), face.cells[k], face.extent * slope[k]);
+            }
+        }
+    }
+    Eigen::VectorXd bed_slope = 2.0 * bed_drag_.array() * u.array().abs();
+    if (no_slip_) {
+        for (std::size_t iy = 0; iy < columns_; ++iy) {
+            const auto i = static_cast<Eigen::Index>(iy);
+            const double slope = bed_extent_[iy] * bed_flow(iy, u).normal_slope / bed_distance_;
+            entries.emplace_back(i, i, slope);
+            bed_slope(i) += slope;
+        }
+    }
+    SectionJacobian result;
+    result.matrix.resize(n, n);
+    result.matrix.setFromTriplets(entries.begin(), entries.end());
+    result.column = layer_area_.array() * u.array() * u.array().abs();
+    result.row = Eigen::VectorXd::Zero(n);
+    const double layer = result.column.sum();
+    if (wall_form_ == SideDragForm::consistent && layer > 0.0) {
+        result.row =
+            (wall_over_bed_ * bed_slope.array() - wall * 2.0 * layer_area_.array() * u.array().abs()) / layer;
+    }
+    return result;
+}
+
+SectionBalance::Stresses SectionBalance::stresses(const Eigen::VectorXd& u) const {
+    Stresses result{std::vector<double>(rows_ * columns_, 0.0), std::vector<double>(rows_ * columns_, 0.0)};
+    // The mean of the faces of a cell; those at the ends of the section carry none.
+    const auto share = [](std::vector<double>& cells, const Face& face, double stress) {
+        cells[static_cast<std::size_t>(face.minus())] += 0.5 * stress;
+        cells[static_cast<std::size_t>(face.plus())] += 0.5 * stress;
+    };
+    for (const Face& face : vertical_faces_) share(result.vertical, face, flow(face, u).stress);
+    for (const Face& face : lateral_faces_) share(result.lateral, face, flow(face, u).stress);
+    if (no_slip_) {
+        for (std::size_t iy = 0; iy < columns_; ++iy) result.vertical[iy] += 0.5 * bed_flow(iy, u).stress;
+    }
+    return result;
+}
+
+bool SectionBalance::has_friction() const {
+    return no_slip_ || bed_drag_.sum() > 0.0 || fixed_coefficient_ * layer_area_.sum() > 0.0;
+}
+
+}  // namespace riffle

@@ -1,0 +1,104 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "case/case.hpp"
+#include "column/section_grid.hpp"
+
+namespace riffle {
+
+/// Minus the derivative of a section's momentum balance, matrix + column row^T: the friction coefficient of
+/// the side walls depends on the flow of the whole section, which adds a product of two vectors.
+struct SectionJacobian {
+    Eigen::SparseMatrix<double> matrix;
+    Eigen::VectorXd column;
+    Eigen::VectorXd row;
+};
+
+/// The momentum balance of steady flow along a channel in finite volumes over half a cross-section,
+///     g S0 + d/dy[(nu0 + A nu_t) dU/dy] + d/dz[(nu0 + nu_t) dU/dz] - (beta_bed(z) + beta_wall(y)) U|U| = 0,
+/// nu_t = l^2 |S|, l = l_m(z) G(y), |S|^2 = (dU/dy)^2 + (dU/dz)^2, A = 1/2 (1 + q^2), with the closure, the
+/// bed drag (its mean over the plan) and the side walls' friction of the case. No flux at bed, surface, wall
+/// and plane of symmetry, but for no-slip beds U = 0 at z = 0. Velocities stand at the centres of the cells,
+/// in the order of the grid; forces are per length and density, m3/s2.
+class SectionBalance {
+  public:
+    SectionBalance(const Case& c, const SectionGrid& grid);
+
+    /// Force on each cell: weight + differences of the stresses - drag.
+    [[nodiscard]] Eigen::VectorXd residual(const Eigen::VectorXd& u) const;
+    [[nodiscard]] SectionJacobian jacobian(const Eigen::VectorXd& u) const;
+
+    /// Friction coefficient beta_wall of the wall's layer, 1/m. Consistent form: such that the wall carries
+    /// H/(k^2 W_b) of what the flow exerts on the bed.
+    [[nodiscard]] double wall_coefficient(const Eigen::VectorXd& u) const;
+
+    /// Force of the flow on the bed and on the wall.
+    [[nodiscard]] double bed_force(const Eigen::VectorXd& u) const;
+    [[nodiscard]] double wall_force(const Eigen::VectorXd& u) const;
+
+    /// Kinematic stresses at the centres of the cells, m2/s2: xz and xy.
+    struct Stresses {
+        std::vector<double> vertical;
+        std::vector<double> lateral;
+    };
+    [[nodiscard]] Stresses stresses(const Eigen::VectorXd& u) const;
+
+    [[nodiscard]] const Eigen::VectorXd& area() const { return area_; }  ///< of the cells, m2
+    [[nodiscard]] double weight() const { return weight_ * area_.sum(); }
+    [[nodiscard]] double mixing_length(std::size_t iy, std::size_t iz) const {
+        return cell_length_[iz] * cell_factor_[iy];
+    }
+    /// Whether anything resists the flow. Without it there is no steady state.
+    [[nodiscard]] bool has_friction() const;
+
+  private:
+    /// A face between two cells: the gradient along its normal is that between the two, the gradient along
+    /// it the mean of those of the two cells from their neighbours.
+    struct Face {
+        std::array<Eigen::Index, 6> cells;  ///< minus and plus each with its neighbours along the face
+        std::array<double, 6> weights;      ///< of the gradient along the face, 1/m
+        double inverse_distance;
+        double length_squared;
+        double stress_weight;
+        double extent;
+        [[nodiscard]] Eigen::Index minus() const { return cells[1]; }
+        [[nodiscard]] Eigen::Index plus() const { return cells[4]; }
+    };
+    struct FaceFlow {
+        double stress;         ///< kinematic, m2/s2
+        double normal_slope;   ///< its derivative by the gradient along the normal
+        double tangent_slope;  ///< and by the gradient along the face
+    };
+    [[nodiscard]] FaceFlow flow(const Face& face, const Eigen::VectorXd& u) const;
+    /// Of a no-slip bed under the cell iy.
+    [[nodiscard]] FaceFlow bed_flow(std::size_t iy, const Eigen::VectorXd& u) const;
+    [[nodiscard]] double layer_sum(const Eigen::VectorXd& u) const;
+
+    void add_faces(const Case& c, const SectionGrid& grid);
+
+    std::size_t columns_;
+    std::size_t rows_;
+    double weight_;
+    double viscosity_;
+    bool no_slip_;
+    SideDragForm wall_form_;
+    double wall_over_bed_ = 0.0;        ///< force on the wall over that on the bed of the half section
+    double fixed_coefficient_ = 0.0;    ///< of the wall, printed form
+    double bed_distance_ = 0.0;         ///< of the lowest centres from the bed
+    double bed_length_squared_ = 0.0;   ///< at the bed, over the middle
+    std::vector<double> bed_extent_;    ///< widths of the cells
+    std::vector<double> cell_length_;   ///< l_m at the heights of the centres
+    std::vector<double> cell_factor_;   ///< G at the centres
+    std::vector<Face> vertical_faces_;  ///< between rows, row by row
+    std::vector<Face> lateral_faces_;   ///< between columns, row by row
+    Eigen::VectorXd area_;
+    Eigen::VectorXd bed_drag_;    ///< area times beta_bed
+    Eigen::VectorXd layer_area_;  ///< area in the wall's layer, else 0
+};
+
+}  // namespace riffle

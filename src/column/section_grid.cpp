@@ -1,0 +1,23 @@
+#include "column/section_grid.hpp"
+
+#include "column/column_grid.hpp"
+
+namespace riffle {
+
+SectionGrid make_section_grid(const Case& c, int cells_across, int cells_over_depth) {
+    constexpr int fewest = 4;
+    SectionGrid grid;
+    const ColumnGrid column = make_column_grid(c, cells_over_depth);
+    grid.z_face = column.face;
+    grid.z = column.centre;
+    std::vector<double> across;
+    if (c.side_walls.drag_form != SideDragForm::none) across.push_back(c.side_layer());
+    if (c.turbulence.closure == ClosureKind::czernuszenko_rylov) {
+        across.push_back(c.turbulence.edge_zone * 0.5 * c.total_depth());
+    }
+    grid.y_face = graded_faces(distinct_between(across, 0.0, c.channel.centreline()), cells_across, fewest);
+    grid.y = midpoints(grid.y_face);
+    return grid;
+}
+
+}  // namespace riffle

@@ -1,0 +1,157 @@
+#include "column/section_solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.hpp"
+#include "roughness/side_wall_partition.hpp"
+
+namespace riffle {
+
+void SectionFactorisation::compute(const SectionJacobian& jacobian, const Eigen::VectorXd& diagonal) {
+    Eigen::SparseMatrix<double> matrix = jacobian.matrix;
+    matrix.diagonal() += diagonal;
+    if (!analysed_) {
+        factors_.analyzePattern(matrix);
+        analysed_ = true;
+    }
+    factors_.factorize(matrix);
+    if (factors_.info() != Eigen::Success) {
+        throw InputError(
+            "the equations of the cross-section are singular: check fluid.kinematic_viscosity, "
+            "channel.slope, bed.drag_coefficient and the [turbulence] constants of the case");
+    }
+    column_ = factors_.solve(jacobian.column);
+    row_ = jacobian.row;
+    denominator_ = 1.0 + row_.dot(column_);
+}
+
+Eigen::VectorXd SectionFactorisation::solve(const Eigen::VectorXd& right) const {
+    Eigen::VectorXd x = factors_.solve(right);
+    x -= column_ * (row_.dot(x) / denominator_);
+    return x;
+}
+
+double SectionResult::velocity_at(double across, double height) const {
+    struct Place {
+        std::size_t low;
+        std::size_t high;
+        double fraction;
+    };
+    const auto place = [](const std::vector<double>& at, double x) -> Place {
+        if (x <= at.front()) return {0, 0, 0.0};
+        if (x >= at.back()) return {at.size() - 1, at.size() - 1, 0.0};
+        const auto high = static_cast<std::size_t>(std::upper_bound(at.begin(), at.end(), x) - at.begin());
+        return {high - 1, high, (x - at[high - 1]) / (at[high] - at[high - 1])};
+    };
+    const Place column = place(y, across);
+    const Place row = place(z, height);
+    const auto along = [&](std::size_t iz) {
+        const double* const u = velocity.data() + iz * y.size();
+        return u[column.low] + column.fraction * (u[column.high] - u[column.low]);
+    };
+    const double low = along(row.low);
+    return low + row.fraction * (along(row.high) - low);
+}
+
+std::vector<double> SectionResult::depth_means(double datum, double total_depth) const {
+    std::vector<double> means(y.size(), 0.0);
+    double bottom = 0.0;
+    for (std::size_t iz = 0; iz < z.size(); ++iz) {
+        // The centres stand midway between the faces.
+        const double top = iz + 1 == z.size() ? total_depth : 2.0 * z[iz] - bottom;
+        const double part = std::max(0.0, top - std::max(bottom, datum));
+        for (std::size_t iy = 0; iy < y.size(); ++iy) {
+            means[iy] += velocity[iz * y.size() + iy] * part / (total_depth - datum);
+        }
+        bottom = top;
+    }
+    return means;
+}
+
+void check_section(const Case& c) {
+    if (!c.has_side_walls()) {
+        throw InputError(
+            "the case has no side walls, and without them the flow does not vary over the cross-section: "
+            "set channel.dimensions = 3 and channel.sides = \"walls\" or \"half\", or use riffle column");
+    }
+    if (!has_section(c)) {
+        throw InputError(
+            "the case has no steady flow over its cross-section: it needs channel.slope > 0 and a bed that "
+            "resists the flow, spheres with bed.drag_coefficient > 0 or bed.kind = \"no-slip\"");
+    }
+}
+
+SectionResult section_result(const Case& c, const SectionGrid& grid, const SectionBalance& balance,
+                             const Eigen::VectorXd& u) {
+    const std::size_t columns = grid.columns();
+    const std::size_t rows = grid.rows();
+    const bool whole = c.channel.sides == Sides::walls;
+    const double width = c.channel.width;
+    const double depth = c.total_depth();
+    SectionResult r;
+    r.y = grid.y;
+    r.z = grid.z;
+    if (whole) {
+        for (std::size_t i = columns; i-- > 0;) r.y.push_back(width - grid.y[i]);
+    }
+    const SectionBalance::Stresses stresses = balance.stresses(u);
+    const double density = c.fluid.density;
+    for (std::size_t iz = 0; iz < rows; ++iz) {
+        for (std::size_t k = 0; k < r.y.size(); ++k) {
+            const bool mirrored = k >= columns;
+            const std::size_t iy = mirrored ? 2 * columns - 1 - k : k;
+            const std::size_t cell = grid.cell(iy, iz);
+            r.velocity.push_back(u(static_cast<Eigen::Index>(cell)));
+            r.mixing_length.push_back(balance.mixing_length(iy, iz));
+            r.shear_stress.push_back(density * stresses.vertical[cell]);
+            r.lateral_shear_stress.push_back((mirrored ? -density : density) * stresses.lateral[cell]);
+        }
+    }
+    double above = 0.0;
+    double above_area = 0.0;
+    double layer = 0.0;
+    double layer_area = 0.0;
+    const double edge = c.side_walls.drag_form == SideDragForm::none ? 0.0 : c.side_layer();
+    for (std::size_t iz = 0; iz < rows; ++iz) {
+        for (std::size_t iy = 0; iy < columns; ++iy) {
+            const auto i = static_cast<Eigen::Index>(grid.cell(iy, iz));
+            const double area = balance.area()(i);
+            if (grid.z[iz] > c.datum()) {
+                above += area * u(i);
+                above_area += area;
+            }
+            if (grid.y[iy] < edge) {
+                layer += area * u(i);
+                layer_area += area;
+            }
+        }
+    }
+    r.bulk_velocity = balance.area().dot(u) / balance.area().sum();
+    r.depth_mean_velocity = above / above_area;
+    r.centreline_velocity = r.depth_means(c.datum(), depth)[columns - 1];
+    r.maximum_velocity = u.maxCoeff();
+    r.wall_layer_velocity = layer_area > 0.0 ? layer / layer_area : 0.0;
+    r.discharge = r.bulk_velocity * depth * width;
+    const double bed = balance.bed_force(u);
+    const double wall = balance.wall_force(u);
+    r.drag_share = bed / balance.weight();
+    r.side_wall_share = wall / balance.weight();
+    r.bed_stress = density * bed / c.channel.centreline();
+    r.wall_stress = density * wall / depth;
+    r.side_wall_coefficient = balance.wall_coefficient(u);
+    r.partition = side_wall_partition(c);
+    return r;
+}
+
+Eigen::VectorXd velocities_on(const SectionGrid& grid, const SectionResult& result) {
+    Eigen::VectorXd u(static_cast<Eigen::Index>(grid.size()));
+    for (std::size_t iz = 0; iz < grid.rows(); ++iz) {
+        for (std::size_t iy = 0; iy < grid.columns(); ++iy) {
+            u(static_cast<Eigen::Index>(grid.cell(iy, iz))) = result.velocity_at(grid.y[iy], grid.z[iz]);
+        }
+    }
+    return u;
+}
+
+}  // namespace riffle
