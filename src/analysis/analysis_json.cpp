@@ -57,14 +57,16 @@ Json curve_json(const Curve& curve) {
 }
 
 Json map_json(const ColourMap& map) {
-    return {{"label", map.label},
-            {"unit", map.unit},
-            {"diverging", map.diverging},
-            {"logarithmic", map.logarithmic},
-            {"run", map.run},
-            {"x", array_of(map.x, curve_digits)},
-            {"y", array_of(map.y, curve_digits)},
-            {"values", array_of(map.values, map_digits)}};
+    Json json = {{"label", map.label},
+                 {"unit", map.unit},
+                 {"diverging", map.diverging},
+                 {"logarithmic", map.logarithmic},
+                 {"run", map.run},
+                 {"x", array_of(map.x, curve_digits)},
+                 {"y", array_of(map.y, curve_digits)},
+                 {"values", array_of(map.values, map_digits)}};
+    if (map.contours) json["contours"] = true;
+    return json;
 }
 
 Json figure_json(const Figure& figure) {

@@ -238,6 +238,7 @@ void add_probe_deviations(const std::vector<SurfaceStation>& stations, const Flo
 }  // namespace
 
 void analyse_surface(const FlowRecord& record, Analysis& analysis) {
+    add_surface_plan(record, analysis);
     const std::vector<SurfaceStation> probes = stations_of_probes(record, analysis.warnings);
     const SpaceTime& surface = record.surface();
     if (surface.rows() < 2 && probes.empty()) {

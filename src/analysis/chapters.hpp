@@ -19,8 +19,22 @@ void analyse_surface(const FlowRecord& record, Analysis& analysis);
 void analyse_subsurface(const FlowRecord& record, Analysis& analysis);
 void analyse_forces(const FlowRecord& record, Analysis& analysis);
 
-/// The part of the profiles that needs the means on a grid: maps of the mean velocity, dispersive stress
-/// (time mean, then mean along the bed). Nothing without a grid.
+// Of runs in three dimensions, from their mean field in cells; of other records they add nothing.
+void analyse_section(const FlowRecord& record, Analysis& analysis);
+void analyse_secondary(const FlowRecord& record, Analysis& analysis);
+void analyse_bed(const FlowRecord& record, Analysis& analysis);
+
+/// The part of the chapter on the cross-section that is profiles: at the centreline, at the thesis'
+/// distances from the wall, and across the channel.
+void add_section_profiles(const FlowRecord& record, Analysis& analysis);
+
+/// The part of the chapter on the surface from plan maps: mean level and standard deviation over the plan.
+/// Nothing without them.
+void add_surface_plan(const FlowRecord& record, Analysis& analysis);
+
+/// The part of the profiles that needs time means in cells, of a grid in two dimensions or of the mean field
+/// in three: maps of the mean velocity, dispersive stress (time mean, then mean over the bed plane). Nothing
+/// without them.
 void add_double_averages(const FlowRecord& record, Analysis& analysis);
 
 /// The part of the fits that follows from the mean velocity: friction factors, Manning's n, Chezy's C,

@@ -34,6 +34,7 @@ struct ColourMap {
     std::string unit;
     bool diverging = false;  ///< colours symmetric about zero
     bool logarithmic = false;
+    bool contours = false;  ///< with lines of equal value over the colours
     std::string run;
 };
 
@@ -49,7 +50,7 @@ struct Axis {
 /// One figure of an analysis: all that is needed to draw it, to write it as CSV and to compare runs in it.
 struct Figure {
     std::string key;      ///< stable and unique, e.g. "velocity_profile"; also the name of its files
-    std::string chapter;  ///< "statistics", "profiles", "fits", "surface", "subsurface", "forces", "run"
+    std::string chapter;  ///< name of a Chapter, or "run"
     std::string title;
     std::string caption;  ///< what is drawn and from what, one to three sentences
     std::string source;   ///< the thesis' figure or equation, or the paper it follows; may be empty

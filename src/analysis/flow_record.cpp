@@ -47,6 +47,21 @@ const std::vector<ScalarProbe>& FlowRecord::scalar_probes() const {
     return none;
 }
 
+const MeanField& FlowRecord::mean_field() const {
+    static const MeanField none;
+    return none;
+}
+
+const SurfaceMaps& FlowRecord::surface_maps() const {
+    static const SurfaceMaps none;
+    return none;
+}
+
+const SectionTwin& FlowRecord::section_twin() const {
+    static const SectionTwin none;
+    return none;
+}
+
 const FlowRecord::Measured& FlowRecord::measured() const {
     static const Measured none;
     return none;

@@ -2,10 +2,12 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "analysis/figure.hpp"
+#include "analysis/mean_field.hpp"
 #include "analysis/space_time.hpp"
 #include "case/case.hpp"
 #include "column/column.hpp"
@@ -30,6 +32,7 @@ using SeriesTable = std::map<std::string, std::vector<double>>;
 struct ElevationProbe {
     std::string name;
     double x = 0;
+    std::optional<double> y;  ///< across the channel, where the record says
     std::vector<double> time, elevation;
 };
 
@@ -38,6 +41,7 @@ struct ElevationProbe {
 struct VelocityProbe {
     std::string name;
     std::vector<double> x, z, time, u, w;
+    std::vector<double> y;  ///< across the channel; empty where the record does not say
 
     /// The record of one point of `u` or `w`.
     [[nodiscard]] std::vector<double> point(const std::vector<double>& values, std::size_t i) const;
@@ -58,6 +62,25 @@ struct ScalarProbe {
     std::string label;
     std::string unit;
     std::vector<double> time, value;
+};
+
+/// Plan maps of the surface of a three-dimensional run: elevation[(row * y.size() + iy) * x.size() + ix] at
+/// time[row], m above the bed level.
+struct SurfaceMaps {
+    std::vector<double> x, y, time, elevation;
+};
+
+/// The section twin of a three-dimensional run between side walls: values[iz * y.size() + iy] over the
+/// simulated width, and its summary by name (docs/results-format.md).
+struct SectionTwin {
+    std::vector<double> y, z, velocity, shear_stress, lateral_shear_stress;
+    std::map<std::string, double> values;
+
+    [[nodiscard]] bool empty() const { return velocity.empty(); }
+    [[nodiscard]] std::optional<double> value(const std::string& name) const {
+        const auto found = values.find(name);
+        return found == values.end() ? std::nullopt : std::optional<double>(found->second);
+    }
 };
 
 /// What the chapters of an analysis are made from: a run's results file or records of a laboratory. Each part
@@ -94,6 +117,10 @@ class FlowRecord {
     [[nodiscard]] virtual const std::vector<VelocityProbe>& velocity_probes() const;
     [[nodiscard]] virtual const std::vector<VelocityGrid>& velocity_grids() const;
     [[nodiscard]] virtual const std::vector<ScalarProbe>& scalar_probes() const;
+    // Of runs in three dimensions.
+    [[nodiscard]] virtual const MeanField& mean_field() const;
+    [[nodiscard]] virtual const SurfaceMaps& surface_maps() const;
+    [[nodiscard]] virtual const SectionTwin& section_twin() const;
 
     /// The measured velocity profile to compare with: points of a file, or the rough log law (2.3) of the
     /// measured u_* and k_s. Heights above the bed level.

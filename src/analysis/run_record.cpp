@@ -11,6 +11,7 @@
 #include <utility>
 #include <variant>
 
+#include "analysis/run_mean_field.hpp"
 #include "analysis/run_probes.hpp"
 #include "analysis/run_profiles.hpp"
 #include "base/error.hpp"
@@ -187,6 +188,9 @@ struct RunRecord::Impl {
     std::optional<SpaceTime> surface;
     std::optional<RunProbes> probes;
     std::optional<Measured> measured;
+    std::optional<MeanField> mean_field;
+    std::optional<SurfaceMaps> surface_maps;
+    std::optional<SectionTwin> section_twin;
 };
 
 RunRecord::RunRecord(const std::filesystem::path& results, RunRecordOptions options)
@@ -224,6 +228,25 @@ const std::vector<ElevationProbe>& RunRecord::elevation_probes() const { return 
 const std::vector<VelocityProbe>& RunRecord::velocity_probes() const { return impl_->instruments().velocity; }
 const std::vector<VelocityGrid>& RunRecord::velocity_grids() const { return impl_->instruments().grids; }
 const std::vector<ScalarProbe>& RunRecord::scalar_probes() const { return impl_->instruments().scalars; }
+
+const MeanField& RunRecord::mean_field() const {
+    if (!impl_->mean_field)
+        impl_->mean_field = read_mean_field(impl_->reader, impl_->window, impl_->warnings);
+    return *impl_->mean_field;
+}
+
+const SurfaceMaps& RunRecord::surface_maps() const {
+    if (!impl_->surface_maps) {
+        impl_->surface_maps =
+            read_surface_maps(impl_->reader, impl_->window, impl_->options.most_elevations, impl_->warnings);
+    }
+    return *impl_->surface_maps;
+}
+
+const SectionTwin& RunRecord::section_twin() const {
+    if (!impl_->section_twin) impl_->section_twin = read_section_twin(impl_->reader);
+    return *impl_->section_twin;
+}
 
 const FlowRecord::Measured& RunRecord::measured() const {
     if (!impl_->measured) impl_->measured = impl_->read_measured();

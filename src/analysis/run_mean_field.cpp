@@ -1,0 +1,193 @@
+#include "analysis/run_mean_field.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <variant>
+
+#include "base/error.hpp"
+
+namespace riffle {
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+[[noreturn]] void fail(const std::string& path, const std::string& other) {
+    throw FileError(
+        fmt::format("{} of the results file does not fit {}; the file is damaged, or not as this "
+                    "Riffle writes it",
+                    path, other));
+}
+
+/// Windows of the mean field that lie within the averaging window.
+std::vector<std::size_t> windows_within(const std::vector<double>& time, double interval,
+                                        const TimeWindow& window) {
+    // A window ends at the first sample behind its end.
+    const double tolerance = 0.05 * interval;
+    std::vector<std::size_t> rows;
+    for (std::size_t row = 0; row < time.size(); ++row) {
+        if (time[row] - interval >= window.from - tolerance && time[row] <= window.to + tolerance)
+            rows.push_back(row);
+    }
+    return rows;
+}
+
+/// Velocities of a block of windows from the difference of the sums before and behind it.
+FieldBlock block_of(const FieldSums& sums) {
+    FieldBlock block;
+    const std::size_t cells = sums.cells();
+    block.u.reserve(cells);
+    block.v.reserve(cells);
+    block.w.reserve(cells);
+    for (std::size_t cell = 0; cell < cells; ++cell) {
+        block.u.push_back(static_cast<float>(sums.mean(FieldQuantity::velocity, cell)));
+        block.v.push_back(static_cast<float>(sums.mean(FieldQuantity::spanwise_velocity, cell)));
+        block.w.push_back(static_cast<float>(sums.mean(FieldQuantity::vertical_velocity, cell)));
+    }
+    return block;
+}
+
+/// Sums of one window, cell by cell.
+FieldSums read_window(const ResultsReader& reader, std::size_t row, std::size_t cells, double samples) {
+    std::array<std::vector<double>, field_quantities> values;
+    for (std::size_t q = 0; q < field_quantities; ++q) {
+        const std::string path =
+            std::string("/mean_field/") + field_quantity_name(static_cast<FieldQuantity>(q));
+        if (!reader.has(path)) continue;
+        values[q] = reader.read_rows(path, row, 1);
+        if (values[q].size() != cells) fail(path, "/mean_field/x, y and z");
+    }
+    FieldSums sums(cells);
+    for (std::size_t cell = 0; cell < cells; ++cell) {
+        FieldValues here{};
+        for (std::size_t q = 0; q < field_quantities; ++q)
+            here[q] = values[q].empty() ? nan : values[q][cell];
+        sums.add_window(cell, here, samples);
+    }
+    return sums;
+}
+
+}  // namespace
+
+MeanField read_mean_field(const ResultsReader& reader, const TimeWindow& window,
+                          std::vector<std::string>& warnings) {
+    MeanField field;
+    if (!reader.has("/mean_field/time") || !reader.has("/mean_field/count")) return field;
+    const std::vector<double> time = reader.read_doubles("/mean_field/time");
+    const std::vector<double> samples = reader.read_doubles("/mean_field/samples");
+    field.x = reader.read_doubles("/mean_field/x");
+    field.y = reader.read_doubles("/mean_field/y");
+    field.z = reader.read_doubles("/mean_field/z");
+    const std::size_t cells = field.x.size() * field.y.size() * field.z.size();
+    const std::vector<std::size_t> shape = reader.shape("/mean_field/count");
+    if (shape.size() != 4 || shape[1] * shape[2] * shape[3] != cells) {
+        fail("/mean_field/count", "/mean_field/x, y and z");
+    }
+    if (shape[0] < time.size() || samples.size() < time.size()) fail("/mean_field/count", "/mean_field/time");
+    if (time.empty() || cells == 0) return field;
+    field.interval = time.size() > 1 ? time[1] - time[0] : time[0];
+    const std::vector<std::size_t> rows = windows_within(time, field.interval, window);
+    if (rows.empty()) {
+        warnings.push_back(fmt::format(
+            "none of the {} windows of {:.3g} s of the mean field lies within the averaging window {:.4g} s "
+            "to {:.4g} s: the cross-section is not analysed; give another --window, or run longer",
+            time.size(), field.interval, window.from, window.to));
+        return field;
+    }
+    field.box = FieldSums(cells);
+    const std::size_t blocks = std::min(rows.size(), MeanField::most_blocks);
+    const std::size_t section_cells = field.z.size() * field.y.size();
+    FieldSums block(cells);
+    FieldSums block_section(section_cells);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const FieldSums sums = read_window(reader, rows[i], cells, samples[rows[i]]);
+        FieldSums section(section_cells);
+        for (std::size_t cell = 0; cell < cells; ++cell) section.add(cell / field.x.size(), sums, cell);
+        field.box.add(sums);
+        block.add(sums);
+        block_section.add(section);
+        field.time.push_back(time[rows[i]]);
+        field.sections.push_back(std::move(section));
+        const bool last_of_block = (i + 1) * blocks / rows.size() > i * blocks / rows.size();
+        if (!last_of_block) continue;
+        field.blocks.push_back(block_of(block));
+        field.block_sections.push_back(std::move(block_section));
+        block = FieldSums(cells);
+        block_section = FieldSums(section_cells);
+    }
+    if (blocks < 5) {
+        warnings.push_back(
+            fmt::format("the averaging window holds {} window{} of {:.3g} s of the mean field: {}",
+                        rows.size(), rows.size() == 1 ? "" : "s", field.interval,
+                        blocks < 2 ? "values of the cross-section have no intervals; run longer, or set "
+                                     "output.mean_field_interval shorter"
+                                   : "intervals of the cross-section are rough; run longer, or set "
+                                     "output.mean_field_interval shorter"));
+    }
+    return field;
+}
+
+SurfaceMaps read_surface_maps(const ResultsReader& reader, const TimeWindow& window, std::size_t most_values,
+                              std::vector<std::string>& warnings) {
+    SurfaceMaps maps;
+    if (!reader.has("/surface_map/elevation") || !reader.has("/surface_map/time")) return maps;
+    const std::vector<double> time = reader.read_doubles("/surface_map/time");
+    maps.x = reader.read_doubles("/surface_map/x");
+    maps.y = reader.read_doubles("/surface_map/y");
+    const std::vector<std::size_t> shape = reader.shape("/surface_map/elevation");
+    const std::size_t points = maps.x.size() * maps.y.size();
+    if (shape.size() != 3 || shape[1] * shape[2] != points) {
+        fail("/surface_map/elevation", "/surface_map/x and y");
+    }
+    std::size_t first = 0;
+    while (first < time.size() && time[first] < window.from - 1e-9) ++first;
+    std::size_t end = first;
+    while (end < std::min(time.size(), shape[0]) && time[end] <= window.to + 1e-9) ++end;
+    const std::size_t most = std::max<std::size_t>(2, most_values / std::max<std::size_t>(1, points));
+    if (end - first > most) {
+        warnings.push_back(
+            fmt::format("of {} plan maps of the surface in the window the last {} were "
+                        "analysed",
+                        end - first, most));
+        first = end - most;
+    }
+    if (points == 0 || first == end) return maps;
+    maps.time.assign(time.begin() + static_cast<std::ptrdiff_t>(first),
+                     time.begin() + static_cast<std::ptrdiff_t>(end));
+    maps.elevation = reader.read_rows("/surface_map/elevation", first, end - first);
+    return maps;
+}
+
+SectionTwin read_section_twin(const ResultsReader& reader) {
+    SectionTwin twin;
+    if (!reader.has("/section/velocity") || !reader.has("/section/y") || !reader.has("/section/z"))
+        return twin;
+    twin.y = reader.read_doubles("/section/y");
+    twin.z = reader.read_doubles("/section/z");
+    const auto read = [&](const char* name) {
+        const std::string path = std::string("/section/") + name;
+        if (!reader.has(path)) return std::vector<double>();
+        std::vector<double> values = reader.read_doubles(path);
+        if (values.size() != twin.y.size() * twin.z.size()) fail(path, "/section/y and z");
+        return values;
+    };
+    twin.velocity = read("velocity");
+    twin.shear_stress = read("shear_stress");
+    twin.lateral_shear_stress = read("lateral_shear_stress");
+    for (const char* name :
+         {"bulk_velocity", "depth_mean_velocity", "centreline_velocity", "discharge", "drag_share",
+          "side_wall_share", "bed_stress", "wall_stress", "relaxation_time"}) {
+        const std::optional<AttributeValue> value = reader.attribute("/section", name);
+        if (!value) continue;
+        if (const auto* real = std::get_if<double>(&*value)) twin.values[name] = *real;
+        if (const auto* whole = std::get_if<std::int64_t>(&*value))
+            twin.values[name] = static_cast<double>(*whole);
+    }
+    return twin;
+}
+
+}  // namespace riffle
