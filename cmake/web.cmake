@@ -79,8 +79,8 @@ function(riffle_report_page TARGET)
   endforeach()
   list(JOIN shared "," shared)
   riffle_embed(${TARGET}
-    riffle_page_report_html=${web}/report.html
-    riffle_page_comparison_html=${web}/comparison.html
+    riffle_page_report_html=${web}/page_start.html,${web}/report.html,${web}/page_end.html
+    riffle_page_comparison_html=${web}/page_start.html,${web}/comparison.html,${web}/page_end.html
     riffle_page_style=${web}/report.css
     riffle_page_plotly=${modules}/plotly.js-cartesian-dist-min/plotly-cartesian.min.js
     riffle_page_shared=${shared}
