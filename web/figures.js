@@ -284,11 +284,11 @@ const figures = (() => {
     type: 'rect', whole: true, x0: data.window.start, x1: data.window.end, y0: 0, y1: 1, fillcolor: colour.window, line: { width: 0 }, layer: 'below' }] : [];
   const span = s => [s.time[0], s.time[s.time.length - 1]];
 
-  // (6) histories
-  function history(data) {
+  // (6) histories; without the forces where the page shows them elsewhere
+  function history(data, forces = true) {
     const s = data.series;
     if (!has(s, 'time', 'depth_mean_velocity') || s.time.length < 2) return null;
-    const rows = [], thin = { line: { width: 1.4 } }, ends = span(s);
+    const rows = [], words = [], thin = { line: { width: 1.4 } }, ends = span(s);
     const level = (name, value, color, dash) => line(name, ends, [value, value], color, { line: { dash, width: 1.8 } });
     const note = (text, x, xanchor) => ({ x, xanchor, xshift: xanchor === 'left' ? 5 : 0, y: 0.97, yanchor: 'top', text, showarrow: false, font: { size: 11, color: '#56606b' } });
     const twin = data.column && data.column.depth_mean_velocity;
@@ -302,7 +302,7 @@ const figures = (() => {
     else if (measured) first.annotations.push(note(`measured: ${significant(measured)} m/s ${measured > first.range[1] ? '↑' : '↓'}`, ends[0], 'left'));
     if (first.shapes.length) first.annotations.push(note('averaging window', (data.window.start + data.window.end) / 2, 'center'));
     rows.push(first);
-    if (has(s, 'drag_over_gravity')) {
+    if (forces && has(s, 'drag_over_gravity')) {
       const wall = has(s, 'wall_over_gravity') ? s.wall_over_gravity : null;
       const resisting = wall ? s.drag_over_gravity.map((value, i) => value + wall[i]) : s.drag_over_gravity;
       const row = { title: 'force/weight (–)', shapes: windowShape(data), traces: [line('drag + wall', s.time, resisting, colour.simulated, thin)] };
@@ -311,17 +311,18 @@ const figures = (() => {
       }
       row.traces.push(level('balance', 1, colour.reference, 'dot'));
       rows.push(row);
+      words.push('Streamwise forces over the weight component of the water: drag of the bed elements and wall friction must come to ' +
+        'balance it; with the acceleration they must do so at every instant.');
     }
     if (has(s, 'mean_level')) {
+      words.push('Mean water level above the bed level.');
       rows.push({ title: 'level (mm)', traces: [line('mean level', s.time, millimetres(s.mean_level), colour.measured, thin)], shapes: windowShape(data) });
     }
     const made = panels(rows, 120 + 175 * rows.length);
     const estimate = data.window.mean && data.window.half_width
       ? ` Over the window <i>U</i> = ${interval(data.window.mean, data.window.half_width).join(' ± ')} m/s (95 %, correlation in time taken into account).` : '';
     made.caption = `(a) Depth-mean velocity above the datum; shaded: the averaging window.${estimate} ` +
-      `(b) Streamwise forces over the weight component of the water: drag of the bed elements and wall friction must come to balance it; ` +
-      `with the acceleration they must do so at every instant. (c) Mean water level above the bed level.`;
-    if (rows.length < 3) made.caption = made.caption.split(' (b)')[0];
+      words.map((text, i) => `(${'bc'[i]}) ${text}`).join(' ');
     return made;
   }
 

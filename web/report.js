@@ -141,21 +141,28 @@
 
   verdict();
   summary();
-  // What the page shows itself does not appear again among the figures of the analysis.
+  // Each thing once: what the page shows itself does not appear again among the figures of the analysis; what it leaves
+  // to those it does not draw.
+  const analyses = JSON.parse(at('analysis-data').textContent).analyses;
+  const analysed = key => analyses.some(({ figures: all }) => all.some(figure => figure.key === key && !figure.missing));
   const shown = [];
-  const own = (id, where, name, builder, key) => { if (plain(id, where, name, builder) && key) shown.push(key); };
+  const own = (id, where, name, builder, key) => { if (plain(id, where, name, builder)) shown.push(key); };
   own('velocity', 'profile-figures', 'Velocity profile', figures.velocity, 'velocity_profile');
   own('log-law', 'profile-figures', 'Logarithmic profile', figures.logLaw, 'log_law');
   own('gradient', 'profile-figures', 'Velocity gradient', figures.gradient, 'velocity_gradient_profile');
-  plain('deviation', 'profile-figures', 'Departure from the column twin', figures.deviation);
+  const departs = plain('deviation', 'profile-figures', 'Departure from the column twin', figures.deviation);
   own('stress', 'profile-figures', 'Shear stress', figures.stress, 'stress_profile');
   own('pressure', 'profile-figures', 'Pressure', figures.pressure, 'pressure_profile');
-  own('history', 'history-figures', 'History of velocity, forces and level', figures.history, 'velocity_history');
+  const forces = !analysed('force_history');
+  own('history', 'history-figures', forces ? 'History of velocity, forces and level' : 'History of velocity and level',
+    series => figures.history(series, forces), 'velocity_history');
   particles();
-  const analyses = JSON.parse(at('analysis-data').textContent).analyses;
-  const has_map = analyses.some(({ figures: all }) => all.some(({ key, maps, missing: why }) => key === 'surface_map' && !why && maps.length));
-  if (!has_map) own('surface', 'field-figures', 'Surface elevation in space and time', figures.surface, 'surface_map');
-  const runs = analyses.map((analysis, index) => ({ name: analysis.name, index, analysis }));
+  if (!analysed('surface_map')) own('surface', 'field-figures', 'Surface elevation in space and time', figures.surface, 'surface_map');
+  // The departure from the column twin once, too: in the analysis then only that from the measured profile.
+  const curves_of = figure => (departs && figure.key === 'velocity_error_profile' ? figure.curves.filter(({ origin }) => origin !== 'column') : figure.curves);
+  const drawn = figure => ({ ...figure, curves: curves_of(figure) });
+  const runs = analyses.map((analysis, index) => ({ name: analysis.name, index, analysis: { ...analysis,
+    figures: analysis.figures.map(drawn).filter(({ missing: why, curves, maps }) => why || curves.length || maps.length) } }));
   chapters.warnings(at('chapters'), runs);
   chapters.add(at('chapters'), runs, { skip: shown });
   diagnostics();

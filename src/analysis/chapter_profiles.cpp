@@ -296,8 +296,8 @@ void add_intensities(const FlowRecord& record, const Profiles& p, Analysis& anal
 void add_errors(const FlowRecord& record, const Profiles& p, Analysis& analysis) {
     const Case& c = *record.flow();
     Figure error = profile_figure("velocity_error_profile", "Departure of the velocity",
-                                  "Relative departure of the time-mean velocity from the measured profile "
-                                  "and from the column twin, (u - u_ref)/u_ref.",
+                                  "Relative departure of the time-mean velocity from what each curve names, "
+                                  "(u - u_ref)/u_ref.",
                                   "thesis chapter 4", make_axis("relative departure of u", "1"));
     Figure square = profile_figure("msep_profile", "MSEP of velocity and gradient",
                                    "Mean square error percentage of the thesis, 100 ((u_exp - u)/u_exp)^2: "
