@@ -12,23 +12,14 @@
 #include "analysis/velocity_spectra.hpp"
 #include "base/error.hpp"
 #include "case/flow_conditions.hpp"
+#include "synthetic.hpp"
 
 namespace riffle {
 namespace {
 
-constexpr double interval = 0.02;
+using synthetic::autoregressive;
 
-/// First-order autoregressive record of unit deviation.
-std::vector<double> autoregressive(std::size_t n, double phi, std::mt19937_64& generator) {
-    std::normal_distribution<double> normal;
-    std::vector<double> x(n);
-    double state = normal(generator);
-    for (double& v : x) {
-        v = state;
-        state = phi * state + std::sqrt(1 - phi * phi) * normal(generator);
-    }
-    return x;
-}
+constexpr double interval = 0.02;
 
 /// Records that share with the reference a part r(z) = 1 - (1 - z)/0.4, z from 0.6 to 1; constant at 0.5.
 struct Shared {

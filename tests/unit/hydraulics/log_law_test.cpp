@@ -4,9 +4,7 @@
 
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <cstdio>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -20,32 +18,21 @@ using testing::Coverage;
 using testing::coverage_band;
 using testing::coverage_trials;
 using testing::expected_covered;
+using testing::noisy_profile;
+using testing::NoisyProfile;
 
 constexpr double kappa = 0.41;
 constexpr double friction_velocity = 0.044;
 constexpr double roughness = 0.035;
 constexpr double plane = 0.006;
 
-struct Profile {
-    std::vector<double> z;
-    std::vector<double> velocity;
-};
-
-Profile rough_profile(int n, double noise, std::uint64_t seed) {
-    std::mt19937_64 generator(seed);
-    std::normal_distribution<double> normal(0.0, 1.0);
-    Profile p;
-    for (int i = 0; i < n; ++i) {
-        const double z = 0.011 + 0.030 * i / (n - 1);
-        p.z.push_back(z);
-        p.velocity.push_back(rough_log_law(z - plane, friction_velocity, roughness) +
-                             noise * normal(generator));
-    }
-    return p;
+NoisyProfile rough_profile(int n, double noise, int seed) {
+    const auto law = [](double z) { return rough_log_law(z - plane, friction_velocity, roughness); };
+    return noisy_profile(law, 0.011, 0.041, n, noise, seed);
 }
 
 TEST(LogLaw, ExactProfileGivesItsParameters) {
-    const Profile p = rough_profile(20, 0.0, 1);
+    const NoisyProfile p = rough_profile(20, 0.0, 1);
     const LogLawFit given = fit_log_law(p.z, p.velocity, kappa, plane, 0.0, 1.0);
     ASSERT_TRUE(given.valid);
     EXPECT_NEAR(given.friction_velocity, friction_velocity, 1e-12);
@@ -85,7 +72,7 @@ template <class Fit>
 LogLawCoverage coverage_of(int n, double noise, Fit fit_of) {
     LogLawCoverage c;
     for (int i = 0; i < coverage_trials; ++i) {
-        const LogLawFit fit = fit_of(rough_profile(n, noise, static_cast<std::uint64_t>(i)));
+        const LogLawFit fit = fit_of(rough_profile(n, noise, i));
         if (!fit.valid) continue;
         ++c.valid;
         c.friction.add(friction_velocity_of(fit));
@@ -97,8 +84,9 @@ LogLawCoverage coverage_of(int n, double noise, Fit fit_of) {
 
 // Noise of 1 % of the velocity: u_* to 8 %, k_s to 12 %.
 TEST(LogLaw, IntervalsCoverTheTruthInNinetyFiveOfAHundred) {
-    const LogLawCoverage c = coverage_of(
-        15, 0.003, [](const Profile& p) { return fit_log_law(p.z, p.velocity, kappa, plane, 0.0, 1.0); });
+    const LogLawCoverage c = coverage_of(15, 0.003, [](const NoisyProfile& p) {
+        return fit_log_law(p.z, p.velocity, kappa, plane, 0.0, 1.0);
+    });
     c.print("plane given");
     EXPECT_EQ(c.valid, coverage_trials);
     EXPECT_NEAR(c.friction.intervals(), expected_covered, coverage_band);
@@ -114,7 +102,7 @@ TEST(LogLaw, IntervalsHoldWhereTheLinearHalfWidthDoesNot) {
     Coverage equivalent(fine);
     for (int i = 0; i < coverage_trials; ++i) {
         const auto law = [](double z) { return rough_log_law(z - plane, friction_velocity, fine); };
-        const testing::NoisyProfile p = testing::noisy_profile(law, 0.011, 0.041, 15, 0.04, i);
+        const NoisyProfile p = noisy_profile(law, 0.011, 0.041, 15, 0.04, i);
         const LogLawFit fit = fit_log_law(p.z, p.velocity, kappa, plane, 0.0, 1.0);
         ASSERT_TRUE(fit.valid);
         EXPECT_GT(fit.equivalent_roughness_interval.lower, 0.0);
@@ -127,7 +115,7 @@ TEST(LogLaw, IntervalsHoldWhereTheLinearHalfWidthDoesNot) {
 }
 
 TEST(LogLaw, IntervalsCoverTheTruthWithAFreePlane) {
-    const LogLawCoverage quiet = coverage_of(40, 0.0005, [](const Profile& p) {
+    const LogLawCoverage quiet = coverage_of(40, 0.0005, [](const NoisyProfile& p) {
         return fit_log_law_with_zero_plane(p.z, p.velocity, kappa, 0.0, 1.0);
     });
     quiet.print("plane free, quiet");
@@ -137,7 +125,7 @@ TEST(LogLaw, IntervalsCoverTheTruthWithAFreePlane) {
         EXPECT_NEAR(c->half_widths(), expected_covered, coverage_band);
     }
     // Noise of 0.5 % of the velocity: the plane is known to millimetres.
-    const LogLawCoverage noisy = coverage_of(40, 0.0015, [](const Profile& p) {
+    const LogLawCoverage noisy = coverage_of(40, 0.0015, [](const NoisyProfile& p) {
         return fit_log_law_with_zero_plane(p.z, p.velocity, kappa, 0.0, 1.0);
     });
     noisy.print("plane free");
@@ -154,8 +142,8 @@ TEST(LogLaw, UncertaintiesOfThePointsAreWeights) {
     double weighted_width = 0;
     double plain_width = 0;
     for (int i = 0; i < coverage_trials; ++i) {
-        Profile p = rough_profile(16, 0.001, static_cast<std::uint64_t>(i));
-        const Profile exact = rough_profile(16, 0.0, 1);
+        NoisyProfile p = rough_profile(16, 0.001, i);
+        const NoisyProfile exact = rough_profile(16, 0.0, 1);
         std::vector<double> uncertainty(16, 0.001);
         for (std::size_t j = 0; j < 16; j += 2) {
             p.velocity[j] = exact.velocity[j] + 4.0 * (p.velocity[j] - exact.velocity[j]);
@@ -175,7 +163,7 @@ TEST(LogLaw, UncertaintiesOfThePointsAreWeights) {
 }
 
 TEST(LogLaw, UsesOnlyTheRangeAskedFor) {
-    Profile p = rough_profile(30, 0.0, 1);
+    NoisyProfile p = rough_profile(30, 0.0, 1);
     p.velocity.front() = 10.0;
     p.velocity.back() = -10.0;
     const LogLawFit fit = fit_log_law(p.z, p.velocity, kappa, plane, 0.0115, 0.0405);
@@ -185,7 +173,7 @@ TEST(LogLaw, UsesOnlyTheRangeAskedFor) {
 }
 
 TEST(LogLaw, SaysWhenThereIsNoFit) {
-    const Profile p = rough_profile(30, 0.0, 1);
+    const NoisyProfile p = rough_profile(30, 0.0, 1);
     EXPECT_FALSE(fit_log_law(p.z, p.velocity, kappa, plane, 0.5, 0.6).valid);  // no points
     EXPECT_FALSE(fit_log_law(p.z, p.velocity, kappa, 0.02, 0.0, 1.0).valid);   // plane within the points
     std::vector<double> falling;
@@ -199,7 +187,7 @@ TEST(LogLaw, SaysWhenThereIsNoFit) {
 }
 
 TEST(LogLaw, DepthMeanOfAProfileIsThatOfTheLaw) {
-    const Profile p = rough_profile(60, 0.0, 1);
+    const NoisyProfile p = rough_profile(60, 0.0, 1);
     const double depth = 0.05;
     const auto mean = profile_depth_mean({p.z, p.velocity, {}, plane}, depth);
     ASSERT_TRUE(mean);

@@ -13,24 +13,15 @@
 
 #include "laboratory/sampling.hpp"
 #include "laboratory_file.hpp"
+#include "synthetic.hpp"
 
 namespace riffle {
 namespace {
 
+using synthetic::autoregressive;
 using ::testing::HasSubstr;
 using testing::message_of;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-std::vector<double> autoregressive(std::size_t n, double memory, std::mt19937_64& generator) {
-    std::normal_distribution<double> normal;
-    std::vector<double> x(n);
-    double state = normal(generator);
-    for (double& v : x) {
-        v = state;
-        state = memory * state + std::sqrt(1 - memory * memory) * normal(generator);
-    }
-    return x;
-}
 
 TEST(Gaps, AreCountedAndShortOnesInterpolated) {
     std::vector<double> x{nan, 1, nan, 3, nan, nan, nan, 7, nan};
