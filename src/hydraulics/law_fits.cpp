@@ -135,6 +135,30 @@ FittedValue zero_of_log_wake(const Shape& shape, double wake) {
     return {xi, xi * half, {xi * std::exp(-half), xi * std::exp(half)}};
 }
 
+/// Fit of a law u = u_*/kappa [first(xi) + dip second(xi)] + offset; `zero` gives the z0/h at which the
+/// fitted law vanishes.
+template <class First, class Second, class Zero>
+DipFit fit_law_with_dip(const VelocityPoints& points, FitRange range, double depth,
+                        std::optional<double> friction_velocity, double kappa, const First& first,
+                        const Second& second, const Zero& zero) {
+    require_positive(depth, "the depth");
+    const FitPoints used(points, range);
+    if (const auto why = used.obstacle(fewest_points(friction_velocity), depth); !why.empty()) {
+        return not_fitted<DipFit>(used, why);
+    }
+    const Eigen::ArrayXd xi = used.height.array() / depth;
+    const auto [shape, why_not] =
+        shape_of_law(used, first(xi), second(xi), steepness_of(friction_velocity, kappa));
+    if (!shape) return not_fitted<DipFit>(used, why_not);
+    DipFit fit;
+    static_cast<FitQuality&>(fit) = succeeded(used.quality(), shape->fit.residuals);
+    fit.dip = shape->bend_ratio;
+    fit.friction_velocity = linear_of(shape->steepness, kappa);
+    fit.zero_velocity_height = linear_of(zero(*shape), depth);
+    fit.height_of_maximum = maximum_of_dip(fit.dip, depth);
+    return fit;
+}
+
 }  // namespace
 
 WakeFit fit_wake_strength(const VelocityPoints& points, double depth, std::optional<double> friction_velocity,
@@ -181,45 +205,25 @@ PowerLawFit fit_power_law(const VelocityPoints& points, double depth, FitRange r
 
 DipFit fit_dip_modified_log_law(const VelocityPoints& points, double depth,
                                 std::optional<double> friction_velocity, double kappa, FitRange range) {
-    require_positive(depth, "the depth");
-    const FitPoints used(points, range);
-    if (const auto why = used.obstacle(fewest_points(friction_velocity), depth); !why.empty()) {
-        return not_fitted<DipFit>(used, why);
-    }
-    const Eigen::ArrayXd xi = used.height.array() / depth;
-    const auto [shape, why_not] =
-        shape_of_law(used, xi.log(), (1.0 - xi).log(), steepness_of(friction_velocity, kappa));
-    if (!shape) return not_fitted<DipFit>(used, why_not);
-    DipFit fit;
-    static_cast<FitQuality&>(fit) = succeeded(used.quality(), shape->fit.residuals);
-    fit.dip = shape->bend_ratio;
-    fit.friction_velocity = linear_of(shape->steepness, kappa);
-    fit.zero_velocity_height = linear_of(exponential_of(linear_of(shape->offset_ratio, -1.0)), depth);
-    fit.height_of_maximum = maximum_of_dip(fit.dip, depth);
-    return fit;
+    return fit_law_with_dip(
+        points, range, depth, friction_velocity, kappa,
+        [](const Eigen::ArrayXd& xi) { return Eigen::VectorXd(xi.log()); },
+        [](const Eigen::ArrayXd& xi) { return Eigen::VectorXd((1.0 - xi).log()); },
+        [](const Shape& shape) { return exponential_of(linear_of(shape.offset_ratio, -1.0)); });
 }
 
 DipFit fit_total_dip_log_wake_law(const VelocityPoints& points, double depth,
                                   std::optional<double> friction_velocity, double wake_strength, double kappa,
                                   FitRange range) {
-    require_positive(depth, "the depth");
-    const FitPoints used(points, range);
-    if (const auto why = used.obstacle(fewest_points(friction_velocity), depth); !why.empty()) {
-        return not_fitted<DipFit>(used, why);
-    }
-    const Eigen::ArrayXd xi = used.height.array() / depth;
-    const auto [shape, why_not] =
-        shape_of_law(used, xi.unaryExpr([=](double x) { return log_wake_first(x, wake_strength); }),
-                     xi.unaryExpr([=](double x) { return log_wake_second(x, wake_strength); }),
-                     steepness_of(friction_velocity, kappa));
-    if (!shape) return not_fitted<DipFit>(used, why_not);
-    DipFit fit;
-    static_cast<FitQuality&>(fit) = succeeded(used.quality(), shape->fit.residuals);
-    fit.dip = shape->bend_ratio;
-    fit.friction_velocity = linear_of(shape->steepness, kappa);
-    fit.zero_velocity_height = linear_of(zero_of_log_wake(*shape, wake_strength), depth);
-    fit.height_of_maximum = maximum_of_dip(fit.dip, depth);
-    return fit;
+    return fit_law_with_dip(
+        points, range, depth, friction_velocity, kappa,
+        [=](const Eigen::ArrayXd& xi) {
+            return Eigen::VectorXd(xi.unaryExpr([=](double x) { return log_wake_first(x, wake_strength); }));
+        },
+        [=](const Eigen::ArrayXd& xi) {
+            return Eigen::VectorXd(xi.unaryExpr([=](double x) { return log_wake_second(x, wake_strength); }));
+        },
+        [=](const Shape& shape) { return zero_of_log_wake(shape, wake_strength); });
 }
 
 KappaFit fit_kappa(const VelocityPoints& points, double friction_velocity,
