@@ -173,7 +173,6 @@ void sort_by_height(ProfileRecord& record) {
 
 std::string_view quantity_name(ProfileQuantity quantity) { return known(quantity).name; }
 
-std::string_view quantity_unit(ProfileQuantity quantity) { return known(quantity).unit; }
 
 const ProfileColumn* ProfileRecord::find(ProfileQuantity quantity) const {
     for (const ProfileColumn& column : columns) {

@@ -25,9 +25,6 @@ enum class ProfileQuantity {
 /// Name of a quantity as in a file: "u", "v", "w", "u_rms", "v_rms", "w_rms", "-u'w'", "du/dz".
 [[nodiscard]] std::string_view quantity_name(ProfileQuantity quantity);
 
-/// SI unit of a quantity.
-[[nodiscard]] std::string_view quantity_unit(ProfileQuantity quantity);
-
 /// One measured quantity over the height, in SI.
 struct ProfileColumn {
     ProfileQuantity quantity = ProfileQuantity::velocity;
