@@ -159,8 +159,9 @@
   particles();
   if (!analysed('surface_map')) own('surface', 'field-figures', 'Surface elevation in space and time', figures.surface, 'surface_map');
   // The departure from the column twin once, too: in the analysis then only that from the measured profile.
-  const curves_of = figure => (departs && figure.key === 'velocity_error_profile' ? figure.curves.filter(({ origin }) => origin !== 'column') : figure.curves);
-  const drawn = figure => ({ ...figure, curves: curves_of(figure) });
+  const drawn = figure => (departs && figure.key === 'velocity_error_profile' ? { ...figure,
+    curves: figure.curves.filter(({ origin }) => origin !== 'column'),
+    caption: `${figure.caption} That from the column twin stands among the profiles over the depth.` } : figure);
   const runs = analyses.map((analysis, index) => ({ name: analysis.name, index, analysis: { ...analysis,
     figures: analysis.figures.map(drawn).filter(({ missing: why, curves, maps }) => why || curves.length || maps.length) } }));
   chapters.warnings(at('chapters'), runs);
