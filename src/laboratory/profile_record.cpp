@@ -173,7 +173,6 @@ void sort_by_height(ProfileRecord& record) {
 
 std::string_view quantity_name(ProfileQuantity quantity) { return known(quantity).name; }
 
-
 const ProfileColumn* ProfileRecord::find(ProfileQuantity quantity) const {
     for (const ProfileColumn& column : columns) {
         if (column.quantity == quantity) return &column;
