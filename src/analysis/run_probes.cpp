@@ -125,8 +125,8 @@ void read_velocity(const ProbeGroup& group, RunProbes& probes) {
     probes.velocity.push_back(std::move(probe));
 }
 
-/// Means over the averaging windows of a grid: the variance in time is the mean variance within the windows
-/// and the variance of their means.
+/// Means over the averaging windows of a grid, each counting as often as it has samples: the variance in time
+/// is the mean variance within the windows and the variance of their means.
 /// A row stands for the time up to its own: the first counts only where it began within the window.
 void read_grid(const ProbeGroup& group, const TimeWindow& window, RunProbes& probes) {
     const std::vector<double>& time = group.time();
@@ -140,6 +140,7 @@ void read_grid(const ProbeGroup& group, const TimeWindow& window, RunProbes& pro
     const std::size_t points = grid.x.size() * grid.z.size();
     const std::array names = {"velocity", "vertical_velocity", "velocity_variance",
                               "vertical_velocity_variance", "velocity_covariance"};
+    const std::vector<double> samples = group.rows("samples", 1);
     std::array<std::vector<double>, 5> rows;
     for (std::size_t k = 0; k < names.size(); ++k) {
         rows[k] = group.rows(names[k], points);
@@ -155,11 +156,12 @@ void read_grid(const ProbeGroup& group, const TimeWindow& window, RunProbes& pro
             const double u = at(0);
             const double w = at(1);
             if (!std::isfinite(u) || !std::isfinite(w)) continue;
-            n += 1.0;
+            const double weight = samples.empty() ? 1.0 : samples[row];
+            n += weight;
             const std::array<double, 8> add = {u, w, at(2), at(3), at(4), u * u, w * w, u * w};
-            for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += add[k];
+            for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += weight * add[k];
         }
-        if (n == 0.0) continue;
+        if (!(n > 0.0)) continue;
         grid.u[i] = sum[0] / n;
         grid.w[i] = sum[1] / n;
         grid.uu[i] = sum[2] / n + sum[5] / n - grid.u[i] * grid.u[i];

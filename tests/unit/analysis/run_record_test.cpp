@@ -8,6 +8,7 @@
 #include <string>
 
 #include "base/error.hpp"
+#include "sample_probes.hpp"
 #include "sample_results.hpp"
 
 namespace riffle {
@@ -77,6 +78,20 @@ TEST_F(RunRecords, ReadNoMoreOfTheSurfaceThanAllowedAndSaySo) {
     EXPECT_NEAR(record.surface().times.back(), 30.0, 1e-9);
     ASSERT_EQ(record.warnings().size(), 1U);
     EXPECT_THAT(record.warnings().front(), HasSubstr("the last 100 rows"));
+}
+
+TEST_F(RunRecords, WeighTheWindowsOfAGridWithTheirSamples) {
+    write_sample_results(path_);
+    testing::SampleProbes probes;
+    probes.last_window_samples = 600;
+    probes.last_window_velocity = 0.5;
+    testing::add_sample_probes(path_, probes);
+    const RunRecord record(path_);
+    ASSERT_EQ(record.velocity_grids().size(), 1U);
+    const VelocityGrid& grid = record.velocity_grids().front();
+    // Of 15 s to 30 s: 14 windows of 100 samples at 0.3 m/s and the last.
+    EXPECT_NEAR(grid.u.front(), (1400 * 0.3 + 600 * 0.5) / 2000, 1e-12);
+    EXPECT_NEAR(grid.uu.front(), 4e-4 + (1400 * 0.06 * 0.06 + 600 * 0.14 * 0.14) / 2000, 1e-12);
 }
 
 TEST_F(RunRecords, CompareWithTheMeasuredFileOrTheLawOfTheMeasuredValues) {

@@ -100,7 +100,7 @@ void add_sample_probes(const std::filesystem::path& results, const SampleProbes&
         for (std::size_t j = 0; j < z.size(); ++j) {
             for (std::size_t i = 0; i < columns; ++i) {
                 const double wave = std::sin(2.0 * std::numbers::pi * static_cast<double>(i) / columns);
-                mean_u.push_back(0.3 + part * wave);
+                mean_u.push_back((k + 1 == windows ? p.last_window_velocity : 0.3) + part * wave);
                 mean_w.push_back(-part * wave);
             }
         }
@@ -110,7 +110,9 @@ void add_sample_probes(const std::filesystem::path& results, const SampleProbes&
     writer.put("x", "m", grid_x);
     writer.put("z", "m", z);
     writer.put("time", "s", grid_time);
-    writer.put("samples", "1", std::vector<double>(windows, 100.0));
+    std::vector<double> samples(windows, 100.0);
+    samples.back() = p.last_window_samples;
+    writer.put("samples", "1", samples);
     writer.put("velocity", "m/s", mean_u, shape);
     writer.put("vertical_velocity", "m/s", mean_w, shape);
     writer.put("velocity_variance", "m2/s2", std::vector<double>(mean_u.size(), 4e-4), shape);
