@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 #include "base/error.hpp"
 #include "statistics/confidence.hpp"
@@ -43,37 +42,6 @@ std::size_t settled_after(std::span<const double> record, double band) {
     }
     // After the last sample outside the band comes the first that is within.
     return std::min(settled + 1, record.size());
-}
-
-std::optional<std::size_t> transient_length(std::span<const double> record) {
-    constexpr std::size_t batch = 5;
-    constexpr std::size_t smallest_record = 10 * batch;
-    require_no_gaps(record, "start-up");
-    if (record.size() < smallest_record) {
-        throw InputError("start-up: " + std::to_string(record.size()) + " samples; at least " +
-                         std::to_string(smallest_record) + " are needed");
-    }
-    const std::size_t blocks = record.size() / batch;
-    const std::size_t rest = record.size() - blocks * batch;  // left out at the start
-    const double shift = mean_of(record);
-    double sum = 0.0;
-    double square = 0.0;
-    double smallest = 0.0;
-    std::size_t best = blocks;
-    for (std::size_t d = blocks; d-- > 0;) {
-        const double mean = mean_of(record.subspan(rest + d * batch, batch)) - shift;
-        sum += mean;
-        square += mean * mean;
-        const auto count = static_cast<double>(blocks - d);
-        if (blocks - d < batch) continue;
-        const double error = (square - sum * sum / count) / (count * count);
-        if (best == blocks || error <= smallest) {
-            smallest = error;
-            best = d;
-        }
-    }
-    if (2 * best > blocks) return std::nullopt;
-    return best == 0 ? 0 : rest + best * batch;
 }
 
 }  // namespace riffle

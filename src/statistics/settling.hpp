@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -24,12 +23,5 @@ struct SettlingCurve {
 /// length: two times the answer is a sensible shortest record. Throws InputError for a band that is not
 /// positive, or a record without samples.
 [[nodiscard]] std::size_t settled_after(std::span<const double> record, double band);
-
-/// Number of samples to leave out at the start, so that those of a start-up do not enter the mean: the number
-/// d that makes the squared standard error of the rest, variance/(n - d), smallest, in means of blocks of
-/// five samples (the marginal standard error rule: K. P. White, 1997, Simulation 69, 323). None where no d in
-/// the first half does: the record has not come to rest, or is too short to say. Throws InputError for gaps
-/// or fewer than 50 samples.
-[[nodiscard]] std::optional<std::size_t> transient_length(std::span<const double> record);
 
 }  // namespace riffle

@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <limits>
 #include <random>
 #include <vector>
@@ -56,43 +55,6 @@ TEST(SettledAfter, OfAStartUpIsItsAnalyticTime) {
     for (int i = 0; i < 20000; ++i) x.push_back(std::exp(-(i + 0.5) * per_sample));
     const double time = static_cast<double>(settled_after(x, 0.01)) * per_sample;
     EXPECT_NEAR(time, 1 / 0.011, 0.1);
-}
-
-TEST(TransientLength, CutsAStartUpOff) {
-    // Five deviations that decay over 100 samples: the mean of 4000 is off by 0.125, two thirds of its
-    // interval.
-    constexpr int trials = 200;
-    int covered = 0;
-    double length = 0;
-    for (int i = 0; i < trials; ++i) {
-        std::mt19937_64 generator(static_cast<std::uint64_t>(i));
-        std::vector<double> x = autoregressive(4000, 0.8, generator);
-        for (std::size_t k = 0; k < x.size(); ++k) x[k] += 5 * std::exp(-static_cast<double>(k) / 100);
-        const auto cut = transient_length(x);
-        ASSERT_TRUE(cut);
-        length += static_cast<double>(*cut) / trials;
-        const MeanEstimate mean = mean_with_confidence(std::span(x).subspan(*cut));
-        covered += std::abs(mean.mean) <= mean.half_width ? 1 : 0;
-    }
-    std::printf("cut %.0f samples on average, mean of the rest covered in %.1f %%\n", length,
-                100.0 * covered / trials);
-    // After 160 to 600 samples the start-up is one deviation to 1/80 of it.
-    EXPECT_GT(length, 160);
-    EXPECT_LT(length, 600);
-    // What is left of it, some 2 % of a deviation in the mean, is a quarter of the mean's deviation: 93 %.
-    EXPECT_GE(static_cast<double>(covered) / trials, 0.93 - 3 * synthetic::share_deviation(0.93, trials));
-}
-
-TEST(TransientLength, OfASteadyRecordIsShortAndOfADriftNone) {
-    std::mt19937_64 generator(3);
-    const auto steady = transient_length(autoregressive(5003, 0.5, generator));
-    ASSERT_TRUE(steady);
-    EXPECT_LT(*steady, 1500U);
-    std::vector<double> drift = autoregressive(5000, 0.5, generator);
-    for (std::size_t i = 0; i < drift.size(); ++i) drift[i] += 0.01 * static_cast<double>(i);
-    EXPECT_FALSE(transient_length(drift));
-    EXPECT_EQ(transient_length(std::vector<double>(100, 0.1)), 0U);
-    EXPECT_THROW((void)transient_length(std::vector<double>(49)), InputError);
 }
 
 }  // namespace
