@@ -70,9 +70,7 @@ Curve law_curve(const char* name, int variant, const FittedFlow& flow, const Fit
         velocity.push_back(law(height));
         z.push_back(height + flow.points.zero_plane);
     }
-    Curve curve = make_curve(name, Origin::fit, Mark::line, velocity, z);
-    curve.variant = variant;
-    return curve;
+    return make_curve(name, Origin::fit, Mark::line, velocity, z, variant);
 }
 
 Figure laws_figure(const FlowRecord& record, const FittedFlow& flow) {

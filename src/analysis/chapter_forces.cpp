@@ -33,11 +33,9 @@ void add_instruments(const FlowRecord& record, const char* kind, Figure figure, 
     int variant = 0;
     for (const ScalarProbe& probe : record.scalar_probes()) {
         if (probe.kind != kind || probe.unit != figure.y.unit || probe.value.size() < 2) continue;
-        Curve curve = make_curve(probe.label, record.origin(), Mark::line, thinned(probe.time, most),
-                                 thinned(probe.value, most));
-        curve.variant = variant++;
         (probe.quantity.find("normal") != std::string::npos ? normal : figure)
-            .curves.push_back(std::move(curve));
+            .curves.push_back(make_curve(probe.label, record.origin(), Mark::line, thinned(probe.time, most),
+                                         thinned(probe.value, most), variant++));
         const MeanEstimate mean = mean_with_confidence(probe.value);
         Finding finding = make_finding(chapter, probe.name + "_" + probe.quantity, probe.label, probe.unit,
                                        mean.mean, mean.half_width);
@@ -69,16 +67,12 @@ void analyse_forces(const FlowRecord& record, Analysis& analysis) {
                                 make_axis("time t", "s"), make_axis("discharge per unit width", "m2/s")),
                     analysis);
     const Case& c = *record.flow();
-    Figure figure;
-    figure.key = "force_history";
-    figure.chapter = chapter;
-    figure.title = "Forces on the water";
-    figure.caption =
+    Figure figure = make_figure(
+        chapter, "force_history", "Forces on the water",
         "Drag of the bed elements, streamwise force of the walls and rate of change of the momentum, each "
-        "over the weight component down the slope. Their sum is one where the momentum is balanced.";
-    figure.source = "thesis (2.16), (4.3), bed stress of chapter 4";
-    figure.x = make_axis("time t", "s");
-    figure.y = make_axis("force over weight component", "1");
+        "over the weight component down the slope. Their sum is one where the momentum is balanced.",
+        "thesis (2.16), (4.3), bed stress of chapter 4", make_axis("time t", "s"),
+        make_axis("force over weight component", "1"));
     const SeriesTable& series = record.series();
     const auto time = series.find("time");
     if (time == series.end() || time->second.empty() || c.channel.slope <= 0.0) {
@@ -106,10 +100,9 @@ void analyse_forces(const FlowRecord& record, Analysis& analysis) {
                 "rate of change of the momentum over the weight component", 0.0, 2}}) {
         const auto values = series.find(share.series);
         if (values == series.end()) continue;
-        Curve curve = make_curve(share.label, Origin::simulated, Mark::line, thinned(time->second, most),
-                                 thinned(values->second, most));
-        curve.variant = share.variant;
-        figure.curves.push_back(std::move(curve));
+        figure.curves.push_back(make_curve(share.label, Origin::simulated, Mark::line,
+                                           thinned(time->second, most), thinned(values->second, most),
+                                           share.variant));
         const std::vector<double> window = within_window(record, share.series);
         if (window.size() < 2) continue;
         const MeanEstimate mean = mean_with_confidence(window);
@@ -141,9 +134,8 @@ void analyse_forces(const FlowRecord& record, Analysis& analysis) {
         add_missing(record, analysis, std::move(figure), "the time series hold no forces");
         return;
     }
-    Curve one = make_curve("balance", Origin::theory, Mark::line, {time->second.front(), time->second.back()},
-                           {1.0, 1.0});
-    figure.curves.push_back(std::move(one));
+    figure.curves.push_back(make_curve("balance", Origin::theory, Mark::line,
+                                       {time->second.front(), time->second.back()}, {1.0, 1.0}));
     analysis.figures.push_back(std::move(figure));
     if (sum_of_forces.size() < 2) return;
     if (!complete) {

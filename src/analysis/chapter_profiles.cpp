@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "analysis/chapters.hpp"
 #include "analysis/figure_tools.hpp"
+#include "analysis/profile_parts.hpp"
 #include "hydraulics/profile_comparison.hpp"
 #include "hydraulics/turbulence_laws.hpp"
 
@@ -16,17 +16,6 @@ namespace riffle {
 namespace {
 
 constexpr const char* chapter = "profiles";
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-Figure profile_figure(std::string key, std::string title, std::string caption, std::string source, Axis x) {
-    return make_figure(chapter, std::move(key), std::move(title), std::move(caption), std::move(source),
-                       std::move(x), make_axis("height above the bed level z", "m"));
-}
-
-Curve profile_curve(std::string name, Origin origin, const std::vector<double>& values,
-                    const std::vector<double>& z, Mark mark = Mark::line) {
-    return make_curve(std::move(name), origin, mark, values, z);
-}
 
 const char* own_name(const FlowRecord& record) {
     return record.origin() == Origin::simulated ? "simulated" : "measured";
@@ -36,10 +25,6 @@ const char* own_name(const FlowRecord& record) {
 Curve column_curve(const ColumnProfile& column, const std::vector<double>& values) {
     constexpr std::size_t most = 300;
     return profile_curve("column twin", Origin::column, thinned(values, most), thinned(column.z, most));
-}
-
-std::string measured_curve_name(const FlowRecord::Measured& measured) {
-    return measured.from_law ? "measured: rough log law (2.3) of its u* and ks" : "measured";
 }
 
 void add_measured_points(Figure& figure, const FlowRecord::Measured& measured) {
@@ -130,9 +115,7 @@ void add_stresses(const FlowRecord& record, const Profiles& p, Analysis& analysi
     }
     const auto add = [&](const char* name, const std::vector<double>& values, int variant) {
         if (values.size() != p.bin_upper.size()) return;
-        Curve curve = profile_curve(name, record.origin(), values, p.bin_upper);
-        curve.variant = variant;
-        figure.curves.push_back(std::move(curve));
+        figure.curves.push_back(make_curve(name, record.origin(), Mark::line, values, p.bin_upper, variant));
     };
     add("total", p.total_stress, 0);
     add("viscous and closure", p.viscous_stress, 1);
@@ -208,38 +191,6 @@ void add_closure(const FlowRecord& record, const Profiles& p, Analysis& analysis
     analysis.figures.push_back(std::move(figure));
 }
 
-Curve error_curve(std::string name, Origin origin, const ProfileComparison& comparison,
-                  double ComparedPoint::*member) {
-    std::vector<double> x;
-    std::vector<double> z;
-    for (const ComparedPoint& point : comparison.points) {
-        x.push_back(point.*member);
-        z.push_back(point.z);
-    }
-    return profile_curve(std::move(name), origin, x, z, Mark::line_and_points);
-}
-
-/// MSEP above and below 0.25 h_w over the datum, as the thesis states them.
-void add_error_findings(const Case& c, const ProfileComparison& velocity, const ProfileComparison& gradient,
-                        const std::string& against_what, Analysis& analysis) {
-    constexpr double lowest = -std::numeric_limits<double>::infinity();
-    const double split = c.datum() + 0.25 * c.channel.depth;
-    const auto add = [&](const char* key, const char* label, const char* unit, double value,
-                         std::optional<double> thesis, const char* more = "") {
-        if (!std::isfinite(value)) return;
-        analysis.findings.push_back(against(make_finding(chapter, key, label, unit, value), thesis,
-                                            "thesis, 2D simulations", "against: " + against_what + more));
-    };
-    add("velocity_error_rms", "rms relative departure of u from the measured profile", "1",
-        velocity.errors.rms_relative, std::nullopt);
-    add("msep_velocity_upper", "MSEP of u above 0.25 h_w over the datum", "%",
-        errors_between(velocity.points, split, c.total_depth()).mean_msep, 0.5);
-    add("msep_velocity_lower", "MSEP of u below 0.25 h_w over the datum", "%",
-        errors_between(velocity.points, lowest, split).mean_msep, 2.5);
-    add("msep_gradient_lower", "MSEP of du/dz below 0.25 h_w over the datum", "%",
-        errors_between(gradient.points, lowest, split).mean_msep, 12.0);
-}
-
 void add_intensities(const FlowRecord& record, const Profiles& p, Analysis& analysis) {
     const Case& c = *record.flow();
     Figure figure = make_figure(chapter, "turbulence_intensity_profile", "Turbulence intensities",
@@ -264,104 +215,41 @@ void add_intensities(const FlowRecord& record, const Profiles& p, Analysis& anal
             x.push_back(rms[i] / friction_velocity);
             y.push_back((p.z[i] - c.datum()) / c.channel.depth);
         }
-        Curve curve = make_curve(name, record.origin(), Mark::line_and_points, x, y);
-        curve.variant = variant;
-        figure.curves.push_back(std::move(curve));
+        figure.curves.push_back(make_curve(name, record.origin(), Mark::line_and_points, x, y, variant));
     };
     add("u'", p.velocity_rms, 0);
     add("w'", p.vertical_velocity_rms, 1);
-    Curve u = make_curve("Nezu: 2.30 exp(-z/h)", Origin::theory, Mark::line, {}, {});
-    Curve w = make_curve("Nezu: 1.27 exp(-z/h)", Origin::theory, Mark::line, {}, {});
-    w.variant = 1;
-    Curve v = make_curve("Nezu: v' 1.63 exp(-z/h)", Origin::theory, Mark::line, {}, {});
-    v.variant = 2;
-    constexpr int steps = 40;
-    for (int i = 4; i <= steps; ++i) {
-        const double xi = static_cast<double>(i) / steps;
-        const TurbulenceIntensities law = nezu_intensities(xi, 1.0, 1.0);
-        u.x.push_back(law.streamwise);
-        w.x.push_back(law.vertical);
-        v.x.push_back(law.spanwise);
-        v.y.push_back(xi);
-        u.y.push_back(xi);
-        w.y.push_back(xi);
-    }
-    figure.curves.push_back(std::move(u));
-    figure.curves.push_back(std::move(w));
-    figure.curves.push_back(std::move(v));
+    const auto add_law = [&](const char* name, double TurbulenceIntensities::*component, int variant) {
+        Curve curve = make_curve(name, Origin::theory, Mark::line, {}, {}, variant);
+        constexpr int steps = 40;
+        for (int i = 4; i <= steps; ++i) {
+            const double xi = static_cast<double>(i) / steps;
+            curve.x.push_back(nezu_intensities(xi, 1.0, 1.0).*component);
+            curve.y.push_back(xi);
+        }
+        figure.curves.push_back(std::move(curve));
+    };
+    add_law("Nezu: 2.30 exp(-z/h)", &TurbulenceIntensities::streamwise, 0);
+    add_law("Nezu: 1.27 exp(-z/h)", &TurbulenceIntensities::vertical, 1);
+    add_law("Nezu: v' 1.63 exp(-z/h)", &TurbulenceIntensities::spanwise, 2);
     analysis.figures.push_back(std::move(figure));
 }
 
-/// Departure of u from a reference profile, with the thesis' MSEP.
-void add_errors(const FlowRecord& record, const Profiles& p, Analysis& analysis) {
-    const Case& c = *record.flow();
-    Figure error = profile_figure("velocity_error_profile", "Departure of the velocity",
-                                  "Relative departure of the time-mean velocity from what each curve names, "
-                                  "(u - u_ref)/u_ref.",
-                                  "thesis chapter 4", make_axis("relative departure of u", "1"));
-    Figure square = profile_figure("msep_profile", "MSEP of velocity and gradient",
-                                   "Mean square error percentage of the thesis, 100 ((u_exp - u)/u_exp)^2: "
-                                   "0.5 % is a departure of 7 %, 2.5 % of 16 %.",
-                                   "thesis chapter 4, MSEP", make_axis("MSEP", "%"));
-    const FlowRecord::Measured& measured = record.measured();
-    if (measured.profile.height.size() > 1) {
-        const ProfileSpan points{measured.profile.height, measured.profile.velocity};
-        const ProfileComparison velocity = compare_profiles({p.z, p.velocity}, points);
-        const ProfileComparison gradient = compare_gradients({p.z, p.velocity}, points);
-        if (!velocity.left_out.empty()) {
-            analysis.warnings.push_back(
-                fmt::format("{} of {} points of the measured profile lie outside of the computed heights, or "
-                            "are not numbers, and are left out of its comparison",
-                            velocity.left_out.size(), measured.profile.height.size()));
-        }
-        error.curves.push_back(error_curve("against " + measured_curve_name(measured), Origin::measured,
-                                           velocity, &ComparedPoint::relative_error));
-        square.curves.push_back(error_curve("velocity", Origin::simulated, velocity, &ComparedPoint::msep));
-        square.curves.push_back(
-            error_curve("velocity gradient", Origin::simulated, gradient, &ComparedPoint::msep));
-        square.curves.back().variant = 1;
-        add_error_findings(c, velocity, gradient,
-                           measured.from_law ? measured_name(c) + ", its log law" : "measured profile",
-                           analysis);
-    }
-    if (record.column() != nullptr && p.velocity_deviation.size() == p.z.size() &&
-        p.column_velocity.size() == p.z.size()) {
-        std::vector<double> relative;
-        for (std::size_t i = 0; i < p.z.size(); ++i) {
-            relative.push_back(p.column_velocity[i] != 0.0 ? p.velocity_deviation[i] / p.column_velocity[i]
-                                                           : nan);
-        }
-        error.curves.push_back(profile_curve("against the column twin", Origin::column, relative, p.z));
-    }
-    if (record.column() != nullptr && record.origin() == Origin::measured) {
-        const ColumnProfile& column = record.column()->profile;
-        const ProfileComparison beside = compare_profiles({column.z, column.velocity}, {p.z, p.velocity});
-        error.curves.push_back(
-            error_curve("column twin", Origin::column, beside, &ComparedPoint::relative_error));
-        square.curves.push_back(error_curve("column twin", Origin::column, beside, &ComparedPoint::msep));
-        if (std::isfinite(beside.errors.mean_msep)) {
-            analysis.findings.push_back(make_finding(chapter, "msep_column",
-                                                     "MSEP of the column twin's u at the measured points",
-                                                     "%", beside.errors.mean_msep));
-        }
-    }
-    const std::string why = measured.note.empty() ? "no measured profile is known: the case names none "
-                                                    "([measured] velocity_profile, or friction_velocity and "
-                                                    "equivalent_roughness); --measured FILE gives one"
-                                                  : measured.note;
-    if (error.curves.empty()) {
-        add_missing(record, analysis, std::move(error), why);
-    } else {
-        analysis.figures.push_back(std::move(error));
-    }
-    if (square.curves.empty()) {
-        add_missing(record, analysis, std::move(square), why);
-    } else {
-        analysis.figures.push_back(std::move(square));
-    }
+}  // namespace
+
+Figure profile_figure(std::string key, std::string title, std::string caption, std::string source, Axis x) {
+    return make_figure(chapter, std::move(key), std::move(title), std::move(caption), std::move(source),
+                       std::move(x), make_axis("height above the bed level z", "m"));
 }
 
-}  // namespace
+Curve profile_curve(std::string name, Origin origin, const std::vector<double>& values,
+                    const std::vector<double>& z, Mark mark) {
+    return make_curve(std::move(name), origin, mark, values, z);
+}
+
+std::string measured_curve_name(const FlowRecord::Measured& measured) {
+    return measured.from_law ? "measured: rough log law (2.3) of its u* and ks" : "measured";
+}
 
 void analyse_profiles(const FlowRecord& record, Analysis& analysis) {
     const Profiles& p = record.profiles();
@@ -385,7 +273,7 @@ void analyse_profiles(const FlowRecord& record, Analysis& analysis) {
     if (!record.measured().note.empty()) analysis.warnings.push_back(record.measured().note);
     add_velocity(record, p, analysis);
     add_gradient(record, p, analysis);
-    add_errors(record, p, analysis);
+    add_profile_errors(record, p, analysis);
     add_stresses(record, p, analysis);
     add_intensities(record, p, analysis);
     add_pressure(record, p, analysis);

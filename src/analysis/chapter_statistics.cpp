@@ -19,20 +19,11 @@ namespace {
 constexpr const char* chapter = "statistics";
 constexpr std::size_t most_points = 3000;
 
-Figure history_figure() {
-    Figure figure;
-    figure.key = "velocity_history";
-    figure.chapter = chapter;
-    figure.title = "Depth-mean velocity against time";
-    figure.caption = "Depth-mean velocity above the datum over the whole run.";
-    figure.source = "thesis Figs 4.4-4.5, 5.10";
-    figure.x = make_axis("time t", "s");
-    figure.y = make_axis("depth-mean velocity U", "m/s");
-    return figure;
-}
-
 void add_history(const FlowRecord& record, Analysis& analysis) {
-    Figure figure = history_figure();
+    Figure figure =
+        make_figure(chapter, "velocity_history", "Depth-mean velocity against time",
+                    "Depth-mean velocity above the datum over the whole run.", "thesis Figs 4.4-4.5, 5.10",
+                    make_axis("time t", "s"), make_axis("depth-mean velocity U", "m/s"));
     const SeriesTable& series = record.series();
     const auto time = series.find("time");
     const auto velocity = series.find("depth_mean_velocity");

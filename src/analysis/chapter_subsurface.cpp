@@ -1,34 +1,24 @@
-// The velocities below the surface: statistics of points, spectra, quadrants, correlation over the depth.
+// The velocities below the surface: the instruments, statistics of points, spectra.
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 
 #include "analysis/chapters.hpp"
-#include "analysis/depth_correlation.hpp"
 #include "analysis/figure_tools.hpp"
-#include "analysis/probe_point_statistics.hpp"
 #include "analysis/space_time.hpp"
+#include "analysis/subsurface_parts.hpp"
 #include "analysis/velocity_spectra.hpp"
 #include "solver/scheme.hpp"
 #include "statistics/power_spectrum.hpp"
-#include "statistics/quadrants.hpp"
 
 namespace riffle {
 
 namespace {
 
 constexpr const char* chapter = "subsurface";
-
-/// A probe with the statistics of its points.
-struct Instrument {
-    const VelocityProbe* probe = nullptr;
-    std::vector<ProbePointStatistics> points;
-    double interval = 0;
-};
 
 /// The points over each other at the place that has the most of them.
 std::vector<ProbePointStatistics> points_of_one_place(const std::vector<ProbePointStatistics>& points) {
@@ -85,10 +75,6 @@ const Instrument* tallest_instrument(const std::vector<Instrument>& instruments,
     return best;
 }
 
-std::string place(const ProbePointStatistics& point) {
-    return fmt::format("z = {:.4g} mm", 1000.0 * point.z);
-}
-
 /// Up to three points: low, middle, high.
 std::vector<ProbePointStatistics> chosen(const std::vector<ProbePointStatistics>& points) {
     if (points.size() <= 3) return points;
@@ -129,27 +115,6 @@ void add_scales(const FlowRecord& record, const Instrument& instrument, Analysis
                                              middle.integral_length));
 }
 
-/// Records at even times of one component at some points; InputError where one has gaps.
-std::vector<HeightRecord> height_records(const VelocityProbe& probe, const std::vector<double>& values,
-                                         const std::vector<ProbePointStatistics>& points) {
-    std::vector<HeightRecord> records;
-    for (const ProbePointStatistics& point : points) {
-        SpaceTime single;
-        single.columns = 1;
-        single.times = probe.time;
-        single.values = probe.point(values, point.point);
-        records.push_back({point.z, resample_evenly(single).values});
-    }
-    return records;
-}
-
-/// Frequency of the largest density beyond zero; zero where there is none.
-double peak_frequency(const PowerSpectrum& spectrum) {
-    if (spectrum.density.size() < 2) return 0.0;
-    const auto peak = std::max_element(spectrum.density.begin() + 1, spectrum.density.end());
-    return spectrum.frequency[static_cast<std::size_t>(peak - spectrum.density.begin())];
-}
-
 /// The water's slight compressibility lets it swing up and down as a whole, a quarter of a wave of sound over
 /// the depth. Where that is all that w shows, say so.
 void warn_of_sound(const FlowRecord& record, const PowerSpectrum& spectrum, const std::string& where,
@@ -185,11 +150,8 @@ void add_spectra(const FlowRecord& record, const Instrument& instrument, bool ve
             velocity_spectra(height_records(*instrument.probe, values, points), instrument.interval);
         for (std::size_t i = 0; i < spectra.size(); ++i) {
             const PowerSpectrum& smooth = spectra[i].spectrum.smooth;
-            Curve curve =
-                make_curve(place(points[i]), record.origin(), Mark::line, smooth.frequency, smooth.density);
-            set_bounds(curve, smooth.lower, smooth.upper);
-            curve.variant = static_cast<int>(i);
-            f.curves.push_back(std::move(curve));
+            f.curves.push_back(
+                spectrum_curve(place(points[i]), record.origin(), smooth, static_cast<int>(i)));
             if (i != spectra.size() / 2) continue;
             if (vertical) warn_of_sound(record, spectra[i].spectrum.fine, place(points[i]), analysis);
             const FrequencyBand& band = spectra[i].band;
@@ -220,154 +182,25 @@ void add_spectra(const FlowRecord& record, const Instrument& instrument, bool ve
     });
 }
 
-/// w' over the depth against w' at the highest point.
-void add_depth_correlation(const FlowRecord& record, const Instrument& instrument, Analysis& analysis) {
-    if (instrument.probe->w.empty() || instrument.points.size() < 3) return;
-    Figure figure = make_figure(
-        chapter, "depth_correlation", "Correlation of the vertical velocity over the depth",
-        fmt::format("Correlation of w' at each height with w' at {}, at the same time and at the lag of its "
-                    "extreme; bars: 95 % intervals.",
-                    place(instrument.points.back())),
-        "thesis (4.8)", make_axis("correlation", "1"), make_axis("height above the bed level z", "m"));
-    Figure lags =
-        make_figure(chapter, "depth_cross_correlation", "Correlation of w' over depth and lag",
-                    "Temporal cross-correlation of w' at three heights with w' at the highest point; a "
-                    "positive lag: the height follows.",
-                    "thesis (4.8)", make_axis("time lag", "s"), make_axis("correlation", "1"));
-    figure.x.from = -1.0;
-    figure.x.to = 1.0;
-    attempt(record, analysis, std::move(figure), [&](Figure& f) {
-        const std::vector<HeightRecord> records =
-            height_records(*instrument.probe, instrument.probe->w, instrument.points);
-        const double duration = static_cast<double>(records.front().values.size()) * instrument.interval;
-        // A few periods of what w' does most.
-        const double peak =
-            peak_frequency(smoothed_power_spectrum(records.back().values, instrument.interval).fine);
-        constexpr double periods = 8.0;
-        double largest = std::min(2.0, 0.25 * duration);
-        if (peak > 0.0) largest = std::min(largest, std::max(periods / peak, 8.0 * instrument.interval));
-        const std::vector<HeightCorrelation> found =
-            depth_correlation(records, records.back().values, instrument.interval, largest);
-        Curve same = make_curve("at the same time", record.origin(), Mark::line_and_points, {}, {});
-        Curve extreme = make_curve("extreme over the lag", record.origin(), Mark::points, {}, {});
-        extreme.variant = 1;
-        for (const HeightCorrelation& height : found) {
-            same.x.push_back(height.correlation.value);
-            same.x_half_width.push_back(height.correlation.half_width);
-            same.y.push_back(height.z);
-            if (!height.extreme) continue;
-            extreme.x.push_back(height.extreme->correlation);
-            extreme.y.push_back(height.z);
-        }
-        for (const std::size_t part : {1U, 3U, 5U}) {
-            if (found.empty()) break;
-            const HeightCorrelation& height = found[found.size() * part / 6];
-            Curve curve =
-                make_curve(fmt::format("z = {:.4g} mm", 1000.0 * height.z), record.origin(), Mark::line,
-                           thinned(height.lagged.lag, 2000), thinned(height.lagged.correlation, 2000));
-            curve.variant = static_cast<int>(part / 2);
-            lags.curves.push_back(std::move(curve));
-        }
-        f.curves.push_back(std::move(same));
-        f.curves.push_back(std::move(extreme));
-        if (record.flow() == nullptr || found.size() < 3) return;
-        const double depth = record.flow()->total_depth();
-        // The highest point correlates with itself: a fall between it and the next tells their distance only.
-        constexpr double threshold = 0.5;
-        if (!(found[found.size() - 2].correlation.value > threshold)) {
-            analysis.warnings.push_back(
-                fmt::format("influence depth of the surface: not resolved, the correlation falls below 0.5 "
-                            "within {:.3g} mm, between the two highest points",
-                            1000.0 * (found.back().z - found[found.size() - 2].z)));
-            return;
-        }
-        const auto influence = influence_depth(found, instrument.points.back().z, threshold);
-        if (!influence) {
-            analysis.warnings.push_back(fmt::format(
-                "influence depth of the surface: none, the correlation stays above 0.5 down to the "
-                "lowest point at z/H = {:.3g}",
-                found.front().z / depth));
-            return;
-        }
-        Finding finding =
-            against(make_finding(chapter, "influence_depth",
-                                 "influence depth of the surface, z/H where the correlation is 0.5", "1",
-                                 influence->z / depth),
-                    0.93, "thesis, 2D simulations",
-                    "the thesis gives no threshold; here a quarter of the variance explained");
-        const double half_width = 0.5 * (influence->upper - influence->lower) / depth;
-        if (std::isfinite(half_width)) finding.half_width = std::abs(half_width);
-        analysis.findings.push_back(std::move(finding));
-    });
-    if (!lags.curves.empty()) analysis.figures.push_back(std::move(lags));
-}
-
-void add_quadrants(const FlowRecord& record, const Instrument& instrument, Analysis& analysis) {
-    if (instrument.probe->w.empty()) return;
-    Figure figure = make_figure(
-        chapter, "quadrant_profile", "Quadrants of the Reynolds stress over the depth",
-        "Part of <u'w'> that each quadrant of the plane of u' and w' carries, without a hole; bars: 95 % "
-        "intervals.",
-        "Lu & Willmarth (1973)", make_axis("part of <u'w'>", "m2/s2"),
-        make_axis("height above the bed level z", "m"));
-    constexpr std::array names = {"outward interactions (Q1)", "ejections (Q2)", "inward interactions (Q3)",
-                                  "sweeps (Q4)"};
-    attempt(record, analysis, std::move(figure), [&](Figure& f) {
-        std::array<Curve, 4> curves;
-        for (std::size_t q = 0; q < curves.size(); ++q) {
-            curves[q] = make_curve(names[q], record.origin(), Mark::line_and_points, {}, {});
-            curves[q].variant = static_cast<int>(q);
-        }
-        for (const ProbePointStatistics& point : instrument.points) {
-            const Quadrants result =
-                quadrant_analysis(instrument.probe->point(instrument.probe->u, point.point),
-                                  instrument.probe->point(instrument.probe->w, point.point));
-            for (std::size_t q = 0; q < curves.size(); ++q) {
-                curves[q].x.push_back(result.quadrant[q].stress.value);
-                curves[q].x_half_width.push_back(result.quadrant[q].stress.half_width);
-                curves[q].y.push_back(point.z);
-            }
-        }
-        for (Curve& curve : curves) f.curves.push_back(std::move(curve));
-    });
-    const ProbePointStatistics& middle = instrument.points[instrument.points.size() / 2];
-    Figure holes = make_figure(
-        chapter, "quadrant_holes", "Quadrants against the hole size",
-        fmt::format("Share of the time in each quadrant with |u'w'| above H u_rms w_rms, at {}.",
-                    place(middle)),
-        "Lu & Willmarth (1973)", make_axis("hole size H", "1"), make_axis("share of the time", "1"));
-    attempt(record, analysis, std::move(holes), [&](Figure& f) {
-        std::array<Curve, 4> curves;
-        for (std::size_t q = 0; q < curves.size(); ++q) {
-            curves[q] = make_curve(names[q], record.origin(), Mark::line_and_points, {}, {});
-            curves[q].variant = static_cast<int>(q);
-        }
-        const std::vector<double> u = instrument.probe->point(instrument.probe->u, middle.point);
-        const std::vector<double> w = instrument.probe->point(instrument.probe->w, middle.point);
-        constexpr int steps = 12;
-        for (int i = 0; i <= steps; ++i) {
-            const double hole = 0.5 * i;
-            const Quadrants result = quadrant_analysis(u, w, hole);
-            for (std::size_t q = 0; q < curves.size(); ++q) {
-                curves[q].x.push_back(hole);
-                curves[q].y.push_back(result.quadrant[q].time.value);
-                curves[q].y_half_width.push_back(result.quadrant[q].time.half_width);
-            }
-            // Shares of a mean that is zero within its interval say nothing.
-            if (i > 0 || !(result.mean_product.half_width < std::abs(result.mean_product.value))) continue;
-            const auto share = [&](const char* key, const char* label, std::size_t q) {
-                if (!std::isfinite(result.quadrant[q].stress_share)) return;
-                analysis.findings.push_back(make_finding(chapter, key, label + (", " + place(middle)), "1",
-                                                         result.quadrant[q].stress_share));
-            };
-            share("ejection_share", "share of ejections in <u'w'>", 1);
-            share("sweep_share", "share of sweeps in <u'w'>", 3);
-        }
-        for (Curve& curve : curves) f.curves.push_back(std::move(curve));
-    });
-}
-
 }  // namespace
+
+std::string place(const ProbePointStatistics& point) {
+    return fmt::format("z = {:.4g} mm", 1000.0 * point.z);
+}
+
+/// Records at even times of one component at some points; InputError where one has gaps.
+std::vector<HeightRecord> height_records(const VelocityProbe& probe, const std::vector<double>& values,
+                                         const std::vector<ProbePointStatistics>& points) {
+    std::vector<HeightRecord> records;
+    for (const ProbePointStatistics& point : points) {
+        SpaceTime single;
+        single.columns = 1;
+        single.times = probe.time;
+        single.values = probe.point(values, point.point);
+        records.push_back({point.z, resample_evenly(single).values});
+    }
+    return records;
+}
 
 void analyse_subsurface(const FlowRecord& record, Analysis& analysis) {
     const std::vector<Instrument> instruments = instruments_of(record, analysis);

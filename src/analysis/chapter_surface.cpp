@@ -168,15 +168,13 @@ void add_density(const std::vector<SurfaceStation>& stations, const FlowRecord& 
             for (auto* values : {&density.density, &density.half_width, &density.gaussian}) {
                 for (double& value : *values) value *= deviation;
             }
-            Curve bars =
-                make_curve(stations[i].name, record.origin(), Mark::points, density.centre, density.density);
+            const int variant = static_cast<int>(i);
+            Curve bars = make_curve(stations[i].name, record.origin(), Mark::points, density.centre,
+                                    density.density, variant);
             bars.y_half_width = density.half_width;
-            bars.variant = static_cast<int>(i);
-            Curve gaussian = make_curve("Gaussian, " + stations[i].name, Origin::fit, Mark::line,
-                                        density.centre, density.gaussian);
-            gaussian.variant = static_cast<int>(i);
             f.curves.push_back(std::move(bars));
-            f.curves.push_back(std::move(gaussian));
+            f.curves.push_back(make_curve("Gaussian, " + stations[i].name, Origin::fit, Mark::line,
+                                          density.centre, density.gaussian, variant));
             if (i > 0) continue;
             const Moments& m = density.moments;
             Finding skewness = against(

@@ -34,7 +34,8 @@ Figure make_figure(const char* chapter, std::string key, std::string title, std:
     return figure;
 }
 
-Curve make_curve(std::string name, Origin origin, Mark mark, std::vector<double> x, std::vector<double> y) {
+Curve make_curve(std::string name, Origin origin, Mark mark, std::vector<double> x, std::vector<double> y,
+                 int variant) {
     if (x.size() != y.size()) throw std::invalid_argument("curve " + name + ": x and y differ in length");
     Curve curve;
     curve.name = std::move(name);
@@ -42,17 +43,18 @@ Curve make_curve(std::string name, Origin origin, Mark mark, std::vector<double>
     curve.mark = mark;
     curve.x = std::move(x);
     curve.y = std::move(y);
+    curve.variant = variant;
     return curve;
 }
 
-void set_bounds(Curve& curve, const std::vector<double>& lower_factor,
-                const std::vector<double>& upper_factor) {
-    curve.y_lower.clear();
-    curve.y_upper.clear();
+Curve spectrum_curve(std::string name, Origin origin, const PowerSpectrum& spectrum, int variant) {
+    Curve curve =
+        make_curve(std::move(name), origin, Mark::line, spectrum.frequency, spectrum.density, variant);
     for (std::size_t i = 0; i < curve.y.size(); ++i) {
-        curve.y_lower.push_back(curve.y[i] * lower_factor[i]);
-        curve.y_upper.push_back(curve.y[i] * upper_factor[i]);
+        curve.y_lower.push_back(curve.y[i] * spectrum.lower[i]);
+        curve.y_upper.push_back(curve.y[i] * spectrum.upper[i]);
     }
+    return curve;
 }
 
 Finding make_finding(const char* chapter, std::string key, std::string label, std::string unit, double value,

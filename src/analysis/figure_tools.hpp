@@ -8,6 +8,7 @@
 #include "analysis/figure.hpp"
 #include "analysis/flow_record.hpp"
 #include "base/error.hpp"
+#include "statistics/power_spectrum.hpp"
 
 namespace riffle {
 
@@ -26,11 +27,11 @@ inline constexpr const char* measured_in_case = "measured (case file)";
 
 /// A curve of these points. Vectors of different lengths are a defect: std::invalid_argument.
 [[nodiscard]] Curve make_curve(std::string name, Origin origin, Mark mark, std::vector<double> x,
-                               std::vector<double> y);
+                               std::vector<double> y, int variant = 0);
 
-/// Give a curve the bounds of its intervals: its values times these factors, as of a spectrum (chi-square).
-void set_bounds(Curve& curve, const std::vector<double>& lower_factor,
-                const std::vector<double>& upper_factor);
+/// The line of a spectrum with the bounds of its intervals (chi-square: factors of the density).
+[[nodiscard]] Curve spectrum_curve(std::string name, Origin origin, const PowerSpectrum& spectrum,
+                                   int variant = 0);
 
 /// A finding with its 95 % half-width, where that is finite.
 [[nodiscard]] Finding make_finding(const char* chapter, std::string key, std::string label, std::string unit,

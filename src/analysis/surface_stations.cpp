@@ -157,22 +157,15 @@ void add_station_spectra(const FlowRecord& record, const std::vector<SurfaceStat
         for (std::size_t i = 0; i < stations.size(); ++i) {
             const SmoothedSpectrum spectrum =
                 smoothed_power_spectrum(stations[i].elevation, stations[i].interval);
-            Curve curve = make_curve(stations[i].name, record.origin(), Mark::line, spectrum.smooth.frequency,
-                                     spectrum.smooth.density);
-            set_bounds(curve, spectrum.smooth.lower, spectrum.smooth.upper);
-            curve.variant = static_cast<int>(i);
-            f.curves.push_back(std::move(curve));
+            f.curves.push_back(
+                spectrum_curve(stations[i].name, record.origin(), spectrum.smooth, static_cast<int>(i)));
             if (i > 0) continue;
             const PowerSpectrum& fine = spectrum.fine;
-            std::size_t peak = 1;
-            for (std::size_t k = 1; k < fine.density.size(); ++k) {
-                if (fine.density[k] > fine.density[peak]) peak = k;
-            }
             if (fine.frequency.size() > 2) {
                 Finding finding =
                     make_finding(chapter, "surface_peak_frequency",
                                  "frequency of the highest spectral density, " + stations[i].name, "Hz",
-                                 fine.frequency[peak], 0.5 * fine.resolution);
+                                 peak_frequency(fine), 0.5 * fine.resolution);
                 finding.remark = "half-width: half the resolution of the spectrum";
                 analysis.findings.push_back(std::move(finding));
             }
@@ -204,14 +197,12 @@ void add_station_correlations(const FlowRecord& record, const std::vector<Surfac
             const CrossCorrelation correlation = cross_correlation(
                 std::span(first.elevation).first(samples), std::span(other.elevation).first(samples),
                 first.interval, std::clamp<std::size_t>(lags, 1, samples - 1));
-            Curve curve = make_curve(fmt::format("{:.4g} mm apart", 1000.0 * distance), record.origin(),
-                                     Mark::line, correlation.lag, correlation.correlation);
-            curve.variant = static_cast<int>(i) - 1;
-            f.curves.push_back(curve);
+            const int variant = static_cast<int>(i) - 1;
+            f.curves.push_back(make_curve(fmt::format("{:.4g} mm apart", 1000.0 * distance), record.origin(),
+                                          Mark::line, correlation.lag, correlation.correlation, variant));
             const std::vector<CorrelationExtreme> extremes = correlation_extremes(correlation);
             Curve points = make_curve(fmt::format("extremes, {:.4g} mm", 1000.0 * distance), record.origin(),
-                                      Mark::points, {}, {});
-            points.variant = curve.variant;
+                                      Mark::points, {}, {}, variant);
             for (const CorrelationExtreme& extreme : extremes) {
                 if (!extreme.significant) continue;
                 points.x.push_back(extreme.lag);
@@ -219,11 +210,9 @@ void add_station_correlations(const FlowRecord& record, const std::vector<Surfac
             }
             if (!points.x.empty()) f.curves.push_back(std::move(points));
             if (velocity > 0.0 && distance > 0.0) {
-                Curve arrival =
+                f.curves.push_back(
                     make_curve(fmt::format("x/U, {:.4g} mm", 1000.0 * distance), Origin::reference,
-                               Mark::line, {distance / velocity, distance / velocity}, {-1.0, 1.0});
-                arrival.variant = curve.variant;
-                f.curves.push_back(std::move(arrival));
+                               Mark::line, {distance / velocity, distance / velocity}, {-1.0, 1.0}, variant));
             }
             if (!(distance > 0.0)) continue;
             const CorrelationExtreme* const best = arrival(extremes, distance, velocity);

@@ -63,8 +63,7 @@ void add_dispersion(const FlowRecord& record, const WaveSpectrum& spectrum, Figu
     const GravityCapillaryWaves waves = waves_on(record);
     const double highest = spectrum.frequency.back();
     Curve down = make_curve("waves travelling downstream", Origin::theory, Mark::line, {}, {});
-    Curve up = make_curve("waves travelling upstream", Origin::theory, Mark::line, {}, {});
-    up.variant = 1;
+    Curve up = make_curve("waves travelling upstream", Origin::theory, Mark::line, {}, {}, 1);
     constexpr int steps = 200;
     std::vector<Curve> carried;
     std::vector<double> speeds = {bulk_velocity(record)};
@@ -72,8 +71,7 @@ void add_dispersion(const FlowRecord& record, const WaveSpectrum& spectrum, Figu
     for (std::size_t i = 0; i < speeds.size(); ++i) {
         carried.push_back(
             make_curve(i == 0 ? "advection line omega = U k" : "velocity of the surface omega = u_s k",
-                       Origin::reference, Mark::line, {}, {}));
-        carried.back().variant = static_cast<int>(i);
+                       Origin::reference, Mark::line, {}, {}, static_cast<int>(i)));
     }
     const double largest = spectrum.wavenumber.back();
     for (int i = 0; i <= steps; ++i) {

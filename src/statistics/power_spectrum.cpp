@@ -83,6 +83,12 @@ PowerSpectrum power_spectrum(std::span<const double> record, double interval, co
     return averaged(record, interval, WelchSegments(record.size(), options));
 }
 
+double peak_frequency(const PowerSpectrum& spectrum) {
+    if (spectrum.density.size() < 2) return 0.0;
+    const auto peak = std::max_element(spectrum.density.begin() + 1, spectrum.density.end());
+    return spectrum.frequency[static_cast<std::size_t>(peak - spectrum.density.begin())];
+}
+
 PowerSpectrum smoothed(const PowerSpectrum& spectrum, const WelchSegments& segments, int bins_per_decade) {
     if (bins_per_decade < 1) throw InputError("smoothed spectrum: at least one bin per decade is needed");
     PowerSpectrum result;

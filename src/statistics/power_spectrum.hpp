@@ -31,6 +31,9 @@ struct PowerSpectrum {
 [[nodiscard]] PowerSpectrum power_spectrum(std::span<const double> record, double interval,
                                            const WelchOptions& options = {});
 
+/// Frequency of the largest density beyond zero, Hz; zero where there is none.
+[[nodiscard]] double peak_frequency(const PowerSpectrum& spectrum);
+
 /// Means of the densities over bins of equal width in the logarithm of frequency, at the geometric mean of
 /// the frequencies in each; without frequency zero and half the sampling rate. Bins without a frequency are
 /// left out. `segments` must be those of the spectrum: WelchSegments(record length, options).
