@@ -95,8 +95,16 @@ void print_outcome(const RunOutcome& outcome, const Case& c, const RunFiles& fil
                outcome.convergence);
     const RunSummary& s = outcome.summary;
     const double none = std::nan("");
+    // The laboratory measures on the centreline.
+    const bool space = c.channel.dimensions == 3;
     print_value("depth-mean velocity, m/s", s.value("depth_mean_velocity"),
-                s.value("depth_mean_velocity_half_width"), c.measured.depth_mean_velocity);
+                s.value("depth_mean_velocity_half_width"),
+                space ? std::nullopt : c.measured.depth_mean_velocity);
+    if (space) {
+        print_value("on the centreline, m/s", s.value("centreline_velocity"),
+                    s.value("centreline_velocity_half_width"), c.measured.depth_mean_velocity);
+        print_value("secondary velocity, mm/s", 1e3 * s.value("secondary_velocity"), none, std::nullopt);
+    }
     print_value("friction velocity (stress), m/s", s.value("friction_velocity"), none,
                 c.measured.friction_velocity);
     print_value("friction velocity (log law), m/s", s.value("log_law_friction_velocity"),
@@ -106,6 +114,9 @@ void print_outcome(const RunOutcome& outcome, const Case& c, const RunFiles& fil
                 c.measured.equivalent_roughness ? std::optional(1e3 * *c.measured.equivalent_roughness)
                                                 : std::nullopt);
     print_value("drag over gravity", s.value("drag_over_gravity"), none, std::nullopt);
+    if (c.has_side_walls()) {
+        print_value("side walls' drag over gravity", s.value("side_wall_over_gravity"), none, std::nullopt);
+    }
     print_value("spurious pressure stress, %", 100.0 * s.value("spurious_stress_rms"), none, std::nullopt);
     fmt::print("results: {}\n", files.results().string());
     if (outcome.end == RunEnd::stopped) {

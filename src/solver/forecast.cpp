@@ -157,16 +157,13 @@ void forecast_probes(const Case& c, const SimulationIn<D>& simulation, double st
 
 template <int D>
 Forecast forecast_in(const Case& c) {
-    std::optional<ColumnResult> column;
-    if (has_column(c)) {
-        column = solve_column(c);
-    }
-    const ColumnResult* twin = column ? &*column : nullptr;
+    const Twins twins = solve_twins(c);
+    const ColumnResult* twin = twins.column_or_null();
     const Scheme scheme = make_scheme(c, twin);
     Particles<D> particles =
         c.start.kind == StartKind::results
             ? particles_from_results<D>(c, scheme, ResultsReader(c.start.file), c.start.file.string())
-            : initial_particles<D>(c, scheme, twin);
+            : initial_particles<D>(c, scheme, twin, twins.section_velocity());
     const auto simulation = make_simulation<D>(c, twin, std::move(particles));
 
     Forecast f;
@@ -178,11 +175,11 @@ Forecast forecast_in(const Case& c) {
     f.maximum_velocity = scheme.maximum_velocity;
     f.latest_end = c.run.time;
     f.end_time = c.run.time;
-    if (column && std::isfinite(column->relaxation_time)) {
-        f.relaxation_time = column->relaxation_time;
+    f.relaxation_time = twins.relaxation_time();
+    if (f.relaxation_time) {
         if (c.run.until == RunUntil::converged) {
             // The convergence test needs three relaxation times and one more of record.
-            f.end_time = std::min(c.run.time, 4.0 * column->relaxation_time);
+            f.end_time = std::min(c.run.time, 4.0 * *f.relaxation_time);
         }
     }
 

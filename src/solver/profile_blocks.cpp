@@ -15,11 +15,8 @@ namespace {
 
 constexpr std::size_t index(LayerQuantity q) { return static_cast<std::size_t>(q); }
 
-/// Stress of the column twin at height z, Pa: rho g S0 (H - z) less the drag carried by the roughness above
-/// z.
-double column_stress(const ColumnResult& column, double z) {
-    const auto& height = column.profile.z;
-    const auto& stress = column.profile.shear_stress;
+/// Stress of a twin at height z, Pa, from its profile: rho g S0 (H - z) less the drag above z.
+double stress_at(const std::vector<double>& height, const std::vector<double>& stress, double z) {
     const auto above = std::upper_bound(height.begin(), height.end(), z);
     if (above == height.begin()) {
         return stress.front();
@@ -33,6 +30,23 @@ double column_stress(const ColumnResult& column, double z) {
     const auto i = static_cast<std::size_t>(above - height.begin());
     const double fraction = (z - height[i - 1]) / (height[i] - height[i - 1]);
     return stress[i - 1] + fraction * (stress[i] - stress[i - 1]);
+}
+
+/// Mean of the section's stress tau_xz across the channel at each of its heights, Pa.
+std::vector<double> mean_stress(const SectionResult& section) {
+    std::vector<double> mean(section.z.size(), 0.0);
+    double face = 0.0;  // of the cell, nearer to y = 0; the centres lie in the middle of the cells
+    for (std::size_t iy = 0; iy < section.y.size(); ++iy) {
+        const double width = 2.0 * (section.y[iy] - face);
+        for (std::size_t iz = 0; iz < mean.size(); ++iz) {
+            mean[iz] += width * section.shear_stress[iz * section.y.size() + iy];
+        }
+        face += width;
+    }
+    for (double& stress : mean) {
+        stress /= face;
+    }
+    return mean;
 }
 
 }  // namespace
@@ -62,8 +76,8 @@ std::span<const std::string> profile_quantity_names(int dimensions) {
     return std::span(names).first(profile_quantities(dimensions));
 }
 
-ProfileSampler::ProfileSampler(const Case& c, const ColumnResult* column)
-    : case_(c), column_(column), quantities_(profile_quantities(c.channel.dimensions)) {
+ProfileSampler::ProfileSampler(const Case& c, const ColumnResult* column, const SectionResult* section)
+    : case_(c), column_(column), section_(section), quantities_(profile_quantities(c.channel.dimensions)) {
     const Lattice lattice = lattice_of(c);
     layers_ = static_cast<std::size_t>(lattice.rows);
     thickness_ = lattice.dz;
@@ -77,6 +91,13 @@ void ProfileSampler::add_particles(const SimulationIn<D>& simulation, std::size_
                                    std::vector<double>& layer_sums) const {
     const Particles<D>& p = simulation.particles();
     const ParticleFields& f = simulation.fields();
+    const auto twin_velocity = [&](const Particles<D>& of, std::size_t i) {
+        const double z = of.position[D - 1][i];
+        if (D == 3 && section_ != nullptr) {
+            return section_->velocity_at(of.position[1][i], z);
+        }
+        return column_ != nullptr ? column_->velocity_at(z) : 0.0;
+    };
     for (std::size_t i = begin; i < end; ++i) {
         const double z = p.position[D - 1][i];
         const double u = p.velocity[0][i];
@@ -94,7 +115,7 @@ void ProfileSampler::add_particles(const SimulationIn<D>& simulation, std::size_
         add(LayerQuantity::uu, u * u);
         add(LayerQuantity::ww, w * w);
         add(LayerQuantity::uw, u * w);
-        add(LayerQuantity::column_u, column_ != nullptr ? column_->velocity_at(z) : 0.0);
+        add(LayerQuantity::column_u, twin_velocity(p, i));
         add(LayerQuantity::shear, f.shear[i]);
         add(LayerQuantity::eddy_viscosity, f.eddy_viscosity[i]);
         add(LayerQuantity::pressure, f.pressure[i]);
@@ -182,6 +203,17 @@ Profiles ProfileSampler::average(double from, double to) const {
         return result;
     }
     const double rho = case_.fluid.density;
+    const std::vector<double> section_stress =
+        section_ != nullptr ? mean_stress(*section_) : std::vector<double>();
+    const std::vector<double>* twin_height = nullptr;
+    const std::vector<double>* twin_stress = nullptr;
+    if (section_ != nullptr) {
+        twin_height = &section_->z;
+        twin_stress = &section_stress;
+    } else if (column_ != nullptr) {
+        twin_height = &column_->profile.z;
+        twin_stress = &column_->profile.shear_stress;
+    }
     double pair_flux = 0.0;
     double viscous_flux = 0.0;
     std::vector<double> pair_upper(layers_, 0.0);
@@ -233,8 +265,9 @@ Profiles ProfileSampler::average(double from, double to) const {
         result.viscous_stress.push_back(viscous_upper[layer]);
         result.total_stress.push_back(reynolds_upper + pair_upper[layer] + viscous_upper[layer]);
         const double line = rho * case_.streamwise_gravity() * (case_.total_depth() - upper);
-        result.analytic_stress.push_back(column_ != nullptr && upper < case_.total_depth() - 0.5 * thickness_
-                                             ? column_stress(*column_, upper)
+        result.analytic_stress.push_back(twin_height != nullptr &&
+                                                 upper < case_.total_depth() - 0.5 * thickness_
+                                             ? stress_at(*twin_height, *twin_stress, upper)
                                              : line);
         const double volume = result.samples * plan_area_ * thickness_;
         result.drag.push_back(s[index(LayerQuantity::drag_force)] / volume);

@@ -7,6 +7,7 @@
 
 #include "case/case.hpp"
 #include "column/column.hpp"
+#include "column/section.hpp"
 #include "solver/simulation.hpp"
 
 namespace riffle {
@@ -71,7 +72,8 @@ struct Profiles {
 /// Collects layer sums. Layers are H/round(H/dx) thick, so that each row of a layered flow has its own.
 class ProfileSampler {
   public:
-    ProfileSampler(const Case& c, const ColumnResult* column);
+    /// `section`: twin of a channel with side walls; the column is then not compared with.
+    ProfileSampler(const Case& c, const ColumnResult* column, const SectionResult* section = nullptr);
 
     /// Add the particles of one instant to the current block; closes blocks whose end has passed.
     template <int D>
@@ -96,6 +98,7 @@ class ProfileSampler {
 
     Case case_;
     const ColumnResult* column_;
+    const SectionResult* section_;
     std::size_t layers_ = 0;
     std::size_t quantities_ = 0;
     double thickness_ = 0.0;

@@ -66,11 +66,11 @@ std::vector<double> surface_map_places(const Case& c, double extent) {
     return places;
 }
 
-Recorder::Recorder(const Case& c, const ColumnResult* column)
+Recorder::Recorder(const Case& c, const Twins& twins)
     : case_(c),
       series_(c),
-      profiles_(c, column),
-      probes_(c, largest_step(c, make_scheme(c, column))),
+      profiles_(c, twins.column_or_null(), twins.section_or_null()),
+      probes_(c, largest_step(c, make_scheme(c, twins.column_or_null()))),
       mean_field_(c),
       snapshots_(c),
       mean_level_(c.total_depth()),

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "case/case.hpp"
-#include "column/column.hpp"
 #include "instruments/probe_set.hpp"
 #include "output/dataset.hpp"
 #include "output/results_file.hpp"
@@ -15,6 +14,7 @@
 #include "solver/series.hpp"
 #include "solver/simulation.hpp"
 #include "solver/snapshots.hpp"
+#include "solver/twins.hpp"
 
 namespace riffle {
 
@@ -23,7 +23,8 @@ namespace riffle {
 /// simulated time alone, so that a resumed run records the same rows.
 class Recorder {
   public:
-    Recorder(const Case& c, const ColumnResult* column);
+    /// `twins`: of the case; must outlive the recorder.
+    Recorder(const Case& c, const Twins& twins);
 
     /// Time from which something is due that looks at the fields of the particles.
     [[nodiscard]] double fields_due() const;

@@ -43,6 +43,43 @@ void add_column(Content& content, const ColumnResult& column) {
     attribute("relaxation_time", column.relaxation_time);
 }
 
+/// `density`: of the water, kg/m3.
+void add_section(Content& content, const SectionResult& section, double density) {
+    add_array(content, "/section/y", section.y, "m", "distance across the channel, cell centres");
+    add_array(content, "/section/z", section.z, "m", "height above the bed level, cell centres");
+    const auto field = [&](const char* name, const std::vector<double>& values, const char* unit,
+                           const char* long_name) {
+        content.datasets.push_back({.path = std::string("/section/") + name,
+                                    .shape = {section.z.size(), section.y.size()},
+                                    .values = values,
+                                    .unit = unit,
+                                    .long_name = long_name});
+    };
+    field("velocity", section.velocity, "m/s", "streamwise velocity of the section");
+    field("mixing_length", section.mixing_length, "m", "mixing length l_x");
+    field("shear_stress", section.shear_stress, "Pa", "stress tau_xz of the section");
+    field("lateral_shear_stress", section.lateral_shear_stress, "Pa", "stress tau_xy of the section");
+    const auto attribute = [&](const char* name, double value) {
+        add_attribute(content, "/section", name, value);
+    };
+    attribute("bulk_velocity", section.bulk_velocity);
+    attribute("depth_mean_velocity", section.depth_mean_velocity);
+    attribute("centreline_velocity", section.centreline_velocity);
+    attribute("maximum_velocity", section.maximum_velocity);
+    attribute("wall_layer_velocity", section.wall_layer_velocity);
+    attribute("discharge", section.discharge);
+    attribute("drag_share", section.drag_share);
+    attribute("side_wall_share", section.side_wall_share);
+    attribute("bed_stress", section.bed_stress);
+    attribute("wall_stress", section.wall_stress);
+    attribute("side_wall_coefficient", section.side_wall_coefficient);
+    attribute("relaxation_time", section.relaxation_time);
+    attribute("partition_k", section.partition.k);
+    attribute("partition_bed_stress", density * section.partition.bed_stress);
+    attribute("partition_wall_stress", density * section.partition.wall_stress);
+    attribute("partition_bed_share", section.partition.bed_share);
+}
+
 /// Averaging window so far: the tested one, or the second half while it is still too short.
 std::pair<double, double> window(const Recorder& recorder, const Convergence& convergence) {
     const double end = recorder.series().last("time");
@@ -60,7 +97,7 @@ Dataset case_dataset(const Case& c) {
             .long_name = "complete case (TOML)"};
 }
 
-Content run_head(const Case& c, const std::optional<ColumnResult>& column) {
+Content run_head(const Case& c, const Twins& twins) {
     Content content;
     const auto attribute = [&](const char* name, AttributeValue value) {
         add_attribute(content, "/", name, std::move(value));
@@ -71,23 +108,25 @@ Content run_head(const Case& c, const std::optional<ColumnResult>& column) {
     attribute("dimension", std::int64_t{c.channel.dimensions});
     attribute("created", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))));
     content.datasets.push_back(case_dataset(c));
-    if (column) {
-        add_column(content, *column);
+    if (twins.column) {
+        add_column(content, *twins.column);
+    }
+    if (twins.section) {
+        add_section(content, *twins.section, c.fluid.density);
     }
     return content;
 }
 
-RunSummary current_summary(const Case& c, const std::optional<ColumnResult>& column, const Recorder& recorder,
+RunSummary current_summary(const Case& c, const Twins& twins, const Recorder& recorder,
                            const Convergence& convergence) {
     const auto [from, to] = window(recorder, convergence);
     Convergence shown = convergence;
     shown.window_start = from;
-    return summarise(c, column ? &*column : nullptr, recorder.series(), recorder.profiles().average(from, to),
-                     shown);
+    return summarise(c, twins, recorder.series(), recorder.profiles().average(from, to), shown);
 }
 
-void add_profiles_content(Content& content, const std::optional<ColumnResult>& column,
-                          const Recorder& recorder, const Convergence& convergence) {
+void add_profiles_content(Content& content, const Twins& twins, const Recorder& recorder,
+                          const Convergence& convergence) {
     const auto [from, to] = window(recorder, convergence);
     const Profiles p = recorder.profiles().average(from, to);
     if (p.empty()) {
@@ -103,10 +142,14 @@ void add_profiles_content(Content& content, const std::optional<ColumnResult>& c
     add("velocity", p.velocity, "m/s", "time-mean streamwise velocity");
     add("velocity_half_width", p.velocity_half_width, "m/s", "half-width of its 95 % interval");
     add("vertical_velocity", p.vertical_velocity, "m/s", "time-mean vertical velocity");
-    if (column) {
-        add("column_velocity", p.column_velocity, "m/s", "column velocity at the particles' heights");
+    if (twins.column) {
+        const bool section = twins.section.has_value();
+        add("column_velocity", p.column_velocity, "m/s",
+            section ? "velocity of the section at the particles' places"
+                    : "column velocity at the particles' heights");
         add("velocity_deviation", p.velocity_deviation, "m/s",
-            "departure from the column at the particles' heights");
+            section ? "departure from the section at the particles' places"
+                    : "departure from the column at the particles' heights");
     }
     add("velocity_gradient", p.velocity_gradient, "1/s", "time-mean du/dz");
     add("eddy_viscosity", p.eddy_viscosity, "m2/s", "time-mean eddy viscosity");

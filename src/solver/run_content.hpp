@@ -1,14 +1,12 @@
 #pragma once
 
-#include <optional>
-
 #include "case/case.hpp"
-#include "column/column.hpp"
 #include "output/dataset.hpp"
 #include "solver/convergence.hpp"
 #include "solver/recorder.hpp"
 #include "solver/run.hpp"
 #include "solver/summary.hpp"
+#include "solver/twins.hpp"
 
 namespace riffle {
 
@@ -17,16 +15,16 @@ namespace riffle {
 /// The complete case, as the results and the checkpoints hold it.
 [[nodiscard]] Dataset case_dataset(const Case& c);
 
-/// Head of a new results file: case, versions, column twin.
-[[nodiscard]] Content run_head(const Case& c, const std::optional<ColumnResult>& column);
+/// Head of a new results file: case, versions, the twins.
+[[nodiscard]] Content run_head(const Case& c, const Twins& twins);
 
 /// Summary of what is recorded so far.
-[[nodiscard]] RunSummary current_summary(const Case& c, const std::optional<ColumnResult>& column,
-                                         const Recorder& recorder, const Convergence& convergence);
+[[nodiscard]] RunSummary current_summary(const Case& c, const Twins& twins, const Recorder& recorder,
+                                         const Convergence& convergence);
 
 /// Time-averaged profiles over the window so far; nothing when no block is complete yet.
-void add_profiles_content(Content& content, const std::optional<ColumnResult>& column,
-                          const Recorder& recorder, const Convergence& convergence);
+void add_profiles_content(Content& content, const Twins& twins, const Recorder& recorder,
+                          const Convergence& convergence);
 
 /// The XDMF indexes of the snapshots and of the mean field, as far as there are any.
 void write_indexes(const RunFiles& files, const Recorder& recorder);

@@ -28,10 +28,6 @@ constexpr double write_share = 0.02;
 /// Simulated time between two convergence tests, s.
 constexpr double test_interval = 1.0;
 
-double relaxation_time(const std::optional<ColumnResult>& column) {
-    return column && std::isfinite(column->relaxation_time) ? column->relaxation_time : 0.0;
-}
-
 /// The setting of half the step: the fixed step rules out the Courant number.
 std::string smaller_step(const Numerics& numerics) {
     return numerics.time_step ? fmt::format("numerics.time_step={:.3g}", 0.5 * *numerics.time_step)
@@ -44,9 +40,8 @@ template <int D>
 RunSession<D>::RunSession(Case c, RunOptions options)
     : case_(std::move(c)), options_(std::move(options)), files_{options_.folder}, log_(files_.log()) {
     set_thread_count(options_.threads);
-    if (has_column(case_)) {
-        column_ = solve_column(case_);
-    } else if (case_.run.until == RunUntil::converged) {
+    twins_ = solve_twins(case_);
+    if (!twins_.column && case_.run.until == RunUntil::converged) {
         throw InputError(
             "[run] until = \"converged\" tests the mean velocity against the relaxation time of the steady "
             "channel flow; "
@@ -54,22 +49,22 @@ RunSession<D>::RunSession(Case c, RunOptions options)
             "until = "
             "\"10 s\"");
     }
-    convergence_.reason = column_ ? "not yet tested for convergence" : no_steady_flow;
+    convergence_.reason = twins_.column ? "not yet tested for convergence" : no_steady_flow;
 }
 
 template <int D>
 void RunSession<D>::make_simulation_of_case(bool from_start) {
-    const ColumnResult* column = column_ ? &*column_ : nullptr;
+    const ColumnResult* column = twins_.column_or_null();
     const Scheme scheme = make_scheme(case_, column);
     Particles<D> particles;
     if (from_start && case_.start.kind == StartKind::results) {
         particles = particles_from_results<D>(case_, scheme, ResultsReader(case_.start.file),
                                               case_.start.file.string());
     } else {
-        particles = initial_particles<D>(case_, scheme, column);
+        particles = initial_particles<D>(case_, scheme, column, twins_.section_velocity());
     }
     simulation_ = make_simulation<D>(case_, column, std::move(particles));
-    recorder_ = std::make_unique<Recorder>(case_, column);
+    recorder_ = std::make_unique<Recorder>(case_, twins_);
 }
 
 template <int D>
@@ -86,7 +81,7 @@ void RunSession<D>::start() {
         "{} fluid and {} wall particles, spacing {:.4g} mm, h {:.4g} mm, c0 {:.4g} m/s, step <= {:.4g} s",
         simulation_->particles().size(), simulation_->walls().size(), 1e3 * scheme.spacing,
         1e3 * scheme.smoothing_length, scheme.state.sound_speed, scheme.acoustic_step));
-    Content content = run_head(case_, column_);
+    Content content = run_head(case_, twins_);
     content.compression = case_.output.compression;
     recorder_->record(*simulation_);
     add_run_attributes(content, false);
@@ -186,7 +181,7 @@ RunOutcome RunSession<D>::advance() {
         static_cast<double>(outcome.steps - first_step_) * simulation_->evaluations_per_step();
     outcome.updates_per_second = evaluations * static_cast<double>(simulation_->particles().size()) /
                                  std::max(1e-9, seconds_since(begin_));
-    outcome.summary = current_summary(case_, column_, *recorder_, convergence_);
+    outcome.summary = current_summary(case_, twins_, *recorder_, convergence_);
     outcome.convergence = convergence_.reason;
     log_.info(fmt::format("{} at t = {:.6g} s after {} steps: {}", stopped ? "stopped" : "finished",
                           outcome.time, outcome.steps, convergence_.reason));
@@ -196,14 +191,14 @@ RunOutcome RunSession<D>::advance() {
 template <int D>
 void RunSession<D>::update_convergence(bool final_test) {
     const TimeSeries& series = recorder_->series();
-    if (!column_) {
+    if (!twins_.column) {
         // No steady flow to converge to: averages over the second half, or from the asked time.
         convergence_.window_start = case_.run.average_from.value_or(0.5 * simulation_->clock().time);
         convergence_.reason = no_steady_flow;
         return;
     }
     convergence_ = test_convergence(series.column("time"), series.column("depth_mean_velocity"),
-                                    relaxation_time(column_), case_.run.tolerance,
+                                    twins_.relaxation_time().value_or(0.0), case_.run.tolerance,
                                     case_.run.average_from.value_or(-1.0));
     if (final_test && !convergence_.converged && !case_.run.average_from) {
         // A run cut short still averages something: its second half, marked as not converged.
@@ -217,7 +212,7 @@ void RunSession<D>::write_out(bool complete) {
     Content content = recorder_->take_new_rows();
     content.compression = case_.output.compression;
     add_run_attributes(content, complete);
-    add_profiles_content(content, column_, *recorder_, convergence_);
+    add_profiles_content(content, twins_, *recorder_, convergence_);
     add_state(content, "/state", *simulation_);
     ResultsFile::update(files_.results(), content);
     write_checkpoint();
@@ -245,7 +240,7 @@ void RunSession<D>::add_run_attributes(Content& content, bool complete) const {
         add_attribute(content, path, name, std::move(value));
     };
     attribute("/", "complete", std::int64_t{complete ? 1 : 0});
-    const RunSummary summary = current_summary(case_, column_, *recorder_, convergence_);
+    const RunSummary summary = current_summary(case_, twins_, *recorder_, convergence_);
     for (const auto& [name, value] : summary.values) {
         attribute("/summary", name, value);
     }

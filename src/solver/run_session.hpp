@@ -4,10 +4,10 @@
 #include <memory>
 #include <optional>
 
-#include "column/column.hpp"
 #include "solver/recorder.hpp"
 #include "solver/run.hpp"
 #include "solver/run_log.hpp"
+#include "solver/twins.hpp"
 
 namespace riffle {
 
@@ -42,7 +42,7 @@ class RunSession {
     RunOptions options_;
     RunFiles files_;
     RunLog log_;
-    std::optional<ColumnResult> column_;
+    Twins twins_;
     std::unique_ptr<SimulationIn<D>> simulation_;
     std::unique_ptr<Recorder> recorder_;
     Convergence convergence_;

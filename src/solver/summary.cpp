@@ -154,8 +154,8 @@ std::optional<StressLine> fit_stress_line(const Case& c, const Profiles& p) {
     return result;
 }
 
-RunSummary summarise(const Case& c, const ColumnResult* column, const TimeSeries& series,
-                     const Profiles& profiles, const Convergence& convergence) {
+RunSummary summarise(const Case& c, const Twins& twins, const TimeSeries& series, const Profiles& profiles,
+                     const Convergence& convergence) {
     RunSummary summary;
     const auto& time = series.column("time");
     if (time.empty()) {
@@ -198,15 +198,16 @@ RunSummary summarise(const Case& c, const ColumnResult* column, const TimeSeries
         return summary;
     }
     summary.set("surface_velocity", profiles.velocity.back());
-    if (column != nullptr) {
+    if (twins.column) {
         add_column_departures(c, profiles, summary);
-        const double reference = column->depth_mean_velocity;
+        const double reference =
+            twins.section ? twins.section->depth_mean_velocity : twins.column->depth_mean_velocity;
+        const double total = twins.section ? twins.section->bulk_velocity : twins.column->total_mean_velocity;
         if (reference != 0.0) {
             summary.set("depth_mean_velocity_error", estimate.mean / reference - 1.0);
         }
-        if (column->total_mean_velocity != 0.0) {
-            summary.set("total_mean_velocity_error",
-                        summary.value("total_mean_velocity") / column->total_mean_velocity - 1.0);
+        if (total != 0.0) {
+            summary.set("total_mean_velocity_error", summary.value("total_mean_velocity") / total - 1.0);
         }
     }
     add_stresses(c, profiles, summary);

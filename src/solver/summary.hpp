@@ -10,6 +10,7 @@
 #include "solver/convergence.hpp"
 #include "solver/profile_blocks.hpp"
 #include "solver/series.hpp"
+#include "solver/twins.hpp"
 
 namespace riffle {
 
@@ -34,10 +35,10 @@ struct StressLine {
 [[nodiscard]] std::optional<StressLine> fit_stress_line(const Case& c, const Profiles& profiles);
 
 /// Summarise the averaging window: means with their intervals, friction velocities, departures from the
-/// column twin and from the stress line. Velocities are compared at the particles' own heights and relative
-/// to the local column velocity; stresses relative to the crest's, without the top three layers, where the
-/// kernel is cut.
-[[nodiscard]] RunSummary summarise(const Case& c, const ColumnResult* column, const TimeSeries& series,
+/// twin (the section where there is one, else the column) and from the stress line. Velocities are compared
+/// at the particles' own places and relative to the local velocity of the twin; stresses relative to the
+/// crest's, without the top three layers, where the kernel is cut.
+[[nodiscard]] RunSummary summarise(const Case& c, const Twins& twins, const TimeSeries& series,
                                    const Profiles& profiles, const Convergence& convergence);
 
 }  // namespace riffle

@@ -55,7 +55,10 @@ class Results(CommandLineTest):
         self.assert_documented(folder, *documented())
 
     def test_every_documented_dataset_of_three_dimensions_is_there(self):
-        folder = self.run_space("run", 0.45, *every(snapshot=0.2), case=self.space_case_with_probes())
+        # Half of a channel with side walls, from the flow of its cross-section.
+        folder = self.run_space("run", 0.45, *every(snapshot=0.2), "--set", "channel.sides=half", "--set",
+                                'channel.width="86.6 mm"', "--set", "start.kind=section",
+                                case=self.space_case_with_probes())
         documents, summary = documented(3)
         summary |= {"side_wall_over_gravity", "centreline_velocity", "centreline_velocity_half_width",
                     "secondary_velocity"}

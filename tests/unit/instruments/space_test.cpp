@@ -153,6 +153,28 @@ TEST(FluidViewInSpace, FollowsASurfaceThatWavesAcross) {
     }
 }
 
+TEST(FluidViewInSpace, ReachesTheSideWallAndThePlaneOfSymmetry) {
+    // Half of a channel: a wall at y = 0, its centreline at 48 mm. There too the water fills the support.
+    Case c = small_space();
+    c.channel.sides = Sides::half;
+    c.channel.width = 0.096;
+    const Field3 u = [](double, double y, double z) { return 2.0 * y + 5.0 * z; };
+    const Space water = Space(c, 0.3).with_velocity(u, nothing, nothing);
+    const FluidViewIn<3> view = water.view();
+    for (const double y : {0.0, 0.0005, 0.0477, 0.048}) {
+        for (const double z : {0.004, 0.02, 0.0285}) {
+            EXPECT_NEAR(view.velocity_at({0.03, y, z}).u, u(0.0, y, z), 1e-12) << y << ", " << z;
+        }
+        EXPECT_TRUE(std::isnan(view.velocity_at({0.03, y, 0.033}).u));
+        // Disordered by up to 0.3 spacings, the surface is found to half a spacing.
+        EXPECT_NEAR(view.surface_at(std::vector<Vec<2>>{{0.03, y}})[0], 0.03, 0.5 * 0.003);
+    }
+    // The mirror images are no water of the section.
+    const auto section = view.section_at(0.03);
+    EXPECT_NEAR(section.depth, 0.03, 0.02 * 0.03);
+    EXPECT_NEAR(section.flow_rate / (section.depth * 0.048), 2.0 * 0.024 + 5.0 * 0.015, 0.02 * 0.12);
+}
+
 TEST(InstrumentsInSpace, RecordTheVelocityAcrossAtTheirPlaces) {
     const Space water = Space(small_space(), 0.3)
                             .with_velocity([](double, double y, double) { return y; },

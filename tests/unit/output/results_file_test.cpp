@@ -7,8 +7,10 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <filesystem>
 #include <random>
 #include <stdexcept>
+#include <string>
 
 #include "contents.hpp"
 #include "messages.hpp"
@@ -36,6 +38,27 @@ Content snapshots(std::size_t first, std::size_t end) {
         content.attributes.push_back({snapshot_group(index), "time", 0.5 * static_cast<double>(index)});
     }
     return content;
+}
+
+TEST(ResultsFile, IsCompressedAsAsked) {
+    const TemporaryFolder folder;
+    const std::vector<float> values(20000, 1.5F);
+    std::vector<std::size_t> sizes;
+    for (const int level : {0, 1, 9}) {
+        Content content;
+        content.compression = level;
+        content.datasets.push_back({"/field", {2, 100, 100}, values, "1", "field", true});
+        const auto path = folder / (std::to_string(level) + ".h5");
+        ResultsFile::create(path, content, false);
+        ResultsFile::update(path, content);
+        sizes.push_back(std::filesystem::file_size(path));
+        const ResultsReader reader(path);
+        EXPECT_THAT(reader.shape("/field"), ElementsAre(4, 100, 100));
+        EXPECT_EQ(reader.read_doubles("/field"), std::vector<double>(40000, 1.5));
+    }
+    EXPECT_GT(sizes[0], 40000 * sizeof(float));
+    EXPECT_LT(sizes[1], sizes[0] / 10);  // of equal numbers little is left
+    EXPECT_LE(sizes[2], sizes[1]);
 }
 
 TEST(ResultsFile, ReadsSomeOfTheRows) {

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cmath>
+#include <optional>
+
+#include "case/case.hpp"
+#include "column/column.hpp"
+#include "column/section.hpp"
+#include "solver/start.hpp"
+
+namespace riffle {
+
+/// The solutions of the mean flow that a run starts from and is compared with, as far as its case has them.
+struct Twins {
+    std::optional<ColumnResult> column;    ///< over the depth; in three dimensions of the wide channel
+    std::optional<SectionResult> section;  ///< over the cross-section of a channel with side walls
+
+    [[nodiscard]] const ColumnResult* column_or_null() const { return column ? &*column : nullptr; }
+    [[nodiscard]] const SectionResult* section_or_null() const { return section ? &*section : nullptr; }
+
+    /// Relaxation time of the flow, s; none where it is unknown.
+    [[nodiscard]] std::optional<double> relaxation_time() const {
+        const double time = section ? section->relaxation_time : column ? column->relaxation_time : 0.0;
+        return std::isfinite(time) && time > 0.0 ? std::optional(time) : std::nullopt;
+    }
+    /// Velocity of the section for the start; empty without one.
+    [[nodiscard]] SectionVelocity section_velocity() const {
+        return section ? SectionVelocity([this](double y, double z) { return section->velocity_at(y, z); })
+                       : SectionVelocity();
+    }
+};
+
+/// Solve the twins that the case has.
+[[nodiscard]] inline Twins solve_twins(const Case& c) {
+    Twins twins;
+    if (has_column(c)) {
+        twins.column = solve_column(c);
+    }
+    if (has_section(c)) {
+        twins.section = solve_section(c);
+    }
+    return twins;
+}
+
+}  // namespace riffle
