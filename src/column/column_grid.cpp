@@ -38,15 +38,14 @@ std::vector<double> column_breakpoints(const Case& c) {
     return distinct_between(std::move(heights), 0.0, depth);
 }
 
-std::vector<double> graded_faces(const std::vector<double>& breakpoints, int cells, int fewest) {
+std::vector<double> graded_faces(const std::vector<double>& breakpoints, int cells, int fewest, double even) {
     const auto segments = static_cast<double>(breakpoints.size() - 1);
     const double extent = breakpoints.back() - breakpoints.front();
     std::vector<double> faces{breakpoints.front()};
     for (std::size_t s = 0; s + 1 < breakpoints.size(); ++s) {
         const double low = breakpoints[s];
         const double length = breakpoints[s + 1] - low;
-        // Half of the cells evenly over the segments, half by length.
-        const double share = 0.5 / segments + 0.5 * length / extent;
+        const double share = even / segments + (1.0 - even) * length / extent;
         const int n = std::max(fewest, static_cast<int>(std::lround(share * cells)));
         for (int i = 1; i < n; ++i) {
             faces.push_back(low + 0.5 * length * (1.0 - std::cos(std::numbers::pi * i / n)));

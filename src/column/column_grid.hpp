@@ -19,8 +19,10 @@ struct ColumnGrid {
 [[nodiscard]] std::vector<double> column_breakpoints(const Case& c);
 
 /// Faces of about `cells` cells with a face at each of the `breakpoints` (in order) and cosine spacing
-/// between them, at least `fewest` cells in each.
-[[nodiscard]] std::vector<double> graded_faces(const std::vector<double>& breakpoints, int cells, int fewest);
+/// between them, at least `fewest` cells in each. `even` is the part of the cells that goes evenly to the
+/// segments; the rest goes by their length.
+[[nodiscard]] std::vector<double> graded_faces(const std::vector<double>& breakpoints, int cells, int fewest,
+                                               double even = 0.5);
 
 /// The points midway between the faces.
 [[nodiscard]] std::vector<double> midpoints(const std::vector<double>& faces);

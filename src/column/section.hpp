@@ -43,10 +43,10 @@ struct SectionResult {
 /// Cells of the grid over half of the width and over the depth: halving the cells changes no printed value by
 /// more than 0.1 %.
 struct SectionOptions {
-    int cells_across = 60;
+    int cells_across = 120;
     int cells_over_depth = 90;
     /// Transient: largest local error of a step, relative to the largest velocity (root mean square).
-    double tolerance = 1e-4;
+    double tolerance = 3e-4;
 };
 
 /// Whether a case has a section twin: three dimensions with side walls, a slope and something that resists

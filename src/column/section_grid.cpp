@@ -6,6 +6,7 @@ namespace riffle {
 
 SectionGrid make_section_grid(const Case& c, int cells_across, int cells_over_depth) {
     constexpr int fewest = 4;
+    constexpr double even = 0.8;  // what varies across the channel varies beside the wall
     SectionGrid grid;
     const ColumnGrid column = make_column_grid(c, cells_over_depth);
     grid.z_face = column.face;
@@ -15,7 +16,11 @@ SectionGrid make_section_grid(const Case& c, int cells_across, int cells_over_de
     if (c.turbulence.closure == ClosureKind::czernuszenko_rylov) {
         across.push_back(c.turbulence.edge_zone * 0.5 * c.total_depth());
     }
-    grid.y_face = graded_faces(distinct_between(across, 0.0, c.channel.centreline()), cells_across, fewest);
+    // The layer of lateral shear beside the wall reaches some depths into the flow.
+    const double edge = across.empty() ? 0.0 : across.back();
+    for (const double depths : {0.4, 1.2}) across.push_back(edge + depths * c.total_depth());
+    grid.y_face =
+        graded_faces(distinct_between(across, 0.0, c.channel.centreline()), cells_across, fewest, even);
     grid.y = midpoints(grid.y_face);
     return grid;
 }

@@ -9,8 +9,8 @@ namespace riffle {
 
 /// Finite-volume grid of half a cross-section, from the side wall y = 0 to the plane of symmetry, m. Faces
 /// stand where a coefficient has a kink: over the height those of the column, across the channel the edge of
-/// the wall's layer and that of the edge zone of the mixing lengths; cosine-spaced between them. Cells count
-/// row by row: iz * y.size() + iy.
+/// the wall's layer and that of the edge zone of the mixing lengths; cosine-spaced between them, and dense in
+/// the lateral shear beside the wall. Cells count row by row: iz * y.size() + iy.
 struct SectionGrid {
     std::vector<double> y_face, y;
     std::vector<double> z_face, z;
