@@ -7,7 +7,7 @@ import tomllib
 
 from riffle_cli import CASE, RIFFLE, SMALL, SOURCE, CommandLineTest, main, until
 
-VERBS = ["new", "check", "column", "calibrate", "run", "resume", "report", "watch", "bench", "schema", "version"]
+VERBS = ["new", "check", "column", "section", "calibrate", "run", "resume", "report", "watch", "bench", "schema", "version"]
 
 
 class CommandLine(CommandLineTest):

@@ -1,0 +1,279 @@
+#include "column/section.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "base/error.hpp"
+#include "column/column.hpp"
+
+namespace riffle {
+namespace {
+
+using testing::HasSubstr;
+
+/// Flow condition 2 of the thesis between its side walls.
+Case condition_2() {
+    Case c;
+    c.channel.dimensions = 3;
+    c.channel.sides = Sides::half;
+    c.channel.depth = 0.050;
+    c.channel.slope = 0.004;
+    c.bed.roughness_height = 0.010;
+    c.turbulence.closure = ClosureKind::czernuszenko_rylov;
+    return c;
+}
+
+/// Enough for what does not depend on the grid.
+constexpr SectionOptions coarse{.cells_across = 24, .cells_over_depth = 30};
+
+struct Condition {
+    int number;
+    double depth;
+    double slope;
+    double roughness_over_diameter;
+};
+constexpr Condition conditions[] = {{1, .040, .004, .40}, {2, .050, .004, .40}, {3, .060, .002, .40},
+                                    {4, .070, .002, .40}, {5, .070, .003, .40}, {6, .080, .003, .32},
+                                    {7, .090, .003, .32}, {8, .100, .002, .32}};
+
+Case flume(const Condition& k, DragForm form) {
+    Case c = condition_2();
+    c.channel.depth = k.depth;
+    c.channel.slope = k.slope;
+    c.bed.roughness_height = k.roughness_over_diameter * c.bed.sphere_diameter;
+    c.bed.drag_form = form;
+    return c;
+}
+
+TEST(Section, EveryConditionBalancesItsWeightAndDividesItAsYangAndLim) {
+    for (const Condition& k : conditions) {
+        for (const DragForm form : {DragForm::consistent, DragForm::slice, DragForm::thesis}) {
+            const SectionResult r = solve_section(flume(k, form), coarse);
+            EXPECT_NEAR(r.drag_share + r.side_wall_share, 1.0, 1e-10) << k.number;
+            EXPECT_NEAR(r.drag_share, r.partition.bed_share, 1e-10) << k.number;
+            EXPECT_NEAR(r.bed_stress, 1000.0 * r.partition.bed_stress, 1e-9) << k.number;
+            EXPECT_NEAR(r.wall_stress, 1000.0 * r.partition.wall_stress, 1e-9) << k.number;
+            // Slower towards the wall, and nowhere backwards.
+            EXPECT_GT(*std::min_element(r.velocity.begin(), r.velocity.end()), 0.0) << k.number;
+            EXPECT_LT(r.wall_layer_velocity, 0.5 * r.centreline_velocity) << k.number;
+        }
+    }
+}
+
+TEST(Section, BalancesItsWeightWithThePrintedAndWithoutWallDrag) {
+    for (const SideDragForm form : {SideDragForm::thesis, SideDragForm::none}) {
+        Case c = condition_2();
+        c.side_walls.drag_form = form;
+        const SectionResult r = solve_section(c, coarse);
+        EXPECT_NEAR(r.drag_share + r.side_wall_share, 1.0, 1e-10);
+        EXPECT_EQ(r.side_wall_share == 0.0, form == SideDragForm::none);
+    }
+}
+
+TEST(Section, HalvingTheGridChangesNothingByATenthOfAPercent) {
+    const Case c = condition_2();
+    const SectionOptions usual;
+    const SectionResult r = solve_section(c, usual);
+    const SectionResult fine = solve_section(
+        c, {.cells_across = 2 * usual.cells_across, .cells_over_depth = 2 * usual.cells_over_depth});
+    const auto close = [](double a, double b) { EXPECT_NEAR(a, b, 1e-3 * std::abs(b)); };
+    close(r.bulk_velocity, fine.bulk_velocity);
+    close(r.depth_mean_velocity, fine.depth_mean_velocity);
+    close(r.centreline_velocity, fine.centreline_velocity);
+    close(r.maximum_velocity, fine.maximum_velocity);
+    close(r.wall_layer_velocity, fine.wall_layer_velocity);
+    close(r.discharge, fine.discharge);
+    close(r.relaxation_time, fine.relaxation_time);
+}
+
+TEST(Section, HalfIsHalfOfTheWhole) {
+    Case c = condition_2();
+    const SectionResult half = solve_section(c, coarse);
+    c.channel.sides = Sides::walls;
+    const SectionResult whole = solve_section(c, coarse);
+    ASSERT_EQ(whole.y.size(), 2 * half.y.size());
+    EXPECT_EQ(whole.discharge, half.discharge);
+    EXPECT_EQ(whole.centreline_velocity, half.centreline_velocity);
+    EXPECT_EQ(whole.wall_stress, half.wall_stress);
+    for (const double y : {0.0, 0.004, 0.05, 0.2, 0.2295}) {
+        for (const double z : {0.001, 0.01, 0.03, 0.056}) {
+            EXPECT_NEAR(whole.velocity_at(y, z), half.velocity_at(y, z), 1e-12);
+            EXPECT_NEAR(whole.velocity_at(c.channel.width - y, z), half.velocity_at(y, z), 1e-12);
+        }
+    }
+    // The stress across is odd about the centreline.
+    const std::size_t row = 20 * whole.y.size();
+    EXPECT_EQ(whole.lateral_shear_stress[row + 3], -whole.lateral_shear_stress[row + whole.y.size() - 1 - 3]);
+    EXPECT_GT(whole.lateral_shear_stress[row + 3], 0.0);
+}
+
+TEST(Section, CentrelineOfAVeryWideChannelIsTheColumn) {
+    Case c = condition_2();
+    c.channel.width = 40.0 * c.total_depth();
+    c.side_walls.drag_form = SideDragForm::none;
+    for (const DragForm form : {DragForm::consistent, DragForm::slice, DragForm::thesis}) {
+        c.bed.drag_form = form;
+        const SectionResult r = solve_section(c);
+        const ColumnResult column = solve_column(c);
+        EXPECT_NEAR(r.centreline_velocity, column.depth_mean_velocity, 1e-3 * column.depth_mean_velocity);
+        EXPECT_NEAR(r.velocity_at(c.channel.centreline(), 0.04), column.velocity_at(0.04),
+                    1e-3 * column.velocity_at(0.04));
+    }
+}
+
+TEST(Section, WithoutWallsEffectsIsTheColumnEverywhere) {
+    // A mixing length that knows no side walls, and no drag at them.
+    Case c = condition_2();
+    c.side_walls.drag_form = SideDragForm::none;
+    c.turbulence.closure = ClosureKind::ramp;
+    const SectionOptions options;
+    const SectionResult r = solve_section(c, options);
+    const ColumnResult column = solve_column(c, options.cells_over_depth);
+    for (std::size_t iz = 0; iz < r.z.size(); ++iz) {
+        for (std::size_t iy = 0; iy < r.y.size(); ++iy) {
+            EXPECT_NEAR(r.velocity[iz * r.y.size() + iy], column.profile.velocity[iz], 1e-9);
+        }
+    }
+    EXPECT_NEAR(r.relaxation_time, column.relaxation_time, 1e-6 * column.relaxation_time);
+    EXPECT_EQ(r.wall_layer_velocity, 0.0);
+    // What starts uniform across stays so.
+    const SectionResult later =
+        advance_section(c, start_section(c, SectionStart::power_law, coarse), 1.0, coarse);
+    for (std::size_t iz = 0; iz < later.z.size(); ++iz) {
+        const auto row = later.velocity.begin() + static_cast<std::ptrdiff_t>(iz * later.y.size());
+        const auto [low, high] = std::minmax_element(row, row + static_cast<std::ptrdiff_t>(later.y.size()));
+        EXPECT_NEAR(*low, *high, 1e-10);
+    }
+}
+
+TEST(Section, LaminarFlowOverASmoothBedIsTheParabola) {
+    Case c = condition_2();
+    c.side_walls.drag_form = SideDragForm::none;
+    c.bed.kind = BedKind::no_slip;
+    c.bed.roughness_height = 0.0;
+    c.bed.datum_below_crest = 0.0;
+    c.turbulence.closure = ClosureKind::none;
+    c.fluid.kinematic_viscosity = 1e-3;
+    const SectionResult r = solve_section(c);
+    const double h = c.channel.depth;
+    const double largest = c.streamwise_gravity() * h * h / (2 * c.fluid.kinematic_viscosity);
+    for (const double xi : {0.1, 0.5, 0.9}) {
+        EXPECT_NEAR(r.velocity_at(0.1, xi * h), largest * (2 * xi - xi * xi), 1e-3 * largest);
+    }
+    EXPECT_NEAR(r.drag_share, 1.0, 1e-10);
+}
+
+TEST(Section, StressFallsToNothingAtTheSurfaceOfTheMiddle) {
+    const Case c = condition_2();
+    const SectionResult r = solve_section(c);
+    // Far from the walls the stress is that of the water above.
+    const std::size_t iy = r.y.size() - 1;
+    for (std::size_t iz = 0; iz < r.z.size(); ++iz) {
+        if (r.z[iz] < c.crest() + 0.5 * c.sphere_ramp()) continue;
+        const double above = 1000.0 * c.streamwise_gravity() * (c.total_depth() - r.z[iz]);
+        EXPECT_NEAR(r.shear_stress[iz * r.y.size() + iy], above, 0.01 * above + 1e-3) << r.z[iz];
+    }
+}
+
+TEST(Section, TransientsFromEveryStartEndInTheSteadyState) {
+    const Case c = condition_2();
+    const SectionResult steady = solve_section(c, coarse);
+    for (const SectionStart start :
+         {SectionStart::column, SectionStart::uniform, SectionStart::power_law, SectionStart::rest}) {
+        std::vector<SectionMoment> moments;
+        const double time = 20.0 * steady.relaxation_time;
+        const SectionResult end =
+            advance_section(c, start_section(c, start, coarse), time, coarse,
+                            [&moments](const SectionMoment& m) { moments.push_back(m); });
+        EXPECT_EQ(moments.front().time, 0.0);
+        EXPECT_EQ(moments.back().time, time);
+        for (std::size_t i = 0; i < end.velocity.size(); ++i) {
+            EXPECT_NEAR(end.velocity[i], steady.velocity[i], 1e-4 * steady.maximum_velocity);
+        }
+        EXPECT_NEAR(end.drag_share + end.side_wall_share, 1.0, 1e-4);
+        // All along, the wall carries its part of what the bed carries.
+        for (const SectionMoment& m : moments) EXPECT_GE(m.side_wall_share, 0.0);
+    }
+}
+
+TEST(Section, StepsKeepTheErrorOfATransient) {
+    const Case c = condition_2();
+    SectionOptions fine = coarse;
+    fine.tolerance = 1e-5;
+    const SectionResult start = start_section(c, SectionStart::power_law, coarse);
+    const SectionResult usual = advance_section(c, start, 3.0, coarse);
+    const SectionResult exact = advance_section(c, start, 3.0, fine);
+    EXPECT_NEAR(usual.centreline_velocity, exact.centreline_velocity, 1e-3 * exact.centreline_velocity);
+    EXPECT_NEAR(usual.wall_layer_velocity, exact.wall_layer_velocity, 5e-3 * exact.wall_layer_velocity);
+    // Two halves of the time are the whole.
+    const SectionResult half = advance_section(c, start, 1.5, fine);
+    EXPECT_NEAR(advance_section(c, half, 1.5, fine).depth_mean_velocity, exact.depth_mean_velocity,
+                1e-4 * exact.depth_mean_velocity);
+}
+
+TEST(Section, SmallDeparturesFadeWithTheTimeOfTheSlowestMode) {
+    const Case c = condition_2();
+    const SectionResult steady = solve_section(c, coarse);
+    SectionResult state = steady;
+    for (double& u : state.velocity) u *= 1.01;
+    SectionOptions fine = coarse;
+    fine.tolerance = 1e-7;
+    const double time = steady.relaxation_time;
+    // The faster modes fade first.
+    state = advance_section(c, state, 2.0 * time, fine);
+    const double before = state.depth_mean_velocity - steady.depth_mean_velocity;
+    state = advance_section(c, state, time, fine);
+    const double after = state.depth_mean_velocity - steady.depth_mean_velocity;
+    EXPECT_NEAR(std::log(before / after), 1.0, 0.05);
+}
+
+TEST(Section, VelocitiesBetweenTheCentres) {
+    SectionResult r;
+    r.y = {0.0, 1.0};
+    r.z = {0.5, 1.5};
+    r.velocity = {1.0, 2.0, 3.0, 4.0};
+    EXPECT_DOUBLE_EQ(r.velocity_at(0.5, 1.0), 2.5);
+    EXPECT_DOUBLE_EQ(r.velocity_at(-1.0, 0.5), 1.0);
+    EXPECT_DOUBLE_EQ(r.velocity_at(9.0, 9.0), 4.0);
+    // Cells from 0 to 1 and 1 to 2; above 0.5 the lower one counts half.
+    const std::vector<double> means = r.depth_means(0.5, 2.0);
+    EXPECT_DOUBLE_EQ(means[0], (0.5 * 1.0 + 3.0) / 1.5);
+    EXPECT_DOUBLE_EQ(means[1], (0.5 * 2.0 + 4.0) / 1.5);
+}
+
+std::string message(const Case& c) {
+    try {
+        static_cast<void>(solve_section(c, coarse));
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(Section, SaysWhereThereIsNone) {
+    Case c = condition_2();
+    EXPECT_TRUE(has_section(c));
+    c.channel.sides = Sides::periodic;
+    EXPECT_FALSE(has_section(c));
+    EXPECT_THAT(message(c), HasSubstr("channel.sides"));
+    c = condition_2();
+    c.channel.slope = 0.0;
+    EXPECT_FALSE(has_section(c));
+    EXPECT_THAT(message(c), HasSubstr("channel.slope"));
+    c = condition_2();
+    c.bed.drag_coefficient = 0.0;
+    EXPECT_FALSE(has_section(c));
+    EXPECT_THAT(message(c), HasSubstr("bed.drag_coefficient"));
+    c = condition_2();
+    c.channel.dimensions = 2;
+    EXPECT_FALSE(has_section(c));
+}
+
+}  // namespace
+}  // namespace riffle
