@@ -110,9 +110,9 @@ void pack_wall_records(const Case& c, const Scheme& scheme, const WallParticles<
             const double identity = k % (axes + 1) == 0 ? 1.0 : 0.0;
             gradient.projector[k] = static_cast<Real>(law.dynamic ? identity : walls.projector[k][i]);
         }
-        // Water and end wall meet the surface at the same height: the wall continues the water, corrected
-        // like it, so that nothing varies along the surface at rest. Under a bed this would be friction (3 to
-        // 4 %).
+        // Water and end or side wall meet the surface at the same height: the wall continues the water,
+        // corrected like it, so that nothing varies along the surface at rest. Under a bed, and along a side
+        // wall (first_continued_row), this would be friction (2 to 4 %).
         gradient.continuation =
             static_cast<Real>(!law.dynamic && walls.normal[axes - 1][i] == 0.0 ? 1.0 : 0.0);
         force.continuation = gradient.continuation;

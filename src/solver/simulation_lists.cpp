@@ -131,6 +131,17 @@ void SimulationOf<D, Real>::make_walls() {
     pack_wall_records<D, Real>(case_, scheme_, walls_, wall_clusters_, data_);
 }
 
+template <int D, class Real>
+void SimulationOf<D, Real>::wet_walls() {
+    for (std::size_t slot = 0; slot < wall_clusters_.slots() && !wall_law_.dynamic; ++slot) {
+        const std::int32_t particle = wall_clusters_.particle_of(slot);
+        if (particle >= 0) {
+            const auto i = static_cast<std::size_t>(particle);
+            wet_wall(slot, i, scheme_.state.pressure(wall_deviation_[i]));
+        }
+    }
+}
+
 // A list stays complete as long as no two particles of neighbouring clusters have moved against each other by
 // more than the skin. Only relative motion counts, so a fast but smooth flow needs few rebuilds. While the
 // bound from the range of all velocities says so already, the test is spared; the answer is the same. A drop
@@ -202,6 +213,9 @@ void SimulationOf<D, Real>::restore(Particles<D> particles, const SimulationCloc
     particles_ = std::move(particles);
     clock_ = clock;
     wall_deviation_ = std::move(wall_deviation);
+    if (clock_.steps > 0) {
+        wet_walls();
+    }
     check_state();
     refer_to_particles();
     if (particles_.listed_position[0].empty()) {

@@ -69,6 +69,8 @@ class SimulationOf final : public SimulationIn<D> {
     void refer_to_particles();
     void repack();
     void make_walls();
+    /// wet_wall() of all wall particles, by their density deviation.
+    void wet_walls();
     void fill_last_records();
     [[nodiscard]] bool lists_valid(double fraction);
     [[nodiscard]] bool has_loose_particles() const;

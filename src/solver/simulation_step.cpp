@@ -59,6 +59,13 @@ SimulationOf<D, Real>::SimulationOf(const Case& c, const ColumnResult* column, P
 
     check_state();
     make_walls();
+    if constexpr (D == 3) {
+        // Again, as make_walls() has sorted them.
+        for (std::size_t i = 0; i < walls_.size(); ++i) {
+            wall_deviation_[i] = scheme_.hydrostatic_deviation(walls_.position[vertical][i]);
+        }
+        wet_walls();
+    }
     build_lists(true);
     fields_.resize(particles_.size(), D);
 }

@@ -174,7 +174,8 @@ void SimulationOf<D, Real>::update_wall(std::size_t slot, std::size_t i, const W
                     scheme_.normal_gravity * static_cast<double>(sums.offset[vertical][lane])) /
                    weight;
         wall_deviation_[i] = scheme_.state.deviation(pressure);
-        wet_wall(slot, i, pressure);
+        // Of the saved deviation, so that a resumed run finds the same.
+        wet_wall(slot, i, scheme_.state.pressure(wall_deviation_[i]));
     }
     record.pressure = static_cast<Real>(pressure);
     record.u = {};

@@ -50,6 +50,12 @@ struct alignas(16) PressureRecord {
     Real pressure;
 };
 
+/// Rows of B, the components of the force, in which a wall may continue the fluid: all in a plane, where such
+/// walls stand across the channel; all but the streamwise one in three dimensions, where they stand along it
+/// and correcting would be friction. Each row of B is consistent for itself (docs/theory.md).
+template <int D>
+inline constexpr std::size_t first_continued_row = D == 2 ? 0 : 1;
+
 /// What the gradient pass needs of a wall particle.
 template <int D, class Real>
 struct alignas(16) WallGradientRecord {

@@ -6,6 +6,8 @@
 // Distances are measured in smoothing lengths, and the constant factors of a sum (the kernel's constant,
 // powers of h) multiply the sum, not each of its terms.
 
+#include <algorithm>
+
 #include "sph/correction.hpp"
 #include "sph/kernel_registry.hpp"
 #include "sph/neighbour_search.hpp"
@@ -207,6 +209,9 @@ template <int D, class Real, class Kernel, bool Gradients>
 
         Symmetric<W, D> wide_m_wall{};       // walls whose pairs are not corrected
         Symmetric<W, D> wide_m_continued{};  // walls that continue the fluid
+        [[maybe_unused]] const bool continued_cluster =
+            data.fluid_wall != nullptr && !data.correction[0].empty() &&
+            data.fluid_wall->run_begin[cluster] < data.fluid_wall->run_begin[cluster + 1];
         if (data.fluid_wall != nullptr) {
             W wall_divergence(0);
             for_turns<Real>(*data.fluid_wall, cluster, work.slots.data(),
@@ -254,13 +259,25 @@ template <int D, class Real, class Kernel, bool Gradients>
                 pressure_correction<T, D>(m_fluid, Symmetric<T, D>{}, gradient_blend);
 
             const Symmetric<T, D> m_wall = fold_all<Real>(wide_m_wall, -scale * c.h * c.h);
-            add(m_fluid, fold_all<Real>(wide_m_continued, -scale * c.h * c.h));
+            const Symmetric<T, D> m_water = m_fluid;
+            const Symmetric<T, D> m_continued = fold_all<Real>(wide_m_continued, -scale * c.h * c.h);
+            add(m_fluid, m_continued);
             Symmetric<T, D> m_total = m_fluid;
             add(m_total, m_wall);
             const T regularity = smallest_eigenvalue<T, D>(m_total);
             const T pressure_blend =
                 c.correct_pressure ? smoothstep<T>(Real(0.6), Real(0.9), regularity) : T(0);
-            const Components<T, D* D> b = pressure_correction<T, D>(m_fluid, m_wall, pressure_blend);
+            Components<T, D* D> b = pressure_correction<T, D>(m_fluid, m_wall, pressure_blend);
+            if constexpr (D == 3) {
+                if (continued_cluster) {
+                    // Along the channel a side wall is uncorrected like a bed (first_continued_row).
+                    Symmetric<T, D> all_walls = m_wall;
+                    add(all_walls, m_continued);
+                    const Components<T, D* D> along =
+                        pressure_correction<T, D>(m_water, all_walls, pressure_blend);
+                    std::copy_n(along.begin(), D, b.begin());
+                }
+            }
 
             for (std::size_t k = 0; k < D; ++k) {
                 for (std::size_t l = 0; l < D; ++l) {
@@ -350,12 +367,13 @@ template <int D, class Real, class Kernel, class Viscosity, class Record>
         Components<W, D> wall_tensor{};
         Components<W, D> wall_viscous{};
         if (data.fluid_wall != nullptr) {
-            // (p_i + p_j) I, or (p_i + p_j) B_i where the wall continues the fluid.
+            // (p_i + p_j) I, or (p_i + p_j) B_i where the wall continues the fluid, in the rows of B from
+            // first_continued_row on.
             const W pressure = gather<Real, Real>(own, [](const auto& r) { return r.pressure; });
             const bool continued = !data.correction[0].empty();
             Components<W, D * D> departure{};
             if (continued) {
-                for (std::size_t k = 0; k < D * D; ++k) {
+                for (std::size_t k = first_continued_row<D> * D; k < D * D; ++k) {
                     const Real identity = k % (D + 1) == 0 ? Real(1) : Real(0);
                     departure[k] =
                         gather<Real, Real>(&data.correction[k][slot], [](const Real& b) { return b; }) -

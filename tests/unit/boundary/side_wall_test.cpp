@@ -111,10 +111,10 @@ TEST_P(SideWallTest, LetsTheWaterSlideAlongTheChannel) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, SideWallTest, testing::Values(Sides::periodic, Sides::walls, Sides::half),
-                         [](const auto& info) {
-                             return info.param == Sides::periodic ? "periodic"
-                                    : info.param == Sides::walls  ? "walls"
-                                                                  : "half";
+                         [](const auto& chosen) {
+                             return chosen.param == Sides::periodic ? "periodic"
+                                    : chosen.param == Sides::walls  ? "walls"
+                                                                    : "half";
                          });
 
 TEST(SideWall, DomainAndLatticeCoverTheSimulatedWidth) {

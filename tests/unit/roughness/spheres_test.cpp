@@ -85,8 +85,8 @@ TEST_P(SphereLatticeTest, HasItsSpheresAtTheirPlaces) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, SphereLatticeTest, testing::Values(Packing::hexagonal, Packing::square),
-                         [](const auto& info) {
-                             return info.param == Packing::hexagonal ? "hexagonal" : "square";
+                         [](const auto& chosen) {
+                             return chosen.param == Packing::hexagonal ? "hexagonal" : "square";
                          });
 
 // With a sharp surface the slices of the spheres carry the drag of the two-dimensional form.

@@ -56,15 +56,16 @@ double weight_of(const DirectionalViscosity<double>& viscosity, double spacing, 
     })[k];
 }
 
-// On a fine lattice the sums are the integrals of the derivation; on that of the particles, h = 1.5 dx, what
-// the lattice makes of them. Where all weights are one (ratio 1) it is Morris' form, whose sums are .997.
+// On a fine lattice the sums are the integrals of the derivation. The fourth moments of the cubic lattice of
+// the particles are not isotropic (at h = 1.5 dx a weight departs by up to 0.034, times 1 - ratio^2), and
+// where all weights are one (ratio 1) it is Morris' form, whose sums are .997.
 TEST(DirectionalViscosity, GivesTheWeightsOfTheStresses) {
     for (const double ratio : {0.25, 0.5, 1.0}) {
         for (std::size_t k = 0; k < 3; ++k) {
             for (std::size_t l = 0; l < 3; ++l) {
                 const double exact = stress_weight(k == 1, l == 1, ratio);
                 EXPECT_NEAR(weight_of(weights(ratio), 0.125, k, l), exact, 2e-3) << ratio << k << l;
-                EXPECT_NEAR(weight_of(weights(ratio), 1.0 / 1.5, k, l), exact, 0.03) << ratio << k << l;
+                EXPECT_NEAR(weight_of(weights(ratio), 1.0 / 1.5, k, l), exact, 0.035) << ratio << k << l;
             }
         }
     }

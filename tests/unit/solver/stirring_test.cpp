@@ -65,5 +65,84 @@ TEST(Stirring, IsFreeOfDivergence) {
 
 TEST(Stirring, OfZeroAccelerationIsOff) { EXPECT_FALSE(Stirring2D(test::small_channel(), 0.3).active()); }
 
+Vec<3> stirring_at(const Stirring3D& stirring, const Vec<3>& x) {
+    Vec<3> a{};
+    stirring.add(x, 0.2, a);
+    return a;
+}
+
+Case stirred_space(Sides sides) {
+    Case c = test::small_channel(3);
+    c.channel.dimensions = 3;
+    c.channel.sides = sides;
+    c.stirring.acceleration = 0.3;
+    return c;
+}
+
+class Stirring3DTest : public testing::TestWithParam<Sides> {};
+
+TEST_P(Stirring3DTest, HasNoMeanAlongTheChannelAndNoneAtBedAndSurface) {
+    const Case c = stirred_space(GetParam());
+    const Stirring3D stirring(c, 0.3);
+    const double width = c.channel.simulated_width();
+    constexpr int points = 64;
+    for (double y = 0.0; y <= width; y += 0.17 * width) {
+        for (double z = 0.0; z <= c.total_depth(); z += 0.125 * c.total_depth()) {
+            Vec<3> sum{};
+            for (int i = 0; i < points; ++i) {
+                const Vec<3> a = stirring_at(stirring, {i * c.channel.length / points, y, z});
+                for (std::size_t k = 0; k < 3; ++k) {
+                    sum[k] += a[k] / points;
+                }
+                if (z == 0.0 || z == c.total_depth()) {
+                    EXPECT_NEAR(std::hypot(a[0], a[1], a[2]), 0.0, 1e-12);
+                }
+            }
+            EXPECT_NEAR(std::hypot(sum[0], sum[1], sum[2]), 0.0, 1e-12);
+        }
+    }
+}
+
+TEST_P(Stirring3DTest, IsFreeOfDivergenceAndMovesTheWaterAcross) {
+    const Case c = stirred_space(GetParam());
+    const Stirring3D stirring(c, 0.3);
+    const double e = 1e-7;
+    double across = 0.0;
+    for (double x = 0.0; x < c.channel.length; x += 0.011) {
+        for (double y = 0.001; y < c.channel.width; y += 0.004) {
+            for (double z = 0.003; z < c.total_depth(); z += 0.009) {
+                double divergence = 0.0;
+                for (std::size_t k = 0; k < 3; ++k) {
+                    Vec<3> up{x, y, z};
+                    Vec<3> down = up;
+                    up[k] += e;
+                    down[k] -= e;
+                    divergence += (stirring_at(stirring, up)[k] - stirring_at(stirring, down)[k]) / (2.0 * e);
+                }
+                EXPECT_NEAR(divergence, 0.0, 1e-6);
+                across = std::max(across, std::abs(stirring_at(stirring, {x, y, z})[1]));
+            }
+        }
+    }
+    EXPECT_GT(across, 0.05);
+}
+
+INSTANTIATE_TEST_SUITE_P(, Stirring3DTest, testing::Values(Sides::periodic, Sides::walls, Sides::half),
+                         [](const auto& chosen) {
+                             return chosen.param == Sides::periodic ? "periodic"
+                                    : chosen.param == Sides::walls  ? "walls"
+                                                                    : "half";
+                         });
+
+TEST(Stirring, DrivesNothingThroughSideWalls) {
+    for (const Sides sides : {Sides::walls, Sides::half}) {
+        const Case c = stirred_space(sides);
+        const Stirring3D stirring(c, 0.3);
+        for (const double y : {0.0, c.channel.simulated_width()}) {
+            EXPECT_NEAR(stirring_at(stirring, {0.013, y, 0.02})[1], 0.0, 1e-12);
+        }
+    }
+}
+
 }  // namespace
 }  // namespace riffle

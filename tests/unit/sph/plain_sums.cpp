@@ -130,7 +130,8 @@ class Summation {
             for (std::size_t l = 0; l < D; ++l) {
                 sums.density_rate[i].add(V * b.projector[D * k + l] * a.u[l] * p.gradient[k]);
                 const double identity = k == l ? 1.0 : 0.0;
-                const double matrix = continued ? correction_[i][D * k + l] : identity;
+                const bool corrected = continued && (D == 2 || k > 0);  // in 3D not along the channel
+                const double matrix = corrected ? correction_[i][D * k + l] : identity;
                 const double force = -V * (a.pressure + b.pressure) * matrix * p.gradient[l];
                 sums.tensor[k][i].add(force);
                 sums.wall[k][i].add(force);

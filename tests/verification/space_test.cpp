@@ -1,0 +1,117 @@
+// Three dimensions: a cell of the bed of spheres, two of them long and one period of their rows wide, between
+// periodic sides, against the column of the wide channel with the drag averaged over the plan. Coarse, so
+// that it runs in seconds; docs/verification.md has the longer and finer runs.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "base/parallel.hpp"
+#include "check_run.hpp"
+#include "column/column.hpp"
+#include "particles/lattice.hpp"
+#include "solver/start.hpp"
+
+using namespace riffle;
+using namespace riffle::verification;
+
+namespace {
+
+Case sphere_cell() {
+    Case c;
+    c.channel.dimensions = 3;
+    c.channel.slope = 0.004;
+    c.channel.depth = 0.050;
+    c.channel.length = 0.050;
+    c.channel.width = 0.025 * std::sqrt(3.0);
+    c.bed.roughness_height = 0.010;
+    c.bed.datum_below_crest = 0.004;
+    c.turbulence.closure = ClosureKind::czernuszenko_rylov;
+    c.numerics.spacing = 0.005;
+    return c;
+}
+
+/// Means over a part of a run.
+struct SpaceMeans {
+    double velocity = 0.0;  ///< above the datum, over that of the column at the same particles, less 1
+    double middle = 0.0;    ///< largest spurious stress at 0.4 to 0.6 H over the bed stress
+    double crest = 0.0;     ///< the same at the crest
+    double budget = 0.0;    ///< change of momentum less the forces', over the weight's
+};
+
+SpaceMeans run_cell(const Case& c, double begin, double end) {
+    set_thread_count(1);
+    const ColumnResult column = solve_column(c);
+    const Scheme scheme = make_scheme(c, &column);
+    const auto simulation = make_simulation<3>(c, &column, initial_particles<3>(c, scheme, &column));
+    while (simulation->clock().time < begin) {
+        simulation->step(end);
+    }
+    const double area = c.channel.length * c.channel.width;
+    const double bed_stress = scheme.density * scheme.streamwise_gravity * scheme.depth;
+    const auto momentum = [&] {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < simulation->particles().size(); ++i) {
+            sum += simulation->particles().mass[i] * simulation->particles().velocity[0][i];
+        }
+        return sum;
+    };
+    const std::array<double, 4> heights{c.crest(), 0.4 * scheme.depth, 0.5 * scheme.depth,
+                                        0.6 * scheme.depth};
+    std::array<double, 4> stress{};  // pressure pairs above a height, summed over time
+    double u = 0.0;
+    double u_column = 0.0;
+    double impulse = 0.0;
+    double weight = 0.0;
+    const double before = momentum();
+    const double start = simulation->clock().time;
+    while (simulation->clock().time < end) {
+        simulation->step();
+        const auto& p = simulation->particles();
+        const auto& f = simulation->fields();
+        const double dt = simulation->clock().time_step;
+        for (std::size_t i = 0; i < p.size(); ++i) {
+            const double z = p.position[2][i];
+            if (z > c.datum()) {
+                u += p.velocity[0][i];
+                u_column += column.velocity_at(z);
+            }
+            for (std::size_t k = 0; k < heights.size(); ++k) {
+                stress[k] += z > heights[k] ? dt * p.mass[i] * f.pair_acceleration_x[i] / area : 0.0;
+            }
+            weight += dt * p.mass[i] * scheme.streamwise_gravity;
+            impulse += dt * p.mass[i] * (f.drag_acceleration_x[i] + f.wall_acceleration_x[i]);
+        }
+    }
+    const double duration = simulation->clock().time - start;
+    const auto relative = [&](double s) { return std::abs(s) / (duration * bed_stress); };
+    return {.velocity = u / u_column - 1.0,
+            .middle = std::max({relative(stress[1]), relative(stress[2]), relative(stress[3])}),
+            .crest = relative(stress[0]),
+            .budget = std::abs(momentum() - before - weight - impulse) / weight};
+}
+
+void check(const std::string& name, const Case& c, double velocity_bar) {
+    const SpaceMeans means = run_cell(c, 2.0, 4.0);
+    expect_below(name, "depth-mean u against the column", velocity_bar, std::abs(means.velocity));
+    expect_below(name, "spurious pressure stress at mid-depth / bed stress", 0.01, means.middle);
+    expect_below(name, "spurious pressure stress at the crest / bed stress", 0.02, means.crest);
+    expect_below(name, "drag + wall + acceleration against gravity", 1e-3, means.budget);
+}
+
+}  // namespace
+
+// The bars of numerics.md for three dimensions; the means are those of 2 to 4 s.
+TEST(SphereCell, FollowsTheColumn) { check("3D cell, ordered", sphere_cell(), 0.02); }
+
+TEST(SphereCell, FollowsTheColumnFromADisorderedStart) {
+    Case c = sphere_cell();
+    c.start.jitter = 0.25;
+    check("3D cell, disordered", c, 0.03);
+}
+
+TEST(SphereCell, FollowsTheColumnWhenStirred) {
+    Case c = sphere_cell();
+    c.stirring.acceleration = 0.3;
+    check("3D cell, stirred", c, 0.03);
+}
