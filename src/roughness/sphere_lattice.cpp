@@ -32,6 +32,7 @@ SphereLattice::SphereLattice(const Case& c)
 
 double SphereLattice::shape_factor(double x, double y, double z) const {
     const double reach = radius_ + 0.5 * ramp_;
+    const double inner = std::max(0.0, radius_ - 0.5 * ramp_);
     const double dz = z - centre_z_;
     if (std::abs(dz) >= reach) {
         return 0.0;
@@ -52,8 +53,10 @@ double SphereLattice::shape_factor(double x, double y, double z) const {
         const double left = std::floor(place);
         for (const double sphere : {left, left + 1.0}) {
             const double dx = (place - sphere) * period_x_;
-            const double r = std::sqrt(flat + dx * dx);
-            sum += std::clamp((reach - r) / ramp_, 0.0, 1.0);
+            const double squared = flat + dx * dx;
+            if (squared < reach * reach) {
+                sum += squared <= inner * inner ? 1.0 : (reach - std::sqrt(squared)) / ramp_;
+            }
         }
     }
     return sum;

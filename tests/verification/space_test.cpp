@@ -91,8 +91,8 @@ SpaceMeans run_cell(const Case& c, double begin, double end) {
             .budget = std::abs(momentum() - before - weight - impulse) / weight};
 }
 
-void check(const std::string& name, const Case& c, double velocity_bar) {
-    const SpaceMeans means = run_cell(c, 2.0, 4.0);
+void check(const std::string& name, const Case& c, double velocity_bar, double begin, double end) {
+    const SpaceMeans means = run_cell(c, begin, end);
     expect_below(name, "depth-mean u against the column", velocity_bar, std::abs(means.velocity));
     expect_below(name, "spurious pressure stress at mid-depth / bed stress", 0.01, means.middle);
     expect_below(name, "spurious pressure stress at the crest / bed stress", 0.02, means.crest);
@@ -101,17 +101,18 @@ void check(const std::string& name, const Case& c, double velocity_bar) {
 
 }  // namespace
 
-// The bars of numerics.md for three dimensions; the means are those of 2 to 4 s.
-TEST(SphereCell, FollowsTheColumn) { check("3D cell, ordered", sphere_cell(), 0.02); }
+// The bars of numerics.md for three dimensions.
+TEST(SphereCell, FollowsTheColumn) { check("3D cell, ordered", sphere_cell(), 0.02, 2.0, 4.0); }
 
 TEST(SphereCell, FollowsTheColumnFromADisorderedStart) {
     Case c = sphere_cell();
     c.start.jitter = 0.25;
-    check("3D cell, disordered", c, 0.03);
+    // The motion that the disorder set off has to die away first.
+    check("3D cell, disordered", c, 0.03, 4.0, 8.0);
 }
 
 TEST(SphereCell, FollowsTheColumnWhenStirred) {
     Case c = sphere_cell();
     c.stirring.acceleration = 0.3;
-    check("3D cell, stirred", c, 0.03);
+    check("3D cell, stirred", c, 0.03, 2.0, 6.0);
 }
