@@ -16,7 +16,7 @@ struct RunOptions {
     double hydrostatic_gradient = 0.0;
     bool correct = true;    ///< pressure and velocity gradient
     bool gradients = true;  ///< as in LoopOptions: without them the stress is the pressure alone
-    DirectionalViscosity<double> directional;
+    DirectionalViscosity<double> directional = {};
 };
 
 /// Everything that the loops need, made of a sample, and their results by slot.

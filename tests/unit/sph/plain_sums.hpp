@@ -43,7 +43,7 @@ struct PlainOptions {
     double diffusion = 0.0;
     double hydrostatic_gradient = 0.0;
     bool weighted = false;  ///< Morris' viscosity by `directional` (three dimensions)
-    DirectionalViscosity<double> directional;
+    DirectionalViscosity<double> directional = {};
 };
 
 /// B by fluid particle, row-major.
