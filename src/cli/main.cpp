@@ -24,7 +24,7 @@ constexpr const char* examples = R"(Examples:
   riffle new my-flume.toml                          a commented case to start from
   riffle check my-flume.toml                        is it valid, and what will it cost?
   riffle column my-flume.toml                       the 1D twin: the mean flow in milliseconds
-  riffle section my-channel.toml                   the 2D twin of a channel with side walls
+  riffle section my-channel.toml                    the 2D twin of a channel with side walls
   riffle run my-flume.toml -o results/my-flume      simulate until the mean flow is steady
   riffle watch results/my-flume                     follow it in the browser meanwhile
   riffle resume results/my-flume                    go on after a stop

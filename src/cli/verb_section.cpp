@@ -52,7 +52,10 @@ void print_row(const char* name, const char* unit, double value, std::optional<d
                const char* source = "") {
     std::string text = fmt::format("  {:<46} {:>10} ", name, number(value));
     if (reference) {
-        text += fmt::format("{:>10} {:>+8.1f} %  ", number(*reference), 100.0 * (value / *reference - 1.0));
+        const double difference = 100.0 * (value / *reference - 1.0);
+        constexpr double shown = 0.05;  // what is less is printed as +0.0
+        text += fmt::format("{:>10} {:>+8.1f} %  ", number(*reference),
+                            std::abs(difference) < shown ? 0.0 : difference);
     } else {
         text += fmt::format("{:>23}", "");
     }
@@ -277,7 +280,7 @@ void add_verb_section(CLI::App& app) {
     verb->add_option("--figure", a->figure, "Draw the section in this SVG file");
     verb->add_flag("--force", a->force, "Overwrite existing files");
     auto* const time =
-        verb->add_option("--time", a->time, "Show the flow after this time too, s").check(positive_number());
+        verb->add_option("--time", a->time, "Show the flow after this time too, s")->check(positive_number());
     verb->add_option("--from", a->from, "What the flow starts from: column, uniform, power-law, rest")
         ->check(CLI::IsMember(starts))
         ->needs(time)

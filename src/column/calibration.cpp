@@ -13,6 +13,7 @@
 
 #include "base/error.hpp"
 #include "column/calibration_target.hpp"
+#include "column/centreline.hpp"
 #include "statistics/least_squares.hpp"
 
 namespace riffle {
@@ -105,7 +106,7 @@ class Misfit {
     std::optional<Eigen::VectorXd> operator()(const Eigen::VectorXd& scaled) const {
         try {
             const Case c = at(scaled);
-            const std::vector<double> values = target_.residuals(c, solve_column(c));
+            const std::vector<double> values = target_.residuals(c, solve_centreline(c));
             return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
         } catch (const InputError&) {
             return std::nullopt;
@@ -184,7 +185,7 @@ CalibrationResult calibrate_column(const Case& c, const CalibrationOptions& opti
             "give more in [measured]",
             chosen.size(), target.independent_values()));
     }
-    const ColumnResult before = solve_column(c);
+    const ColumnResult before = solve_centreline(c);
 
     const Misfit misfit(c, target, chosen);
     Case start = c;
@@ -209,7 +210,7 @@ CalibrationResult calibrate_column(const Case& c, const CalibrationOptions& opti
 
     CalibrationResult result;
     result.fitted = misfit.at(fit->parameters);
-    result.column = solve_column(result.fitted);
+    result.column = solve_centreline(result.fitted);
     for (const double r : target.residuals(result.fitted, result.column)) result.chi_square += r * r;
     result.degrees_of_freedom = std::max(0.0, target.independent_values() - unknowns);
     if (result.degrees_of_freedom > 0.5) {

@@ -53,7 +53,7 @@ struct CalibrationResult {
     double scatter_factor = 1;      ///< by which the uncertainties were widened, max(1, sqrt(chi^2/dof))
     std::vector<std::string> warnings;
     Case fitted;          ///< the case with the fitted values (its text is not changed)
-    ColumnResult column;  ///< of the fitted case
+    ColumnResult column;  ///< of the fitted case; between side walls the centreline of its section
 };
 
 /// Fit parameters of the column to the measured values of the case by weighted least squares (Levenberg-

@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "base/error.hpp"
+#include "column/centreline.hpp"
 #include "column/column_grid.hpp"
 #include "column/momentum_balance.hpp"
 #include "hydraulics/channel_laws.hpp"
@@ -142,19 +143,6 @@ double stress_at(const ColumnGrid& grid, const std::vector<double>& stress, doub
     return stress[i - 1] + fraction * (stress[i] - stress[i - 1]);
 }
 
-/// Fit of the profile to the rough log law at evenly spaced heights, as an instrument would sample it.
-LogLawFit fit_profile(const Case& c, const ColumnResult& result) {
-    constexpr int points = 200;
-    const HeightRange range = log_law_range(c);
-    std::vector<double> z;
-    std::vector<double> u;
-    for (int i = 0; i < points; ++i) {
-        z.push_back(range.from + (range.to - range.from) * (i + 0.5) / points);
-        u.push_back(result.velocity_at(z.back()));
-    }
-    return fit_log_law(z, u, log_law_kappa, c.datum(), range.from, range.to);
-}
-
 }  // namespace
 
 HeightRange log_law_range(const Case& c) {
@@ -199,7 +187,7 @@ ColumnResult solve_column(const Case& c, int cells) {
     result.drag_share = balance.drag(u) / weight;
     result.wall_share = stress.front() / weight;
     result.relaxation_time = slowest_decay_time(balance, u);
-    if (c.bed.kind == BedKind::spheres) result.log_law = fit_profile(c, result);
+    if (c.bed.kind == BedKind::spheres) result.log_law = fit_column_profile(c, result);
 
     // A wide channel: the hydraulic radius is the depth over the datum.
     const double radius = c.channel.depth;

@@ -4,10 +4,12 @@ import os
 import pty
 import subprocess
 import tomllib
+import xml.etree.ElementTree
 
 from riffle_cli import CASE, RIFFLE, SMALL, SOURCE, CommandLineTest, main, until
 
-VERBS = ["new", "check", "column", "section", "calibrate", "run", "resume", "report", "watch", "bench", "schema", "version"]
+VERBS = ["new", "check", "column", "section", "calibrate", "run", "resume", "report", "watch", "bench", "schema",
+         "version"]
 
 
 class CommandLine(CommandLineTest):
@@ -93,6 +95,30 @@ class CommandLine(CommandLineTest):
         lines = self.succeed("column", CASE, "--csv").stdout.splitlines()
         self.assertEqual(len(lines) - 1, len(twin["profile"]["z"]))
         self.assertIn("Reynolds", self.succeed("column", CASE).stdout)
+
+    CHANNEL = ["--set", "channel.dimensions=3", "--set", "channel.sides=half", "--set",
+               "turbulence.closure=czernuszenko-rylov"]
+
+    def test_section_prints_draws_and_writes_the_twin_of_a_channel_with_side_walls(self):
+        table = self.succeed("section", CASE, *self.CHANNEL).stdout
+        self.assertIn("weight carried by the side walls", table)
+        files = {kind: self.folder / f"section.{kind}" for kind in ("json", "csv", "svg")}
+        written = self.succeed("section", CASE, *self.CHANNEL, "--json", files["json"], "--csv", files["csv"],
+                               "--figure", files["svg"], "--time", "1", "--from", "power-law")
+        self.assertIn("within 1 % after", written.stdout)
+        twin = json.loads(files["json"].read_text())
+        self.assertAlmostEqual(twin["centreline_velocity"], 0.35, delta=0.035)
+        self.assertAlmostEqual(twin["drag_share"] + twin["side_wall_share"], 1.0, delta=1e-10)
+        self.assertAlmostEqual(twin["drag_share"], twin["partition"]["bed_share"], delta=1e-10)
+        section = twin["transient"]["section"]
+        cells = len(section["y"]) * len(section["z"])
+        self.assertEqual(len(section["velocity"]), cells)
+        self.assertEqual(len(files["csv"].read_text().splitlines()) - 1, cells)
+        self.assertGreater(twin["transient"]["wall_layer_velocity"], twin["wall_layer_velocity"])
+        xml.etree.ElementTree.parse(files["svg"])
+        # What exists is not overwritten unasked, and a case without side walls has no section.
+        self.fail_with(2, "section", CASE, *self.CHANNEL, "--csv", files["csv"], says=[str(files["csv"]), "--force"])
+        self.fail_with(2, "section", CASE, says=["channel.sides", "riffle column"])
 
     def test_calibrate_writes_the_fitted_values_into_a_valid_case(self):
         case = self.folder / "fitted.toml"

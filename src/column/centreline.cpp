@@ -1,0 +1,40 @@
+#include "column/centreline.hpp"
+
+#include <cstddef>
+#include <vector>
+
+#include "column/section.hpp"
+#include "hydraulics/channel_laws.hpp"
+
+namespace riffle {
+
+LogLawFit fit_column_profile(const Case& c, const ColumnResult& column) {
+    constexpr int points = 200;
+    const HeightRange range = log_law_range(c);
+    std::vector<double> z;
+    std::vector<double> u;
+    for (int i = 0; i < points; ++i) {
+        z.push_back(range.from + (range.to - range.from) * (i + 0.5) / points);
+        u.push_back(column.velocity_at(z.back()));
+    }
+    return fit_log_law(z, u, log_law_kappa, c.datum(), range.from, range.to);
+}
+
+ColumnResult solve_centreline(const Case& c) {
+    ColumnResult result = solve_column(c);
+    if (!has_section(c)) return result;
+    // The centreline does not see the fine structure beside the walls.
+    constexpr SectionOptions options{.cells_across = 40, .cells_over_depth = 90};
+    const SectionResult section = solve_section(c, options);
+    const double middle = c.channel.centreline();
+    for (std::size_t i = 0; i < result.profile.z.size(); ++i) {
+        result.profile.velocity[i] = section.velocity_at(middle, result.profile.z[i]);
+    }
+    result.depth_mean_velocity = section.centreline_velocity;
+    result.total_mean_velocity = section.depth_means(0.0, c.total_depth())[section.y.size() / 2];
+    result.surface_velocity = result.profile.velocity.back();
+    if (c.bed.kind == BedKind::spheres) result.log_law = fit_column_profile(c, result);
+    return result;
+}
+
+}  // namespace riffle
