@@ -44,7 +44,7 @@ void write_grid_xdmf(const std::filesystem::path& path, const std::string& resul
         for (const std::string& field : grid.fields) {
             text += fmt::format(
                 R"(        <Attribute Name="{0}" AttributeType="Scalar" Center="Cell">
-          <DataItem ItemType="HyperSlab" Dimensions="1 {1}">
+          <DataItem ItemType="HyperSlab" NumberType="Float" Precision="4" Dimensions="{1}">
             <DataItem Format="XML" NumberType="Int" Dimensions="3 4">{2} 0 0 0 1 1 1 1 1 {1}</DataItem>
             <DataItem Format="HDF" NumberType="Float" Precision="4" Dimensions="{3} {1}">{4}:{5}/{0}</DataItem>
           </DataItem>

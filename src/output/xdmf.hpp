@@ -45,7 +45,8 @@ struct GridSeries {
 };
 
 /// Write the XDMF index of a series of rectilinear grids with cell-centred values that lie in the results
-/// file. Atomic like write_text_atomically. Throws FileError.
+/// file. For the "XDMF Reader" of ParaView (vtkXdmfReader): the XDMF 3 readers know no part of a dataset.
+/// Atomic like write_text_atomically. Throws FileError.
 void write_grid_xdmf(const std::filesystem::path& path, const std::string& results_file_name,
                      const GridSeries& grid);
 

@@ -158,7 +158,8 @@ def main():
         try:
             count = check_reader(make_reader(), folder / "results.xdmf", reference)
             print(f"{make_reader.__name__}: {count} snapshots agree with results.h5")
-            if field is not None and len(field["time"]) > 0:
+            # The XDMF 3 reader shows no part of a dataset, of which each window is one.
+            if make_reader is vtkXdmfReader and field is not None and len(field["time"]) > 0:
                 count = check_field(make_reader(), folder / "mean_field.xdmf", field)
                 print(f"{make_reader.__name__}: {count} windows of the mean field agree with results.h5")
         except AssertionError as error:
