@@ -88,6 +88,13 @@ const analysis_panels = (() => {
         `${map.logarithmic ? '10^%{z:.2f}' : '%{z:.3~g}'} ${scale.unit}<extra></extra>` };
   }
 
+  // Lines of equal value over a map, thin and grey, so that arrows and curves stand out.
+  function contour_lines(map, x, y, limits, scale, name) {
+    const plain = heatmap(map, x, y, limits, scale, name), steps = 8, [low, high] = [limits.low, limits.high].map(value => scale.factor * value);
+    return { type: 'contour', x: plain.x, y: plain.y, z: plain.z, xaxis: plain.xaxis, yaxis: plain.yaxis, name: map.label, showscale: false, hoverinfo: 'skip', connectgaps: false,
+      autocontour: false, line: { color: 'rgba(60,68,76,0.55)', width: 0.8, smoothing: 0.6 }, contours: { coloring: 'none', start: low, end: high, size: (high - low) / steps || 1 } };
+  }
+
   // All maps of all runs, each with the curves that lie over it. Maps of the same quantity share their colours.
   function maps(entries, width, on_paper) {
     const x = axis_of(entries, 'x'), y = axis_of(entries, 'y'), panels = [], traces = [], annotations = [], extra = {};
@@ -111,6 +118,7 @@ const analysis_panels = (() => {
       const place = made.place(i), name = suffix(i), number = key(map);
       const scale = units.scale(map.unit, largest([map.values]), map.logarithmic);
       traces.push(heatmap(map, x, y, null, scale, name, `coloraxis${suffix(number)}`));
+      if (map.contours) traces.push(contour_lines(map, x, y, colours(panels.filter(panel => key(panel.map) === number).map(panel => panel.map)), scale, name));
       for (const curve of figure.curves) {
         const first = !seen.has(kind(curve));
         seen.add(kind(curve));

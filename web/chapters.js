@@ -6,7 +6,8 @@ const chapters = (() => {
 
   const { at, element, marked } = page;
   const titles = {
-    run: 'The record', statistics: 'Statistics of the record', profiles: 'Profiles and stresses', fits: 'Velocity laws, roughness and friction',
+    run: 'The record', statistics: 'Statistics of the record', profiles: 'Profiles and stresses', section: 'Across the flow: velocity and stress over the cross-section',
+    secondary: 'Secondary flow', bed: 'Bed and side walls', fits: 'Velocity laws, roughness and friction',
     surface: 'Free surface', subsurface: 'Fluctuations below the surface', forces: 'Forces on bed and walls',
   };
   const order = Object.keys(titles);

@@ -28,7 +28,7 @@ struct Distribution {
     Estimate mean;
 };
 
-Distribution distribution_of(const MeanField& field, const Case& c, const SectionEstimator& estimator) {
+Distribution distribution_of(const MeanFlow& field, const Case& c, const SectionEstimator& estimator) {
     const double period = lattice_period_across(c).value_or(0.0);
     Distribution result;
     result.y = field.y;
@@ -102,7 +102,7 @@ void add_yang_lim(const Case& c, double height, double scale, Figure& figure) {
     figure.curves.push_back(std::move(curve));
 }
 
-std::size_t row_at(const MeanField& field, double z) {
+std::size_t row_at(const MeanFlow& field, double z) {
     std::size_t nearest = 0;
     for (std::size_t iz = 0; iz < field.z.size(); ++iz) {
         if (std::abs(field.z[iz] - z) < std::abs(field.z[nearest] - z)) nearest = iz;
@@ -112,7 +112,7 @@ std::size_t row_at(const MeanField& field, double z) {
 
 /// The stress at the thesis' height over the datum.
 void add_stress(const FlowRecord& record, Analysis& analysis) {
-    const MeanField& field = record.mean_field();
+    const MeanFlow& field = record.mean_field();
     const Case& c = *record.flow();
     const std::size_t iz = row_at(field, c.datum() + thesis_height);
     const double z = field.z[iz];
@@ -135,9 +135,10 @@ void add_stress(const FlowRecord& record, Analysis& analysis) {
     add_distribution(d, uniform, figure);
     const SectionTwin& twin = record.section_twin();
     if (!twin.empty() && !twin.shear_stress.empty()) {
-        Curve curve = make_curve("section twin", Origin::column, Mark::line, twin.y, {});
-        for (const double y : twin.y) curve.y.push_back(twin_value(twin, twin.shear_stress, y, z) / uniform);
-        figure.curves.push_back(std::move(curve));
+        std::vector<double> stress;
+        for (const double y : twin.y) stress.push_back(twin_value(twin, twin.shear_stress, y, z) / uniform);
+        figure.curves.push_back(
+            make_curve("section twin", Origin::column, Mark::line, twin.y, std::move(stress)));
     }
     add_yang_lim(c, z, uniform, figure);
     figure.curves.push_back(make_curve("wide channel", Origin::reference, Mark::line,
@@ -174,7 +175,7 @@ std::vector<double> twin_drag(const SectionTwin& twin, const Case& c) {
 
 /// The drag of the bed's elements on each plan area.
 void add_drag(const FlowRecord& record, Analysis& analysis) {
-    const MeanField& field = record.mean_field();
+    const MeanFlow& field = record.mean_field();
     const Case& c = *record.flow();
     const double uniform = c.fluid.density * c.streamwise_gravity() * c.total_depth();
     Figure figure = make_figure(
@@ -223,7 +224,7 @@ void add_drag(const FlowRecord& record, Analysis& analysis) {
 
 /// Stress on the side walls over the height.
 void add_walls(const FlowRecord& record, Analysis& analysis) {
-    const MeanField& field = record.mean_field();
+    const MeanFlow& field = record.mean_field();
     const Case& c = *record.flow();
     if (!c.has_side_walls() || c.side_walls.drag_form == SideDragForm::none) return;
     const double walls = c.channel.sides == Sides::half ? 1.0 : 2.0;
@@ -286,7 +287,7 @@ ColourMap force_map(const std::vector<double>& x, const std::vector<double>& y,
 
 /// Maps of the drag on the water: over the bed, the cross-section and the plane along the flow.
 void add_maps(const FlowRecord& record, Analysis& analysis) {
-    const MeanField& field = record.mean_field();
+    const MeanFlow& field = record.mean_field();
     const Case& c = *record.flow();
     const Axis along = make_axis("distance along the channel x", "m");
     const Axis height = make_axis("height above the bed level z", "m");

@@ -9,6 +9,7 @@
 
 #include "analysis/chapters.hpp"
 #include "analysis/figure_tools.hpp"
+#include "analysis/section_parts.hpp"
 #include "hydraulics/law_fits.hpp"
 #include "hydraulics/log_law.hpp"
 #include "solver/summary.hpp"
@@ -316,6 +317,16 @@ void analyse_fits(const FlowRecord& record, Analysis& analysis) {
     }
     FittedFlow flow;
     flow.points = {p.z, p.velocity, {}, c.datum()};
+    // Between side walls the laws are those of the centreline, as they are fitted to measurements.
+    SectionProfile centreline;
+    if (c.has_side_walls()) centreline = centreline_velocity_profile(record);
+    if (!centreline.z.empty()) {
+        flow.points = {centreline.z, centreline.value, {}, c.datum()};
+    } else if (c.has_side_walls() && record.origin() == Origin::simulated) {
+        analysis.warnings.emplace_back(
+            "without windows of the mean field the laws are fitted to the mean over the width between the "
+            "side walls, not to the centreline's profile");
+    }
     const HeightRange range = log_law_range(c);
     flow.log_law_range = {range.from, range.to};
     flow.depth = c.channel.depth;

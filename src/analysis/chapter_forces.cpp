@@ -6,6 +6,7 @@
 
 #include "analysis/chapters.hpp"
 #include "analysis/figure_tools.hpp"
+#include "roughness/side_wall_partition.hpp"
 #include "statistics/confidence.hpp"
 
 namespace riffle {
@@ -22,6 +23,11 @@ struct Share {
     std::optional<double> column;
     int variant;
 };
+
+/// The share of the side walls by the partition of Yang & Lim.
+std::string partition_remark(const Case& c) {
+    return fmt::format("Yang & Lim: {:.4g}", 1.0 - side_wall_partition(c).bed_share);
+}
 
 /// Figure and findings of the scalar instruments of one kind.
 void add_instruments(const FlowRecord& record, const char* kind, Figure figure, Analysis& analysis) {
@@ -53,24 +59,31 @@ void add_instruments(const FlowRecord& record, const char* kind, Figure figure, 
 
 void analyse_forces(const FlowRecord& record, Analysis& analysis) {
     if (record.flow() == nullptr || record.origin() != Origin::simulated) return;
+    const Case& c = *record.flow();
+    const bool in_space = c.channel.dimensions == 3;
     add_instruments(
         record, "force",
         make_figure(chapter, "force_instruments", "Forces on bed and walls",
-                    "Forces between the water and its bed and walls, and the weight component down the "
-                    "slope, per unit width, as the instruments recorded them.",
+                    fmt::format("Forces between the water and its bed and walls, and the weight component "
+                                "down the slope, {}, as the instruments recorded them.",
+                                in_space ? "of the whole channel" : "per unit width"),
                     "thesis (2.16), (4.3)", make_axis("time t", "s"),
-                    make_axis("force per unit width", "N/m")),
+                    in_space ? make_axis("force", "N") : make_axis("force per unit width", "N/m")),
         analysis);
     add_instruments(record, "flow_rate",
                     make_figure(chapter, "flow_rate_history", "Flow rate through sections",
-                                "Discharge per unit width through the sections of the instruments.", "",
-                                make_axis("time t", "s"), make_axis("discharge per unit width", "m2/s")),
+                                fmt::format("Discharge {}through the sections of the instruments.",
+                                            in_space ? "" : "per unit width "),
+                                "", make_axis("time t", "s"),
+                                in_space ? make_axis("discharge", "m3/s")
+                                         : make_axis("discharge per unit width", "m2/s")),
                     analysis);
-    const Case& c = *record.flow();
     Figure figure = make_figure(
         chapter, "force_history", "Forces on the water",
-        "Drag of the bed elements, streamwise force of the walls and rate of change of the momentum, each "
-        "over the weight component down the slope. Their sum is one where the momentum is balanced.",
+        fmt::format("Drag of the bed elements, streamwise force of the walls{} and rate of change of the "
+                    "momentum, each over the weight component down the slope. Their sum is one where the "
+                    "momentum is balanced.",
+                    c.has_side_walls() ? ", drag of the side walls" : ""),
         "thesis (2.16), (4.3), bed stress of chapter 4", make_axis("time t", "s"),
         make_axis("force over weight component", "1"));
     const SeriesTable& series = record.series();
@@ -83,7 +96,11 @@ void analyse_forces(const FlowRecord& record, Analysis& analysis) {
     }
     std::optional<double> drag_share;
     std::optional<double> wall_share;
-    if (record.column() != nullptr) {
+    const SectionTwin& twin = record.section_twin();
+    const char* const twin_name = c.has_side_walls() ? "section twin" : "column twin";
+    if (c.has_side_walls()) {
+        drag_share = twin.value("drag_share");
+    } else if (record.column() != nullptr) {
         drag_share = record.column()->drag_share;
         wall_share = record.column()->wall_share;
     }
@@ -92,12 +109,17 @@ void analyse_forces(const FlowRecord& record, Analysis& analysis) {
         c.fluid.density * c.streamwise_gravity() * c.total_depth();  // per plan area, the whole depth
     std::vector<double> sum_of_forces;
     bool complete = true;
-    for (const Share& share :
-         {Share{"drag_over_gravity", "bed_drag_share", "bed drag over the weight component", drag_share, 0},
-          Share{"wall_over_gravity", "wall_force_share", "wall force over the weight component", wall_share,
-                1},
-          Share{"acceleration_over_gravity", "acceleration_share",
-                "rate of change of the momentum over the weight component", 0.0, 2}}) {
+    std::vector<Share> shares = {
+        {"drag_over_gravity", "bed_drag_share", "bed drag over the weight component", drag_share, 0},
+        {"wall_over_gravity", "wall_force_share", "wall force over the weight component", wall_share, 1},
+        {"acceleration_over_gravity", "acceleration_share",
+         "rate of change of the momentum over the weight component", 0.0, 2}};
+    if (c.has_side_walls()) {
+        shares.push_back({"side_wall_over_gravity", "side_wall_share",
+                          "drag of the side walls over the weight component", twin.value("side_wall_share"),
+                          3});
+    }
+    for (const Share& share : shares) {
         const auto values = series.find(share.series);
         if (values == series.end()) continue;
         figure.curves.push_back(make_curve(share.label, Origin::simulated, Mark::line,
@@ -110,9 +132,9 @@ void analyse_forces(const FlowRecord& record, Analysis& analysis) {
         complete = complete && (sum_of_forces.empty() || sum_of_forces.size() == window.size());
         sum_of_forces.resize(window.size(), 0.0);
         for (std::size_t i = 0; i < window.size(); ++i) sum_of_forces[i] += window[i];
-        analysis.findings.push_back(
-            against(make_finding(chapter, share.key, share.label, "1", mean.mean, mean.half_width),
-                    share.column, share.variant == 2 ? "steady flow" : "column twin"));
+        analysis.findings.push_back(against(
+            make_finding(chapter, share.key, share.label, "1", mean.mean, mean.half_width), share.column,
+            share.variant == 2 ? "steady flow" : twin_name, share.variant == 3 ? partition_remark(c) : ""));
         if (share.variant == 0) {
             std::optional<double> expected;
             if (drag_share) expected = *drag_share * bed_weight;
@@ -127,7 +149,7 @@ void analyse_forces(const FlowRecord& record, Analysis& analysis) {
             analysis.findings.push_back(
                 against(make_finding(chapter, "bed_stress", "drag of the bed elements per plan area", "Pa",
                                      mean.mean * bed_weight, mean.half_width * bed_weight),
-                        expected, "rho g S0 H times the column twin's drag share", remark));
+                        expected, fmt::format("rho g S0 H times the {}'s drag share", twin_name), remark));
         }
     }
     if (figure.curves.empty()) {

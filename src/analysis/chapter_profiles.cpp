@@ -38,14 +38,22 @@ void add_measured_points(Figure& figure, const FlowRecord::Measured& measured) {
     figure.curves.push_back(std::move(curve));
 }
 
+/// What the profiles of a run are means over beside time.
+std::string bed_plane(const FlowRecord& record) {
+    if (record.flow() == nullptr || record.flow()->channel.dimensions == 2) return "along the bed";
+    return record.flow()->has_side_walls()
+               ? "over the whole plan, side walls and all (the measured profile is the centreline's)"
+               : "over the whole plan";
+}
+
 void add_velocity(const FlowRecord& record, const Profiles& p, Analysis& analysis) {
     Figure figure = profile_figure(
         "velocity_profile", "Streamwise velocity",
         record.origin() == Origin::simulated
             ? fmt::format(
                   "Time-mean streamwise velocity over {:.4g} s to {:.4g} s in layers one particle spacing "
-                  "thick, averaged over time and along the bed; bars: 95 % intervals of the time mean.",
-                  p.window_start, p.window_end)
+                  "thick, averaged over time and {}; bars: 95 % intervals of the time mean.",
+                  p.window_start, p.window_end, bed_plane(record))
             : "Time-mean streamwise velocity; bars: 95 % intervals.",
         "thesis, velocity profiles of chapter 4; paper Fig. 2", make_axis("streamwise velocity u", "m/s"));
     Curve simulated =

@@ -23,7 +23,7 @@ constexpr double thesis_averaging_time = 0.2;  // s
 
 /// What the chapter starts from.
 struct Setting {
-    const MeanField& field;
+    const MeanFlow& field;
     const Case& c;
     double velocity = 0;  ///< U, m/s
     bool periodic = false;
@@ -239,7 +239,7 @@ void add_vortices(const FieldSums& section, const Setting& s, Analysis& analysis
 }
 
 void add_space_vortices(const Setting& s, Analysis& analysis) {
-    const MeanField& field = s.field;
+    const MeanFlow& field = s.field;
     CellBox box;
     box.cells = {field.x.size(), field.y.size(), field.z.size()};
     box.spacing = {field.cell_length(), field.cell_width(), field.cell_height()};
@@ -295,7 +295,7 @@ void add_space_vortices(const Setting& s, Analysis& analysis) {
 
 void analyse_secondary(const FlowRecord& record, Analysis& analysis) {
     if (!is_three_dimensional(record)) return;
-    const MeanField& field = record.mean_field();
+    const MeanFlow& field = record.mean_field();
     const Case& c = *record.flow();
     const double velocity = bulk_velocity(record);
     if (field.empty() || !(velocity > 0.0)) {

@@ -32,7 +32,7 @@ double largest(const std::vector<double>& values) {
 
 /// The twin's values at the cells of the mean field.
 std::vector<double> twin_on_cells(const SectionTwin& twin, const std::vector<double>& values,
-                                  const MeanField& field) {
+                                  const MeanFlow& field) {
     std::vector<double> result(field.y.size() * field.z.size());
     for (std::size_t iy = 0; iy < field.y.size(); ++iy) {
         for (std::size_t iz = 0; iz < field.z.size(); ++iz)
@@ -41,7 +41,7 @@ std::vector<double> twin_on_cells(const SectionTwin& twin, const std::vector<dou
     return result;
 }
 
-std::string window_text(const MeanField& field) {
+std::string window_text(const MeanFlow& field) {
     return fmt::format(
         "Means over the length of the channel and {} window{} of {:.3g} s, {:.4g} s to "
         "{:.4g} s.",
@@ -50,7 +50,7 @@ std::string window_text(const MeanField& field) {
 }
 
 void add_velocities(const FlowRecord& record, const FieldSums& section, double fastest, Analysis& analysis) {
-    const MeanField& field = record.mean_field();
+    const MeanFlow& field = record.mean_field();
     const Case& c = *record.flow();
     Figure u = section_figure(chapter, "section_velocity_map", "Streamwise velocity over the cross-section",
                               window_text(field) +
@@ -91,7 +91,7 @@ void add_velocities(const FlowRecord& record, const FieldSums& section, double f
 }
 
 void add_stresses(const FlowRecord& record, const FieldSums& section, Analysis& analysis) {
-    const MeanField& field = record.mean_field();
+    const MeanFlow& field = record.mean_field();
     const Case& c = *record.flow();
     const double bed_stress =
         crest_stress(c.fluid.density, c.streamwise_gravity(), c.total_depth(), c.crest());
@@ -124,7 +124,7 @@ void add_stresses(const FlowRecord& record, const FieldSums& section, Analysis& 
 }
 
 void add_findings(const FlowRecord& record, Analysis& analysis) {
-    const MeanField& field = record.mean_field();
+    const MeanFlow& field = record.mean_field();
     const Case& c = *record.flow();
     const SectionTwin& twin = record.section_twin();
     const Estimate fastest = section_estimate(
@@ -159,7 +159,7 @@ void add_findings(const FlowRecord& record, Analysis& analysis) {
 
 void analyse_section(const FlowRecord& record, Analysis& analysis) {
     if (!is_three_dimensional(record)) return;
-    const MeanField& field = record.mean_field();
+    const MeanFlow& field = record.mean_field();
     if (field.empty()) {
         add_missing(record, analysis,
                     section_figure(chapter, "section_velocity_map",

@@ -38,8 +38,22 @@ void add_history(const FlowRecord& record, Analysis& analysis) {
     const auto level = [&](const char* name, Origin origin, double value) {
         figure.curves.push_back(make_curve(name, origin, Mark::line, ends, {value, value}));
     };
-    if (record.column() != nullptr)
+    const bool between_walls = record.flow()->has_side_walls();
+    if (record.column() != nullptr && !between_walls)
         level("column twin", Origin::column, record.column()->depth_mean_velocity);
+    if (const auto twin = record.section_twin().value("depth_mean_velocity"))
+        level("section twin", Origin::column, *twin);
+    const auto centreline = series.find("centreline_velocity");
+    if (between_walls && centreline != series.end()) {
+        Curve curve =
+            make_curve("around the centreline", Origin::simulated, Mark::line,
+                       thinned(time->second, most_points), thinned(centreline->second, most_points));
+        curve.variant = 1;
+        figure.curves.push_back(std::move(curve));
+        figure.caption +=
+            " Between side walls that of the whole width, and that around the centreline, "
+            "where it was measured.";
+    }
     if (record.flow()->measured.depth_mean_velocity)
         level("measured", Origin::measured, *record.flow()->measured.depth_mean_velocity);
     analysis.figures.push_back(std::move(figure));
@@ -146,6 +160,24 @@ void add_stationarity(const WindowRecord& window, double tolerance, Analysis& an
     }
 }
 
+/// The velocity around the centreline of a channel between side walls, where it was measured.
+void add_centreline(const FlowRecord& record, const std::string& remark, Analysis& analysis) {
+    const Case& c = *record.flow();
+    const std::vector<double> velocity = within_window(record, "centreline_velocity");
+    if (velocity.size() < 2) return;
+    const MeanEstimate mean = mean_with_confidence(velocity);
+    analysis.findings.push_back(
+        against(make_finding(chapter, "centreline_velocity", "depth-mean velocity around the centreline",
+                             "m/s", mean.mean, mean.half_width),
+                c.measured.depth_mean_velocity, measured_name(c), remark));
+    if (const auto twin = record.section_twin().value("centreline_velocity")) {
+        analysis.findings.push_back(against(make_finding(chapter, "centreline_velocity_over_section",
+                                                         "the same over that of the section twin", "1",
+                                                         mean.mean / *twin, mean.half_width / *twin),
+                                            1.0, "section twin"));
+    }
+}
+
 void add_means(const FlowRecord& record, Analysis& analysis) {
     const Case& c = *record.flow();
     const std::vector<double> velocity = within_window(record, "depth_mean_velocity");
@@ -160,11 +192,21 @@ void add_means(const FlowRecord& record, Analysis& analysis) {
     const double interval = (time.back() - time.front()) / static_cast<double>(time.size() - 1);
     const MeanEstimate mean = mean_with_confidence(velocity);
     std::string remark = c.measured.uniform ? "" : "the measured flow was not uniform";
-    analysis.findings.push_back(
-        against(make_finding(chapter, "depth_mean_velocity", "depth-mean velocity above the datum, U", "m/s",
-                             mean.mean, mean.half_width),
-                c.measured.depth_mean_velocity, measured_name(c), remark));
-    if (record.column() != nullptr) {
+    // Between side walls the measured velocity is that of the centreline, not of the width.
+    const bool between_walls = c.has_side_walls();
+    Finding depth_mean =
+        make_finding(chapter, "depth_mean_velocity", "depth-mean velocity above the datum, U", "m/s",
+                     mean.mean, mean.half_width);
+    if (between_walls) {
+        analysis.findings.push_back(against(std::move(depth_mean),
+                                            record.section_twin().value("depth_mean_velocity"),
+                                            "section twin", "over the whole width"));
+        add_centreline(record, remark, analysis);
+    } else {
+        analysis.findings.push_back(
+            against(std::move(depth_mean), c.measured.depth_mean_velocity, measured_name(c), remark));
+    }
+    if (record.column() != nullptr && !between_walls) {
         analysis.findings.push_back(against(
             make_finding(chapter, "depth_mean_velocity_over_column", "the same over that of the column twin",
                          "1", mean.mean / record.column()->depth_mean_velocity,
@@ -189,7 +231,9 @@ void add_means(const FlowRecord& record, Analysis& analysis) {
     for (const auto& [name, key, label, unit] :
          {std::tuple{"total_mean_velocity", "total_mean_velocity", "mass-mean velocity of all water", "m/s"},
           std::tuple{"velocity_fluctuation", "velocity_fluctuation",
-                     "rms departure of the particle velocities from their layer means", "m/s"}}) {
+                     "rms departure of the particle velocities from their layer means", "m/s"},
+          std::tuple{"secondary_velocity", "secondary_velocity",
+                     "rms of sqrt(v^2 + w^2) over the particles at each instant", "m/s"}}) {
         const std::vector<double> values = within_window(record, name);
         if (values.size() < 2) continue;
         const MeanEstimate estimate = mean_with_confidence(values);

@@ -26,7 +26,9 @@ std::vector<ProbePointStatistics> points_of_one_place(const std::vector<ProbePoi
     for (const ProbePointStatistics& first : points) {
         std::vector<ProbePointStatistics> same;
         std::copy_if(points.begin(), points.end(), std::back_inserter(same),
-                     [&](const ProbePointStatistics& each) { return std::abs(each.x - first.x) < 1e-6; });
+                     [&](const ProbePointStatistics& each) {
+                         return std::abs(each.x - first.x) < 1e-6 && std::abs(each.y - first.y) < 1e-6;
+                     });
         if (same.size() > best.size()) best = std::move(same);
     }
     return best;

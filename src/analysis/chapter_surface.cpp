@@ -22,6 +22,10 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// Why a simulated surface is far flatter than the measured one.
 std::string flatness_remark(const Case& c) {
+    if (c.channel.dimensions == 3 && c.turbulence.closure != ClosureKind::none) {
+        return "the closure averages turbulence out and keeps its mean stress only, so that no eddies reach "
+               "the surface, which stays almost flat (the thesis: 0.06 to 0.085 mm in 3D)";
+    }
     switch (c.turbulence.closure) {
         case ClosureKind::none:
             return "no closure; in two dimensions the eddies that shape a measured surface do not form";
@@ -66,8 +70,8 @@ void add_deviation(const FlowRecord& record, const SurfaceFluctuation& surface, 
     if (record.flow() != nullptr && record.origin() == Origin::simulated) {
         if (const auto thesis = thesis_surface(*record.flow())) {
             if (!finding.remark.empty()) finding.remark += "; ";
-            finding.remark +=
-                fmt::format("computed in the thesis (2D): {:.3g} mm", 1000.0 * thesis->deviation);
+            finding.remark += fmt::format("computed in the thesis ({}D): {:.3g} mm",
+                                          record.flow()->channel.dimensions, 1000.0 * thesis->deviation);
         }
     }
     analysis.findings.push_back(std::move(finding));

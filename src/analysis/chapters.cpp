@@ -15,13 +15,13 @@ std::span<const Chapter> analysis_chapters() {
     static const std::array chapters = {
         Chapter{"statistics", "Statistics of the velocity", analyse_statistics},
         Chapter{"profiles", "Profiles", analyse_profiles},
-        Chapter{"section", "Cross-section", analyse_section},
-        Chapter{"secondary", "Secondary flow", analyse_secondary},
-        Chapter{"bed", "Bed and side walls", analyse_bed},
         Chapter{"fits", "Laws fitted to the velocity profile", analyse_fits},
         Chapter{"surface", "Free surface", analyse_surface},
         Chapter{"subsurface", "Velocities below the surface", analyse_subsurface},
         Chapter{"forces", "Forces", analyse_forces},
+        Chapter{"section", "Cross-section", analyse_section},
+        Chapter{"secondary", "Secondary flow", analyse_secondary},
+        Chapter{"bed", "Bed and side walls", analyse_bed},
     };
     return chapters;
 }

@@ -34,8 +34,8 @@ struct ColourMap {
     std::string unit;
     bool diverging = false;  ///< colours symmetric about zero
     bool logarithmic = false;
-    bool contours = false;  ///< with lines of equal value over the colours
     std::string run;
+    bool contours = false;  ///< with lines of equal value over the colours
 };
 
 /// Axis of a figure. The values are SI; `unit` is "1" for dimensionless ones.

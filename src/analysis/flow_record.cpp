@@ -47,8 +47,8 @@ const std::vector<ScalarProbe>& FlowRecord::scalar_probes() const {
     return none;
 }
 
-const MeanField& FlowRecord::mean_field() const {
-    static const MeanField none;
+const MeanFlow& FlowRecord::mean_field() const {
+    static const MeanFlow none;
     return none;
 }
 

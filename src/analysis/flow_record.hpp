@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "analysis/figure.hpp"
-#include "analysis/mean_field.hpp"
+#include "analysis/mean_flow.hpp"
 #include "analysis/space_time.hpp"
 #include "case/case.hpp"
 #include "column/column.hpp"
@@ -32,8 +32,8 @@ using SeriesTable = std::map<std::string, std::vector<double>>;
 struct ElevationProbe {
     std::string name;
     double x = 0;
-    std::optional<double> y;  ///< across the channel, where the record says
     std::vector<double> time, elevation;
+    std::optional<double> y = std::nullopt;  ///< across the channel, where the record says
 };
 
 /// Velocities against time at points (x[i], z[i]): u[row * z.size() + i] at time[row], m/s. Heights above the
@@ -41,7 +41,7 @@ struct ElevationProbe {
 struct VelocityProbe {
     std::string name;
     std::vector<double> x, z, time, u, w;
-    std::vector<double> y;  ///< across the channel; empty where the record does not say
+    std::vector<double> y = {};  ///< across the channel; empty where the record does not say
 
     /// The record of one point of `u` or `w`.
     [[nodiscard]] std::vector<double> point(const std::vector<double>& values, std::size_t i) const;
@@ -118,7 +118,7 @@ class FlowRecord {
     [[nodiscard]] virtual const std::vector<VelocityGrid>& velocity_grids() const;
     [[nodiscard]] virtual const std::vector<ScalarProbe>& scalar_probes() const;
     // Of runs in three dimensions.
-    [[nodiscard]] virtual const MeanField& mean_field() const;
+    [[nodiscard]] virtual const MeanFlow& mean_field() const;
     [[nodiscard]] virtual const SurfaceMaps& surface_maps() const;
     [[nodiscard]] virtual const SectionTwin& section_twin() const;
 

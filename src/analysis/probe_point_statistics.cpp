@@ -39,6 +39,7 @@ std::vector<ProbePointStatistics> probe_point_statistics(const VelocityProbe& pr
         ProbePointStatistics point;
         point.point = i;
         point.x = i < probe.x.size() ? probe.x[i] : 0.0;
+        point.y = i < probe.y.size() ? probe.y[i] : 0.0;
         point.z = probe.z[i];
         point.samples = there;
         const Moments of_u = moments(u);

@@ -12,6 +12,7 @@ namespace riffle {
 struct ProbePointStatistics {
     std::size_t point = 0;  ///< of the probe
     double x = 0;
+    double y = 0;           ///< across the channel, m; 0 where it is not known
     double z = 0;           ///< above the bed level, m
     Estimate u, w;          ///< means
     Estimate u_rms, w_rms;  ///< standard deviations

@@ -73,9 +73,9 @@ FieldSums read_window(const ResultsReader& reader, std::size_t row, std::size_t 
 
 }  // namespace
 
-MeanField read_mean_field(const ResultsReader& reader, const TimeWindow& window,
-                          std::vector<std::string>& warnings) {
-    MeanField field;
+MeanFlow read_mean_field(const ResultsReader& reader, const Case& c, const TimeWindow& window,
+                         std::vector<std::string>& warnings) {
+    MeanFlow field;
     if (!reader.has("/mean_field/time") || !reader.has("/mean_field/count")) return field;
     const std::vector<double> time = reader.read_doubles("/mean_field/time");
     const std::vector<double> samples = reader.read_doubles("/mean_field/samples");
@@ -89,7 +89,7 @@ MeanField read_mean_field(const ResultsReader& reader, const TimeWindow& window,
     }
     if (shape[0] < time.size() || samples.size() < time.size()) fail("/mean_field/count", "/mean_field/time");
     if (time.empty() || cells == 0) return field;
-    field.interval = time.size() > 1 ? time[1] - time[0] : time[0];
+    field.interval = c.output.mean_field_interval;
     const std::vector<std::size_t> rows = windows_within(time, field.interval, window);
     if (rows.empty()) {
         warnings.push_back(fmt::format(
@@ -99,7 +99,7 @@ MeanField read_mean_field(const ResultsReader& reader, const TimeWindow& window,
         return field;
     }
     field.box = FieldSums(cells);
-    const std::size_t blocks = std::min(rows.size(), MeanField::most_blocks);
+    const std::size_t blocks = std::min(rows.size(), MeanFlow::most_blocks);
     const std::size_t section_cells = field.z.size() * field.y.size();
     FieldSums block(cells);
     FieldSums block_section(section_cells);

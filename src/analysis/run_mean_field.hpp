@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "analysis/flow_record.hpp"
-#include "analysis/mean_field.hpp"
+#include "analysis/mean_flow.hpp"
 #include "output/results_file.hpp"
 
 namespace riffle {
@@ -13,8 +13,8 @@ namespace riffle {
 /// The mean field of a three-dimensional run over those of its windows that lie within the window, read
 /// window by window; empty where the file has none. What is left out is added to `warnings`. Throws FileError
 /// where arrays do not fit each other.
-[[nodiscard]] MeanField read_mean_field(const ResultsReader& reader, const TimeWindow& window,
-                                        std::vector<std::string>& warnings);
+[[nodiscard]] MeanFlow read_mean_field(const ResultsReader& reader, const Case& c, const TimeWindow& window,
+                                       std::vector<std::string>& warnings);
 
 /// The plan maps of the surface within the window, at most `most_values` of them; empty where there are
 /// none.

@@ -92,12 +92,16 @@ class ProbeGroup {
 
 void read_wave(const ProbeGroup& group, RunProbes& probes) {
     const std::vector<double> x = group.axis("x");
+    const std::vector<double> y = group.axis("y");  // one, or as many as x
+    const bool places_across = y.size() == x.size() && x.size() > 1 && y.front() != y.back();
     const std::vector<double> elevation = group.rows("elevation", x.size());
     for (std::size_t i = 0; i < x.size(); ++i) {
         ElevationProbe probe;
         probe.name =
             x.size() == 1 ? group.name() : fmt::format("{} x = {:.4g} mm", group.name(), 1000 * x[i]);
+        if (places_across) probe.name += fmt::format(", y = {:.4g} mm", 1000 * y[i]);
         probe.x = x[i];
+        if (!y.empty()) probe.y = y[std::min(i, y.size() - 1)];
         probe.time = group.time();
         for (std::size_t row = 0; row < probe.time.size(); ++row)
             probe.elevation.push_back(elevation[row * x.size() + i]);
@@ -107,6 +111,15 @@ void read_wave(const ProbeGroup& group, RunProbes& probes) {
 
 void read_surface_line(const ProbeGroup& group, const Case& c, RunProbes& probes) {
     const std::vector<double> x = group.axis("x");
+    const std::vector<double> y = group.axis("y");
+    if (c.channel.dimensions == 3 && !y.empty() &&
+        std::abs(y.front() - c.channel.centreline()) > c.numerics.spacing) {
+        probes.warnings.push_back(
+            fmt::format("surface line {}: it lies at y = {:.4g} mm, beside the "
+                        "centreline, and is not analysed",
+                        group.name(), 1000.0 * y.front()));
+        return;
+    }
     if (x.size() <= probes.surface_line.columns || group.time().size() < 2) return;
     probes.surface_line = make_space_time(x, group.time(), group.rows("elevation", x.size()), period_of(c));
 }
@@ -116,9 +129,11 @@ void read_velocity(const ProbeGroup& group, RunProbes& probes) {
     probe.name = group.name();
     probe.x = group.axis("x");
     probe.z = group.axis("z");
+    probe.y = group.axis("y");
     const std::size_t points = std::max(probe.x.size(), probe.z.size());
     if (probe.x.size() == 1) probe.x.resize(points, probe.x.front());
     if (probe.z.size() == 1) probe.z.resize(points, probe.z.front());
+    if (probe.y.size() == 1) probe.y.resize(points, probe.y.front());
     probe.time = group.time();
     probe.u = group.rows("velocity", points);
     probe.w = group.rows("vertical_velocity", points);
@@ -175,7 +190,7 @@ void read_scalars(const ProbeGroup& group, const std::string& kind, RunProbes& p
     const std::vector<double> x = group.axis("x");
     const std::size_t points = std::max<std::size_t>(1, x.size());
     for (const std::string& array : group.arrays()) {
-        if (array == "time" || array == "x" || array == "z") continue;
+        if (array == "time" || array == "x" || array == "y" || array == "z") continue;
         const std::vector<double> values = group.rows(array, points);
         for (std::size_t i = 0; i < points; ++i) {
             ScalarProbe probe;

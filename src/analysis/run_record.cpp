@@ -188,7 +188,7 @@ struct RunRecord::Impl {
     std::optional<SpaceTime> surface;
     std::optional<RunProbes> probes;
     std::optional<Measured> measured;
-    std::optional<MeanField> mean_field;
+    std::optional<MeanFlow> mean_field;
     std::optional<SurfaceMaps> surface_maps;
     std::optional<SectionTwin> section_twin;
 };
@@ -229,9 +229,9 @@ const std::vector<VelocityProbe>& RunRecord::velocity_probes() const { return im
 const std::vector<VelocityGrid>& RunRecord::velocity_grids() const { return impl_->instruments().grids; }
 const std::vector<ScalarProbe>& RunRecord::scalar_probes() const { return impl_->instruments().scalars; }
 
-const MeanField& RunRecord::mean_field() const {
+const MeanFlow& RunRecord::mean_field() const {
     if (!impl_->mean_field)
-        impl_->mean_field = read_mean_field(impl_->reader, impl_->window, impl_->warnings);
+        impl_->mean_field = read_mean_field(impl_->reader, impl_->flow, impl_->window, impl_->warnings);
     return *impl_->mean_field;
 }
 

@@ -41,7 +41,7 @@ class RunRecord final : public FlowRecord {
     [[nodiscard]] const std::vector<VelocityProbe>& velocity_probes() const override;
     [[nodiscard]] const std::vector<VelocityGrid>& velocity_grids() const override;
     [[nodiscard]] const std::vector<ScalarProbe>& scalar_probes() const override;
-    [[nodiscard]] const MeanField& mean_field() const override;
+    [[nodiscard]] const MeanFlow& mean_field() const override;
     [[nodiscard]] const SurfaceMaps& surface_maps() const override;
     [[nodiscard]] const SectionTwin& section_twin() const override;
     [[nodiscard]] const Measured& measured() const override;

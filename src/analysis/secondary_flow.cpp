@@ -42,7 +42,7 @@ double persistent_square(std::span<const SecondaryFlow> windows, std::size_t fro
 
 }  // namespace
 
-SecondaryFlow secondary_flow(const MeanField& field, const FieldSums& section, double above, bool periodic) {
+SecondaryFlow secondary_flow(const MeanFlow& field, const FieldSums& section, double above, bool periodic) {
     SecondaryFlow flow{std::vector<double>(section.cells(), nan), std::vector<double>(section.cells(), nan)};
     for (std::size_t iz = 0; iz < field.z.size(); ++iz) {
         if (field.z[iz] < above) continue;
@@ -79,7 +79,7 @@ SecondaryStrength strength_of(const SecondaryFlow& flow) {
     return strength;
 }
 
-SecondarySurvival secondary_survival(const MeanField& field, double above, bool periodic) {
+SecondarySurvival secondary_survival(const MeanFlow& field, double above, bool periodic) {
     SecondarySurvival result;
     const std::size_t windows = field.sections.size();
     for (std::size_t group = 1;;) {
@@ -107,7 +107,7 @@ SecondarySurvival secondary_survival(const MeanField& field, double above, bool 
     for (const FieldSums& section : field.sections)
         flows.push_back(secondary_flow(field, section, above, periodic));
     result.persistent = {persistent_square(flows, windows, windows), std::numeric_limits<double>::infinity()};
-    const std::size_t blocks = std::min(windows, MeanField::most_blocks);
+    const std::size_t blocks = std::min(windows, MeanFlow::most_blocks);
     if (blocks < 3) return result;  // without one of two there is no product left
     std::vector<double> without_one;
     for (std::size_t b = 0; b < blocks; ++b)
@@ -116,7 +116,7 @@ SecondarySurvival secondary_survival(const MeanField& field, double above, bool 
     return result;
 }
 
-std::vector<double> streamfunction(const MeanField& field, const SecondaryFlow& flow) {
+std::vector<double> streamfunction(const MeanFlow& field, const SecondaryFlow& flow) {
     std::vector<double> psi(flow.v.size(), nan);
     const double dz = field.cell_height();
     for (std::size_t iy = 0; iy < field.y.size(); ++iy) {
@@ -131,7 +131,7 @@ std::vector<double> streamfunction(const MeanField& field, const SecondaryFlow& 
     return psi;
 }
 
-std::vector<double> depth_mean_streamfunction(const MeanField& field, const SecondaryFlow& flow) {
+std::vector<double> depth_mean_streamfunction(const MeanFlow& field, const SecondaryFlow& flow) {
     const std::vector<double> psi = streamfunction(field, flow);
     std::vector<double> mean(field.y.size(), nan);
     for (std::size_t iy = 0; iy < field.y.size(); ++iy) {

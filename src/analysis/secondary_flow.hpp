@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "analysis/mean_field.hpp"
+#include "analysis/mean_flow.hpp"
 
 namespace riffle {
 
@@ -14,7 +14,7 @@ namespace riffle {
 struct SecondaryFlow {
     std::vector<double> v, w;  ///< [iz * y.size() + iy]
 };
-[[nodiscard]] SecondaryFlow secondary_flow(const MeanField& field, const FieldSums& section, double above,
+[[nodiscard]] SecondaryFlow secondary_flow(const MeanFlow& field, const FieldSums& section, double above,
                                            bool periodic);
 
 /// Means of the speed sqrt(V^2 + W^2) over the cells, m/s.
@@ -44,14 +44,13 @@ struct SecondarySurvival {
     }
 };
 /// Needs two windows for `persistent`, else it is not-a-number with an infinite interval.
-[[nodiscard]] SecondarySurvival secondary_survival(const MeanField& field, double above, bool periodic);
+[[nodiscard]] SecondarySurvival secondary_survival(const MeanFlow& field, double above, bool periodic);
 
 /// Streamfunction of (V, W) = (d psi/dz, -d psi/dy), m2/s, from V above the bed level.
-[[nodiscard]] std::vector<double> streamfunction(const MeanField& field, const SecondaryFlow& flow);
+[[nodiscard]] std::vector<double> streamfunction(const MeanFlow& field, const SecondaryFlow& flow);
 
 /// Its mean over the depth at each place across the channel, m2/s.
-[[nodiscard]] std::vector<double> depth_mean_streamfunction(const MeanField& field,
-                                                            const SecondaryFlow& flow);
+[[nodiscard]] std::vector<double> depth_mean_streamfunction(const MeanFlow& field, const SecondaryFlow& flow);
 
 /// A cell of the secondary flow: a stretch across the channel in which the streamfunction has one sign beyond
 /// its interval.

@@ -68,7 +68,7 @@ std::vector<double> total_stress(const FieldSums& section, double density, bool 
     return stress;
 }
 
-SectionProfile strip_profile(const MeanField& field, const Strip& strip, const SectionEstimator& estimator) {
+SectionProfile strip_profile(const MeanFlow& field, const Strip& strip, const SectionEstimator& estimator) {
     const FieldEstimates found = section_estimates(field, [&](const FieldSums& section) {
         return estimator(strip_of(field, section, strip.from, strip.to));
     });
@@ -127,7 +127,7 @@ Figure section_figure(const char* chapter, std::string key, std::string title, s
     return figure;
 }
 
-ColourMap section_map(const MeanField& field, const Case& c, const std::vector<double>& values,
+ColourMap section_map(const MeanFlow& field, const Case& c, const std::vector<double>& values,
                       std::string label, std::string unit, bool diverging) {
     ColourMap map;
     map.x = over(field.y, c.total_depth());
@@ -141,7 +141,7 @@ ColourMap section_map(const MeanField& field, const Case& c, const std::vector<d
     return map;
 }
 
-Curve section_vectors(const MeanField& field, const FieldSums& section, const Case& c, double velocity_scale,
+Curve section_vectors(const MeanFlow& field, const FieldSums& section, const Case& c, double velocity_scale,
                       const std::string& scale_name) {
     // Means over squares of cells, so that the arrows do not cover each other.
     constexpr double arrows_over_depth = 12.0;

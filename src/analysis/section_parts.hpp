@@ -6,7 +6,7 @@
 
 #include "analysis/figure.hpp"
 #include "analysis/flow_record.hpp"
-#include "analysis/mean_field.hpp"
+#include "analysis/mean_flow.hpp"
 #include "case/case.hpp"
 
 namespace riffle {
@@ -44,7 +44,7 @@ struct SectionProfile {
 };
 
 /// Mean profile of what `estimator` makes of the sums over a strip, one value per height.
-[[nodiscard]] SectionProfile strip_profile(const MeanField& field, const Strip& strip,
+[[nodiscard]] SectionProfile strip_profile(const MeanFlow& field, const Strip& strip,
                                            const SectionEstimator& estimator);
 
 /// Mean velocity over the strip around the centreline; empty without a mean field.
@@ -65,12 +65,12 @@ struct SectionProfile {
 /// Figure in the plane across the flow, both axes over the total depth, with maps of the values of the cells.
 [[nodiscard]] Figure section_figure(const char* chapter, std::string key, std::string title,
                                     std::string caption, std::string source);
-[[nodiscard]] ColourMap section_map(const MeanField& field, const Case& c, const std::vector<double>& values,
+[[nodiscard]] ColourMap section_map(const MeanFlow& field, const Case& c, const std::vector<double>& values,
                                     std::string label, std::string unit, bool diverging);
 
 /// Vectors of the secondary flow over the section in units of the total depth, as line segments with
 /// arrow heads between breaks; the longest is a twelfth of the depth.
-[[nodiscard]] Curve section_vectors(const MeanField& field, const FieldSums& section, const Case& c,
+[[nodiscard]] Curve section_vectors(const MeanFlow& field, const FieldSums& section, const Case& c,
                                     double velocity_scale, const std::string& scale_name);
 
 }  // namespace riffle

@@ -113,7 +113,7 @@ void add_errors(const FlowRecord& record, const SectionProfile& profile, Analysi
 }
 
 void add_centreline(const FlowRecord& record, Analysis& analysis) {
-    const MeanField& field = record.mean_field();
+    const MeanFlow& field = record.mean_field();
     const Case& c = *record.flow();
     const Strip strip = centreline_strip(c);
     const double y = c.channel.centreline();
@@ -185,7 +185,7 @@ std::vector<double> stations(const Case& c) {
 void add_stations(const FlowRecord& record, Analysis& analysis) {
     const Case& c = *record.flow();
     if (!c.has_side_walls()) return;  // all places across a periodic channel are alike
-    const MeanField& field = record.mean_field();
+    const MeanFlow& field = record.mean_field();
     Figure figure = profile_figure(
         "station_velocity_profile", "Streamwise velocity at distances from the side wall",
         "Means over the length and a period of the bed's elements across the channel; with the profiles of "
@@ -218,7 +218,7 @@ void add_stations(const FlowRecord& record, Analysis& analysis) {
 }
 
 /// Depth means above the datum across the channel of values on the cells of a section.
-std::vector<double> depth_means(const MeanField& field, const Case& c, const std::vector<double>& values) {
+std::vector<double> depth_means(const MeanFlow& field, const Case& c, const std::vector<double>& values) {
     std::vector<double> means(field.y.size());
     std::vector<double> profile(field.z.size());
     for (std::size_t iy = 0; iy < field.y.size(); ++iy) {
@@ -229,7 +229,7 @@ std::vector<double> depth_means(const MeanField& field, const Case& c, const std
 }
 
 void add_lateral(const FlowRecord& record, Analysis& analysis) {
-    const MeanField& field = record.mean_field();
+    const MeanFlow& field = record.mean_field();
     const Case& c = *record.flow();
     const FieldEstimates found = section_estimates(field, [&](const FieldSums& section) {
         return depth_means(field, c, section.means(FieldQuantity::velocity));

@@ -36,10 +36,12 @@ void add_influence_depth(const std::vector<HeightCorrelation>& found, double top
                         found.front().z / depth));
         return;
     }
+    const bool three_dimensional = record.flow()->channel.dimensions == 3;
     Finding finding = against(make_finding(chapter, "influence_depth",
                                            "influence depth of the surface, z/H where the correlation is 0.5",
                                            "1", influence->z / depth),
-                              0.93, "thesis, 2D simulations",
+                              three_dimensional ? 0.84 : 0.93,
+                              three_dimensional ? "thesis, 3D simulations" : "thesis, 2D simulations",
                               "the thesis gives no threshold; here a quarter of the variance explained");
     const double half_width = 0.5 * (influence->upper - influence->lower) / depth;
     if (std::isfinite(half_width)) finding.half_width = std::abs(half_width);

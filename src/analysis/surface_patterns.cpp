@@ -104,9 +104,13 @@ void add_celerity(const FlowRecord& record, const char* key, const char* label, 
     finding.remark = remark;
     if (of_surface > 0.0) finding.remark += "; " + beside_surface_velocity(celerity.value, of_surface);
     if (record.flow() != nullptr && record.origin() == Origin::simulated) {
-        if (const auto thesis = thesis_surface(*record.flow()))
+        const auto thesis = thesis_surface(*record.flow());
+        if (thesis && thesis->celerity_difference) {
             finding.remark +=
-                fmt::format("; the thesis' 2D run: {:+.0f} % beside U", 100.0 * thesis->celerity_difference);
+                fmt::format("; the thesis' 2D run: {:+.0f} % beside U", 100.0 * *thesis->celerity_difference);
+        } else if (thesis) {
+            finding.remark += "; the thesis' 3D runs: within 16 % of U";
+        }
     }
     analysis.findings.push_back(std::move(finding));
 }

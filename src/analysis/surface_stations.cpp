@@ -89,6 +89,14 @@ std::vector<SurfaceStation> stations_of_probes(const FlowRecord& record, std::ve
             left_out(probe, "its record has gaps, or the place was dry");
             continue;
         }
+        const Case* const flow = record.flow();
+        if (flow != nullptr && flow->channel.dimensions == 3 && probe.y &&
+            std::abs(*probe.y - flow->channel.centreline()) > flow->numerics.spacing) {
+            left_out(probe, fmt::format("it stands at y = {:.4g} mm, beside the centreline along which "
+                                        "places are compared",
+                                        1000.0 * *probe.y));
+            continue;
+        }
         const auto same = std::find_if(stations.begin(), stations.end(), [&](const SurfaceStation& station) {
             return std::abs(station.x - probe.x) < same_place;
         });

@@ -138,6 +138,20 @@ bool is_flat(const FlowRecord& record, const SpaceTime& fluctuation) {
 std::optional<ThesisSurface> thesis_surface(const Case& c) {
     const std::optional<int> condition = flow_condition_of(c);
     if (!condition) return std::nullopt;
+    if (c.channel.dimensions == 3) {
+        switch (*condition) {
+            case 1:
+                return ThesisSurface{0.060e-3, std::nullopt};
+            case 2:
+                return ThesisSurface{0.070e-3, std::nullopt};
+            case 5:
+                return ThesisSurface{0.076e-3, std::nullopt};
+            case 8:
+                return ThesisSurface{0.085e-3, std::nullopt};
+            default:
+                return std::nullopt;
+        }
+    }
     switch (*condition) {
         case 1:
             return ThesisSurface{0.145e-3, -0.25};

@@ -68,7 +68,7 @@ struct FieldBlock {
 };
 
 /// Time means of a three-dimensional run in cells, over its windows that lie within the averaging window.
-struct MeanField {
+struct MeanFlow {
     std::vector<double> x, y, z;      ///< centres of the cells, m
     double interval = 0;              ///< length of a window, s
     std::vector<double> time;         ///< end of each window, s
@@ -108,15 +108,15 @@ struct FieldEstimates {
     std::vector<double> value, half_width;
 };
 using SectionEstimator = std::function<std::vector<double>(const FieldSums& section)>;
-[[nodiscard]] FieldEstimates section_estimates(const MeanField& field, const SectionEstimator& estimator);
+[[nodiscard]] FieldEstimates section_estimates(const MeanFlow& field, const SectionEstimator& estimator);
 
 /// The same of one value.
-[[nodiscard]] Estimate section_estimate(const MeanField& field,
+[[nodiscard]] Estimate section_estimate(const MeanFlow& field,
                                         const std::function<double(const FieldSums& section)>& estimator);
 
 /// Sums of the cells of a section between two places across the channel, over the width: one per height.
 /// The cells whose centres lie there; the nearest one where none does.
-[[nodiscard]] FieldSums strip_of(const MeanField& field, const FieldSums& section, double from, double to);
+[[nodiscard]] FieldSums strip_of(const MeanFlow& field, const FieldSums& section, double from, double to);
 
 /// Mean of values over the cells across the channel whose centres lie within half a `period` of each; at the
 /// walls over those that there are. Not-a-number values are left out.

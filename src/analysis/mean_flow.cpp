@@ -1,4 +1,4 @@
-#include "analysis/mean_field.hpp"
+#include "analysis/mean_flow.hpp"
 
 #include <cmath>
 #include <limits>
@@ -119,9 +119,9 @@ std::vector<double> FieldSums::means(FieldQuantity quantity) const {
     return values;
 }
 
-FieldSums MeanField::section() const { return sum_of(sections); }
+FieldSums MeanFlow::section() const { return sum_of(sections); }
 
-FieldSums MeanField::plan() const {
+FieldSums MeanFlow::plan() const {
     FieldSums sums(y.size() * x.size());
     for (std::size_t iz = 0; iz < z.size(); ++iz) {
         for (std::size_t cell = 0; cell < sums.cells(); ++cell) sums.add(cell, box, iz * sums.cells() + cell);
@@ -129,7 +129,7 @@ FieldSums MeanField::plan() const {
     return sums;
 }
 
-FieldSums MeanField::side() const {
+FieldSums MeanFlow::side() const {
     FieldSums sums(z.size() * x.size());
     for (std::size_t iz = 0; iz < z.size(); ++iz) {
         for (std::size_t iy = 0; iy < y.size(); ++iy) {
@@ -139,7 +139,7 @@ FieldSums MeanField::side() const {
     return sums;
 }
 
-FieldEstimates section_estimates(const MeanField& field, const SectionEstimator& estimator) {
+FieldEstimates section_estimates(const MeanFlow& field, const SectionEstimator& estimator) {
     const FieldSums total = sum_of(field.block_sections);
     FieldEstimates result{estimator(total), {}};
     const std::size_t blocks = field.block_sections.size();
@@ -159,14 +159,14 @@ FieldEstimates section_estimates(const MeanField& field, const SectionEstimator&
     return result;
 }
 
-Estimate section_estimate(const MeanField& field,
+Estimate section_estimate(const MeanFlow& field,
                           const std::function<double(const FieldSums& section)>& estimator) {
     const FieldEstimates found = section_estimates(
         field, [&](const FieldSums& section) { return std::vector<double>{estimator(section)}; });
     return {found.value.front(), found.half_width.front()};
 }
 
-FieldSums strip_of(const MeanField& field, const FieldSums& section, double from, double to) {
+FieldSums strip_of(const MeanFlow& field, const FieldSums& section, double from, double to) {
     const double tolerance = 1e-6 * field.cell_width();
     std::vector<std::size_t> places;
     std::size_t nearest = 0;
