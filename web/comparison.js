@@ -51,6 +51,14 @@
       element('th', { scope: 'row' }, row.key), ...part.map(({ index }) => element('td', {}, row.values[index])))));
   }
 
+  // What the runs cost, beside the thesis' own; worth a table where there are runs to compare it of.
+  function costs() {
+    if (!(data.costs || []).length || runs.length < 2) return;
+    at('differences').after(element('section', { id: 'costs' }, element('h2', {}, 'What the runs cost'), element('div', { id: 'costs-tables' })));
+    tables('costs-tables', 'Cost', part => data.costs.map(row => element('tr', { 'data-key': row.key },
+      element('th', { scope: 'row' }, row.label), ...part.map(({ index }) => element('td', {}, row.values[index])))));
+  }
+
   // The values of the runs' own summaries.
   function summary() {
     const keys = [...new Set(runs.flatMap(({ run }) => (run.quantities || []).map(({ key }) => key)))];
@@ -94,6 +102,7 @@
   header();
   missing();
   overview();
+  costs();
   differences();
   summary();
   sets();

@@ -147,6 +147,7 @@ const field = (() => {
   const caption = data => `Particles of the snapshot at <i>t</i> = ${figures.significant(data.snapshot.time)} s, each drawn with the size of the ` +
     `particle spacing (${figures.significant(1000 * data.snapshot.spacing)} mm) and coloured by the chosen quantity.` +
     (data.geometry.rough ? ' White lines: crests of the bed elements (dashed) and datum (dotted); below the crests the elements act on the water by their drag.' : '') +
+    (data.snapshot.y !== undefined ? ` A slice one particle spacing thick at <i>y</i> = ${figures.significant(1000 * data.snapshot.y)} mm.` : '') +
     (data.snapshot.left_out ? ` Shown: the first ${figures.significant(1000 * data.snapshot.x_end)} mm of the channel.` : '');
 
   // The particles as CSV, SI.

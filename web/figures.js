@@ -304,7 +304,8 @@ const figures = (() => {
     rows.push(first);
     if (forces && has(s, 'drag_over_gravity')) {
       const wall = has(s, 'wall_over_gravity') ? s.wall_over_gravity : null;
-      const resisting = wall ? s.drag_over_gravity.map((value, i) => value + wall[i]) : s.drag_over_gravity;
+      const side = has(s, 'side_wall_over_gravity') ? s.side_wall_over_gravity : null;
+      const resisting = s.drag_over_gravity.map((value, i) => value + (wall ? wall[i] : 0) + (side ? side[i] : 0));
       const row = { title: 'force/weight (–)', shapes: windowShape(data), traces: [line('drag + wall', s.time, resisting, colour.simulated, thin)] };
       if (has(s, 'acceleration_over_gravity')) {
         row.traces.push(line('+ acceleration', s.time, resisting.map((value, i) => value + s.acceleration_over_gravity[i]), colour.pair, thin));

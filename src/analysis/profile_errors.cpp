@@ -116,13 +116,14 @@ void add_profile_errors(const FlowRecord& record, const Profiles& p, Analysis& a
                                                      "%", beside.errors.mean_msep));
         }
     }
-    const std::string why = of_the_width          ? "the profile is the mean over the width between side "
-                                                    "walls, the measured one the centreline's: see "
-                                                    "centreline_msep_profile of the cross-section"
-                            : measured.note.empty() ? "no measured profile is known: the case names none "
-                                                    "([measured] velocity_profile, or friction_velocity and "
-                                                    "equivalent_roughness); --measured FILE gives one"
-                                                  : measured.note;
+    const std::string why = of_the_width ? "the profile is the mean over the width between side "
+                                           "walls, the measured one the centreline's: see "
+                                           "centreline_msep_profile of the cross-section"
+                            : measured.note.empty()
+                                ? "no measured profile is known: the case names none "
+                                  "([measured] velocity_profile, or friction_velocity and "
+                                  "equivalent_roughness); --measured FILE gives one"
+                                : measured.note;
     if (error.curves.empty()) {
         add_missing(record, analysis, std::move(error), why);
     } else {

@@ -16,8 +16,9 @@ namespace {
 constexpr const char* chapter = "subsurface";
 
 /// The depth down to which w' goes with that of the highest point, at height `top`.
-void add_influence_depth(const std::vector<HeightCorrelation>& found, double top, double depth,
+void add_influence_depth(const std::vector<HeightCorrelation>& found, double top, const Case& c,
                          Analysis& analysis) {
+    const double depth = c.total_depth();
     if (found.size() < 3) return;
     // The highest point correlates with itself: a fall between it and the next tells their distance only.
     constexpr double threshold = 0.5;
@@ -36,7 +37,7 @@ void add_influence_depth(const std::vector<HeightCorrelation>& found, double top
                         found.front().z / depth));
         return;
     }
-    const bool three_dimensional = record.flow()->channel.dimensions == 3;
+    const bool three_dimensional = c.channel.dimensions == 3;
     Finding finding = against(make_finding(chapter, "influence_depth",
                                            "influence depth of the surface, z/H where the correlation is 0.5",
                                            "1", influence->z / depth),
@@ -98,7 +99,7 @@ void add_depth_correlation(const FlowRecord& record, const Instrument& instrumen
         f.curves.push_back(std::move(same));
         f.curves.push_back(std::move(extreme));
         if (record.flow() != nullptr)
-            add_influence_depth(found, instrument.points.back().z, record.flow()->total_depth(), analysis);
+            add_influence_depth(found, instrument.points.back().z, *record.flow(), analysis);
     });
     if (!lags.curves.empty()) analysis.figures.push_back(std::move(lags));
 }

@@ -1,5 +1,6 @@
 #include "base/version.hpp"
 #include "report/comparison.hpp"
+#include "report/cost.hpp"
 #include "report/summary_json.hpp"
 
 namespace riffle {
@@ -17,6 +18,13 @@ Json differences_json(const std::vector<CaseDifference>& differences) {
 Json missing_json(const std::vector<MissingRun>& missing) {
     Json rows = Json::array();
     for (const MissingRun& row : missing) rows.push_back({{"what", row.what}, {"command", row.command}});
+    return rows;
+}
+
+Json costs_json(const std::vector<ComparedRun>& runs) {
+    Json rows = Json::array();
+    for (const CostRow& row : cost_rows(runs))
+        rows.push_back({{"key", row.key}, {"label", row.label}, {"values", row.values}});
     return rows;
 }
 
@@ -61,6 +69,7 @@ std::string comparison_page_json(const Comparison& comparison) {
                       {"introduction", comparison.introduction},
                       {"runs", std::move(runs)},
                       {"differences", differences_json(comparison.differences)},
+                      {"costs", costs_json(comparison.runs)},
                       {"sets", sets_json(comparison.sets)},
                       {"missing", missing_json(comparison.missing)}},
                      -1);

@@ -76,7 +76,8 @@ class Rows {
     void budget() {
         const auto drag = value("drag_over_gravity");
         if (!drag || data_.flow.channel.slope <= 0) return;
-        const double share = *drag + value("wall_over_gravity").value_or(0.0);
+        const double share =
+            *drag + value("wall_over_gravity").value_or(0.0) + value("side_wall_over_gravity").value_or(0.0);
         add({"force_budget", "Drag and wall friction over the weight component", percent(share), "100 ± 1 %",
              "In steady uniform flow the bed must carry the whole component of the water's weight down the "
              "slope. "

@@ -44,6 +44,24 @@ void add_surface(const ResultsReader& reader, Snapshot& snapshot) {
     snapshot.surface_z.assign(first, first + static_cast<std::ptrdiff_t>(x.size()));
 }
 
+/// Keep the particles within half a spacing of the centreline, in half a channel those next to it.
+void slice(const std::vector<double>& y, const Case& c, Snapshot& snapshot) {
+    const double middle = c.channel.sides == Sides::half
+                              ? c.channel.simulated_width() - 0.5 * c.numerics.spacing
+                              : c.channel.centreline();
+    for (std::vector<double>* values :
+         {&snapshot.x, &snapshot.z, &snapshot.velocity, &snapshot.vertical_velocity, &snapshot.pressure,
+          &snapshot.eddy_viscosity}) {
+        if (values->size() != y.size()) continue;
+        std::size_t kept = 0;
+        for (std::size_t i = 0; i < y.size(); ++i) {
+            if (std::abs(y[i] - middle) <= 0.5 * c.numerics.spacing) (*values)[kept++] = (*values)[i];
+        }
+        values->resize(kept);
+    }
+    snapshot.y = middle;
+}
+
 /// Keep the particles with x below the value under which `most_particles` of them lie.
 void shorten(Snapshot& snapshot) {
     if (snapshot.x.size() <= most_particles) return;
@@ -121,7 +139,7 @@ std::optional<SurfaceRecord> read_surface(const ResultsReader& reader, const Rep
     return record;
 }
 
-std::optional<Snapshot> read_snapshot(const ResultsReader& reader) {
+std::optional<Snapshot> read_snapshot(const ResultsReader& reader, const Case& c) {
     if (!reader.has("/snapshots")) return std::nullopt;
     const std::vector<std::string> names = reader.children("/snapshots");
     if (names.empty()) return std::nullopt;
@@ -144,6 +162,8 @@ std::optional<Snapshot> read_snapshot(const ResultsReader& reader) {
     if (reader.has(group + "/eddy_viscosity")) {
         snapshot.eddy_viscosity = reader.read_doubles(group + "/eddy_viscosity");
     }
+    if (c.channel.dimensions == 3) slice(component(position, 1), c, snapshot);
+    if (snapshot.x.empty()) return std::nullopt;
     snapshot.x_end = *std::max_element(snapshot.x.begin(), snapshot.x.end());
     add_surface(reader, snapshot);
     shorten(snapshot);

@@ -11,7 +11,7 @@ namespace riffle {
 [[nodiscard]] std::optional<SurfaceRecord> read_surface(const ResultsReader& reader, const ReportData& data);
 
 /// The last snapshot; of a long channel the first stretch that holds 20 000 particles. Nothing without
-/// snapshots.
-[[nodiscard]] std::optional<Snapshot> read_snapshot(const ResultsReader& reader);
+/// snapshots. In three dimensions the particles of a slice one spacing thick along the centreline.
+[[nodiscard]] std::optional<Snapshot> read_snapshot(const ResultsReader& reader, const Case& c);
 
 }  // namespace riffle

@@ -60,6 +60,11 @@ Sources depth_mean_velocity(const ReportData& data) {
     if (const auto value = find_value(data.summary, "depth_mean_velocity")) {
         sources.simulated = SummaryValue{*value, find_value(data.summary, "depth_mean_velocity_half_width")};
     }
+    if (data.flow.has_side_walls()) {
+        // The measured velocity is that of the centreline: centreline_velocity.
+        sources.column = plain(find_value(data.section_summary, "depth_mean_velocity"));
+        return sources;
+    }
     sources.measured = plain(data.flow.measured.depth_mean_velocity);
     sources.column = plain(find_value(data.column_summary, "depth_mean_velocity"));
     return sources;
@@ -69,6 +74,21 @@ void add_velocities(Table& table, const ReportData& data, const Sources& mean) {
     table.add(
         {"depth_mean_velocity", "Depth-mean velocity above the datum", "<i>U</i>", "m/s", 1, 4, {}, {}, {}},
         mean);
+    const auto centreline = find_value(data.summary, "centreline_velocity");
+    if (centreline && data.flow.has_side_walls()) {
+        table.add({"centreline_velocity",
+                   "Depth-mean velocity around the centreline",
+                   "<i>U</i><sub>c</sub>",
+                   "m/s",
+                   1,
+                   4,
+                   {},
+                   {},
+                   {}},
+                  {SummaryValue{*centreline, find_value(data.summary, "centreline_velocity_half_width")},
+                   plain(data.flow.measured.depth_mean_velocity),
+                   plain(find_value(data.section_summary, "centreline_velocity"))});
+    }
     table.add(
         {"surface_velocity", "Velocity at the surface", "<i>u</i><sub>s</sub>", "m/s", 1, 4, {}, {}, {}},
         {plain(find_value(data.summary, "surface_velocity")),
@@ -180,7 +200,21 @@ void add_forces(Table& table, const ReportData& data) {
     table.add({"drag_over_gravity", "Drag of the bed elements / weight component", "", "1", 1, 4, {}, {}, {}},
               {plain(find_value(data.summary, "drag_over_gravity")),
                {},
-               plain(find_value(data.column_summary, "drag_share"))});
+               plain(find_value(data.flow.has_side_walls() ? data.section_summary : data.column_summary,
+                                "drag_share"))});
+    if (const auto side = find_value(data.summary, "side_wall_over_gravity");
+        side && data.flow.has_side_walls()) {
+        table.add({"side_wall_over_gravity",
+                   "Drag of the side walls / weight component",
+                   "",
+                   "1",
+                   1,
+                   4,
+                   {},
+                   {},
+                   {}},
+                  {plain(side), {}, plain(find_value(data.section_summary, "side_wall_share"))});
+    }
     // A bed that acts by its elements alone has no wall friction to report.
     const auto wall = find_value(data.summary, "wall_over_gravity");
     const auto column_wall = find_value(data.column_summary, "wall_share");

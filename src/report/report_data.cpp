@@ -20,6 +20,7 @@ constexpr std::array series_names = {"time",
                                      "depth_mean_velocity",
                                      "drag_over_gravity",
                                      "wall_over_gravity",
+                                     "side_wall_over_gravity",
                                      "acceleration_over_gravity",
                                      "mean_level",
                                      "velocity_fluctuation",
@@ -36,6 +37,10 @@ constexpr std::array summary_names = {"depth_mean_velocity",
                                       "zero_plane",
                                       "drag_over_gravity",
                                       "wall_over_gravity",
+                                      "side_wall_over_gravity",
+                                      "centreline_velocity",
+                                      "centreline_velocity_half_width",
+                                      "simulated_time",
                                       "mean_level",
                                       "particles",
                                       "steps",
@@ -55,6 +60,9 @@ constexpr std::array column_value_names = {
     "depth_mean_velocity",  "total_mean_velocity", "surface_velocity",          "friction_velocity",
     "equivalent_roughness", "zero_plane",          "log_law_friction_velocity", "drag_share",
     "wall_share",           "relaxation_time"};
+
+constexpr std::array section_value_names = {"depth_mean_velocity", "centreline_velocity", "drag_share",
+                                            "side_wall_share"};
 
 std::optional<double> number(const std::optional<AttributeValue>& value) {
     if (!value) return std::nullopt;
@@ -172,6 +180,7 @@ ReportData collect_report_data(const std::filesystem::path& results) {
 
     data.summary = read_values(reader, "/summary", summary_names);
     data.column_summary = read_values(reader, "/column", column_value_names);
+    data.section_summary = read_values(reader, "/section", section_value_names);
     data.series = read_series(reader);
     data.profiles = read_profiles(reader);
     data.column = read_column(reader);
@@ -181,7 +190,7 @@ ReportData collect_report_data(const std::filesystem::path& results) {
     add_log_law(data);
     data.measured_profile = measured_profile(data);
     data.surface = read_surface(reader, data);
-    data.snapshot = read_snapshot(reader);
+    data.snapshot = read_snapshot(reader, data.flow);
     note_gaps(data);
     return data;
 }

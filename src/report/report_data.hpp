@@ -42,6 +42,7 @@ struct Snapshot {
     std::vector<double> surface_x, surface_z;  ///< free surface at the nearest recorded time; may be empty
     double x_end = 0;                          ///< particles with x below this are included, m
     bool left_out = false;                     ///< whether that leaves some out
+    std::optional<double> y;                   ///< three dimensions: place across the channel of the slice, m
 };
 
 /// All that the report shows, collected from one results file. What the file lacks is empty.
@@ -51,6 +52,7 @@ struct ReportData {
     bool complete = false;
     Case flow;  ///< the case, from its text in the file
     Values summary, column_summary;
+    Values section_summary;  ///< of the section twin, between side walls
     Columns series, profiles, column;
     double window_start = 0, window_end = 0;  ///< averaging window, s; both 0 before there is one
     double profile_samples = 0;

@@ -119,17 +119,19 @@ Json surface_json(const ReportData& data) {
 Json snapshot_json(const ReportData& data) {
     if (!data.snapshot) return nullptr;
     const Snapshot& snapshot = *data.snapshot;
-    return {{"time", snapshot.time},
-            {"spacing", data.flow.numerics.spacing},
-            {"x_end", snapshot.left_out ? snapshot.x_end : data.flow.channel.length},
-            {"left_out", snapshot.left_out},
-            {"x", array_of(snapshot.x)},
-            {"z", array_of(snapshot.z)},
-            {"velocity", array_of(snapshot.velocity)},
-            {"vertical_velocity", array_of(snapshot.vertical_velocity)},
-            {"pressure", array_of(snapshot.pressure)},
-            {"eddy_viscosity", array_of(snapshot.eddy_viscosity)},
-            {"surface", {{"x", array_of(snapshot.surface_x)}, {"z", array_of(snapshot.surface_z)}}}};
+    Json object = {{"time", snapshot.time},
+                   {"spacing", data.flow.numerics.spacing},
+                   {"x_end", snapshot.left_out ? snapshot.x_end : data.flow.channel.length},
+                   {"left_out", snapshot.left_out},
+                   {"x", array_of(snapshot.x)},
+                   {"z", array_of(snapshot.z)},
+                   {"velocity", array_of(snapshot.velocity)},
+                   {"vertical_velocity", array_of(snapshot.vertical_velocity)},
+                   {"pressure", array_of(snapshot.pressure)},
+                   {"eddy_viscosity", array_of(snapshot.eddy_viscosity)},
+                   {"surface", {{"x", array_of(snapshot.surface_x)}, {"z", array_of(snapshot.surface_z)}}}};
+    if (snapshot.y) object["y"] = *snapshot.y;
+    return object;
 }
 
 std::string summary_note(const ReportData& data) {
@@ -137,6 +139,12 @@ std::string summary_note(const ReportData& data) {
         "The column twin is the steady one-dimensional solution of the same equations, closure and drag: "
         "what the "
         "particles would give with perfect numerics. ";
+    if (data.flow.has_side_walls()) {
+        note +=
+            "Between side walls the twin's mean and centreline velocities and shares are those of the "
+            "section "
+            "twin, the steady flow over the cross-section; what was measured stands beside the centreline. ";
+    }
     if (data.flow.bed.kind == BedKind::spheres) {
         note +=
             "The datum lies below the crests of the bed elements; depth-mean values are taken above it. "

@@ -6,10 +6,7 @@
 
 namespace riffle {
 
-namespace {
-
-/// A whole number with thin spaces between its thousands.
-std::string grouped(double value) {
+std::string grouped_number(double value) {
     std::string digits = fmt::format("{:.0f}", value);
     for (std::size_t from_end = 3; from_end < digits.size(); from_end += 3 + 3) {
         digits.insert(digits.size() - from_end, "\u2009");  // three bytes in UTF-8
@@ -17,14 +14,12 @@ std::string grouped(double value) {
     return digits;
 }
 
-std::string duration(double seconds) {
+std::string duration_text(double seconds) {
     if (seconds < 120) return fmt::format("{:.1f} s", seconds);
     const auto minutes = static_cast<long long>(std::lround(seconds / 60));
     if (minutes < 120) return fmt::format("{:.1f} min", seconds / 60);
     return fmt::format("{} h {:02d} min", minutes / 60, minutes % 60);
 }
-
-}  // namespace
 
 std::vector<Fact> run_facts(const ReportData& data) {
     std::vector<Fact> facts;
@@ -35,14 +30,15 @@ std::vector<Fact> run_facts(const ReportData& data) {
     }
     if (data.window_end > data.window_start) {
         std::string text = fmt::format("{:.2f} to {:.2f} s", data.window_start, data.window_end);
-        if (data.profile_samples > 0) text += fmt::format(", {} samples", grouped(data.profile_samples));
+        if (data.profile_samples > 0)
+            text += fmt::format(", {} samples", grouped_number(data.profile_samples));
         facts.push_back({"Averaging window", text});
     }
-    if (const auto particles = value("particles")) facts.push_back({"Particles", grouped(*particles)});
+    if (const auto particles = value("particles")) facts.push_back({"Particles", grouped_number(*particles)});
     facts.push_back({"Particle spacing", fmt::format("{:.3g} mm", 1000 * data.flow.numerics.spacing)});
-    if (const auto steps = value("steps")) facts.push_back({"Time steps", grouped(*steps)});
+    if (const auto steps = value("steps")) facts.push_back({"Time steps", grouped_number(*steps)});
     if (const auto seconds = value("wall_clock_seconds"))
-        facts.push_back({"Computing time", duration(*seconds)});
+        facts.push_back({"Computing time", duration_text(*seconds)});
     if (const auto speed = value("particle_updates_per_second")) {
         facts.push_back({"Speed", fmt::format("{:.2f} million particle updates per second", *speed / 1e6)});
     }

@@ -13,6 +13,12 @@ struct Fact {
     std::string value;
 };
 
+/// A whole number with thin spaces between its thousands.
+[[nodiscard]] std::string grouped_number(double value);
+
+/// A time span in seconds, minutes or hours.
+[[nodiscard]] std::string duration_text(double seconds);
+
 /// Size, cost and origin of the run.
 [[nodiscard]] std::vector<Fact> run_facts(const ReportData& data);
 

@@ -1,5 +1,6 @@
 // Writes pages of sample results and analyses, with every kind of figure, for the browser's tests:
-//   sample_report DIR     leaves report.html, comparison.html and thesis.html with their summaries there
+//   sample_report DIR     leaves report.html, comparison.html, thesis.html, space.html (a run in three
+//                         dimensions) and dimensions.html (it beside a run in two) with their summaries there
 
 #include <cstdio>
 #include <exception>
@@ -8,9 +9,12 @@
 #include <vector>
 
 #include "../unit/report/sample_analysis.hpp"
+#include "analysis/chapters.hpp"
+#include "analysis/run_record.hpp"
 #include "report/report.hpp"
 #include "report/thesis.hpp"
 #include "sample_results.hpp"
+#include "sample_space.hpp"
 
 namespace {
 
@@ -23,6 +27,19 @@ riffle::ReportSubject subject(const std::filesystem::path& folder, const std::st
     return {folder / name / "results.h5", riffle::testing::sample_analysis(name, scale)};
 }
 
+riffle::ReportSubject analysed(const std::filesystem::path& results) {
+    return {results, riffle::analyse(riffle::RunRecord(results))};
+}
+
+/// A run in three dimensions with its own analysis.
+riffle::ReportSubject in_space(const std::filesystem::path& folder) {
+    std::filesystem::create_directories(folder / "space");
+    riffle::testing::SampleSpace sample;
+    sample.noise = 2e-3;
+    riffle::testing::write_sample_space(folder / "space" / "results.h5", sample);
+    return analysed(folder / "space" / "results.h5");
+}
+
 void write_pages(const std::filesystem::path& folder) {
     const riffle::ReportSubject first = subject(folder, "first", 1.0);
     const riffle::ReportSubject second = subject(folder, "second", 1.03, "\n[turbulence]\nlambda = 0.1\n");
@@ -32,6 +49,9 @@ void write_pages(const std::filesystem::path& folder) {
     };
     write(riffle::compare({first, second, {{}, riffle::testing::sample_record("flume")}}), "comparison.html");
     write(riffle::thesis_chapter({first, second}), "thesis.html");
+    const riffle::ReportSubject space = in_space(folder);
+    riffle::write_report(space.results, folder / "space.html", folder / "space-summary.json", space.analysis);
+    write(riffle::compare({analysed(first.results), space}), "dimensions.html");
 }
 
 }  // namespace

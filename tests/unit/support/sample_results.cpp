@@ -178,13 +178,14 @@ class Sample {
 
     void snapshot() {
         const auto along = static_cast<std::size_t>(std::lround(c_.channel.length / c_.numerics.spacing));
+        const double across = c_.channel.dimensions == 3 ? c_.channel.centreline() : 0.0;
         std::vector<double> position, speed, pressure, viscosity, density;
         for (std::size_t i = 0; i < along; ++i) {
             for (const double z : heights_) {
                 const double x =
                     std::clamp((static_cast<double>(i) + 0.5) * c_.numerics.spacing + noise(2e-4), 0.0,
                                c_.channel.length);
-                position.insert(position.end(), {x, 0.0, z + noise(5e-5)});
+                position.insert(position.end(), {x, across, z + noise(5e-5)});
                 speed.insert(speed.end(), {velocity(z) + noise(2e-3), 0.0, noise(2e-3)});
                 pressure.push_back(c_.fluid.density * c_.normal_gravity() * (c_.total_depth() - z) +
                                    noise(2));
