@@ -1,0 +1,138 @@
+"""The parts of the validation in three dimensions."""
+
+import math
+
+import h5py
+import numpy
+
+from parts import Table, bar_header, row_against_bars
+
+# name in RiffleRun.values (absolute value), bar, printed label, unit factor
+COMMON_BARS = [
+    ("spurious_stress_rms", 0.01, "spurious stress %", 100.0),
+    ("stress_error_rms", 0.035, "total stress %", 100.0),
+    ("force_balance_error", 0.01, "drag+walls/gravity - 1, %", 100.0),
+    ("budget_error", 0.001, "momentum budget, %", 100.0),
+    ("pressure_error", 0.05, "pressure below 0.9 H, max %", 100.0),
+]
+
+
+def space_bars(mean_velocity):
+    """Bars of a run against its twin; that of the depth-mean velocity depends on drag form and start."""
+    return [
+        ("depth_mean_velocity_error", mean_velocity, "mean U %", 100.0),
+        ("velocity_error_above_rms", 0.02, "U above crest, rms %", 100.0),
+        ("velocity_error_above_maximum", 0.04, "max %", 100.0),
+        ("velocity_error_below_rms", 0.10, "U below crest, rms %", 100.0),
+        ("velocity_error_below_maximum", 0.15, "max %", 100.0),
+    ] + COMMON_BARS
+
+
+CONDITIONS = [1, 2, 5, 8]
+MEASURED = {1: (0.040, 0.28), 2: (0.050, 0.35), 5: (0.070, 0.36), 8: (0.100, 0.43)}  # thesis Table 3.1: h_w, U
+STIRRING = {"stirring.acceleration": "0.3", "run.until": '"26 s"', "run.average_from": "16"}
+
+
+def case_file(number, family):
+    return f"cases/rough-bed-3d/condition-{number}{family}.toml"
+
+
+def complete(result):
+    """Adds what the bars of three dimensions need to the values of a run."""
+    v, series = result.values, result.series
+    side = series["side_wall_over_gravity"]
+    v["force_balance_error"] = v["drag_over_gravity"] + v["wall_over_gravity"] + v["side_wall_over_gravity"] - 1.0
+    # Change of the momentum over the window against the forces recorded on the way.
+    inside = (series["time"] >= v["window_start"]) & (series["time"] <= v["window_end"])
+    time = series["time"][inside]
+    excess = 1.0 - (series["drag_over_gravity"] + series["wall_over_gravity"] + side)[inside]
+    with h5py.File(result.folder / "results.h5", "r") as file:
+        case = {line.split(" = ")[0]: line.split(" = ")[1] for line in file["/case/text"][()].decode().split("\n") if " = " in line}
+    slope, gravity = float(case["slope"]), float(case["gravity"])
+    weight = gravity * math.sin(math.atan(slope))
+    gained = (series["total_mean_velocity"][inside][-1] - series["total_mean_velocity"][inside][0]) / (time[-1] - time[0])
+    v["budget_error"] = gained / weight - numpy.trapz(excess, time) / (time[-1] - time[0])
+    z, pressure = result.profiles["z"], result.profiles["pressure"]
+    depth = v["total_depth"]
+    hydrostatic = 1000.0 * gravity * math.cos(math.atan(slope)) * (depth - z)
+    low = z < 0.9 * depth
+    v["pressure_error"] = numpy.max(numpy.abs(pressure[low] / hydrostatic[low] - 1.0))
+    return result
+
+
+def space_wide(run):
+    """Cells of the lattice, periodic across, against the column twin with the plan mean of the same drag."""
+    table = Table("Spanwise-periodic cell of 50 by 43.3 mm, dx 3 mm, against the column twin with the plan-averaged drag",
+                  bar_header(space_bars(0.02)) + ["depth-mean U, m/s", "secondary velocity, % of U"])
+    def row(name, label, number, settings, bars):
+        result = complete(run(name, case_file(number, "-wide"), settings))
+        row_against_bars(table, label, result, bars)
+        v = result.values
+        table.rows[-1] += [f"{v['depth_mean_velocity']:.4f}", f"{100 * v['secondary_velocity'] / v['depth_mean_velocity']:.1f}"]
+    for n in CONDITIONS:
+        row(f"wide-{n}", f"condition {n}", n, {}, space_bars(0.02))
+    row("wide-2-4mm", "condition 2, dx 4 mm", 2, {"numerics.spacing": "4mm"}, space_bars(0.02))
+    row("wide-2-slice", "condition 2, slice form", 2, {"bed.drag_form": "slice"}, space_bars(0.04))
+    row("wide-2-thesis", "condition 2, printed form", 2, {"bed.drag_form": "thesis"}, space_bars(0.04))
+    row("wide-2-disordered", "condition 2, disordered start", 2, {"start.jitter": "0.25"}, space_bars(0.03))
+    row("wide-2-stirred", "condition 2, stirred", 2, STIRRING, space_bars(0.03))
+    return table
+
+
+def space_coarse(run):
+    """Half of the width with its side wall against the section twin."""
+    table = Table("Half of the width (230 mm) with its side wall, 50 mm long, dx 4 mm, against the cross-section twin",
+                  bar_header(space_bars(0.02)) + ["U(y) beside the wall, max % (<= 10)", "bed share", "Yang & Lim", "walls' share", "Yang & Lim"])
+    for n in CONDITIONS:
+        result = complete(run(f"coarse-{n}", case_file(n, "-coarse")))
+        row_against_bars(table, f"condition {n}", result, space_bars(0.02))
+        v = result.values
+        with h5py.File(result.folder / "results.h5", "r") as file:
+            error = lateral_error(file, v)
+            section = dict(file["/section"].attrs.items())
+        bed = 1.0 - section["partition_wall_share"] if "partition_wall_share" in section else section["drag_share"]
+        table.rows[-1] += [table.check(f"condition {n}", "U(y)", error, 0.10, f"{100 * error:.1f}"),
+                           f"{v['drag_over_gravity']:.4f}", f"{bed:.4f}",
+                           f"{v['side_wall_over_gravity']:.4f}", f"{1.0 - bed:.4f}"]
+    return table
+
+
+def lateral_error(file, v):
+    """Largest departure of the depth-mean U(y) from the section twin beside the wall, without the first row."""
+    field, section = file["/mean_field"], file["/section"]
+    time = field["time"][:]
+    late = time > v["window_start"] + 1e-6
+    late = late if late.any() else time == time[-1]
+    count = field["count"][:][late].astype(float)
+    velocity = numpy.nan_to_num(field["velocity"][:][late].astype(float))
+    y, z = field["y"][:], field["z"][:]
+    above = z > v["datum"]
+    u = (count * velocity)[:, above].sum(axis=(0, 1, 3)) / count[:, above].sum(axis=(0, 1, 3))
+    ys, zs = section["y"][:], section["z"][:]
+    faces = lambda centres: numpy.concatenate([[0.0], 0.5 * (centres[1:] + centres[:-1]), [2 * centres[-1] - centres[-2]]])
+    thickness = numpy.diff(faces(zs))
+    high = zs > v["datum"]
+    twin = (section["velocity"][:][high] * thickness[high, None]).sum(axis=0) / thickness[high].sum()
+    beside = (numpy.arange(y.size) > 0) & (y < v["total_depth"])
+    return numpy.max(numpy.abs(u[beside] / numpy.interp(y[beside], ys, twin) - 1.0))
+
+
+def space_measured(run):
+    """Centreline velocity of the coarse runs and of the twin against the flume."""
+    table = Table("Centreline depth-mean velocity against the flume (Table 3.1), heights of the thesis' 2D runs, nothing fitted",
+                  ["condition", "U measured", "section twin", "%", "particles", "% (<= 10)", "+- 95 %", "level - depth, % of H (<= 1)"])
+    for n in CONDITIONS:
+        result = complete(run(f"coarse-{n}", case_file(n, "-coarse")))
+        v, u = result.values, MEASURED[n][1]
+        with h5py.File(result.folder / "results.h5", "r") as file:
+            twin = float(file["/section"].attrs["centreline_velocity"])
+        name = f"condition {n}"
+        level = v["mean_level"] / v["total_depth"] - 1.0
+        table.rows.append([n, f"{u:.2f}", f"{twin:.3f}", f"{100 * (twin / u - 1):+.1f}", f"{v['centreline_velocity']:.3f}",
+                           table.check(name, "U", v["centreline_velocity"] / u - 1.0, 0.10, f"{100 * (v['centreline_velocity'] / u - 1):+.1f}"),
+                           f"{v['centreline_velocity_half_width']:.4f}", table.check(name, "level", level, 0.01, f"{100 * level:+.2f}")])
+    return table
+
+
+SPACE_PARTS = {"space_wide": space_wide, "space_coarse": space_coarse, "space_measured": space_measured}
+SPACE = ["space_wide", "space_coarse", "space_measured"]
