@@ -63,7 +63,7 @@ std::vector<double> ticks(double low, double high) {
     }
     std::vector<double> result;
     for (double value = std::ceil(low / step - 1e-9); value * step <= high + 1e-9 * step; value += 1.0) {
-        result.push_back(value * step);
+        result.push_back(value == 0.0 ? 0.0 : value * step);  // no -0
     }
     return result;
 }
@@ -118,7 +118,7 @@ std::string path(const std::vector<double>& x, const std::vector<double>& y, con
 class EvenMap {
   public:
     EvenMap(const SectionResult& r, double width, double depth)
-        : columns_(240), rows_(60), width_(width), depth_(depth) {
+        : columns_(160), rows_(48), width_(width), depth_(depth) {
         for (int j = 0; j <= rows_; ++j) {
             for (int i = 0; i <= columns_; ++i) {
                 value_.push_back(r.velocity_at(y(i), z(j)) / r.maximum_velocity);
@@ -202,7 +202,7 @@ std::string colour_bar(double left, double top, double height) {
     for (const double value : {0.0, 0.5, 1.0}) {
         svg += text_at(left + 19.0, top + height * (1.0 - value) + 4.0, fmt::format("{:g}", value));
     }
-    return svg + text_at(left - 4.0, top - 8.0, "U/U_max");
+    return svg + text_at(left - 4.0, top - 14.0, "U/U_max");
 }
 
 }  // namespace
@@ -233,6 +233,8 @@ std::string section_figure(const Case& c, const SectionResult& r, const std::str
     for (int i = 1; i < 10; ++i) svg += values.isoline(map, 0.1 * i);
     svg += line(map.left, map.y(1e3 * c.crest()), map.left + map.width, map.y(1e3 * c.crest()),
                 "stroke=\"#fff\" stroke-dasharray=\"2 4\"");
+    svg += text_at(map.left + map.width, map.top - 14.0, "isolines every 0.1",
+                   "fill=\"#555\" text-anchor=\"end\"");
     svg += axes(map, "distance from the side wall y [mm]", "height z [mm]");
     svg += colour_bar(map_left + map_width + 20.0, map_top, map_height);
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "column/calibration.hpp"
 #include "column/column.hpp"
 
 namespace riffle {
@@ -231,6 +232,16 @@ TEST(Section, SmallDeparturesFadeWithTheTimeOfTheSlowestMode) {
     const double after = state.wall_layer_velocity - steady.wall_layer_velocity;
     // The middle drives the layer at the wall in nearly the same time T, so that this fades as t exp(-t/T).
     EXPECT_NEAR(std::log(before / after), 1.0 - std::log(6.0 / 5.0), 0.05);
+}
+
+TEST(Section, CalibrationMeetsTheMeasuredVelocityAtTheCentreline) {
+    Case c = condition_2();
+    c.bed.drag_form = DragForm::slice;
+    c.measured.depth_mean_velocity = 0.35;
+    const CalibrationResult r = calibrate_column(c, {.parameters = {"roughness_height"}});
+    // The fit solves the section with fewer cells across; the centreline hardly sees them.
+    EXPECT_NEAR(solve_section(r.fitted).centreline_velocity, 0.35, 1e-3 * 0.35);
+    EXPECT_LT(r.fitted.bed.roughness_height, c.bed.roughness_height);
 }
 
 TEST(Section, VelocitiesBetweenTheCentres) {
