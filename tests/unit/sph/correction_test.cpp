@@ -122,15 +122,12 @@ TEST(Correction, SmallestEigenvalueWhereEigenvaluesMeet3D) {
     }
 }
 
-/// Matrices of equal eigenvalues, the worst case of the Newton steps, and of separate ones.
+// Of three equal eigenvalues, and of two larger ones, which is as far from the fixed point's start as it
+// gets.
 TEST(Correction, SmallestEigenvalueOfMultipleRoots3D) {
-    // Eight steps from zero leave (2/3)^8 of a triple root, (1/2)^8 of a double one and nothing of a simple
-    // one: 0.9 and above, where the pressure is fully corrected, stays apart from 0.6, where it is not.
-    EXPECT_NEAR((smallest_eigenvalue<double, 3>({1.0, 0.0, 0.0, 1.0, 0.0, 1.0})),
-                1.0 - std::pow(2.0 / 3.0, 8), 1e-9);
-    EXPECT_NEAR((smallest_eigenvalue<double, 3>({0.5, 0.0, 0.0, 0.5, 0.0, 1.0})), 0.5, 0.5 / 128.0);
-    EXPECT_NEAR((smallest_eigenvalue<double, 3>({0.5, 0.0, 0.0, 1.0, 0.0, 1.0})), 0.5, 1e-12);
-    EXPECT_EQ((smallest_eigenvalue<double, 3>({0.0, 0.0, 0.0, 0.0, 0.0, 0.0})), 0.0);
+    EXPECT_EQ((smallest_eigenvalue<double, 3>({1.0, 0.0, 0.0, 1.0, 0.0, 1.0})), 1.0);
+    EXPECT_NEAR((smallest_eigenvalue<double, 3>({0.5, 0.0, 0.0, 1.0, 0.0, 1.0})), 0.5, 1e-4);
+    EXPECT_NEAR((smallest_eigenvalue<double, 3>({0.5, 0.0, 0.0, 0.5, 0.0, 1.0})), 0.5, 1e-4);
 }
 
 // The point of the corrected pressure form (numerics.md): with a uniform pressure the virial of the pair
