@@ -126,6 +126,7 @@ TEST(Correction, SmallestEigenvalueWhereEigenvaluesMeet3D) {
 // gets.
 TEST(Correction, SmallestEigenvalueOfMultipleRoots3D) {
     EXPECT_EQ((smallest_eigenvalue<double, 3>({1.0, 0.0, 0.0, 1.0, 0.0, 1.0})), 1.0);
+    EXPECT_EQ((smallest_eigenvalue<double, 3>({0.0, 0.0, 0.0, 0.0, 0.0, 0.0})), 0.0);
     EXPECT_NEAR((smallest_eigenvalue<double, 3>({0.5, 0.0, 0.0, 1.0, 0.0, 1.0})), 0.5, 1e-4);
     EXPECT_NEAR((smallest_eigenvalue<double, 3>({0.5, 0.0, 0.0, 0.5, 0.0, 1.0})), 0.5, 1e-4);
 }
