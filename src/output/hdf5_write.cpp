@@ -32,8 +32,9 @@ std::vector<hsize_t> chunk_extents(const Dataset& dataset, std::size_t element_s
     std::vector<hsize_t> chunk = extents(dataset.shape);
     const std::size_t row =
         dataset.shape.empty() ? 1 : count({dataset.shape.begin() + 1, dataset.shape.end()});
-    const bool short_rows = dataset.append && row * element_size < array_chunk_bytes;
-    std::size_t room = (short_rows ? series_chunk_bytes : array_chunk_bytes) / element_size;
+    // Rows that are whole fields are read as such; those of a line grow by small chunks.
+    const bool fields = dataset.shape.size() > 2 && row * element_size >= array_chunk_bytes;
+    std::size_t room = (dataset.append && !fields ? series_chunk_bytes : array_chunk_bytes) / element_size;
     for (std::size_t axis = chunk.size(); axis-- > 1;) {
         chunk[axis] = std::clamp<hsize_t>(chunk[axis], 1, std::max<std::size_t>(room, 1));
         room /= static_cast<std::size_t>(chunk[axis]);

@@ -41,8 +41,8 @@ struct Forecast {
     double steps = 0.0;             ///< to end_time
     double updates_per_second = 0.0;  ///< measured, all threads
     double wall_seconds = 0.0;        ///< to end_time
-    /// Resident memory at end_time, as `ps` shows it between two writes; replacing the results file takes the
-    /// file's size on top for a moment.
+    /// Resident memory at end_time, as `ps` shows it between two writes; while the files are replaced, the
+    /// results file and what is new in it, then the checkpoint twice, come on top for a moment.
     double memory_bytes = 0.0;
     double disk_bytes = 0.0;            ///< results and two checkpoints, before compression
     std::vector<RecordForecast> parts;  ///< of disk_bytes

@@ -209,12 +209,15 @@ void RunSession<D>::update_convergence(bool final_test) {
 template <int D>
 void RunSession<D>::write_out(bool complete) {
     const auto start = Clock::now();
-    Content content = recorder_->take_new_rows();
-    content.compression = case_.output.compression;
-    add_run_attributes(content, complete);
-    add_profiles_content(content, twins_, *recorder_, convergence_);
-    add_state(content, "/state", *simulation_);
-    ResultsFile::update(files_.results(), content);
+    {
+        // Gone before the checkpoint is made: both hold copies of the state.
+        Content content = recorder_->take_new_rows();
+        content.compression = case_.output.compression;
+        add_run_attributes(content, complete);
+        add_profiles_content(content, twins_, *recorder_, convergence_);
+        add_state(content, "/state", *simulation_);
+        ResultsFile::update(files_.results(), content);
+    }
     write_checkpoint();
     write_indexes(files_, *recorder_);
     last_write_ = Clock::now();

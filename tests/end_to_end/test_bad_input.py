@@ -65,7 +65,7 @@ class BadInput(CommandLineTest):
         refuse('output.mean_field_spacing=0', "mean_field_spacing", "greater than 0")
         case.write_text(case.read_text() + '[[probe]]\nname = "p"\nkind = "velocity"\nsampling_frequency = "50 Hz"\n'
                         'x = "10 mm"\ny = "50 mm"\nz = "20 mm"\n')
-        refuse("run.time=1", "[[probe]]", "y = 50 mm is outside of the simulated channel", "43.3013 mm")
+        refuse("start.jitter=0.2", "[[probe]]", "y = 50 mm is outside of the simulated channel", "43.3013 mm")
         self.fail_with(2, "check", CASE, "--set", "output.mean_field_spacing=0.01", says=["mean_field_spacing"])
 
     def test_damaged_case_files_never_crash_the_command(self):
