@@ -85,11 +85,11 @@ std::vector<CostRow> cost_rows(const std::vector<ComparedRun>& runs) {
         const auto time = simulated_time(data);
         return time ? std::optional<std::string>(fmt::format("{:.4g} s", *time)) : std::nullopt;
     });
-    add("wall_clock_seconds", "computing time", attribute("wall_clock_seconds", duration_text));
+    add("wall_clock_seconds", "computing time", attribute("wall_clock_seconds", computing_time_text));
     add("seconds_per_second", "computing time per simulated second",
         [](const ReportData& data) -> std::optional<std::string> {
             const auto rate = seconds_per_second(data);
-            return rate ? std::optional<std::string>(duration_text(*rate)) : std::nullopt;
+            return rate ? std::optional<std::string>(computing_time_text(*rate)) : std::nullopt;
         });
     add("thesis", "the thesis' run of the condition",
         [](const ReportData& data) -> std::optional<std::string> {
@@ -101,7 +101,7 @@ std::vector<CostRow> cost_rows(const std::vector<ComparedRun>& runs) {
     add("thesis_seconds_per_second", "the thesis' per simulated second",
         [](const ReportData& data) -> std::optional<std::string> {
             const auto cost = thesis_cost(data.flow);
-            return cost ? std::optional<std::string>(duration_text(cost->days * day / cost->simulated))
+            return cost ? std::optional<std::string>(computing_time_text(cost->days * day / cost->simulated))
                         : std::nullopt;
         });
     add("speed_up", "the thesis' over that of the run",

@@ -14,7 +14,7 @@ std::string grouped_number(double value) {
     return digits;
 }
 
-std::string duration_text(double seconds) {
+std::string computing_time_text(double seconds) {
     if (seconds < 120) return fmt::format("{:.1f} s", seconds);
     const auto minutes = static_cast<long long>(std::lround(seconds / 60));
     if (minutes < 120) return fmt::format("{:.1f} min", seconds / 60);
@@ -38,7 +38,7 @@ std::vector<Fact> run_facts(const ReportData& data) {
     facts.push_back({"Particle spacing", fmt::format("{:.3g} mm", 1000 * data.flow.numerics.spacing)});
     if (const auto steps = value("steps")) facts.push_back({"Time steps", grouped_number(*steps)});
     if (const auto seconds = value("wall_clock_seconds"))
-        facts.push_back({"Computing time", duration_text(*seconds)});
+        facts.push_back({"Computing time", computing_time_text(*seconds)});
     if (const auto speed = value("particle_updates_per_second")) {
         facts.push_back({"Speed", fmt::format("{:.2f} million particle updates per second", *speed / 1e6)});
     }

@@ -17,7 +17,7 @@ struct Fact {
 [[nodiscard]] std::string grouped_number(double value);
 
 /// A time span in seconds, minutes or hours.
-[[nodiscard]] std::string duration_text(double seconds);
+[[nodiscard]] std::string computing_time_text(double seconds);
 
 /// Size, cost and origin of the run.
 [[nodiscard]] std::vector<Fact> run_facts(const ReportData& data);
