@@ -81,12 +81,20 @@ void SimulationOf<D, Real>::allocate() {
     } else {
         data_.pressure.resize(records);
     }
-    // B by slot is only needed in the force pass where walls continue the fluid.
+    // The force pass needs B only where walls continue the fluid.
     const bool continued = std::any_of(data_.wall_gradient.begin(), data_.wall_gradient.end(),
                                        [](const auto& record) { return record.continuation > Real(0); });
     if (continued && gradients) {
+        std::int32_t lanes = 0;
+        data_.correction_lane.assign(clusters_.size(), -1);
+        for (std::size_t cluster = 0; cluster < clusters_.size(); ++cluster) {
+            if (fluid_wall_.run_begin[cluster] < fluid_wall_.run_begin[cluster + 1]) {
+                data_.correction_lane[cluster] = lanes;
+                lanes += cluster_size;
+            }
+        }
         for (auto& component : data_.correction) {
-            component.resize(records);
+            component.resize(static_cast<std::size_t>(lanes));
         }
     }
     moved_.resize(clusters_.size());
@@ -266,6 +274,7 @@ std::size_t SimulationOf<D, Real>::bytes() const {
     for (const auto& component : data_.correction) {
         add(component);
     }
+    add(data_.correction_lane);
     add(density_rate_);
     for (const auto field : ParticleFields::all()) {
         add(fields_.*field);

@@ -159,8 +159,16 @@ struct PairData {
     std::vector<PressureRecord<Real>> pressure;  ///< or this, as the loops of the scheme need
     std::vector<WallGradientRecord<D, Real>> wall_gradient;
     std::vector<WallForceRecord<D, Real>> wall_force;
-    /// B by fluid slot, only where a wall continues the fluid (empty otherwise).
+    /// B of the clusters beside walls that continue the fluid, cluster after cluster; empty without such
+    /// walls.
     std::array<std::vector<Real>, static_cast<std::size_t>(D* D)> correction;
+    /// By fluid cluster, the first lane of its B; -1: no such wall near it. Empty as `correction`.
+    std::vector<std::int32_t> correction_lane;
+
+    /// First lane of the B of a cluster, or -1.
+    [[nodiscard]] std::int32_t correction_of(std::size_t cluster) const {
+        return correction_lane.empty() ? -1 : correction_lane[cluster];
+    }
 };
 
 /// What the loops are made for.

@@ -370,13 +370,15 @@ template <int D, class Real, class Kernel, class Viscosity, class Record>
             // (p_i + p_j) I, or (p_i + p_j) B_i where the wall continues the fluid, in the rows of B from
             // first_continued_row on.
             const W pressure = gather<Real, Real>(own, [](const auto& r) { return r.pressure; });
-            const bool continued = !data.correction[0].empty();
+            const std::int32_t correction_lane = data.correction_of(cluster);
+            const bool continued = correction_lane >= 0;
             Components<W, D * D> departure{};
             if (continued) {
                 for (std::size_t k = first_continued_row<D> * D; k < D * D; ++k) {
                     const Real identity = k % (D + 1) == 0 ? Real(1) : Real(0);
                     departure[k] =
-                        gather<Real, Real>(&data.correction[k][slot], [](const Real& b) { return b; }) -
+                        gather<Real, Real>(&data.correction[k][static_cast<std::size_t>(correction_lane)],
+                                           [](const Real& b) { return b; }) -
                         identity;
                 }
             }

@@ -190,11 +190,11 @@ template <int D, class Real>
     using stdx::abs;
     using stdx::sqrt;
     const bool tensor = !data.stress.empty();
-    const bool continued = !data.correction[0].empty();
     const double inverse_density = 1.0 / p.density;
     for (std::size_t cluster = begin; cluster < end; ++cluster) {
         const std::size_t slot = cluster * cluster_size;
         const std::size_t lane = (cluster - begin) * cluster_size;
+        const std::int32_t correction_lane = data.correction_of(cluster);
         with_members(*p.clusters, cluster, [&](const auto& members) {
             Doubles s = members.load(p.density_deviation);
             const Doubles rate = (1.0 + s) * convert<double>(load_lanes(&work.gradient.density_rate[lane])) +
@@ -261,8 +261,9 @@ template <int D, class Real>
                             q -= nu_t * density_ratio * scale * twice_strain;
                         }
                     }
-                    if (continued) {
-                        store_lanes(b, &data.correction[k * D + l][slot]);
+                    if (correction_lane >= 0) {
+                        store_lanes(b,
+                                    &data.correction[k * D + l][static_cast<std::size_t>(correction_lane)]);
                     }
                 }
             }

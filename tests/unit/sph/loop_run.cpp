@@ -98,6 +98,9 @@ void LoopRun<D, Real>::pack_fluid(const PairSample<D>& sample) {
         for (auto& component : data.correction) {
             component.resize(slots + 1);
         }
+        for (std::size_t cluster = 0; cluster < clusters.size(); ++cluster) {
+            data.correction_lane.push_back(static_cast<std::int32_t>(cluster * cluster_size));
+        }
     } else {
         data.pressure.resize(slots + 1);
     }

@@ -118,6 +118,9 @@ void check_stress(const ParticleLoops<D, Real>& loops, ParticleSet<D, Real>& set
     for (auto& component : set.records.correction) {
         component.assign(o.continued ? slots : 0, Real(0));
     }
+    for (std::size_t cluster = 0; o.continued && cluster < set.cloud.clusters.size(); ++cluster) {
+        set.records.correction_lane.push_back(static_cast<std::int32_t>(cluster * cluster_size));
+    }
     const std::vector<double> before = set.density_deviation;
     constexpr double step = 1e-3;
     loops.stress(set.particles, set.records, *set.sums, *set.work, step, 0, set.end);
