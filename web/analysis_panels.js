@@ -91,7 +91,7 @@ const analysis_panels = (() => {
   // Lines of equal value over a map, thin and grey, so that arrows and curves stand out.
   function contour_lines(map, x, y, limits, scale, name) {
     const plain = heatmap(map, x, y, limits, scale, name), steps = 8, [low, high] = [limits.low, limits.high].map(value => scale.factor * value);
-    return { type: 'contour', x: plain.x, y: plain.y, z: plain.z, xaxis: plain.xaxis, yaxis: plain.yaxis, name: map.label, showscale: false, hoverinfo: 'skip', connectgaps: false,
+    return { type: 'contour', x: plain.x, y: plain.y, z: plain.z, xaxis: plain.xaxis, yaxis: plain.yaxis, name: map.label, showscale: false, showlegend: false, hoverinfo: 'skip', connectgaps: false,
       autocontour: false, line: { color: 'rgba(60,68,76,0.55)', width: 0.8, smoothing: 0.6 }, contours: { coloring: 'none', start: low, end: high, size: (high - low) / steps || 1 } };
   }
 

@@ -88,16 +88,15 @@ double yang_lim_height(const Case& c, const SideWallPartition& partition, double
     return std::min(c.total_depth(), from_wall / partition.k);
 }
 
-void add_yang_lim(const Case& c, double height, double scale, Figure& figure) {
+void add_yang_lim(const Case& c, Figure& figure) {
     if (!c.has_side_walls()) return;
     const SideWallPartition partition = side_wall_partition(c);
-    Curve curve = make_curve("Yang & Lim", Origin::theory, Mark::line, {}, {});
+    Curve curve = make_curve("Yang & Lim, at the bed", Origin::theory, Mark::line, {}, {});
     constexpr int points = 200;
     for (int i = 0; i <= points; ++i) {
         const double y = c.channel.simulated_width() * i / points;
-        const double column = std::max(0.0, yang_lim_height(c, partition, y) - height);
         curve.x.push_back(y);
-        curve.y.push_back(c.fluid.density * c.streamwise_gravity() * column / scale);
+        curve.y.push_back(yang_lim_height(c, partition, y) / c.total_depth());
     }
     figure.curves.push_back(std::move(curve));
 }
@@ -120,11 +119,12 @@ void add_stress(const FlowRecord& record, Analysis& analysis) {
     const double uniform = rho * c.streamwise_gravity() * (c.total_depth() - z);
     Figure figure = make_figure(
         chapter, "bed_stress_distribution", "Bed stress across the channel",
-        fmt::format("Stress of viscosity and closure and resolved Reynolds stress at {:.3g} mm above the "
-                    "datum, over the uniform value rho g S0 (H - z) = {:.4g} Pa of a wide channel; bars: 95 "
-                    "% intervals. Yang & Lim: the weight of the water between this height and the line that "
-                    "divides the bed's water from the walls'.",
-                    1000.0 * (z - c.datum()), uniform),
+        fmt::format(
+            "Stress of viscosity and closure and resolved Reynolds stress at {:.3g} mm above the "
+            "datum, over the uniform value rho g S0 (H - z) = {:.4g} Pa of a wide channel; bars: 95 "
+            "% intervals. Yang & Lim: the weight of the water above each place of the bed up to the line "
+            "that divides the bed's water from the walls'.",
+            1000.0 * (z - c.datum()), uniform),
         "thesis chapter 5, lateral distribution of the bed stress", across_axis(),
         make_axis("stress over the uniform value", "1"));
     const Distribution d = distribution_of(field, c, [&](const FieldSums& section) {
@@ -140,7 +140,7 @@ void add_stress(const FlowRecord& record, Analysis& analysis) {
         figure.curves.push_back(
             make_curve("section twin", Origin::column, Mark::line, twin.y, std::move(stress)));
     }
-    add_yang_lim(c, z, uniform, figure);
+    add_yang_lim(c, figure);
     figure.curves.push_back(make_curve("wide channel", Origin::reference, Mark::line,
                                        {0.0, c.channel.simulated_width()}, {1.0, 1.0}));
     analysis.figures.push_back(std::move(figure));
@@ -204,7 +204,7 @@ void add_drag(const FlowRecord& record, Analysis& analysis) {
         for (double& value : drag) value /= uniform;
         figure.curves.push_back(make_curve("section twin", Origin::column, Mark::line, twin.y, drag));
     }
-    add_yang_lim(c, 0.0, uniform, figure);
+    add_yang_lim(c, figure);
     figure.curves.push_back(make_curve("wide channel", Origin::reference, Mark::line,
                                        {0.0, c.channel.simulated_width()}, {1.0, 1.0}));
     analysis.figures.push_back(std::move(figure));
@@ -294,9 +294,9 @@ void add_maps(const FlowRecord& record, Analysis& analysis) {
     const char* const source = "thesis chapter 5, drag-force maps";
     const auto add = [&](const char* key, const char* title, std::string caption, const Axis& x,
                          const Axis& y, const std::vector<double>& xs, const std::vector<double>& ys,
-                         const FieldSums& sums, double factor, const char* unit) {
+                         const FieldSums& sums, double factor, const char* unit, bool in_plan) {
         Figure figure = make_figure(chapter, key, title, std::move(caption), source, x, y);
-        figure.y.equal_scale = true;
+        figure.y.equal_scale = in_plan;
         figure.maps.push_back(
             force_map(xs, ys, sums.means(FieldQuantity::drag), factor, "streamwise drag f_x", unit));
         figure.maps.push_back(
@@ -306,13 +306,13 @@ void add_maps(const FlowRecord& record, Analysis& analysis) {
     add("drag_plan_map", "Drag of the bed in plan",
         "Force of the bed's elements on the water per plan area, summed over the depth.", along,
         across_axis(), field.x, field.y, field.plan(),
-        field.cell_height() * static_cast<double>(field.z.size()), "Pa");
+        field.cell_height() * static_cast<double>(field.z.size()), "Pa", true);
     add("drag_section_map", "Drag of the bed over the cross-section",
         "Force of the bed's elements on the water per volume, mean over the length.", across_axis(), height,
-        field.y, field.z, field.section(), 1.0, "N/m3");
+        field.y, field.z, field.section(), 1.0, "N/m3", false);
     add("drag_side_map", "Drag of the bed along the channel",
         "Force of the bed's elements on the water per volume, mean over the width.", along, height, field.x,
-        field.z, field.side(), 1.0, "N/m3");
+        field.z, field.side(), 1.0, "N/m3", false);
     // Above the crests there is none.
     for (Figure& figure : analysis.figures) {
         if (figure.key == "drag_section_map" || figure.key == "drag_side_map") {

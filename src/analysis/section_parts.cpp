@@ -112,6 +112,18 @@ std::vector<double> twin_profile(const SectionTwin& twin, const std::vector<doub
     return profile;
 }
 
+std::vector<double> twin_profile(const SectionTwin& twin, const std::vector<double>& values,
+                                 const Strip& strip) {
+    constexpr int places = 40;
+    std::vector<double> mean(twin.z.size(), 0.0);
+    for (int i = 0; i < places; ++i) {
+        const double y = strip.from + (i + 0.5) / places * (strip.to - strip.from);
+        const std::vector<double> profile = twin_profile(twin, values, y);
+        for (std::size_t iz = 0; iz < mean.size(); ++iz) mean[iz] += profile[iz] / places;
+    }
+    return mean;
+}
+
 double twin_value(const SectionTwin& twin, const std::vector<double>& values, double y, double z) {
     const std::vector<double> profile = twin_profile(twin, values, y);
     const Place place = place_in(twin.z, z);
@@ -120,9 +132,9 @@ double twin_value(const SectionTwin& twin, const std::vector<double>& values, do
 
 Figure section_figure(const char* chapter, std::string key, std::string title, std::string caption,
                       std::string source) {
-    Figure figure = make_figure(chapter, std::move(key), std::move(title), std::move(caption),
-                                std::move(source), make_axis("distance from the side wall y/H", "1"),
-                                make_axis("height above the bed level z/H", "1"));
+    Figure figure =
+        make_figure(chapter, std::move(key), std::move(title), std::move(caption), std::move(source),
+                    make_axis("distance from the wall y/H", "1"), make_axis("height z/H", "1"));
     figure.y.equal_scale = true;
     return figure;
 }

@@ -58,6 +58,9 @@ struct SectionProfile {
 /// A profile of the section twin at the place y, linear between its cells.
 [[nodiscard]] std::vector<double> twin_profile(const SectionTwin& twin, const std::vector<double>& values,
                                                double y);
+/// Its mean over a strip.
+[[nodiscard]] std::vector<double> twin_profile(const SectionTwin& twin, const std::vector<double>& values,
+                                               const Strip& strip);
 /// Its value at a place and height.
 [[nodiscard]] double twin_value(const SectionTwin& twin, const std::vector<double>& values, double y,
                                 double z);

@@ -36,12 +36,12 @@ Curve profile_curve(std::string name, Origin origin, Mark mark, const SectionPro
 
 /// What stands beside the profile at a place: the section twin's, else the column twin's.
 void add_twin(const FlowRecord& record, const std::vector<double>& twin_values,
-              const std::vector<double>& column_values, double y, int variant, Figure& figure) {
+              const std::vector<double>& column_values, const Strip& strip, int variant, Figure& figure) {
     constexpr std::size_t most = 300;
     const SectionTwin& twin = record.section_twin();
     if (!twin.empty() && !twin_values.empty()) {
         Curve curve = make_curve("section twin", Origin::column, Mark::line,
-                                 twin_profile(twin, twin_values, y), twin.z);
+                                 twin_profile(twin, twin_values, strip), twin.z);
         curve.variant = variant;
         figure.curves.push_back(std::move(curve));
     } else if (record.column() != nullptr && !record.flow()->has_side_walls()) {
@@ -116,7 +116,6 @@ void add_centreline(const FlowRecord& record, Analysis& analysis) {
     const MeanFlow& field = record.mean_field();
     const Case& c = *record.flow();
     const Strip strip = centreline_strip(c);
-    const double y = c.channel.centreline();
     const SectionProfile u = centreline_velocity_profile(record);
     const std::vector<double> none;
     const ColumnProfile* const column = record.column() == nullptr ? nullptr : &record.column()->profile;
@@ -125,7 +124,7 @@ void add_centreline(const FlowRecord& record, Analysis& analysis) {
                                      strip_caption(c), "thesis chapter 5, centreline profiles",
                                      make_axis("streamwise velocity u", "m/s"));
     velocity.curves.push_back(profile_curve("simulated", Origin::simulated, Mark::line_and_points, u));
-    add_twin(record, record.section_twin().velocity, column ? column->velocity : none, y, 0, velocity);
+    add_twin(record, record.section_twin().velocity, column ? column->velocity : none, strip, 0, velocity);
     const FlowRecord::Measured& measured = record.measured();
     if (!measured.profile.height.empty()) {
         velocity.curves.push_back(
@@ -161,7 +160,8 @@ void add_centreline(const FlowRecord& record, Analysis& analysis) {
     add("total", 0, [rho](const FieldSums& s) { return total_stress(s, rho, false); });
     add("viscosity and closure", 1, [](const FieldSums& s) { return s.means(FieldQuantity::shear_stress); });
     add("resolved Reynolds stress", 2, [rho](const FieldSums& s) { return resolved_stress(s, rho, false); });
-    add_twin(record, record.section_twin().shear_stress, column ? column->shear_stress : none, y, 0, stress);
+    add_twin(record, record.section_twin().shear_stress, column ? column->shear_stress : none, strip, 0,
+             stress);
     const double bed_stress = crest_stress(rho, c.streamwise_gravity(), c.total_depth(), c.crest());
     if (bed_stress > 0.0) {
         stress.curves.push_back(make_curve("wide channel (4.6)", Origin::theory, Mark::line,
@@ -188,8 +188,8 @@ void add_stations(const FlowRecord& record, Analysis& analysis) {
     const MeanFlow& field = record.mean_field();
     Figure figure = profile_figure(
         "station_velocity_profile", "Streamwise velocity at distances from the side wall",
-        "Means over the length and a period of the bed's elements across the channel; with the profiles of "
-        "the section twin at the same places.",
+        "Means over the length and a period of the bed's elements across the channel; with the means of "
+        "the section twin over the same strips.",
         "thesis chapter 5, profiles at y/H", make_axis("streamwise velocity u", "m/s"));
     const SectionTwin& twin = record.section_twin();
     int variant = 0;
@@ -202,8 +202,9 @@ void add_stations(const FlowRecord& record, Analysis& analysis) {
         curve.variant = variant;
         figure.curves.push_back(std::move(curve));
         if (!twin.empty()) {
-            Curve beside = make_curve(fmt::format("section twin, y/H = {:.2g}", place), Origin::column,
-                                      Mark::line, twin_profile(twin, twin.velocity, y), twin.z);
+            Curve beside =
+                make_curve(fmt::format("section twin, y/H = {:.2g}", place), Origin::column, Mark::line,
+                           twin_profile(twin, twin.velocity, strip_around(c, y)), twin.z);
             beside.variant = variant;
             figure.curves.push_back(std::move(beside));
         }
