@@ -290,7 +290,7 @@ void add_maps(const FlowRecord& record, Analysis& analysis) {
     const MeanFlow& field = record.mean_field();
     const Case& c = *record.flow();
     const Axis along = make_axis("distance along the channel x", "m");
-    const Axis height = make_axis("height above the bed level z", "m");
+    const Axis height = make_axis("height z", "m");
     const char* const source = "thesis chapter 5, drag-force maps";
     const auto add = [&](const char* key, const char* title, std::string caption, const Axis& x,
                          const Axis& y, const std::vector<double>& xs, const std::vector<double>& ys,
