@@ -64,7 +64,7 @@ SectionKeys bed() {
                          .greater_than(0)
                          .applies_with("bed.kind", {"spheres"}));
     s.keys.push_back(key("packing", &Bed::packing, "Arrangement of the spheres, seen from above.")
-                         .applies_with("bed.drag_form", {"consistent", "slice"}));
+                         .applies_with("bed.drag_form", {"consistent", "slice", "thesis", "plan-mean"}));
     s.keys.push_back(
         key("roughness_height", &Bed::roughness_height,
             "Thickness d_h of the roughness zone, from the bed level z = 0 up to the crests; a length "

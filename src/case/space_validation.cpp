@@ -50,9 +50,10 @@ class SpaceValidation {
     }
 
     void check_plane() {
-        if (c_.bed.drag_form == DragForm::slice) {
+        if (c_.bed.drag_form == DragForm::slice || c_.bed.drag_form == DragForm::plan_mean) {
             add({"bed.drag_form", "channel.dimensions"},
-                "[bed] drag_form = \"slice\" goes with [channel] dimensions = 3; in two dimensions choose "
+                "[bed] drag_form = \"slice\" or \"plan-mean\" goes with [channel] dimensions = 3; in two "
+                "dimensions choose "
                 "\"consistent\", which is its plan mean");
         }
         if (c_.start.kind == StartKind::section) {

@@ -86,7 +86,7 @@ struct Words<Packing> {
 
 template <>
 struct Words<DragForm> {
-    static constexpr std::array<Word, 4> list{{
+    static constexpr std::array<Word, 5> list{{
         {"consistent",
          "frontal area of the packed spheres per volume; in 3D the drag of each sphere over its volume; does "
          "not "
@@ -95,6 +95,10 @@ struct Words<DragForm> {
         {"paper", "as printed in the paper: C_d / (2 D) over the roughness zone (2D)"},
         {"slice",
          "3D: the drag of each slice of a sphere over the slice; its plan mean is the 2D consistent form"},
+        {"plan-mean",
+         "3D: at each height the mean of the consistent form over the plan; spheres without places, for "
+         "checks against "
+         "the twins"},
     }};
 };
 

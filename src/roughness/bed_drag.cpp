@@ -114,12 +114,19 @@ std::unique_ptr<const BedDrag> make_slice(const Case& c) {
         });
 }
 
+/// What the column twin takes for the consistent form, at every place of a plane.
+std::unique_ptr<const BedDrag> make_plan_mean(const Case& c) {
+    const SphereLattice lattice(c);
+    const double volume = volume_drag_coefficient(c.bed.drag_coefficient, c.bed.sphere_diameter);
+    const auto law = [lattice, volume](double z) { return z < 0.0 ? 0.0 : volume * lattice.plan_mean(z); };
+    return std::make_unique<HeightDrag<decltype(law)>>(law, lattice.top());
+}
+
 /// A new drag form is one new file with its pure function and one line here.
 constexpr std::array registry{
-    Registration{DragForm::consistent, make_consistent},
-    Registration{DragForm::thesis, make_thesis},
-    Registration{DragForm::paper, make_paper},
-    Registration{DragForm::slice, make_slice},
+    Registration{DragForm::consistent, make_consistent}, Registration{DragForm::thesis, make_thesis},
+    Registration{DragForm::paper, make_paper},           Registration{DragForm::slice, make_slice},
+    Registration{DragForm::plan_mean, make_plan_mean},
 };
 
 }  // namespace
