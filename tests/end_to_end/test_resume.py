@@ -46,11 +46,11 @@ class Resume(CommandLineTest):
             self.assertEqual((straight / index).read_bytes(), (parts / index).read_bytes())
 
     def test_a_run_in_three_dimensions_that_is_killed_can_be_resumed(self):
-        straight = self.run_space("straight", 1.0)
+        straight = self.run_space("straight", 4.0)
         folder = self.folder / "killed"
-        process = start("run", self.space_case(), "-o", folder, "-j", 1, *until(1.0), *every(checkpoint=0.02))
+        process = start("run", self.space_case(), "-o", folder, "-j", 1, *until(4.0), *every(checkpoint=0.02))
         wait_for((folder / "checkpoint-previous.h5").exists, "the second checkpoint")
-        time.sleep(self.random.uniform(0.0, 0.5))
+        time.sleep(self.random.uniform(0.0, 0.3))
         process.kill()
         process.communicate()
         self.assertNotEqual(process.returncode, 0, "the run ended before it could be killed")
