@@ -211,12 +211,15 @@ void add_intensities(const FlowRecord& record, const Profiles& p, Analysis& anal
                                 "thesis (2.12)-(2.14)", make_axis("intensity over friction velocity", "1"),
                                 make_axis("height above the datum over depth z/h", "1"));
     const double friction_velocity = friction_velocity_of(record);
-    if (p.velocity_rms.empty() || p.vertical_velocity_rms.empty() || friction_velocity <= 0.0) {
+    const bool none =
+        p.velocity_rms.empty() && p.vertical_velocity_rms.empty() && p.spanwise_velocity_rms.empty();
+    if (none || friction_velocity <= 0.0) {
         add_missing(record, analysis, std::move(figure),
                     "the profiles hold no fluctuations, or no friction velocity is known");
         return;
     }
     const auto add = [&](const char* name, const std::vector<double>& rms, int variant) {
+        if (rms.empty()) return;
         std::vector<double> x;
         std::vector<double> y;
         for (std::size_t i = 0; i < rms.size(); ++i) {
@@ -227,6 +230,7 @@ void add_intensities(const FlowRecord& record, const Profiles& p, Analysis& anal
     };
     add("u'", p.velocity_rms, 0);
     add("w'", p.vertical_velocity_rms, 1);
+    add("v'", p.spanwise_velocity_rms, 2);
     const auto add_law = [&](const char* name, double TurbulenceIntensities::*component, int variant) {
         Curve curve = make_curve(name, Origin::theory, Mark::line, {}, {}, variant);
         constexpr int steps = 40;

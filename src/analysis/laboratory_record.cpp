@@ -118,6 +118,7 @@ struct LaboratoryRecord::Impl {
         profiles.velocity_rms = keep(values(ProfileQuantity::streamwise_rms));
         profiles.vertical_velocity = keep(values(ProfileQuantity::vertical_velocity));
         profiles.vertical_velocity_rms = keep(values(ProfileQuantity::vertical_rms));
+        profiles.spanwise_velocity_rms = keep(values(ProfileQuantity::spanwise_rms));
         profiles.velocity_gradient = keep(values(ProfileQuantity::velocity_gradient));
         const double density = flow ? flow->fluid.density : 1000.0;
         for (const double stress : keep(values(ProfileQuantity::reynolds_stress)))

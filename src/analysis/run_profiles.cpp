@@ -5,10 +5,12 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <variant>
 
 #include "base/error.hpp"
+#include "column/section.hpp"
 
 namespace riffle {
 
@@ -16,7 +18,7 @@ namespace {
 
 using Member = std::vector<double> Profiles::*;
 
-const std::array<std::pair<const char*, Member>, 19> members = {{
+const std::array<std::pair<const char*, Member>, 22> members = {{
     {"bin_lower", &Profiles::bin_lower},
     {"bin_upper", &Profiles::bin_upper},
     {"velocity", &Profiles::velocity},
@@ -36,6 +38,9 @@ const std::array<std::pair<const char*, Member>, 19> members = {{
     {"velocity_rms", &Profiles::velocity_rms},
     {"vertical_velocity_rms", &Profiles::vertical_velocity_rms},
     {"drag", &Profiles::drag},
+    {"spanwise_velocity", &Profiles::spanwise_velocity},
+    {"spanwise_velocity_rms", &Profiles::spanwise_velocity_rms},
+    {"side_wall_drag", &Profiles::side_wall_drag},
 }};
 
 double attribute(const ResultsReader& reader, const char* name) {
@@ -78,7 +83,9 @@ Profiles average_profile_blocks(const ResultsReader& reader, const Case& c, cons
     const std::vector<double> time = reader.read_doubles("/profile_blocks/time");
     const std::vector<double> samples = reader.read_doubles("/profile_blocks/samples");
     const std::vector<std::size_t> shape = reader.shape("/profile_blocks/sums");
-    ProfileSampler sampler(c, column);
+    const std::optional<SectionResult> section =
+        has_section(c) ? std::optional(solve_section(c)) : std::nullopt;
+    ProfileSampler sampler(c, column, section ? &*section : nullptr);
     if (shape.size() != 3 || shape[1] != sampler.layers() || shape[2] != sampler.quantities()) {
         throw FileError("/profile_blocks/sums of the results file does not have the layers of its case");
     }

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""Holds Riffle's 2D channel against its bars: the column twin, the momentum balance, Table 3.1.
+"""Holds Riffle's channels against their bars: the column twin, the momentum balance, Table 3.1.
 
   tests/validation/validate.py quick     condition 2 at 2 mm and its stirred twin (CI, some minutes)
   tests/validation/validate.py full      all conditions, the paper's case, spacings, stirring, SPS (about a quarter of an hour on two cores)
+  tests/validation/validate.py space     three dimensions: cells of a wide channel, half channels with a side wall (about half an hour)
 
 Prints one table per part and ends with status 1 when a bar is missed. --markdown FILE writes the tables too,
 --keep DIR keeps the results there, --reuse takes complete results that DIR already holds.
@@ -15,11 +16,12 @@ import tempfile
 
 import parts
 import runs
+import space_parts
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("tier", choices=["quick", "full"] + sorted(parts.PARTS))
+    parser.add_argument("tier", choices=["quick", "full", "space"] + sorted(parts.PARTS | space_parts.SPACE_PARTS))
     parser.add_argument("--riffle", type=pathlib.Path, help="the binary (default: the build of this checkout)")
     parser.add_argument("--keep", type=pathlib.Path, help="keep the results in this folder")
     parser.add_argument("--reuse", action="store_true", help="take complete results from --keep")
@@ -27,7 +29,7 @@ def main():
     parser.add_argument("--markdown", type=pathlib.Path, help="write the tables to this file")
     arguments = parser.parse_args()
     riffle = arguments.riffle or runs.default_riffle()
-    names = {"quick": parts.QUICK, "full": parts.FULL}.get(arguments.tier, [arguments.tier])
+    names = {"quick": parts.QUICK + ["space_quick"], "full": parts.FULL, "space": space_parts.SPACE}.get(arguments.tier, [arguments.tier])
     with tempfile.TemporaryDirectory() as scratch:
         folder = arguments.keep or pathlib.Path(scratch)
 
@@ -36,7 +38,7 @@ def main():
 
         tables = []
         for name in names:
-            tables.append(parts.PARTS[name](run))
+            tables.append((parts.PARTS | space_parts.SPACE_PARTS)[name](run))
             print(tables[-1].text(), flush=True)
     if arguments.markdown:
         arguments.markdown.write_text("\n".join(table.markdown() for table in tables))

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -15,6 +16,7 @@
 #include "analysis/surface_parts.hpp"
 #include "base/error.hpp"
 #include "hydraulics/channel_laws.hpp"
+#include "laboratory_file.hpp"
 
 namespace riffle {
 namespace {
@@ -67,6 +69,20 @@ TEST(LaboratoryRecords, AProfileHasItsOwnMeanVelocity) {
     const double law = rough_log_law_depth_mean(0.05, 0.044, 0.035);
     EXPECT_NEAR(bulk_velocity(record), law, 0.01 * law);
     EXPECT_GT(value_of(analyse(record, "profiles"), "msep_column"), 0.0);
+}
+
+TEST(LaboratoryRecords, SpanwiseFluctuationsAreDrawnOverTheFrictionVelocity) {
+    const testing::LaboratoryFile file("z [mm],u [cm/s],v_rms [cm/s]\n10,30,5\n20,35,4\n30,38,3\n");
+    const LaboratoryRecord record(file.path(), of_condition_2());
+    const Analysis analysis = analyse(record, "profiles");
+    const auto found = std::find_if(analysis.figures.begin(), analysis.figures.end(),
+                                    [](const Figure& f) { return f.key == "turbulence_intensity_profile"; });
+    ASSERT_NE(found, analysis.figures.end());
+    const Curve& curve = found->curves.front();
+    EXPECT_EQ(curve.name, "v'");
+    ASSERT_EQ(curve.x.size(), 3U);
+    EXPECT_NEAR(curve.x[1], 0.04 / friction_velocity_of(record), 1e-12);
+    EXPECT_NEAR(curve.y[1], 0.02 / record.flow()->channel.depth, 1e-12);
 }
 
 /// Wave probes in any order.
