@@ -23,11 +23,12 @@ WIDEST = {"avx2": "ymm", "avx512": "zmm"}
 STORES = {
     "avx512": {},
     "avx2": {("gradient", 2, "default"): 1, ("gradient", 3, "default"): 10,
-             ("force", 3, "plain"): 1, ("force", 3, "default"): 7},
+             ("force", 3, "plain"): 1, ("force", 3, "default"): 7, ("force", 3, "directional"): 8},
 }
 # Dimensions and schemes whose sums are looked at.
 SUMS = [(loop, dimensions, scheme)
         for loop in ("gradient", "force") for dimensions in (2, 3) for scheme in ("plain", "default")]
+SUMS.append(("force", 3, "directional"))
 
 ARITHMETIC = r"v?(?:add|sub|mul|div|sqrt|rsqrt\d*|rcp\d*|max|min|fn?m(?:add|sub)\d+|cvt\w*2)"
 
@@ -56,6 +57,8 @@ def sum_of(name, instruction_set):
                      r"(.*?)>\(riffle::PairData", name)
     if not match or "Monaghan" in match[3] or "[clone" in name:
         return None
+    if "Directional" in match[3]:  # the viscosity of an anisotropic closure
+        return match[1], int(match[2]), "directional"
     scheme = "default" if re.search(r"\btrue\b|StressRecord", match[3]) else "plain"
     return match[1], int(match[2]), scheme
 
