@@ -110,7 +110,8 @@ Case thesis_space_condition(std::size_t number) {
 
 /// Half of the channel's width and two spheres long, for minutes on a laptop.
 Case coarse_space_condition(std::size_t number) {
-    Case c = space_condition(number, 0.004);
+    // As many rows among the crests as the shallow conditions need: at 4 mm they run 4 % fast.
+    Case c = space_condition(number, number <= 2 ? 0.003 : 0.004);
     c.title += ", in three dimensions, coarse";
     c.channel.length = 2.0 * c.bed.sphere_diameter;
     c.channel.sides = Sides::half;
