@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "analysis/figure_tools.hpp"
-#include "roughness/sphere_lattice.hpp"
+#include "case/sphere_tiling.hpp"
 
 namespace riffle {
 

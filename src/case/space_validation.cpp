@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <sstream>
 
+#include "case/sphere_tiling.hpp"
 #include "case/units.hpp"
 #include "case/words.hpp"
 
@@ -118,10 +118,10 @@ class SpaceValidation {
                     length_text(d), length_text(c_.channel.width)));
             return;
         }
-        const double across = c_.bed.packing == Packing::hexagonal ? std::numbers::sqrt3 * d : d;
-        check_tiling("channel.length", "length", c_.channel.length, d, "D");
+        const LatticePeriods periods = lattice_periods(c_.bed);
+        check_tiling("channel.length", "length", c_.channel.length, periods.x, "D");
         if (c_.channel.sides == Sides::periodic) {
-            check_tiling("channel.width", "width", c_.channel.width, across,
+            check_tiling("channel.width", "width", c_.channel.width, periods.y,
                          c_.bed.packing == Packing::hexagonal ? "sqrt(3) D" : "D");
         }
         // Each sphere must be seen by some particles, or its drag depends on where they happen to be.
@@ -143,9 +143,7 @@ class SpaceValidation {
     /// The spheres of a periodic bed repeat in the period of their lattice.
     void check_tiling(const std::string& id, const char* name, double extent, double period,
                       const char* period_text) {
-        constexpr double largest_stretch = 0.01;  // of the lattice (roughness/sphere_lattice.hpp)
-        const double periods = std::max(1.0, std::round(extent / period));
-        if (std::abs(extent / (periods * period) - 1.0) <= largest_stretch) {
+        if (std::abs(extent / (whole_periods(extent, period) * period) - 1.0) <= largest_stretch) {
             return;
         }
         const double below = period * std::max(1.0, std::floor(extent / period));

@@ -4,17 +4,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "case/sphere_tiling.hpp"
+
 namespace riffle {
-
-LatticePeriods lattice_periods(const Bed& bed) {
-    const double d = bed.sphere_diameter;
-    return bed.packing == Packing::hexagonal ? LatticePeriods{d, std::numbers::sqrt3 * d}
-                                             : LatticePeriods{d, d};
-}
-
-double nearest_multiple(double length, double period) {
-    return period * std::max(1.0, std::round(length / period));
-}
 
 SphereLattice::SphereLattice(const Case& c)
     : hexagonal_(c.bed.packing == Packing::hexagonal),
@@ -24,7 +16,7 @@ SphereLattice::SphereLattice(const Case& c)
       origin_y_(c.channel.centreline()) {
     const LatticePeriods periods = lattice_periods(c.bed);
     const auto fitted = [](bool periodic, double length, double period) {
-        return periodic ? length / std::max(1.0, std::round(length / period)) : period;
+        return periodic ? length / whole_periods(length, period) : period;
     };
     period_x_ = fitted(c.channel.ends == Ends::periodic, c.channel.length, periods.x);
     period_y_ = fitted(c.channel.sides == Sides::periodic, c.channel.width, periods.y);

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstddef>
-
 #include "case/case.hpp"
 
 namespace riffle {
@@ -9,7 +7,7 @@ namespace riffle {
 /// The upper layer of the bed's spheres at their real positions (thesis 5.8). Hexagonal: rows along x,
 /// spheres D apart in a row, rows sqrt(3)/2 D apart and shifted by D/2 against each other; square: D apart
 /// both ways. One row stands under the centreline. On periodic axes the lattice is stretched, by less than
-/// `largest_stretch`, to fit a whole number of periods.
+/// `largest_stretch` (case/sphere_tiling.hpp), to fit a whole number of periods.
 class SphereLattice {
   public:
     explicit SphereLattice(const Case& c);
@@ -38,18 +36,5 @@ class SphereLattice {
     double period_x_, period_y_;  ///< hexagonal: D and sqrt(3) D
     double origin_y_;             ///< of a row
 };
-
-/// Periods of the lattice of a case before any stretching, m: along x, y.
-struct LatticePeriods {
-    double x = 0.0;
-    double y = 0.0;
-};
-[[nodiscard]] LatticePeriods lattice_periods(const Bed& bed);
-
-/// Largest relative stretch of the lattice that makes it fit a periodic channel.
-inline constexpr double largest_stretch = 0.01;
-
-/// The multiple of `period` nearest to `length`, at least one.
-[[nodiscard]] double nearest_multiple(double length, double period);
 
 }  // namespace riffle

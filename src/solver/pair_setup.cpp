@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "roughness/side_wall_partition.hpp"
 #include "sph/pair_terms.hpp"
 #include "turbulence/closure.hpp"
 #include "turbulence/czernuszenko_rylov.hpp"
@@ -75,7 +76,7 @@ ParticleData<D> particle_constants(const Case& c, const Scheme& scheme, const Do
     if constexpr (D == 3) {
         data.shear_weight_across = stress_weight(false, true, spanwise_ratio(c));
         data.normal_weight_across = stress_weight(true, true, spanwise_ratio(c));
-        if (c.has_side_walls() && c.side_walls.drag_form != SideDragForm::none) {
+        if (has_side_wall_drag(c)) {
             data.layer_below = c.side_layer();
             if (c.channel.sides == Sides::walls) {
                 data.layer_above = c.channel.width - c.side_layer();

@@ -47,7 +47,7 @@ SimulationOf<D, Real>::SimulationOf(const Case& c, const ColumnResult* column, P
     data_.constants = pair_constants<D, Real>(c, scheme_, fixed_point_);
     particle_data_ = particle_constants<D>(c, scheme_, domain_);
     refer_to_particles();
-    if (D == 3 && c.has_side_walls() && c.side_walls.drag_form != SideDragForm::none) {
+    if (D == 3 && has_side_wall_drag(c)) {
         side_drag_ = true;
         if (c.side_walls.drag_form == SideDragForm::thesis) {
             clock_.side_wall_drag_coefficient = printed_side_wall_coefficient(c);

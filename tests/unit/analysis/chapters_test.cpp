@@ -13,6 +13,7 @@
 
 #include "analysis/figure_tools.hpp"
 #include "analysis/run_record.hpp"
+#include "analysis_parts.hpp"
 #include "base/error.hpp"
 #include "sample_probes.hpp"
 #include "sample_results.hpp"
@@ -21,6 +22,8 @@ namespace riffle {
 namespace {
 
 using testing::add_sample_probes;
+using testing::figure;
+using testing::finding;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using testing::SampleOptions;
@@ -45,22 +48,6 @@ class Analyses : public ::testing::Test {
 
     std::filesystem::path folder_;
 };
-
-const Finding& finding(const Analysis& analysis, const std::string& key) {
-    const Finding* const found = find_finding(analysis, key);
-    static const Finding none;
-    if (found == nullptr) ADD_FAILURE() << "no finding " << key;
-    return found == nullptr ? none : *found;
-}
-
-const Figure& figure(const Analysis& analysis, const std::string& key) {
-    static const Figure none;
-    for (const Figure& each : analysis.figures) {
-        if (each.key == key) return each;
-    }
-    ADD_FAILURE() << "no figure " << key;
-    return none;
-}
 
 void expect_sound(const Analysis& analysis) {
     std::set<std::string> chapters;

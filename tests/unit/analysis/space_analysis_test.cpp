@@ -13,6 +13,7 @@
 #include "analysis/figure_tools.hpp"
 #include "analysis/run_record.hpp"
 #include "analysis/secondary_flow.hpp"
+#include "analysis_parts.hpp"
 #include "roughness/side_wall_partition.hpp"
 #include "sample_results.hpp"
 #include "sample_space.hpp"
@@ -20,6 +21,8 @@
 namespace riffle {
 namespace {
 
+using testing::figure;
+using testing::finding;
 using ::testing::HasSubstr;
 using testing::SampleSpace;
 using testing::write_sample_space;
@@ -43,22 +46,6 @@ class SpaceAnalyses : public ::testing::Test {
 
     std::filesystem::path folder_;
 };
-
-const Finding& finding(const Analysis& analysis, const std::string& key) {
-    const Finding* const found = find_finding(analysis, key);
-    static const Finding none;
-    if (found == nullptr) ADD_FAILURE() << "no finding " << key;
-    return found == nullptr ? none : *found;
-}
-
-const Figure& figure(const Analysis& analysis, const std::string& key) {
-    static const Figure none;
-    for (const Figure& each : analysis.figures) {
-        if (each.key == key) return each;
-    }
-    ADD_FAILURE() << "no figure " << key;
-    return none;
-}
 
 TEST_F(SpaceAnalyses, HaveAllFiguresWithoutAMissingOneAndFiniteFindings) {
     const Analysis analysis = analysed({});
