@@ -91,6 +91,20 @@ def space_quick(run):
     return table
 
 
+def space_side_quick(run):
+    """The layer beside a side wall, in continuous integration."""
+    table = Table("Half of a channel 86.6 mm wide with its side wall, 50 mm long, dx 4 mm, 12 s: against the cross-section twin",
+                  ["case", "U(y) beside the wall, max % (<= 10)", "drag+walls/gravity - 1, % (<= 1)"])
+    result = complete(run("quick-2-side", case_file(2, "-coarse"),
+                          {"channel.width": '"86.6 mm"', "numerics.spacing": "4mm", "run.until": '"12 s"', "run.average_from": "8"}))
+    with h5py.File(result.folder / "results.h5", "r") as file:
+        error = lateral_error(file, result.values)
+    balance = result.values["force_balance_error"]
+    table.rows.append(["condition 2", table.check("condition 2", "U(y)", error, 0.10, f"{100 * error:.1f}"),
+                       table.check("condition 2", "force balance", balance, 0.01, f"{100 * balance:.2f}")])
+    return table
+
+
 def space_wide(run):
     """Spheres at their places against the column twin, which knows only the plan mean of their drag."""
     table = Table("Cell of 50 by 43.3 mm, periodic across, dx 3 mm, spheres at their places: against the column twin with the plan mean of their drag",
@@ -163,6 +177,6 @@ def space_measured(run):
     return table
 
 
-SPACE_PARTS = {"space_twin": space_twin, "space_quick": space_quick, "space_wide": space_wide,
+SPACE_PARTS = {"space_twin": space_twin, "space_quick": space_quick, "space_side_quick": space_side_quick, "space_wide": space_wide,
                "space_coarse": space_coarse, "space_measured": space_measured}
 SPACE = ["space_twin", "space_wide", "space_coarse", "space_measured"]

@@ -29,7 +29,7 @@ def main():
     parser.add_argument("--markdown", type=pathlib.Path, help="write the tables to this file")
     arguments = parser.parse_args()
     riffle = arguments.riffle or runs.default_riffle()
-    names = {"quick": parts.QUICK + ["space_quick"], "full": parts.FULL, "space": space_parts.SPACE}.get(arguments.tier, [arguments.tier])
+    names = {"quick": parts.QUICK + ["space_quick", "space_side_quick"], "full": parts.FULL, "space": space_parts.SPACE}.get(arguments.tier, [arguments.tier])
     with tempfile.TemporaryDirectory() as scratch:
         folder = arguments.keep or pathlib.Path(scratch)
 
