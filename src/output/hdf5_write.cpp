@@ -192,6 +192,19 @@ void put_attribute(const Hdf5Handle& object, const Attribute& attribute, hid_t f
     hdf5_check(H5Awrite(target.get(), memory_type, value), "write the attribute " + where);
 }
 
+/// Copy the attributes of an object, and of all in it.
+void copy_attributes(const Hdf5Handle& from, const Hdf5Handle& to, const std::string& path) {
+    for (const std::string& name : hdf5_attribute_names(from, path)) {
+        write_hdf5_attribute(to, {path, name, read_hdf5_attribute(from, path, name).value()});
+    }
+    if (!hdf5_is_group(from, path)) {
+        return;
+    }
+    for (const std::string& name : hdf5_children(from, path)) {
+        copy_attributes(from, to, path == "/" ? "/" + name : path + "/" + name);
+    }
+}
+
 }  // namespace
 
 Hdf5Handle hdf5_text_type() {
@@ -258,14 +271,15 @@ void remove_hdf5_object(const Hdf5Handle& file, const std::string& path) {
 }
 
 void copy_hdf5_content(const Hdf5Handle& from, const Hdf5Handle& to) {
+    // H5Ocopy crashes on texts among more than eight attributes (HDF5 1.10 to 1.14.3, issue 2414 of HDF5): the
+    // attributes are copied one by one.
+    const Hdf5Handle bare(H5Pcreate(H5P_OBJECT_COPY), H5Pclose, "make copy properties");
+    hdf5_check(H5Pset_copy_object(bare.get(), H5O_COPY_WITHOUT_ATTR_FLAG), "set copy properties");
     for (const std::string& name : hdf5_children(from, "/")) {
-        hdf5_check(H5Ocopy(from.get(), name.c_str(), to.get(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
+        hdf5_check(H5Ocopy(from.get(), name.c_str(), to.get(), name.c_str(), bare.get(), H5P_DEFAULT),
                    "copy /" + name);
     }
-    for (const std::string& name : hdf5_attribute_names(from, "/")) {
-        if (const auto value = read_hdf5_attribute(from, "/", name))
-            write_hdf5_attribute(to, {"/", name, *value});
-    }
+    copy_attributes(from, to, "/");
 }
 
 }  // namespace riffle

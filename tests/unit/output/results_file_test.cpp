@@ -285,11 +285,22 @@ TEST(ResultsFile, DoesNotGrowWithEachReplacement) {
         return Content{{{"/state", {rows}, values, "1", "state"}, series("/t", {1.0})}, {}};
     };
     ResultsFile::create(folder / "r.h5", content(40000), false);
+    // So many that HDF5 stores them in another way, texts among them.
+    Content attributes;
+    for (int i = 0; i < 12; ++i) {
+        attributes.attributes.push_back({"/group/inner", "number_" + std::to_string(i), 0.5 * i});
+        attributes.attributes.push_back({"/group/inner", "text_" + std::to_string(i), std::string(i, 'x')});
+    }
+    ResultsFile::update(folder / "r.h5", attributes);
     for (int i = 0; i < 100; ++i) ResultsFile::update(folder / "r.h5", content(40000));
     // At most 320 kB of state, 1 MiB of unused space tolerated before the file is written anew, and what one
     // more update leaves unused. Without writing anew, 100 updates leave 5 MB.
     EXPECT_LT(std::filesystem::file_size(folder / "r.h5"), 320'000U * 2 + 1'100'000U);
-    EXPECT_EQ(ResultsReader(folder / "r.h5").read_doubles("/t"), std::vector<double>(101, 1.0));
+    const ResultsReader reader(folder / "r.h5");
+    EXPECT_EQ(reader.read_doubles("/t"), std::vector<double>(101, 1.0));
+    for (const Attribute& attribute : attributes.attributes) {
+        EXPECT_EQ(reader.attribute(attribute.path, attribute.name), attribute.value) << attribute.name;
+    }
 }
 
 /// Properties of the storage, as HDF5 itself sees them.
