@@ -10,7 +10,7 @@ const analysis_panels = (() => {
   // A grid of panels: places of the axes in paper coordinates, for pixels of width and height.
   function grid(count, width, height_of_panel, room, left, on_paper) {
     // On paper two figures share a page, so seven panels stand in two rows.
-    const columns = width < 520 ? 1 : count <= 4 ? Math.min(on_paper ? 3 : 2, count) : on_paper && count > 6 ? 4 : 3;
+    const columns = width < 520 || room.stacked ? 1 : count <= 4 ? Math.min(on_paper ? 3 : 2, count) : on_paper && count > 6 ? 4 : 3;
     const rows = Math.ceil(count / columns), right = room.right, top = room.top, bottom = 52, gap_x = room.gap_x, gap_y = room.gap_y;
     const inner_width = Math.max(120, width - left - right), inner_height = rows * height_of_panel + (rows - 1) * gap_y;
     const share_x = (inner_width - (columns - 1) * gap_x) / columns / inner_width, share_y = height_of_panel / inner_height;
@@ -110,9 +110,11 @@ const analysis_panels = (() => {
     const alone = panels.length === 1;
     // Equal scales along both axes make flat panels, unless they would be too flat to read.
     const spans = panels.map(({ map }) => (y.factor * (map.y[map.y.length - 1] - map.y[0])) / (x.factor * (map.x[map.x.length - 1] - map.x[0]) || 1));
+    // Panels much wider than high stand one above the other, each with its scale of colours beside it.
+    const stacked = flat && !alone && !narrow && Math.max(...spans.map(Math.abs)) < 0.45;
     const flat_height = share => Math.max(70, Math.min(400, share * (width - 180) * Math.max(...spans.map(Math.abs))));
-    const made = grid(panels.length, width, flat ? flat_height(alone || narrow ? 1 : 0.4) : alone ? (narrow ? 300 : 400) : on_paper ? 132 : 240,
-      { top: legend + (titled ? 26 : 12), right: narrow ? 14 : 14 + 92 * quantities.length, gap_x: 50, gap_y: titled ? 50 : 36 }, y.logarithmic ? 86 : 72, on_paper);
+    const made = grid(panels.length, width, flat ? flat_height(alone || narrow || stacked ? 1 : 0.4) : alone ? (narrow ? 300 : 400) : on_paper ? 132 : 240,
+      { top: legend + (titled ? 26 : 12), right: narrow ? 14 : 14 + 92 * (stacked ? 1 : quantities.length), stacked, gap_x: 50, gap_y: titled ? 50 : 36 }, y.logarithmic ? 86 : 72, on_paper);
     const seen = new Set();
     panels.forEach(({ map, figure, title }, i) => {
       const place = made.place(i), name = suffix(i), number = key(map);
@@ -140,17 +142,21 @@ const analysis_panels = (() => {
       if (title) annotations.push(heading(cut(title, made.panel), place));
     });
     if (!alone) annotations.push(...axis_names(x, y, made.height - made.margin.t - made.margin.b));
-    const inner_height = Math.min(420, made.height - made.margin.t - made.margin.b);
+    const all_height = Math.min(420, made.height - made.margin.t - made.margin.b);
     quantities.forEach((_, number) => {
       const members = panels.filter(({ map }) => key(map) === number).map(({ map }) => map), limits = colours(members), { logarithmic, diverging, label, unit } = members[0];
       const scale = units.scale(unit, largest(members.map(map => map.values)), logarithmic);
       const [cmin, cmax] = logarithmic ? [Math.log10(limits.low), Math.log10(limits.high)] : [scale.factor * limits.low, scale.factor * limits.high];
+      // Stacked, the heading of the panel names the quantity; the scale stands beside the first panel that has it.
+      const beside = stacked ? made.place(panels.findIndex(({ map }) => key(map) === number)) : null;
+      const inner_height = stacked ? Math.max(80, made.panel_height) : all_height;
+      const name_of_scale = stacked ? units.title('', scale.unit).trim() : units.title(label, scale.unit);
       const decades = []; for (let power = Math.ceil(cmin); power <= cmax; ++power) decades.push(power);
       extra[`coloraxis${suffix(number)}`] = { cmin, cmax, colorscale: diverging ? style.diverging : style.sequential,
-        colorbar: { title: { text: narrow ? units.title(label, scale.unit) : units.wrapped(units.title(label, scale.unit), inner_height), side: narrow ? 'top' : 'right' }, thickness: 13, outlinewidth: 0.5, outlinecolor: '#7a848e',
+        colorbar: { title: { text: narrow ? name_of_scale : units.wrapped(name_of_scale, inner_height), side: narrow ? 'top' : 'right' }, thickness: 13, outlinewidth: 0.5, outlinecolor: '#7a848e',
           ...(logarithmic && decades.length > 1 ? { tickvals: decades, ticktext: decades.map(power => `10<sup>${String(power).replace('-', '−')}</sup>`) } : { nticks: 6 }),
-          ...(narrow ? { orientation: 'h', y: -0.22, yanchor: 'top' } : { lenmode: 'pixels', len: inner_height, y: 1, yanchor: 'top',
-            x: 1 + (12 + 92 * number) / Math.max(120, width - made.margin.l - made.margin.r), xanchor: 'left' }) } };
+          ...(narrow ? { orientation: 'h', y: -0.22, yanchor: 'top' } : { lenmode: 'pixels', len: inner_height, y: beside ? beside.y[1] : 1, yanchor: 'top',
+            x: 1 + (12 + (stacked ? 0 : 92 * number)) / Math.max(120, width - made.margin.l - made.margin.r), xanchor: 'left' }) } };
     });
     const inner = made.height - made.margin.t - made.margin.b;
     return { traces, height: made.height + (narrow ? 90 : 0), paper_share: alone && !flat ? 0.72 : 1,
