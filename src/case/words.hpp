@@ -126,9 +126,14 @@ struct Words<StressTerms> {
 
 template <>
 struct Words<KernelKind> {
-    static constexpr std::array<Word, 2> list{{
+    static constexpr std::array<Word, 7> list{{
         {"wendland-c2", "Wendland's quintic C2 kernel"},
         {"cubic-spline", "cubic B-spline"},
+        {"gaussian", "Gaussian, cut at its support and normalised there"},
+        {"quadratic", "parabola (SPHysics)"},
+        {"quintic-spline", "quintic B-spline"},
+        {"wendland-c4", "Wendland's C4 kernel"},
+        {"wendland-c6", "Wendland's C6 kernel"},
     }};
 };
 
@@ -142,9 +147,10 @@ struct Words<EquationOfState> {
 
 template <>
 struct Words<PressureForm> {
-    static constexpr std::array<Word, 2> list{{
+    static constexpr std::array<Word, 3> list{{
         {"corrected", "conservative form with the corrected kernel gradient: no spurious friction"},
         {"symmetric", "the usual p_i + p_j form: spurious friction where the particles are disordered"},
+        {"riemann", "the symmetric form with the pressure of a Riemann problem between the pair, limited"},
     }};
 };
 
@@ -158,9 +164,11 @@ struct Words<VelocityGradient> {
 
 template <>
 struct Words<DensityDiffusion> {
-    static constexpr std::array<Word, 2> list{{
+    static constexpr std::array<Word, 4> list{{
         {"fourtakas", "diffusion of the density less its hydrostatic part"},
         {"none", "no diffusion"},
+        {"molteni", "diffusion of the density (Molteni & Colagrossi): lifts the level of water at rest"},
+        {"antuono", "diffusion of the density less its corrected linear part (Antuono et al.)"},
     }};
 };
 
@@ -190,11 +198,13 @@ struct Words<SurfaceDetection> {
 
 template <>
 struct Words<ViscosityForm> {
-    static constexpr std::array<Word, 2> list{{
+    static constexpr std::array<Word, 4> list{{
         {"morris", "acts along the velocity difference"},
         {"monaghan-gingold",
          "acts along the line of centres; conserves angular momentum, too weak in layered shear: by 11 % at "
          "h = 1.5 dx, 4 % at 2 dx (Wendland)"},
+        {"lo-shao", "acts along the velocity difference, with the mean density (Lo & Shao; SPHysics)"},
+        {"artificial", "Monaghan's artificial viscosity, alpha h c0, between approaching particles"},
     }};
 };
 
@@ -208,9 +218,29 @@ struct Words<EddyStress> {
 
 template <>
 struct Words<Stepping> {
-    static constexpr std::array<Word, 2> list{{
+    static constexpr std::array<Word, 5> list{{
         {"semi-implicit-euler", "one force evaluation per step"},
         {"predictor-corrector", "two force evaluations per step (the thesis)"},
+        {"verlet", "one force evaluation per step, over two steps (SPHysics)"},
+        {"symplectic", "two force evaluations per step, positions at half steps (SPHysics)"},
+        {"beeman", "one force evaluation per step, with the acceleration of the step before (SPHysics)"},
+    }};
+};
+
+template <>
+struct Words<Shifting> {
+    static constexpr std::array<Word, 2> list{{
+        {"none", "the particles move with the water"},
+        {"consistent", "they move towards even spacing, and what they carry is moved back"},
+    }};
+};
+
+template <>
+struct Words<SolidMotion> {
+    static constexpr std::array<Word, 3> list{{
+        {"fixed", "it stands still"},
+        {"constant", "it moves at a constant velocity from its start"},
+        {"oscillating", "it swings harmonically from its start"},
     }};
 };
 
