@@ -83,8 +83,7 @@ class SpaceValidation {
                "start.kind", word(c.start.kind), R"("column", "section", "uniform", "power-law" or "rest")");
         refuse(c.numerics.wall == WallKind::dynamic, "numerics.wall", word(c.numerics.wall), "\"dummy\"");
         refuse(c.turbulence.closure == ClosureKind::czernuszenko_rylov &&
-                   c.turbulence.spanwise_ratio != 1.0 &&
-                   c.numerics.viscosity == ViscosityForm::monaghan_gingold &&
+                   c.turbulence.spanwise_ratio != 1.0 && c.numerics.viscosity != ViscosityForm::morris &&
                    c.numerics.eddy_stress == EddyStress::two_point,
                "numerics.viscosity", word(c.numerics.viscosity),
                "\"morris\", which can weigh the pairs by their direction as czernuszenko-rylov needs it, or "

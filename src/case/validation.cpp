@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "case/probe_validation.hpp"
+#include "case/scheme_validation.hpp"
 #include "case/space_validation.hpp"
 #include "case/units.hpp"
 
@@ -289,6 +290,7 @@ class Validation {
 
 void validate(const Case& c, const Places& places, bool check_files, Problems& problems) {
     Validation(c, places, problems).run(check_files);
+    validate_scheme(c, places, problems);
     validate_space(c, places, problems);
     validate_snapshots(c, places, problems);
     validate_probes(c, places, problems);

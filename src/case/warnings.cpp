@@ -9,6 +9,7 @@
 #include "case/key_table.hpp"
 #include "case/presets.hpp"
 #include "case/units.hpp"
+#include "case/words.hpp"
 
 namespace riffle {
 
@@ -82,6 +83,10 @@ class Warnings {
                 "(by a "
                 "third within 6 s in condition 2 with the thesis' scheme); verified with \"wendland-c2\"");
         }
+        if (n.kernel != KernelKind::wendland_c2 && n.kernel != KernelKind::cubic_spline) {
+            add("numerics.kernel: \"{}\" is verified in laminar flow alone; verified with \"wendland-c2\"",
+                word(n.kernel));
+        }
         const bool hexagonal = c_.start.lattice == StartLattice::hexagonal && near(n.smoothing_ratio, 2.1);
         if (!near(n.smoothing_ratio, 1.5) && !near(n.smoothing_ratio, 2.0) && !hexagonal) {
             add("numerics.smoothing_ratio: verified with 1.5 and 2.0 (2.1 on the hexagonal lattice), not "
@@ -99,12 +104,21 @@ class Warnings {
                 "cure; "
                 "the mean velocity is then 4-30 % low. Use \"corrected\" unless this is what you study");
         }
+        if (n.pressure_form == PressureForm::riemann) {
+            add("numerics.pressure_form: the Riemann form keeps the spurious shear stress of the symmetric "
+                "one, and "
+                "the mean velocity is low with it; use \"corrected\" unless this is what you study");
+        }
+        if (n.density_diffusion == DensityDiffusion::molteni && c_.channel.top == Top::free_surface) {
+            add("numerics.density_diffusion: \"molteni\" diffuses the hydrostatic difference too, and lifts "
+                "the level "
+                "of the water; use \"fourtakas\" under gravity");
+        }
         if (n.density_diffusion == DensityDiffusion::none && n.density_filter == DensityFilter::none) {
             add("numerics.density_diffusion: neither diffusion nor filter keeps the density free of noise");
         }
         const double delta = n.density_diffusion_coefficient;
-        if (n.density_diffusion == DensityDiffusion::fourtakas &&
-            (delta < 0.02 - small || delta > 0.1 + small)) {
+        if (n.density_diffusion != DensityDiffusion::none && (delta < 0.02 - small || delta > 0.1 + small)) {
             add("numerics.density_diffusion_coefficient: verified from 0.02 to 0.1, not with {}", delta);
         }
         if (n.density_diffusion == DensityDiffusion::fourtakas && delta < 0.1 - small &&
@@ -147,6 +161,11 @@ class Warnings {
         if (n.viscosity == ViscosityForm::monaghan_gingold) {
             add("numerics.viscosity: \"monaghan-gingold\" is too weak in layered shear, by 11 % at h = 1.5 "
                 "dx and 4 % at 2 dx (Wendland); \"morris\" is within 0.3 %");
+        }
+        if (n.viscosity == ViscosityForm::artificial) {
+            add("numerics.viscosity: \"artificial\" is no viscosity of the water: it grows with c0 and h, "
+                "and a shear "
+                "flow with it does not converge to the profile of fluid.kinematic_viscosity");
         }
         if (c_.turbulence.closure == ClosureKind::none) {
             if (c_.bed.kind == BedKind::spheres) {

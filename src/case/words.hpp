@@ -129,11 +129,12 @@ struct Words<KernelKind> {
     static constexpr std::array<Word, 7> list{{
         {"wendland-c2", "Wendland's quintic C2 kernel"},
         {"cubic-spline", "cubic B-spline"},
-        {"gaussian", "Gaussian, cut at its support and normalised there"},
-        {"quadratic", "parabola (SPHysics)"},
-        {"quintic-spline", "quintic B-spline"},
-        {"wendland-c4", "Wendland's C4 kernel"},
-        {"wendland-c6", "Wendland's C6 kernel"},
+        {"gaussian",
+         "Gaussian of length 2 h/3, cut at 2 h and normalised there; narrow, take h = 2 dx or more"},
+        {"quadratic", "parabola (SPHysics): does not clump, but its sums converge worst"},
+        {"quintic-spline", "quintic B-spline of radius 2 h; narrow, take h = 2 dx or more"},
+        {"wendland-c4", "Wendland's C4 kernel; narrow, take h = 2 dx or more"},
+        {"wendland-c6", "Wendland's C6 kernel; the narrowest, take h = 2 dx or more"},
     }};
 };
 
@@ -150,7 +151,8 @@ struct Words<PressureForm> {
     static constexpr std::array<Word, 3> list{{
         {"corrected", "conservative form with the corrected kernel gradient: no spurious friction"},
         {"symmetric", "the usual p_i + p_j form: spurious friction where the particles are disordered"},
-        {"riemann", "the symmetric form with the pressure of a Riemann problem between the pair, limited"},
+        {"riemann",
+         "p_i + p_j with the limited dissipation of a Riemann problem: for violent flow, not for channels"},
     }};
 };
 
@@ -203,8 +205,10 @@ struct Words<ViscosityForm> {
         {"monaghan-gingold",
          "acts along the line of centres; conserves angular momentum, too weak in layered shear: by 11 % at "
          "h = 1.5 dx, 4 % at 2 dx (Wendland)"},
-        {"lo-shao", "acts along the velocity difference, with the mean density (Lo & Shao; SPHysics)"},
-        {"artificial", "Monaghan's artificial viscosity, alpha h c0, between approaching particles"},
+        {"lo-shao", "acts along the velocity difference, softened (Lo & Shao; SPHysics): 1 to 2 % too weak"},
+        {"artificial",
+         "Monaghan's artificial viscosity, alpha h c0, between approaching particles: instead of the "
+         "water's"},
     }};
 };
 

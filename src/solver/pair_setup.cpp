@@ -5,6 +5,7 @@
 
 #include "roughness/side_wall_partition.hpp"
 #include "sph/correction.hpp"
+#include "sph/kernel_registry.hpp"
 #include "sph/pair_terms.hpp"
 #include "turbulence/closure.hpp"
 #include "turbulence/czernuszenko_rylov.hpp"
@@ -30,6 +31,46 @@ bool has_directional_viscosity(const Case& c) {
            c.numerics.viscosity == ViscosityForm::morris;
 }
 
+bool weighs_by_volume(const Case& c) { return c.numerics.pressure_form != PressureForm::symmetric; }
+
+LoopOptions loop_options(const Case& c) {
+    const Numerics& n = c.numerics;
+    return {.kernel = n.kernel,
+            .viscosity = n.viscosity,
+            .gradients = needs_gradients(c),
+            .directional = has_directional_viscosity(c),
+            .pair_pressure = n.pressure_form == PressureForm::riemann || n.tensile_correction > 0.0};
+}
+
+double pair_viscosity(const Case& c, const Scheme& scheme) {
+    return c.numerics.viscosity == ViscosityForm::artificial
+               ? 0.5 * c.numerics.artificial_viscosity * scheme.smoothing_length * scheme.state.sound_speed
+               : scheme.viscosity;
+}
+
+namespace {
+
+/// The terms of the pairs where they have no loops of their own.
+template <int D, class Real>
+PairForm<Real> pair_form(const Case& c, const Scheme& scheme, const DirectionalViscosity<Real>& directional) {
+    const Numerics& n = c.numerics;
+    PairForm<Real> form = viscosity_form<D, Real>(n.viscosity);
+    form.by_direction = has_directional_viscosity(c);
+    form.direction = directional;
+    if (n.pressure_form == PressureForm::riemann) {
+        form.impact = Real(3);
+        form.sound_speed = static_cast<Real>(scheme.state.sound_speed);
+    }
+    if (n.tensile_correction > 0.0) {
+        form.tensile = static_cast<Real>(n.tensile_correction);
+        form.tensile_scale = static_cast<Real>(visit_kernel<D>(
+            n.kernel, [&](auto kernel) { return 1.0 / decltype(kernel)::value(1.0 / n.smoothing_ratio); }));
+    }
+    return form;
+}
+
+}  // namespace
+
 template <int D>
 double list_reach(const Case& c, const Scheme& scheme) {
     return (2.0 + c.numerics.skin_in(D)) * scheme.smoothing_length;
@@ -39,16 +80,18 @@ template <int D, class Real>
 PairConstants<D, Real> pair_constants(const Case& c, const Scheme& scheme, const FixedPoint<D>& fixed_point) {
     const double h = scheme.smoothing_length;
     const double c0 = scheme.state.sound_speed;
-    const bool diffusion = c.numerics.density_diffusion == DensityDiffusion::fourtakas;
+    const DensityDiffusion diffusion = c.numerics.density_diffusion;
     PairConstants<D, Real> constants{};
     for (std::size_t k = 0; k < D; ++k) {
         constants.unit[k] = static_cast<Real>(fixed_point.unit(k) / h);
     }
     constants.h = static_cast<Real>(h);
     constants.gradient_scale = static_cast<Real>(std::pow(h, -(D + 2)));
-    constants.diffusion =
-        static_cast<Real>(diffusion ? c.numerics.density_diffusion_coefficient * h * c0 : 0.0);
-    constants.hydrostatic_gradient = static_cast<Real>(scheme.normal_gravity / (c0 * c0));
+    constants.diffusion = static_cast<Real>(
+        diffusion != DensityDiffusion::none ? c.numerics.density_diffusion_coefficient * h * c0 : 0.0);
+    // Molteni's diffusion acts on the hydrostatic difference too.
+    constants.hydrostatic_gradient =
+        static_cast<Real>(diffusion == DensityDiffusion::molteni ? 0.0 : scheme.normal_gravity / (c0 * c0));
     constants.correct_pressure = c.numerics.pressure_form == PressureForm::corrected;
     constants.correct_gradient = c.numerics.velocity_gradient == VelocityGradient::corrected;
     if (has_directional_viscosity(c)) {
@@ -58,6 +101,8 @@ PairConstants<D, Real> pair_constants(const Case& c, const Scheme& scheme, const
                                  .level_across = weights.level_across,
                                  .molecular = static_cast<Real>(2.0 * scheme.viscosity)};
     }
+    constants.form = pair_form<D, Real>(c, scheme, constants.directional);
+    constants.table = &kernel_table<D, Real>(c.numerics.kernel);
     return constants;
 }
 
@@ -68,10 +113,10 @@ ParticleData<D> particle_constants(const Case& c, const Scheme& scheme, const Do
     data.fixed_point = FixedPoint<D>(domain);
     data.state = scheme.state;
     data.density = scheme.density;
-    data.viscosity = scheme.viscosity;
+    data.viscosity = pair_viscosity(c, scheme);
     data.gravity[0] = scheme.streamwise_gravity;
     data.gravity[D - 1] = -scheme.normal_gravity;
-    data.corrected = c.numerics.pressure_form == PressureForm::corrected;
+    data.corrected = weighs_by_volume(c);
     data.closure = c.turbulence.closure != ClosureKind::none;
     data.two_point = !data.closure || c.numerics.eddy_stress == EddyStress::two_point;
     data.shear_only = c.turbulence.stress_terms == StressTerms::shear;
@@ -143,7 +188,7 @@ void pack_wall_records(const Case& c, const Scheme& scheme, const WallParticles<
         gradient.volume = static_cast<Real>(walls.volume[i]);
         force.weight = gradient.volume;
         force.viscous_weight = law.no_slip ? gradient.volume : Real(0);
-        force.viscosity_root = static_cast<Real>(viscosity_root(scheme.viscosity));
+        force.viscosity_root = static_cast<Real>(viscosity_root(pair_viscosity(c, scheme)));
     }
     data.wall_gradient.back().x = data.wall_gradient.front().x;
     data.wall_force.back().x = data.wall_force.front().x;

@@ -16,6 +16,17 @@ namespace riffle {
 /// another across the channel, and acts through the pairs.
 [[nodiscard]] bool has_directional_viscosity(const Case& c);
 
+/// Whether pressures and viscosity are weighed with the volumes of the neighbours, and the sums divided by
+/// the density of a particle: in all forms but the symmetric one, which has masses over both densities.
+[[nodiscard]] bool weighs_by_volume(const Case& c);
+
+/// What the loops must be made for.
+[[nodiscard]] LoopOptions loop_options(const Case& c);
+
+/// Kinematic viscosity that the pairs act by, m2/s: that of the water, or with the artificial viscosity alpha
+/// h c0/2.
+[[nodiscard]] double pair_viscosity(const Case& c, const Scheme& scheme);
+
 /// Reach of the neighbour lists, m.
 template <int D>
 [[nodiscard]] double list_reach(const Case& c, const Scheme& scheme);

@@ -47,6 +47,11 @@ Scheme make_scheme(const Case& c, const ColumnResult* column) {
     // Explicit diffusion of momentum, here only where the viscosity is that of a laminar case.
     const double h = scheme.smoothing_length;
     scheme.acoustic_step = std::min(scheme.acoustic_step, 0.125 * h * h / scheme.viscosity);
+    if (c.numerics.viscosity == ViscosityForm::artificial) {
+        const double viscosity = c.numerics.artificial_viscosity * h * scheme.state.sound_speed /
+                                 (2.0 * (c.channel.dimensions + 2.0));
+        scheme.acoustic_step = std::min(scheme.acoustic_step, 0.125 * h * h / viscosity);
+    }
     return scheme;
 }
 

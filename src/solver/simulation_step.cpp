@@ -30,10 +30,7 @@ SimulationOf<D, Real>::SimulationOf(const Case& c, const ColumnResult* column, P
       stirring_(c, c.stirring.celerity.value_or(column != nullptr ? column->total_mean_velocity : 0.0)),
       domain_(domain_of<D>(c)),
       fixed_point_(domain_),
-      loops_(pair_loops<D, Real>({.kernel = c.numerics.kernel,
-                                  .viscosity = c.numerics.viscosity,
-                                  .gradients = needs_gradients(c),
-                                  .directional = has_directional_viscosity(c)})),
+      loops_(pair_loops<D, Real>(loop_options(c))),
       particle_loops_(particle_loops<D, Real>()),
       column_width_(cluster_column_spacings(D) * c.numerics.spacing),
       predictor_corrector_(c.numerics.stepping == Stepping::predictor_corrector) {

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "base/parallel.hpp"
+#include "solver/pair_setup.hpp"
 #include "solver/simulation_of.hpp"
 
 namespace riffle {
@@ -289,7 +290,7 @@ void SimulationOf<D, Real>::gather_motion(double step) {
 
 template <int D, class Real>
 void SimulationOf<D, Real>::keep_force_fields(const Task& task, std::size_t begin, std::size_t end) {
-    const bool corrected = case_.numerics.pressure_form == PressureForm::corrected;
+    const bool corrected = weighs_by_volume(case_);
     for_clusters(begin, end, [&](std::size_t first, std::size_t last, std::size_t first_lane) {
         for (std::size_t i = first; i < last; ++i) {
             const std::size_t lane = first_lane + (i - first);
@@ -317,7 +318,7 @@ void SimulationOf<D, Real>::keep_force_fields(const Task& task, std::size_t begi
 template <int D, class Real>
 void SimulationOf<D, Real>::advance_predictor_corrector(Task& task, std::size_t begin, std::size_t end,
                                                         double step) {
-    const bool corrected = case_.numerics.pressure_form == PressureForm::corrected;
+    const bool corrected = weighs_by_volume(case_);
     const bool smoothed = case_.numerics.xsph != 0.0;
     double largest = 0.0;
     bool fault = false;

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "case/case.hpp"
+#include "sph/further_kernels.hpp"
 #include "sph/kernel.hpp"
 
 namespace riffle {
@@ -17,11 +18,15 @@ decltype(auto) visit_kernel(KernelKind kind, const F& f) {
         case KernelKind::cubic_spline:
             return f(CubicSpline<D>{});
         case KernelKind::gaussian:
+            return f(Gaussian<D>{});
         case KernelKind::quadratic:
+            return f(Quadratic<D>{});
         case KernelKind::quintic_spline:
+            return f(QuinticSpline<D>{});
         case KernelKind::wendland_c4:
+            return f(WendlandC4<D>{});
         case KernelKind::wendland_c6:
-            break;
+            return f(WendlandC6<D>{});
     }
     throw std::logic_error("a kernel that kernel_registry.hpp does not list");
 }

@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "case/case.hpp"
+#include "sph/kernel_table.hpp"
 #include "sph/neighbour_list.hpp"
+#include "sph/pair_form.hpp"
 #include "sph/pair_terms.hpp"
 
 namespace riffle {
@@ -88,6 +90,8 @@ struct PairConstants {
     bool correct_pressure;                               ///< B = M^-1 near full support, else the identity
     bool correct_gradient;
     DirectionalViscosity<Real> directional;  ///< where LoopOptions ask for it
+    PairForm<Real> form;                     ///< where LoopOptions need one (needs_pair_form)
+    const KernelTable<Real>* table;          ///< of a kernel without loops of its own
 };
 
 /// By lane of the block.
@@ -180,7 +184,15 @@ struct LoopOptions {
     bool gradients = true;
     /// Morris' viscosity with a weight of the pair's direction (three dimensions).
     bool directional = false;
+    /// Pressures of the pair beside p_i + p_j: of a Riemann problem, or against clumping.
+    bool pair_pressure = false;
 };
+
+/// Whether the force takes its terms from PairConstants::form.
+[[nodiscard]] constexpr bool needs_pair_form(const LoopOptions& options) {
+    return !has_own_loops(options.kernel) || options.viscosity != ViscosityForm::morris ||
+           options.pair_pressure;
+}
 
 /// The loops, for clusters [begin, end) of the i side, at most block_clusters at a time. One table per
 /// kernel, viscosity and instruction set.

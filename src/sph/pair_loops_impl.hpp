@@ -9,11 +9,12 @@
 #include <algorithm>
 
 #include "sph/correction.hpp"
-#include "sph/kernel_registry.hpp"
+#include "sph/kernel.hpp"
 #include "sph/neighbour_search.hpp"
 #include "sph/pair_loops.hpp"
 #include "sph/pair_terms.hpp"
 #include "sph/record_lanes.hpp"
+#include "sph/tabulated_kernel.hpp"
 
 namespace riffle::RIFFLE_ISA {
 
@@ -150,6 +151,17 @@ RIFFLE_INLINE void prefetch(const std::vector<Record>& records, const std::int32
     }
 }
 
+/// A kernel with what it needs of the constants.
+template <class Kernel, int D, class Real>
+RIFFLE_INLINE Kernel kernel_of(const PairConstants<D, Real>& c) {
+    if constexpr (std::is_same_v<Kernel, TabulatedKernel<Real>>) {
+        return {*c.table};
+    } else {
+        static_cast<void>(c);
+        return {};
+    }
+}
+
 template <int D, class Real, class Kernel, bool Gradients>
 [[gnu::flatten]] void gradient_loop(PairData<D, Real>& data, std::size_t begin, std::size_t end,
                                     BlockWork<D, Real>& work) {
@@ -157,6 +169,7 @@ template <int D, class Real, class Kernel, bool Gradients>
     using T = Lanes<Real>;
     using stdx::sqrt;
     const PairConstants<D, Real> c = data.constants;
+    const Kernel kernel = kernel_of<Kernel>(c);
     const Real scale = Kernel::template gradient_constant<Real>() * c.gradient_scale;
     const Real hydrostatic_gradient = c.hydrostatic_gradient * c.h;
     for (std::size_t cluster = begin; cluster < end; ++cluster) {
@@ -175,7 +188,7 @@ template <int D, class Real, class Kernel, bool Gradients>
                 const MotionRecord<D, Real>& b = data.motion[slot_b];
                 const Components<W, D> r = self.distance(a, b, c);
                 const W weight =
-                    Kernel::gradient_shape(W(sqrt(dot<W, D>(r, r)))) * halves<Real, Real>(a.volume, b.volume);
+                    kernel.gradient_shape(W(sqrt(dot<W, D>(r, r)))) * halves<Real, Real>(a.volume, b.volume);
                 const Components<W, D> u = self.velocity(a, b);
                 wide_diffusion += density_diffusion(weight, W(s - halves<Real, Real>(a.s, b.s)), r[D - 1],
                                                     hydrostatic_gradient);
@@ -220,7 +233,7 @@ template <int D, class Real, class Kernel, bool Gradients>
                                 const WallGradientRecord<D, Real>& a = data.wall_gradient[slot_a];
                                 const WallGradientRecord<D, Real>& b = data.wall_gradient[slot_b];
                                 const Components<W, D> r = self.distance(a, b, c);
-                                const W weight = Kernel::gradient_shape(W(sqrt(dot<W, D>(r, r)))) *
+                                const W weight = kernel.gradient_shape(W(sqrt(dot<W, D>(r, r)))) *
                                                  halves<Real, Real>(a.volume, b.volume);
                                 Components<W, D> u{};
                                 for (std::size_t k = 0; k < D; ++k) {
@@ -318,11 +331,17 @@ template <class Viscosity, int D, class Real>
 RIFFLE_INLINE Viscosity viscosity_of(const PairConstants<D, Real>& c) {
     if constexpr (std::is_same_v<Viscosity, DirectionalViscosity<Real>>) {
         return c.directional;
+    } else if constexpr (std::is_same_v<Viscosity, PairForm<Real>>) {
+        return c.form;
     } else {
         static_cast<void>(c);
         return {};
     }
 }
+
+/// Whether the kernel is one that Monaghan's repulsion against clumping goes with.
+template <class Kernel, int D>
+inline constexpr bool may_repel = std::is_same_v<Kernel, CubicSpline<D>>;
 
 template <int D, class Real, class Kernel, class Viscosity, class Record>
 [[gnu::flatten]] void force_loop(PairData<D, Real>& data, std::size_t begin, std::size_t end,
@@ -330,15 +349,21 @@ template <int D, class Real, class Kernel, class Viscosity, class Record>
     using W = Wide<Real>;
     using stdx::sqrt;
     constexpr std::size_t components = std::tuple_size_v<decltype(Record::stress)>;
+    constexpr bool further = std::is_same_v<Viscosity, PairForm<Real>>;
     const PairConstants<D, Real> c = data.constants;
     const Viscosity form = viscosity_of<Viscosity>(c);
+    const Kernel kernel = kernel_of<Kernel>(c);
     const Real scale = Kernel::template gradient_constant<Real>() * c.gradient_scale;
     const std::vector<Record>& records = stress_records<Record>(data);
     for (std::size_t cluster = begin; cluster < end; ++cluster) {
         const std::size_t slot = cluster * cluster_size;
         const Record* own = &records[slot];
-        const OwnCluster<D, Real> self = own_motion<D, Real>(&data.motion[slot]).first;
+        const auto [self, s] = own_motion<D, Real>(&data.motion[slot]);
         const auto [stress, root] = own_stress<Real>(own);
+        [[maybe_unused]] W own_pressure(0);
+        if constexpr (further && may_repel<Kernel, D>) {
+            own_pressure = gather<Real, Real>(own, [](const auto& r) { return r.pressure; });
+        }
 
         Components<W, D> tensor{};
         Components<W, D> viscous{};
@@ -352,13 +377,26 @@ template <int D, class Real, class Kernel, class Viscosity, class Record>
                 const Record& a = records[slot_a];
                 const Record& b = records[slot_b];
                 const W r_squared = dot<W, D>(r, r);
-                const W weight =
-                    Kernel::gradient_shape(W(sqrt(r_squared))) * halves<Real, Real>(a.weight, b.weight);
+                const W distance = sqrt(r_squared);
+                const W weight = kernel.gradient_shape(distance) * halves<Real, Real>(a.weight, b.weight);
                 Components<W, components> stress_sum{};
                 for (std::size_t k = 0; k < components; ++k) {
                     stress_sum[k] = stress[k] + halves<Real, Real>(a.stress[k], b.stress[k]);
                 }
                 add(tensor, tensor_force<W, D>(weight, stress_sum, r));
+                if constexpr (further) {
+                    const W density = Real(1) + Real(0.5) * (s + halves<Real, Real>(data.motion[slot_a].s,
+                                                                                    data.motion[slot_b].s));
+                    W more = form.template dissipation<W, D>(density, u, r, distance);
+                    if constexpr (may_repel<Kernel, D>) {
+                        if (form.tensile > Real(0)) {
+                            more += form.template repulsion<W>(own_pressure,
+                                                               halves<Real, Real>(a.pressure, b.pressure),
+                                                               kernel.value(distance));
+                        }
+                    }
+                    add(tensor, tensor_force<W, D>(weight, Components<W, 1>{more}, r));
+                }
                 const W viscosity =
                     pair_viscosity_sum<W>(root, halves<Real, Real>(a.viscosity_root, b.viscosity_root));
                 add(viscous, form.template force<W, D>(weight, viscosity, u, r, r_squared));
@@ -391,9 +429,17 @@ template <int D, class Real, class Kernel, class Viscosity, class Record>
                     const Components<W, D> r = self.distance(a, b, c);
                     const Components<W, D> u = self.velocity(a, b);
                     const W r_squared = dot<W, D>(r, r);
-                    const W shape = Kernel::gradient_shape(W(sqrt(r_squared)));
+                    const W distance = sqrt(r_squared);
+                    const W shape = kernel.gradient_shape(distance);
                     const W weight = shape * halves<Real, Real>(a.weight, b.weight);
-                    const W pressure_sum = pressure + halves<Real, Real>(a.pressure, b.pressure);
+                    const W wall_pressure = halves<Real, Real>(a.pressure, b.pressure);
+                    W pressure_sum = pressure + wall_pressure;
+                    if constexpr (further && may_repel<Kernel, D>) {
+                        if (form.tensile > Real(0)) {
+                            pressure_sum +=
+                                form.template repulsion<W>(pressure, wall_pressure, kernel.value(distance));
+                        }
+                    }
                     add(wall_tensor, tensor_force<W, D>(weight, Components<W, 1>{pressure_sum}, r));
                     if (continued) {
                         const W corrected = pressure_sum * halves<Real, Real>(a.continuation, b.continuation);
@@ -429,6 +475,7 @@ template <int D, class Real, class Kernel, class Record>
     using W = Wide<Real>;
     using stdx::sqrt;
     const PairConstants<D, Real> c = data.constants;
+    const Kernel kernel = kernel_of<Kernel>(c);
     const Real scale = Kernel::template gradient_constant<Real>() * c.gradient_scale;
     const std::vector<Record>& records = stress_records<Record>(data);
     for (std::size_t cluster = begin; cluster < end; ++cluster) {
@@ -447,7 +494,7 @@ template <int D, class Real, class Kernel, class Record>
                             const W q = sqrt(dot<W, D>(r, r));
                             // The record that fills a turn up has no volume: it must not count here either.
                             const W volume = halves<Real, Real>(a.volume, b.volume);
-                            W w = Kernel::value(q);
+                            W w = kernel.value(q);
                             stdx::where(volume == W(0), w) = W(0);
                             weight += w;
                             pressure +=
@@ -458,7 +505,7 @@ template <int D, class Real, class Kernel, class Record>
                                 u[k] = halves<Real, Real>(a.u[k], b.u[k]);
                                 velocity[k] += w * u[k];
                             }
-                            density_rate -= continuity<W, D>(Kernel::gradient_shape(q) * volume, u, r);
+                            density_rate -= continuity<W, D>(kernel.gradient_shape(q) * volume, u, r);
                         });
         const std::size_t lane = (cluster - begin) * cluster_size;
         store_lanes(fold<Real>(weight), &work.wall.weight[lane]);
@@ -477,6 +524,7 @@ template <int D, class Real, class Kernel>
     using W = Wide<Real>;
     using stdx::sqrt;
     const PairConstants<D, Real> c = data.constants;
+    const Kernel kernel = kernel_of<Kernel>(c);
     const Real kernel_scale = c.gradient_scale * c.h * c.h;  // h^-D
     for (std::size_t cluster = begin; cluster < end; ++cluster) {
         const OwnCluster<D, Real> self(&data.motion[cluster * cluster_size]);
@@ -492,7 +540,7 @@ template <int D, class Real, class Kernel>
                             const MotionRecord<D, Real>& a = data.motion[slot_a];
                             const MotionRecord<D, Real>& b = data.motion[slot_b];
                             const Components<W, D> r = self.distance(a, b, c);
-                            const W w = Kernel::value(W(sqrt(dot<W, D>(r, r)))) *
+                            const W w = kernel.value(W(sqrt(dot<W, D>(r, r)))) *
                                         halves<Real, Real>(a.volume, b.volume);
                             const W mass_weight = w * (Real(1) + halves<Real, Real>(a.s, b.s));
                             zeroth += w;
@@ -530,12 +578,15 @@ PairLoops<D, Real> loops_of(const LoopOptions& options) {
     constexpr bool gradients = std::is_same_v<Record, StressRecord<D, Real>>;
     PairLoops<D, Real> loops{};
     loops.gradient = &gradient_loop<D, Real, Kernel, gradients>;
-    loops.force = options.viscosity == ViscosityForm::morris
-                      ? &force_loop<D, Real, Kernel, MorrisViscosity, Record>
-                      : &force_loop<D, Real, Kernel, MonaghanGingoldViscosity, Record>;
-    if constexpr (D == 3 && gradients) {
-        if (options.directional) {
-            loops.force = &force_loop<D, Real, Kernel, DirectionalViscosity<Real>, Record>;
+    loops.force = &force_loop<D, Real, Kernel, PairForm<Real>, Record>;
+    if constexpr (!std::is_same_v<Kernel, TabulatedKernel<Real>>) {
+        if (!needs_pair_form(options)) {
+            loops.force = &force_loop<D, Real, Kernel, MorrisViscosity, Record>;
+            if constexpr (D == 3 && gradients) {
+                if (options.directional) {
+                    loops.force = &force_loop<D, Real, Kernel, DirectionalViscosity<Real>, Record>;
+                }
+            }
         }
     }
     loops.wall = &wall_loop<D, Real, Kernel, Record>;
@@ -543,13 +594,18 @@ PairLoops<D, Real> loops_of(const LoopOptions& options) {
     return loops;
 }
 
+template <int D, class Real, class Kernel>
+PairLoops<D, Real> loops_with(const LoopOptions& options) {
+    return options.gradients ? loops_of<D, Real, Kernel, StressRecord<D, Real>>(options)
+                             : loops_of<D, Real, Kernel, PressureRecord<Real>>(options);
+}
+
 template <int D, class Real>
 PairLoops<D, Real> loops(const LoopOptions& options) {
-    return visit_kernel<D>(options.kernel, [&](auto chosen) {
-        using Kernel = decltype(chosen);
-        return options.gradients ? loops_of<D, Real, Kernel, StressRecord<D, Real>>(options)
-                                 : loops_of<D, Real, Kernel, PressureRecord<Real>>(options);
-    });
+    static_assert(has_own_loops(KernelKind::wendland_c2) && has_own_loops(KernelKind::cubic_spline));
+    return options.kernel == KernelKind::wendland_c2    ? loops_with<D, Real, WendlandC2<D>>(options)
+           : options.kernel == KernelKind::cubic_spline ? loops_with<D, Real, CubicSpline<D>>(options)
+                                                        : loops_with<D, Real, TabulatedKernel<Real>>(options);
 }
 
 }  // namespace riffle::RIFFLE_ISA

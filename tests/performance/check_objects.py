@@ -55,7 +55,7 @@ def sum_of(name, instruction_set):
     """Which of SUMS a function computes in single precision with the default kernel and viscosity; None for others."""
     match = re.match(rf"void riffle::{instruction_set}::(gradient|force)_loop<([23]), float, riffle::WendlandC2<[23]>, "
                      r"(.*?)>\(riffle::PairData", name)
-    if not match or "Monaghan" in match[3] or "[clone" in name:
+    if not match or "PairForm" in match[3] or "[clone" in name:
         return None
     if "Directional" in match[3]:  # the viscosity of an anisotropic closure
         return match[1], int(match[2]), "directional"

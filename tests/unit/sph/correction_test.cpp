@@ -224,8 +224,10 @@ template <int D>
 void check_pair_forces() {
     const PairSample<D> sample = disordered_sample<D>(0.4, 0, 9);
     for (const bool gradients : {true, false}) {
-        for (const ViscosityForm form : {ViscosityForm::morris, ViscosityForm::monaghan_gingold}) {
-            LoopRun<D, double> run(sample, {.gradients = gradients});
+        for (const ViscosityForm form : {ViscosityForm::morris, ViscosityForm::monaghan_gingold,
+                                         ViscosityForm::lo_shao, ViscosityForm::artificial}) {
+            LoopRun<D, double> run(
+                sample, {.gradients = gradients, .viscosity = form, .impact = 3.0, .sound_speed = 1.0});
             run.run(pair_loops<D, double>({.viscosity = form, .gradients = gradients}));
             for (std::size_t k = 0; k < D; ++k) {
                 double tensor = 0.0;

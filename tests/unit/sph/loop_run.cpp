@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 
+#include "sph/kernel_registry.hpp"
 #include "sph/pair_terms.hpp"
 
 namespace riffle {
@@ -79,6 +80,17 @@ LoopRun<D, Real>::LoopRun(const PairSample<D>& sample, const RunOptions& options
                                   .level = static_cast<Real>(options.directional.level),
                                   .level_across = static_cast<Real>(options.directional.level_across),
                                   .molecular = static_cast<Real>(options.directional.molecular)};
+    PairForm<Real>& form = data.constants.form;
+    form = viscosity_form<D, Real>(options.viscosity);
+    form.by_direction = options.by_direction;
+    form.direction = data.constants.directional;
+    form.impact = static_cast<Real>(options.impact);
+    form.sound_speed = static_cast<Real>(options.sound_speed);
+    form.tensile = static_cast<Real>(options.tensile);
+    form.tensile_scale = static_cast<Real>(visit_kernel<D>(options.kernel, [&](auto kernel) {
+        return 1.0 / decltype(kernel)::value(PairSample<D>::spacing / h);
+    }));
+    data.constants.table = &kernel_table<D, Real>(options.kernel);
     pack_fluid(sample);
     if (!sample.wall.empty()) {
         pack_walls(sample);

@@ -17,6 +17,12 @@ struct RunOptions {
     bool correct = true;    ///< pressure and velocity gradient
     bool gradients = true;  ///< as in LoopOptions: without them the stress is the pressure alone
     DirectionalViscosity<double> directional = {};
+    KernelKind kernel = KernelKind::wendland_c2;  ///< kernel and viscosity as in LoopOptions
+    ViscosityForm viscosity = ViscosityForm::morris;
+    double impact = 0.0;  ///< as in PairForm
+    double sound_speed = 0.0;
+    double tensile = 0.0;
+    bool by_direction = false;
 };
 
 /// Everything that the loops need, made of a sample, and their results by slot.

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "case/words.hpp"
 #include "loop_run.hpp"
 #include "plain_sums.hpp"
 #include "sph/correction.hpp"
@@ -16,6 +17,9 @@ namespace {
 
 constexpr double diffusion = 0.7;
 constexpr double hydrostatic_gradient = 0.05;
+/// Low enough for the limiter of the Riemann problem to reach it in some pairs
+/// (tests/unit/sph/pair_sample.cpp).
+constexpr double sound_speed = 1.0;
 
 template <class Real>
 constexpr double epsilon_of = static_cast<double>(std::numeric_limits<Real>::epsilon());
@@ -54,6 +58,8 @@ struct Option {
     int layers;
     bool gradients;
     bool directional = false;  ///< in three dimensions
+    double impact = 0.0;       ///< of the Riemann problem
+    double tensile = 0.0;
 };
 
 template <int D>
@@ -159,14 +165,28 @@ void compare_with_plain_sums(const Option& option) {
         GTEST_SKIP() << "this processor does not offer " << instruction_set_name(option.set);
     }
     PairSample<D> sample = disordered_sample<D>(0.3, option.layers, 11);
+    if (option.tensile > 0.0) {  // some of the particles under suction
+        for (auto* particles : {&sample.fluid, &sample.wall}) {
+            for (auto& p : *particles) {
+                p.pressure -= 0.5;
+            }
+        }
+    }
     LoopRun<D, Real> run(sample, {.diffusion = diffusion,
                                   .hydrostatic_gradient = hydrostatic_gradient,
                                   .gradients = option.gradients,
-                                  .directional = directional});
+                                  .directional = directional,
+                                  .kernel = option.kernel,
+                                  .viscosity = option.viscosity,
+                                  .impact = option.impact,
+                                  .sound_speed = sound_speed,
+                                  .tensile = option.tensile,
+                                  .by_direction = option.directional});
     run.run(pair_loops<D, Real>({.kernel = option.kernel,
                                  .viscosity = option.viscosity,
                                  .gradients = option.gradients,
-                                 .directional = option.directional},
+                                 .directional = option.directional,
+                                 .pair_pressure = option.impact > 0.0 || option.tensile > 0.0},
                                 option.set));
     Corrections<D> correction(sample.fluid.size());
     for (std::size_t i = 0; i < sample.fluid.size(); ++i) {
@@ -185,6 +205,9 @@ void compare_with_plain_sums(const Option& option) {
                                               .viscosity = option.viscosity,
                                               .diffusion = diffusion,
                                               .hydrostatic_gradient = hydrostatic_gradient,
+                                              .impact = option.impact,
+                                              .sound_speed = sound_speed,
+                                              .tensile = option.tensile,
                                               .weighted = option.directional,
                                               .directional = directional},
                                              correction);
@@ -215,12 +238,19 @@ void compare_with_plain_sums(const Option& option) {
     }
 }
 
+/// A word of the case file as part of a test's name.
+template <class Enum>
+std::string in_name(Enum value) {
+    std::string name(word(value));
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+}
+
 std::string name_of(const testing::TestParamInfo<Option>& info) {
-    return instruction_set_name(info.param.set) +
-           (info.param.kernel == KernelKind::wendland_c2 ? "_wendland" : "_cubic") +
-           (info.param.viscosity == ViscosityForm::morris ? "_morris" : "_gingold") +
-           (info.param.layers > 0 ? "_walls" : "_periodic") + (info.param.gradients ? "" : "_plain") +
-           (info.param.directional ? "_directional" : "");
+    return instruction_set_name(info.param.set) + "_" + in_name(info.param.kernel) + "_" +
+           in_name(info.param.viscosity) + (info.param.layers > 0 ? "_walls" : "_periodic") +
+           (info.param.gradients ? "" : "_plain") + (info.param.directional ? "_directional" : "") +
+           (info.param.impact > 0.0 ? "_riemann" : "") + (info.param.tensile > 0.0 ? "_tensile" : "");
 }
 
 std::vector<Option> all_options() {
@@ -228,7 +258,8 @@ std::vector<Option> all_options() {
     for (const InstructionSet set :
          {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512}) {
         for (const KernelKind kernel : {KernelKind::wendland_c2, KernelKind::cubic_spline}) {
-            for (const ViscosityForm viscosity : {ViscosityForm::morris, ViscosityForm::monaghan_gingold}) {
+            for (const ViscosityForm viscosity : {ViscosityForm::morris, ViscosityForm::monaghan_gingold,
+                                                  ViscosityForm::lo_shao, ViscosityForm::artificial}) {
                 for (const int layers : {0, 3}) {
                     if (viscosity == ViscosityForm::morris) {
                         options.push_back({set, kernel, viscosity, layers, true, true});
@@ -238,6 +269,24 @@ std::vector<Option> all_options() {
                     }
                 }
             }
+        }
+        for (const KernelKind kernel :
+             {KernelKind::gaussian, KernelKind::quadratic, KernelKind::quintic_spline,
+              KernelKind::wendland_c4, KernelKind::wendland_c6}) {
+            for (const bool gradients : {true, false}) {
+                options.push_back({set, kernel, ViscosityForm::morris, 3, gradients});
+                options.push_back({set, kernel, ViscosityForm::monaghan_gingold, 0, gradients});
+            }
+            options.push_back({set, kernel, ViscosityForm::morris, 0, true, true});
+        }
+        // Pressures of the pair beside the sum of two.
+        for (const bool gradients : {true, false}) {
+            options.push_back(
+                {set, KernelKind::wendland_c2, ViscosityForm::morris, 3, gradients, false, 3.0, 0.0});
+            options.push_back(
+                {set, KernelKind::cubic_spline, ViscosityForm::morris, 3, gradients, false, 0.0, 0.2});
+            options.push_back(
+                {set, KernelKind::wendland_c6, ViscosityForm::lo_shao, 0, gradients, false, 3.0, 0.0});
         }
     }
     return options;

@@ -1,7 +1,11 @@
 #include "plain_sums.hpp"
 
+#include <algorithm>
+#include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
+#include <complex>
 #include <numbers>
+#include <utility>
 
 namespace riffle {
 
@@ -15,6 +19,49 @@ struct KernelValue {
     double slope = 0.0;
 };
 
+/// W without its constant, q < 2, of the kernels that the loops take from a table; for complex q too.
+template <class T>
+T shape(KernelKind kind, T q) {
+    using std::exp;
+    using std::pow;
+    const T t = 1.0 - 0.5 * q;
+    switch (kind) {
+        case KernelKind::gaussian:
+            return exp(-2.25 * q * q) - std::exp(-9.0);
+        case KernelKind::quadratic:
+            return 0.1875 * q * q - 0.75 * q + 0.75;
+        case KernelKind::quintic_spline: {
+            const double real = std::real(std::complex<double>(q));
+            T sum = pow(3.0 - 1.5 * q, 5);
+            if (1.5 * real < 2.0) {
+                sum -= 6.0 * pow(2.0 - 1.5 * q, 5);
+            }
+            if (1.5 * real < 1.0) {
+                sum += 15.0 * pow(1.0 - 1.5 * q, 5);
+            }
+            return sum;
+        }
+        case KernelKind::wendland_c4:
+            return pow(t, 6) * (35.0 / 12.0 * q * q + 3.0 * q + 1.0);
+        case KernelKind::wendland_c6:
+            return pow(t, 8) * (4.0 * q * q * q + 6.25 * q * q + 4.0 * q + 1.0);
+        default:
+            return T(0);
+    }
+}
+
+/// The constant by which the kernel integrates to one in D dimensions, h = 1.
+template <int D>
+double constant_of(KernelKind kind) {
+    const auto shell = [&](double q) { return shape(kind, q) * (D == 2 ? 2.0 * pi * q : 4.0 * pi * q * q); };
+    double integral = 0.0;
+    for (int piece = 0; piece < 6; ++piece) {
+        integral +=
+            boost::math::quadrature::gauss<double, 15>::integrate(shell, piece / 3.0, (piece + 1) / 3.0);
+    }
+    return 1.0 / integral;
+}
+
 template <int D>
 KernelValue kernel_value(KernelKind kind, double r, double h) {
     const double q = r / h;
@@ -26,11 +73,16 @@ KernelValue kernel_value(KernelKind kind, double r, double h) {
         const double t = 1.0 - 0.5 * q;
         return {a * std::pow(t, 4) * (2.0 * q + 1.0), -5.0 * a * q * std::pow(t, 3) / h};
     }
-    const double a = (D == 2 ? 10.0 / (7.0 * pi) : 1.0 / pi) / std::pow(h, D);
-    if (q < 1.0) {
-        return {a * (1.0 - 1.5 * q * q + 0.75 * q * q * q), a * (-3.0 * q + 2.25 * q * q) / h};
+    if (kind == KernelKind::cubic_spline) {
+        const double a = (D == 2 ? 10.0 / (7.0 * pi) : 1.0 / pi) / std::pow(h, D);
+        if (q < 1.0) {
+            return {a * (1.0 - 1.5 * q * q + 0.75 * q * q * q), a * (-3.0 * q + 2.25 * q * q) / h};
+        }
+        return {0.25 * a * std::pow(2.0 - q, 3), -0.75 * a * (2.0 - q) * (2.0 - q) / h};
     }
-    return {0.25 * a * std::pow(2.0 - q, 3), -0.75 * a * (2.0 - q) * (2.0 - q) / h};
+    const double a = constant_of<D>(kind) / std::pow(h, D);
+    constexpr double step = 1e-100;  // the derivative by a complex step
+    return {a * shape(kind, q), a * shape(kind, std::complex<double>(q, step)).imag() / step / h};
 }
 
 /// Geometry and kernel of a pair.
@@ -98,6 +150,7 @@ class Summation {
         for (std::size_t k = 0; k < D; ++k) {
             const double u = a.u[k] - b.u[k];
             sums.density_rate[i].add(V * u * p.gradient[k]);
+            sums.tensor[k][i].add(-V * (dissipation(a, b, p) + repulsion(a, b, p)) * p.gradient[k]);
             for (std::size_t l = 0; l < D; ++l) {
                 sums.gradient[D * k + l][i].add(-V * u * p.gradient[l]);
                 sums.tensor[k][i].add(-V * (a.stress[D * k + l] + b.stress[D * k + l]) * p.gradient[l]);
@@ -126,13 +179,14 @@ class Summation {
         const double V = b.volume;
         const bool continued = b.continuation > 0.0;
         add_moment(continued ? sums.m_continued : sums.m_wall, i, V, p);
+        const double pressure = a.pressure + b.pressure + repulsion(a, b, p);
         for (std::size_t k = 0; k < D; ++k) {
             for (std::size_t l = 0; l < D; ++l) {
                 sums.density_rate[i].add(V * b.projector[D * k + l] * a.u[l] * p.gradient[k]);
                 const double identity = k == l ? 1.0 : 0.0;
                 const bool corrected = continued && (D == 2 || k > 0);  // in 3D not along the channel
                 const double matrix = corrected ? correction_[i][D * k + l] : identity;
-                const double force = -V * (a.pressure + b.pressure) * matrix * p.gradient[l];
+                const double force = -V * pressure * matrix * p.gradient[l];
                 sums.tensor[k][i].add(force);
                 sums.wall[k][i].add(force);
             }
@@ -166,6 +220,39 @@ class Summation {
         return pair;
     }
 
+    /// u.r
+    static double scalar_product(const Particle& a, const Particle& b, const Pair<D>& p) {
+        double sum = 0.0;
+        for (std::size_t k = 0; k < D; ++k) {
+            sum += (a.u[k] - b.u[k]) * p.r[k];
+        }
+        return sum;
+    }
+
+    /// Of the Riemann problem: rho_ij beta (U_l - U_r), beta = min(3 max(U_l - U_r, 0), c0).
+    double dissipation(const Particle& a, const Particle& b, const Pair<D>& p) const {
+        if (p.distance == 0.0) {
+            return 0.0;
+        }
+        const double difference = -scalar_product(a, b, p) / p.distance;
+        const double beta = std::min(options_.impact * std::max(difference, 0.0), options_.sound_speed);
+        return (1.0 + 0.5 * (a.s + b.s)) * beta * difference;
+    }
+
+    /// Monaghan (2000): R f^4, f = W(r)/W(dx).
+    double repulsion(const Particle& a, const Particle& b, const Pair<D>& p) const {
+        if (options_.tensile == 0.0) {
+            return 0.0;
+        }
+        const double f = p.w / kernel_value<D>(options_.kernel, PairSample<D>::spacing, sample_.h).w;
+        double r = 0.01 * (a.pressure + b.pressure);
+        if (a.pressure < 0.0 || b.pressure < 0.0) {
+            r = options_.tensile *
+                ((a.pressure < 0.0 ? -a.pressure : 0.0) + (b.pressure < 0.0 ? -b.pressure : 0.0));
+        }
+        return r * std::pow(f, 4);
+    }
+
     /// Component of the two-point viscosity.
     double viscous_force(const Particle& a, const Particle& b, const Pair<D>& p,
                          std::size_t component) const {
@@ -182,12 +269,17 @@ class Summation {
             return b.volume * (weights.molecular + k * (twice - weights.molecular)) * p.slope / p.distance *
                    (a.u[component] - b.u[component]);
         }
-        if (options_.viscosity == ViscosityForm::morris) {
-            return b.volume * twice * p.slope / p.distance * (a.u[component] - b.u[component]);
-        }
-        double approach = 0.0;
-        for (std::size_t k = 0; k < D; ++k) {
-            approach += (a.u[k] - b.u[k]) * p.r[k];
+        const double softened = p.distance * p.distance + 0.01 * sample_.h * sample_.h;
+        const double approach = scalar_product(a, b, p);
+        switch (options_.viscosity) {
+            case ViscosityForm::morris:
+                return b.volume * twice * p.slope / p.distance * (a.u[component] - b.u[component]);
+            case ViscosityForm::lo_shao:
+                return b.volume * twice * p.slope * p.distance / softened * (a.u[component] - b.u[component]);
+            case ViscosityForm::artificial:
+                return approach < 0.0 ? b.volume * twice * approach / softened * p.gradient[component] : 0.0;
+            case ViscosityForm::monaghan_gingold:
+                break;
         }
         return (D + 2) * b.volume * twice * approach / (p.distance * p.distance) * p.gradient[component];
     }

@@ -42,7 +42,10 @@ struct PlainOptions {
     ViscosityForm viscosity = ViscosityForm::morris;
     double diffusion = 0.0;
     double hydrostatic_gradient = 0.0;
-    bool weighted = false;  ///< Morris' viscosity by `directional` (three dimensions)
+    double impact = 0.0;       ///< Riemann problem of the pair
+    double sound_speed = 0.0;  ///< of it
+    double tensile = 0.0;      ///< Monaghan's (2000) epsilon
+    bool weighted = false;     ///< Morris' viscosity by `directional` (three dimensions)
     DirectionalViscosity<double> directional = {};
 };
 
