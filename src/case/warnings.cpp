@@ -196,7 +196,7 @@ class Warnings {
     void stepping_and_walls() {
         const Numerics& n = c_.numerics;
         const bool euler = n.stepping == Stepping::semi_implicit_euler;
-        const double verified = euler ? 0.8 : 0.4;
+        const double verified = euler ? 0.8 : n.stepping == Stepping::verlet ? 0.2 : 0.4;
         if (!n.time_step && n.courant_number > verified + small) {
             add("numerics.courant_number: {} is more than {}, the largest value verified with \"{}\"",
                 n.courant_number, verified, word(n.stepping));

@@ -223,11 +223,16 @@ struct Words<EddyStress> {
 template <>
 struct Words<Stepping> {
     static constexpr std::array<Word, 5> list{{
-        {"semi-implicit-euler", "one force evaluation per step"},
-        {"predictor-corrector", "two force evaluations per step (the thesis)"},
-        {"verlet", "one force evaluation per step, over two steps (SPHysics)"},
-        {"symplectic", "two force evaluations per step, positions at half steps (SPHysics)"},
-        {"beeman", "one force evaluation per step, with the acceleration of the step before (SPHysics)"},
+        {"semi-implicit-euler",
+         "one force evaluation per step, first order: advised, as fast again as the "
+         "others and the same flow to 0.03 %"},
+        {"predictor-corrector", "two force evaluations per step, second order (the thesis)"},
+        {"verlet",
+         "one force evaluation per step, a leap over two steps (SPHysics); not with density diffusion "
+         "at Courant numbers above 0.2, where it fails"},
+        {"symplectic", "two force evaluations per step, the second at its middle; second order (SPHysics)"},
+        {"beeman",
+         "two force evaluations per step, with the rates of the step before; third order (SPHysics)"},
     }};
 };
 

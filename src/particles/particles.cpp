@@ -26,6 +26,12 @@ void Particles<D>::permute(const std::vector<std::int32_t>& order) {
     }
     permute_array(density_deviation, order, scratch);
     permute_array(mass, order, scratch);
+    if (!previous.empty()) {
+        for (auto& component : previous.motion) {
+            permute_array(component, order, scratch);
+        }
+        permute_array(previous.density, order, scratch);
+    }
     std::vector<std::int32_t> scratch_id;
     permute_array(id, order, scratch_id);
 }

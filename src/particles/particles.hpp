@@ -8,6 +8,23 @@
 
 namespace riffle {
 
+/// What a method of time stepping keeps of the step before, by particle: values or rates of change (SI).
+/// Empty before the first step and with methods that keep nothing.
+template <int D>
+struct PreviousStep {
+    std::array<std::vector<double>, static_cast<std::size_t>(D)> motion;  ///< velocity or acceleration
+    std::vector<double> density;  ///< density deviation or its rate of change
+
+    [[nodiscard]] bool empty() const { return density.empty(); }
+
+    void resize(std::size_t n) {
+        for (auto& component : motion) {
+            component.resize(n);
+        }
+        density.resize(n);
+    }
+};
+
 /// Master state of the fluid particles, in double precision, one array per quantity. SI.
 template <int D>
 struct Particles {
@@ -16,6 +33,7 @@ struct Particles {
     std::vector<double> density_deviation;  ///< s = rho/rho0 - 1: no rounding against rho0
     std::vector<double> mass;
     std::vector<std::int32_t> id;  ///< number at creation, kept through sorting
+    PreviousStep<D> previous;
     /// Position at the last build of the neighbour lists. Part of a saved state, so that a resumed run has
     /// the same lists in the same order, and the same bits, as an uninterrupted one; empty otherwise.
     std::array<std::vector<double>, static_cast<std::size_t>(D)> listed_position;

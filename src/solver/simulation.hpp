@@ -90,8 +90,10 @@ class SimulationIn {
     virtual void step(double fields_due) = 0;
     void step() { step(0.0); }
 
-    /// Force evaluations per step (1, or 2 with the predictor-corrector).
+    /// Force evaluations per step (1 or 2).
     [[nodiscard]] virtual int evaluations_per_step() const = 0;
+
+    [[nodiscard]] virtual Stepping stepping() const = 0;
 
     /// Mean number of neighbours in the lists of a cluster, for the benchmark.
     [[nodiscard]] virtual double mean_listed_neighbours() const = 0;

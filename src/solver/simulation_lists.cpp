@@ -103,7 +103,7 @@ void SimulationOf<D, Real>::allocate() {
     if (block_seconds_.size() < blocks) {
         block_seconds_.resize(blocks);
     }
-    if (predictor_corrector_) {
+    if (stepper_) {
         density_rate_.resize(particles_.size());
     }
 }
@@ -276,6 +276,10 @@ std::size_t SimulationOf<D, Real>::bytes() const {
     }
     add(data_.correction_lane);
     add(density_rate_);
+    for (const auto& component : particles_.previous.motion) {
+        add(component);
+    }
+    add(particles_.previous.density);
     for (const auto field : ParticleFields::all()) {
         add(fields_.*field);
     }

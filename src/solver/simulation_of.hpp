@@ -7,6 +7,7 @@
 #include "base/parallel.hpp"
 #include "roughness/bed_drag.hpp"
 #include "solver/simulation.hpp"
+#include "solver/stepper.hpp"
 #include "solver/stirring.hpp"
 #include "solver/sweep_order.hpp"
 #include "sph/pair_loops.hpp"
@@ -25,6 +26,7 @@ class SimulationOf final : public SimulationIn<D> {
 
     void step(double fields_due) override;
     [[nodiscard]] int evaluations_per_step() const override;
+    [[nodiscard]] Stepping stepping() const override { return case_.numerics.stepping; }
     [[nodiscard]] double mean_listed_neighbours() const override;
     [[nodiscard]] double count_neighbours() const override;
     [[nodiscard]] std::size_t bytes() const override;
@@ -87,7 +89,8 @@ class SimulationOf final : public SimulationIn<D> {
                      std::size_t lane, double step);
     void wet_wall(std::size_t slot, std::size_t particle, double pressure);
     void gather_motion(double step);
-    void advance_predictor_corrector(Task& task, std::size_t begin, std::size_t end, double step);
+    /// An evaluation of the stepper: the particles of a block by their rates.
+    void advance_by_rates(Task& task, std::size_t begin, std::size_t end);
     void keep_stress_fields(const Task& task, std::size_t begin, std::size_t end);
     void keep_force_fields(const Task& task, std::size_t begin, std::size_t end);
 
@@ -98,7 +101,7 @@ class SimulationOf final : public SimulationIn<D> {
     /// Coefficients of the bed's drag at the particles of a block, and at one.
     void find_drag(Task& task, std::size_t begin, std::size_t end) const;
     [[nodiscard]] double bed_drag_at(std::size_t particle) const;
-    /// Explicit drags on a particle (predictor-corrector), added to `a`.
+    /// Explicit drags on a particle (with a stepper), added to `a`.
     void add_drags(Task& task, std::size_t lane, std::size_t particle, Vec<D>& a) const;
     /// The coefficient of the side walls' drag from the sums of AdvanceResult, and from the particles.
     void set_side_drag(double bed_drag, double side_layer);
@@ -113,6 +116,7 @@ class SimulationOf final : public SimulationIn<D> {
 
     // Stepping (simulation_step.cpp).
     void take_step(double fields_due);
+    void take_step_by_rates(double dt, bool filtered);
     [[nodiscard]] double choose_step() const;
     void check_state() const;
 
@@ -187,13 +191,13 @@ class SimulationOf final : public SimulationIn<D> {
     SweepOrder order_;
     Displacement<D> moved_;
 
-    bool keep_fields_ = true;  ///< in this step
-    bool predictor_corrector_ = false;
+    bool keep_fields_ = true;                      ///< in this step
     std::vector<AdvanceResult<D>> block_advance_;  ///< by block
     bool loose_ = false;  ///< drops beyond the reach of the water, which no list knows
     std::array<std::vector<double>, static_cast<std::size_t>(D)> smoothed_velocity_;  ///< XSPH, by particle
-    std::vector<double> density_rate_;  ///< ds/dt by particle (predictor-corrector)
-    Particles<D> saved_;                ///< state at the start of the step (predictor-corrector)
+    std::unique_ptr<Stepper<D>> stepper_;  ///< none: the semi-implicit Euler method
+    int evaluation_ = 0;                   ///< of the stepper, in progress
+    std::vector<double> density_rate_;     ///< ds/dt by particle, for the stepper
 
     bool profiling_ = false;
     StepProfile profile_;

@@ -33,7 +33,7 @@ SimulationOf<D, Real>::SimulationOf(const Case& c, const ColumnResult* column, P
       loops_(pair_loops<D, Real>(loop_options(c))),
       particle_loops_(particle_loops<D, Real>()),
       column_width_(cluster_column_spacings(D) * c.numerics.spacing),
-      predictor_corrector_(c.numerics.stepping == Stepping::predictor_corrector) {
+      stepper_(make_stepper<D>(c.numerics.stepping)) {
     particles_ = std::move(particles);
     scheme_ = make_scheme(c, column);
     walls_ = wall_particles<D>(c);
@@ -69,7 +69,7 @@ SimulationOf<D, Real>::SimulationOf(const Case& c, const ColumnResult* column, P
 
 template <int D, class Real>
 int SimulationOf<D, Real>::evaluations_per_step() const {
-    return predictor_corrector_ ? 2 : 1;
+    return stepper_ ? stepper_->evaluations() : 1;
 }
 
 template <int D, class Real>
@@ -115,13 +115,15 @@ void SimulationOf<D, Real>::step(double fields_due) {
 template <int D, class Real>
 void SimulationOf<D, Real>::take_step(double fields_due) {
     timed(profile_.lists, [&] {
-        if (!lists_valid(predictor_corrector_ ? 0.5 : 1.0)) {
+        // A second evaluation of the step finds the particles moved by up to half of what the lists allow.
+        if (!lists_valid(evaluations_per_step() == 1 ? 1.0 : 0.5)) {
             build_lists(true);
         }
     });
     const auto& numerics = case_.numerics;
-    if (numerics.density_filter != DensityFilter::none && clock_.steps > 0 &&
-        clock_.steps % numerics.density_filter_interval == 0) {
+    const bool filtered = numerics.density_filter != DensityFilter::none && clock_.steps > 0 &&
+                          clock_.steps % numerics.density_filter_interval == 0;
+    if (filtered) {
         filter_density();
         repack();
     }
@@ -134,13 +136,8 @@ void SimulationOf<D, Real>::take_step(double fields_due) {
     if (keep_fields_) {
         fields_.resize(particles_.size(), D);
     }
-    if (predictor_corrector_) {
-        saved_ = particles_;
-        const double begin = clock_.time;
-        evaluate({.density = 0.0, .wall = 0.5 * dt, .motion = 0.5 * dt});
-        clock_.time = begin + 0.5 * dt;
-        evaluate({.density = 0.0, .wall = 0.5 * dt, .motion = dt});
-        clock_.time = begin;
+    if (stepper_) {
+        take_step_by_rates(dt, filtered);
     } else {
         // Density, pressure, walls, forces, velocity, position, each with the newest of the others (numerics
         // of the default scheme, docs/theory.md). The drag is implicit: u1 + dt beta u1|u1| = u*.
@@ -149,6 +146,19 @@ void SimulationOf<D, Real>::take_step(double fields_due) {
     clock_.time_step = dt;
     clock_.time += dt;
     ++clock_.steps;
+}
+
+template <int D, class Real>
+void SimulationOf<D, Real>::take_step_by_rates(double dt, bool filtered) {
+    const double begin = clock_.time;
+    stepper_->begin(particles_,
+                    {.now = dt, .before = clock_.time_step, .steps = clock_.steps, .restart = filtered});
+    const int evaluations = stepper_->evaluations();
+    for (evaluation_ = 0; evaluation_ < evaluations; ++evaluation_) {
+        clock_.time = begin + stepper_->evaluation_time(evaluation_) * dt;
+        evaluate({.density = 0.0, .wall = dt / evaluations, .motion = dt});
+    }
+    clock_.time = begin;
 }
 
 template <int D, class Real>

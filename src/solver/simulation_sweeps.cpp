@@ -108,7 +108,7 @@ void SimulationOf<D, Real>::evaluate_gradients(Task& task, std::size_t begin, st
         }
     }
     particle_loops_.stress(particle_data_, data_, task.sums, task.particles, density_step, begin, end);
-    if (predictor_corrector_) {
+    if (stepper_) {
         for_clusters(begin, end, [&](std::size_t first, std::size_t last, std::size_t lane) {
             std::copy_n(&task.particles.density_rate[lane], last - first, &density_rate_[first]);
         });
@@ -231,8 +231,8 @@ void SimulationOf<D, Real>::evaluate_forces(Task& task, std::size_t begin, std::
             });
         }
     }
-    if (predictor_corrector_) {
-        advance_predictor_corrector(task, begin, end, step);
+    if (stepper_) {
+        advance_by_rates(task, begin, end);
     } else {
         block_advance_[block] = particle_loops_.advance(particle_data_, task.sums, task.particles,
                                                         {.step = step,
@@ -272,7 +272,7 @@ void SimulationOf<D, Real>::gather_motion(double step) {
         check_state();
     }
     if (wall_over_bed_ > 0.0) {
-        if (predictor_corrector_) {
+        if (stepper_) {
             measure_side_drag();
         } else {
             set_side_drag(bed_drag, side_layer);
@@ -284,8 +284,8 @@ void SimulationOf<D, Real>::gather_motion(double step) {
         squared += (fastest[k] - slowest[k]) * (fastest[k] - slowest[k]);
     }
     // A hair more than the rounding of the moved positions.
-    clock_.displacement_bound += predictor_corrector_ ? std::numeric_limits<double>::infinity()
-                                                      : (1.0 + 1e-6) * step * std::sqrt(squared);
+    clock_.displacement_bound +=
+        stepper_ ? std::numeric_limits<double>::infinity() : (1.0 + 1e-6) * step * std::sqrt(squared);
 }
 
 template <int D, class Real>
@@ -312,12 +312,8 @@ void SimulationOf<D, Real>::keep_force_fields(const Task& task, std::size_t begi
     });
 }
 
-// One stage of the predictor-corrector of SPHysics (thesis 2.50-2.52): q^(n+1/2) = q^n + dt/2 q'^n, again
-// with the rates at n+1/2, then q^(n+1) = 2 q^(n+1/2) - q^n, which is q^n plus a full step at the rates of
-// the middle.
 template <int D, class Real>
-void SimulationOf<D, Real>::advance_predictor_corrector(Task& task, std::size_t begin, std::size_t end,
-                                                        double step) {
+void SimulationOf<D, Real>::advance_by_rates(Task& task, std::size_t begin, std::size_t end) {
     const bool corrected = weighs_by_volume(case_);
     const bool smoothed = case_.numerics.xsph != 0.0;
     double largest = 0.0;
@@ -329,28 +325,27 @@ void SimulationOf<D, Real>::advance_predictor_corrector(Task& task, std::size_t 
             double squared = 0.0;
             Vec<D> drags{};
             add_drags(task, lane, i, drags);
-            double& s = particles_.density_deviation[i];
-            s = saved_.density_deviation[i] + step * density_rate_[i];
-            fault = fault || !std::isfinite(s);
+            ParticleRates<D> rates{.density = density_rate_[i]};
             for (std::size_t k = 0; k < axes; ++k) {
-                double& u = particles_.velocity[k][i];
-                double& x = particles_.position[k][i];
                 double a = factor * (static_cast<double>(task.sums.force.tensor[k][lane]) +
                                      static_cast<double>(task.sums.force.viscous[k][lane])) +
                            particle_data_.gravity[k];
                 a += stirring_.active() ? task.particles.acceleration[k][lane] : 0.0;
                 squared += a * a;
-                a += drags[k];
-                // dr/dt = u: the velocity of the same stage moves the particle.
-                x = saved_.position[k][i] + step * (u + (smoothed ? task.particles.transport[k][lane] : 0.0));
-                u = saved_.velocity[k][i] + step * a;
+                rates.acceleration[k] = a + drags[k];
+                rates.drift[k] = smoothed ? task.particles.transport[k][lane] : 0.0;
+            }
+            largest = std::max(largest, squared);
+            stepper_->advance(evaluation_, i, rates, particles_);
+            fault = fault || !std::isfinite(particles_.density_deviation[i]);
+            for (std::size_t k = 0; k < axes; ++k) {
+                double& x = particles_.position[k][i];
                 if (domain_.periodic[k]) {
                     x += x < domain_.lower[k] ? domain_.extent(static_cast<int>(k)) : 0.0;
                     x -= x >= domain_.upper[k] ? domain_.extent(static_cast<int>(k)) : 0.0;
                 }
-                fault = fault || !fixed_point_.in_range(x, k) || !std::isfinite(u);
+                fault = fault || !fixed_point_.in_range(x, k) || !std::isfinite(particles_.velocity[k][i]);
             }
-            largest = std::max(largest, squared);
         }
     });
     block_advance_[begin / block_clusters] = {.largest = largest, .fault = fault};

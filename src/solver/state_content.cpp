@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -40,6 +41,30 @@ double group_number(const Content& content, const std::string& group, const std:
         fmt::format("the checkpoint lacks `{}` of {}: it was written by another build", name, group));
 }
 
+/// What the stepper keeps of the step before, where it keeps anything.
+template <int D>
+void add_previous_step(Content& content, const std::string& group, const PreviousStep<D>& previous,
+                       Stepping stepping) {
+    if (previous.empty()) {
+        return;
+    }
+    const bool rates = stepping == Stepping::beeman;
+    for (std::size_t k = 0; k < D; ++k) {
+        const std::string axis = axis_names<D>[k];
+        add_array(
+            content, group + "/previous_motion_" + axis, previous.motion[k], rates ? "m/s2" : "m/s",
+            (rates ? "acceleration of the step before along " : "velocity before the last step along ") +
+                axis);
+    }
+    add_array(content, group + "/previous_density", previous.density, rates ? "1/s" : "1",
+              rates ? "rate of change of rho/rho0 of the step before" : "rho/rho0 - 1 before the last step");
+}
+
+bool has_dataset(const Content& content, const std::string& path) {
+    return std::any_of(content.datasets.begin(), content.datasets.end(),
+                       [&](const auto& dataset) { return dataset.path == path; });
+}
+
 }  // namespace
 
 template <int D>
@@ -53,6 +78,7 @@ void add_state(Content& content, const std::string& group, const SimulationIn<D>
                   "position at the last build of the neighbour lists, " + axis);
     }
     add_array(content, group + "/density_deviation", p.density_deviation, "1", "rho/rho0 - 1");
+    add_previous_step(content, group, p.previous, simulation.stepping());
     add_array(content, group + "/mass", p.mass, D == 2 ? "kg/m" : "kg",
               D == 2 ? "mass per unit width" : "mass");
     add_array(content, group + "/wall_density_deviation", simulation.wall_density_deviation(), "1",
@@ -89,6 +115,12 @@ void restore_state(const Content& content, const std::string& group, SimulationI
     }
     p.density_deviation = doubles(content, group + "/density_deviation");
     p.mass = doubles(content, group + "/mass");
+    if (has_dataset(content, group + "/previous_density")) {
+        for (std::size_t k = 0; k < D; ++k) {
+            p.previous.motion[k] = doubles(content, group + "/previous_motion_" + axis_names<D>[k]);
+        }
+        p.previous.density = doubles(content, group + "/previous_density");
+    }
     for (const std::int64_t id :
          std::get<std::vector<std::int64_t>>(checkpoint_dataset(content, group + "/id").values)) {
         p.id.push_back(static_cast<std::int32_t>(id));
