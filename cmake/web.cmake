@@ -1,4 +1,4 @@
-# The pages of `riffle report` and `riffle watch`: their HTML, style, scripts and figure library become read-only data of the
+# The pages of `riffle report`, `riffle watch` and `riffle sweep`: their HTML, style, scripts and figure library become read-only data of the
 # binary. The figure library comes from the npm registry at configure time, pinned by web/package-lock.json;
 # the assembler takes the files as they are (.incbin), which costs no compile time.
 
@@ -97,4 +97,12 @@ function(riffle_watch_page TARGET)
     riffle_watch_style=${web}/watch.css
     riffle_watch_figures=${web}/elements.js,${web}/figures.js
     riffle_watch_script=${web}/watch.js)
+endfunction()
+
+# riffle_sweep_page(TARGET): embed what the page of `riffle sweep` has of its own.
+function(riffle_sweep_page TARGET)
+  set(web ${PROJECT_SOURCE_DIR}/web)
+  riffle_embed(${TARGET}
+    riffle_sweep_html=${web}/page_start.html,${web}/sweep.html,${web}/page_end.html
+    riffle_sweep_script=${web}/sweep.js)
 endfunction()

@@ -51,7 +51,11 @@ const analysis_figures = (() => {
     return { range: [on_scale(low), on_scale(high)], autorange: low === null ? 'min' : 'max' };
   }
 
+  // An axis of names: 0, 1, 2 ... stand for them.
+  const names_layout = names => ({ tickvals: names.map((_, i) => i), ticktext: names.map(units.symbols), range: [-0.5, names.length - 0.5], showgrid: false });
+
   function axis_layout(axis, extra = {}, pixels = Infinity) {
+    if (filled(axis.categories)) return figures.axis(units.wrapped(units.symbols(axis.label), pixels), { ...names_layout(axis.categories), ...extra });
     const decades = axis.logarithmic ? { type: 'log', exponentformat: 'power', ...(decades_of(axis) > 2.3 ? { dtick: 1 } : { tickvals: steps_of_decades() }) } : {};
     return figures.axis(units.wrapped(units.title(axis.label, axis.unit), pixels), { ...decades, ...range_of(axis), ...extra });
   }

@@ -28,6 +28,8 @@ constexpr const char* examples = R"(Examples:
   riffle run my-flume.toml -o results/my-flume      simulate until the mean flow is steady
   riffle watch results/my-flume                     follow it in the browser meanwhile
   riffle resume results/my-flume                    go on after a stop
+  riffle sweep my-flume.toml --vary numerics.spacing=2mm,1.5mm,1mm
+                                                    runs of all combinations, with orders of convergence
   riffle report results/my-flume                    one HTML page with figures and numbers
   riffle analyse results/my-flume                   profiles, fitted laws, surface, spectra as numbers
 
@@ -67,6 +69,7 @@ int parse_and_run(int argc, char** argv) {
     add_verb_calibrate(app);
     add_verb_run(app);
     add_verb_resume(app);
+    add_verb_sweep(app);
     add_verb_report(app);
     add_verb_analyse(app);
     add_verb_watch(app);

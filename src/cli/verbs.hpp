@@ -14,6 +14,7 @@ void add_verb_section(CLI::App& app);
 void add_verb_calibrate(CLI::App& app);
 void add_verb_run(CLI::App& app);
 void add_verb_resume(CLI::App& app);
+void add_verb_sweep(CLI::App& app);
 void add_verb_report(CLI::App& app);
 void add_verb_analyse(CLI::App& app);
 void add_verb_watch(CLI::App& app);

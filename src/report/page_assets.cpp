@@ -43,7 +43,8 @@ PageAssets page_assets() {
             joined({shared,
                     {riffle_page_field_begin, riffle_page_field_end},
                     {riffle_page_report_begin, riffle_page_report_end}}),
-            joined({shared, {riffle_page_comparison_begin, riffle_page_comparison_end}})};
+            joined({shared, {riffle_page_comparison_begin, riffle_page_comparison_end}}),
+            joined({shared})};
 }
 
 }  // namespace riffle

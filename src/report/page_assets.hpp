@@ -13,6 +13,7 @@ struct PageAssets {
     std::string_view plotly;      ///< the figure library
     std::string report_script;    ///< scripts of the page of one run
     std::string comparison_script;
+    std::string shared_script;  ///< what these scripts share, for further pages
 };
 
 [[nodiscard]] PageAssets page_assets();

@@ -43,19 +43,25 @@ RunOutcome in_dimensions(const Case& c, const F& f) {
     return c.channel.dimensions == 2 ? f.template operator()<2>() : f.template operator()<3>();
 }
 
-/// Refuse probes that the time step cannot serve, before anything is written.
-void check_probes(const Case& c) {
+}  // namespace
+
+void check_runnable(const Case& c) {
     std::optional<ColumnResult> column;
     if (has_column(c)) {
         column = solve_column(c);
+    } else if (c.run.until == RunUntil::converged) {
+        throw InputError(
+            "[run] until = \"converged\" tests the mean velocity against the relaxation time of the steady "
+            "channel flow; "
+            "this case has no such flow (no slope, no friction, closed ends or periodic top): give a time, "
+            "until = "
+            "\"10 s\"");
     }
     (void)ProbeSet(c, largest_step(c, make_scheme(c, column ? &*column : nullptr)));
 }
 
-}  // namespace
-
 RunOutcome run_case(const Case& c, const RunOptions& options) {
-    check_probes(c);
+    check_runnable(c);
     make_folder(options.folder);
     const RunFiles files{options.folder};
     if (!options.overwrite && (fs::exists(files.results()) || fs::exists(files.checkpoint()))) {
@@ -100,6 +106,7 @@ RunOutcome resume_run(const RunOptions& options, const fs::path& checkpoint,
     const Content saved = CheckpointFile::read(from);
     const std::string text = std::get<std::string>(checkpoint_dataset(saved, "/case/text").values);
     const Case c = parse_case(text, from.string(), {}, overrides);
+    check_runnable(c);
     return in_dimensions(c, [&]<int D>() {
         RunSession<D> session(c, options);
         session.resume(from);

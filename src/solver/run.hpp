@@ -62,6 +62,10 @@ struct RunOutcome {
     std::string convergence;
 };
 
+/// Refuse what only shows when a run is set up, before anything is written: probes that the time step cannot
+/// serve, a run until convergence without a steady flow to converge to. Throws InputError.
+void check_runnable(const Case& c);
+
 /// Run a case from its start. Throws FileError when the folder already holds results (unless overwrite) or
 /// cannot be written, RunError when the simulation fails; the last good checkpoint then stays.
 RunOutcome run_case(const Case& c, const RunOptions& options);

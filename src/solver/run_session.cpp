@@ -41,14 +41,6 @@ RunSession<D>::RunSession(Case c, RunOptions options)
     : case_(std::move(c)), options_(std::move(options)), files_{options_.folder}, log_(files_.log()) {
     set_thread_count(options_.threads);
     twins_ = solve_twins(case_);
-    if (!twins_.column && case_.run.until == RunUntil::converged) {
-        throw InputError(
-            "[run] until = \"converged\" tests the mean velocity against the relaxation time of the steady "
-            "channel flow; "
-            "this case has no such flow (no slope, no friction, closed ends or periodic top): give a time, "
-            "until = "
-            "\"10 s\"");
-    }
     convergence_.reason = twins_.column ? "not yet tested for convergence" : no_steady_flow;
 }
 
