@@ -56,12 +56,13 @@ const analysis_figures = (() => {
 
   function axis_layout(axis, extra = {}, pixels = Infinity) {
     if (filled(axis.categories)) return figures.axis(units.wrapped(units.symbols(axis.label), pixels), { ...names_layout(axis.categories), ...extra });
-    const decades = axis.logarithmic ? { type: 'log', exponentformat: 'power', ...(decades_of(axis) > 2.3 ? { dtick: 1 } : { tickvals: steps_of_decades() }) } : {};
+    const spread = axis.logarithmic ? decades_of(axis) : 0, steps = spread > 0.8 ? [1, 2, 5] : [1, 1.5, 2, 3, 4, 5, 6, 8];
+    const decades = axis.logarithmic ? { type: 'log', exponentformat: 'power', ...(spread > 2.3 ? { dtick: 1 } : { tickvals: steps_of_decades(steps) }) } : {};
     return figures.axis(units.wrapped(units.title(axis.label, axis.unit), pixels), { ...decades, ...range_of(axis), ...extra });
   }
 
-  // 1, 2, 5 in each decade, where few of them are shown.
-  const steps_of_decades = () => Array.from({ length: 24 }, (_, i) => 10 ** (i - 12)).flatMap(power => [power, 2 * power, 5 * power]);
+  // 1, 2, 5 in each decade, where few of them are shown; more of each where not even one is.
+  const steps_of_decades = steps => Array.from({ length: 24 }, (_, i) => 10 ** (i - 12)).flatMap(power => steps.map(step => step * power));
 
   function decades_of(axis) {
     let low = Infinity, high = 0;

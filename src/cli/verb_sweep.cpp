@@ -140,7 +140,7 @@ void sweep(const SweepVerb& verb) {
     };
     const std::vector<RunReport> reports = carry_out(runs, look(), options);
     display.clear();
-    const SweepStudy study = study_sweep(input, runs, reports, outcomes);
+    const SweepStudy study = study_sweep(input, runs, reports, outcomes, verb.outcomes.empty());
     const SweepFiles files{input.folder};
     write_sweep(study, files);
     if (!verb.options.quiet) {

@@ -125,9 +125,9 @@ std::string noise_of(const Triple& v) {
     };
     const bool fine = within(0);
     const bool coarse = within(1);
-    return fine && coarse ? "both differences are"
-           : fine         ? "the difference of the two finest is"
-           : coarse       ? "the difference of the two coarsest is"
+    return fine && coarse ? "both differences of the three finest values are"
+           : fine         ? "the finer difference of the three finest values is"
+           : coarse       ? "the coarser difference of the three finest values is"
                           : "";
 }
 

@@ -139,7 +139,8 @@ std::string SweepStudy::others(std::size_t run, std::size_t but) const {
 }
 
 SweepStudy study_sweep(const SweepInput& input, const std::vector<SweepRun>& runs,
-                       const std::vector<RunReport>& reports, const std::vector<Outcome>& outcomes) {
+                       const std::vector<RunReport>& reports, const std::vector<Outcome>& outcomes,
+                       bool only_telling) {
     SweepStudy sweep;
     sweep.case_file = input.case_file.string();
     sweep.title = runs.front().flow.title.empty() ? input.case_file.stem().string() : runs.front().flow.title;
@@ -153,8 +154,10 @@ SweepStudy study_sweep(const SweepInput& input, const std::vector<SweepRun>& run
         sweep.keys.push_back(varied_key(variation, runs));
     }
     const auto is_there = [&](const Outcome& outcome) {
-        return std::any_of(sweep.runs.begin(), sweep.runs.end(),
-                           [&](const StudiedRun& run) { return run.outcomes.contains(outcome.key); });
+        return std::any_of(sweep.runs.begin(), sweep.runs.end(), [&](const StudiedRun& run) {
+            const auto found = run.outcomes.find(outcome.key);
+            return found != run.outcomes.end() && (!only_telling || found->second.value != 0.0);
+        });
     };
     std::copy_if(outcomes.begin(), outcomes.end(), std::back_inserter(sweep.outcomes), is_there);
     for (std::size_t key = 0; key < sweep.keys.size(); ++key) {

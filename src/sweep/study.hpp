@@ -64,10 +64,12 @@ struct SweepStudy {
     [[nodiscard]] std::string others(std::size_t run, std::size_t but) const;
 };
 
-/// Collect it from the results of the complete runs. Throws FileError where they cannot be read.
+/// Collect it from the results of the complete runs. Outcomes that no run has are left out, and with
+/// `only_telling` those that are zero in every run (the drag of a smooth bed, say). Throws FileError where
+/// results cannot be read.
 [[nodiscard]] SweepStudy study_sweep(const SweepInput& input, const std::vector<SweepRun>& runs,
                                      const std::vector<RunReport>& reports,
-                                     const std::vector<Outcome>& outcomes);
+                                     const std::vector<Outcome>& outcomes, bool only_telling = false);
 
 /// The word of a fate for tables and files: "complete", "failed", "stopped", "waiting".
 [[nodiscard]] const char* word(RunFate fate);

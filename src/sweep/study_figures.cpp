@@ -215,7 +215,12 @@ Analysis sweep_figures(const SweepStudy& sweep) {
             analysis.figures.push_back(outcome_figure(sweep, main, families, outcome));
         }
         if (logarithmic) {
-            analysis.figures.push_back(logarithmic_figure(sweep, main, families, outcome));
+            Figure figure = logarithmic_figure(sweep, main, families, outcome);
+            const bool drawn = std::any_of(figure.curves.begin(), figure.curves.end(),
+                                           [](const Curve& curve) { return !curve.x.empty(); });
+            if (drawn) {  // zeros have no logarithm
+                analysis.figures.push_back(std::move(figure));
+            }
         }
     }
     return analysis;

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 #include "base/error.hpp"
 
 namespace riffle {
@@ -118,11 +120,16 @@ TEST(Matrix, RefusesAKeyThatIsSetAndVariedAndCasesThatAreOne) {
 }
 
 TEST(Matrix, RefusesWhatOnlyShowsWhenARunIsSetUp) {
-    // Without a slope there is no steady flow to converge to.
-    EXPECT_THAT(refusal_of([] {
-                    (void)read_matrix(input_of({"channel.slope=0.004,0"}, {{"run.until", "converged"}}));
-                }),
-                AllOf(HasSubstr("1 of the 2"), HasSubstr("slope=0"), HasSubstr("steady channel flow")));
+    // An instrument that samples more often than there are steps.
+    const auto file = std::filesystem::path(::testing::TempDir()) / "riffle-sweep-probe.toml";
+    std::ofstream(file) << std::ifstream(condition_2).rdbuf()
+                        << "\n[[probe]]\nname = \"wave\"\nkind = \"wave\"\nx = 0.01\n"
+                           "sampling_frequency = \"2 kHz\"\n";
+    SweepInput input = input_of({"numerics.time_step=0.1ms,1ms"});
+    input.case_file = file;
+    EXPECT_THAT(refusal_of([&] { (void)read_matrix(input); }),
+                AllOf(HasSubstr("1 of the 2"), HasSubstr("time_step=1ms"), HasSubstr("sampling_frequency")));
+    std::filesystem::remove(file);
 }
 
 }  // namespace

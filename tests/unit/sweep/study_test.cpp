@@ -112,7 +112,7 @@ TEST(SweepFigures, PutWordsSideBySideUnderTheirNames) {
 
 TEST(SweepText, NamesRunsStatesAndOutcomes) {
     const std::string text = sweep_text(made_up("failed"));
-    EXPECT_THAT(text, AllOf(HasSubstr("(1) depth-mean velocity U, m/s"), HasSubstr("spacing=2mm  failed"),
+    EXPECT_THAT(text, AllOf(HasSubstr("(1) depth-mean velocity U, m/s"), HasSubstr("spacing=2mm    failed"),
                             HasSubstr("0.4100 +- 0.0010"), Not(HasSubstr("nan"))));
 }
 
