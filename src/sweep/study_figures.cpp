@@ -93,21 +93,42 @@ Curve curve_of(const SweepStudy& sweep, const Family& family, const Outcome& out
     return curve;
 }
 
-/// The twin's values, once each where the families agree.
-Curve twin_curve(const SweepStudy& sweep, const std::vector<Family>& families, const Outcome& outcome,
-                 Mark mark) {
-    Curve twin = make_curve("twin", Origin::column, mark, {}, {});
+/// The twin's values: one curve where all families have the same, else one for each that differs.
+std::vector<Curve> twin_curves(const SweepStudy& sweep, const std::vector<Family>& families,
+                               const Outcome& outcome, bool number) {
+    std::vector<Curve> twins;
     for (const Family& family : families) {
+        Curve twin = make_curve("twin", Origin::column, number ? Mark::line : Mark::points, {}, {});
         for (std::size_t i = 0; i < family.runs.size(); ++i) {
             const double value = sweep.runs[family.runs[i]].outcome(outcome.key).twin;
-            const bool there = std::find(twin.x.begin(), twin.x.end(), family.x[i]) != twin.x.end();
-            if (std::isfinite(value) && !there) {
+            if (std::isfinite(value)) {
                 twin.x.push_back(family.x[i]);
                 twin.y.push_back(value);
             }
         }
+        const bool there = std::any_of(twins.begin(), twins.end(), [&](const Curve& other) {
+            return twin.x == other.x && twin.y == other.y;
+        });
+        if (twin.x.empty() || there) {
+            continue;
+        }
+        if (!number && !twins.empty()) {
+            // Over names each family has its own places, so that one name will do.
+            twins.front().x.insert(twins.front().x.end(), twin.x.begin(), twin.x.end());
+            twins.front().y.insert(twins.front().y.end(), twin.y.begin(), twin.y.end());
+            continue;
+        }
+        twin.run = family.name;
+        twin.variant = static_cast<int>(twins.size());
+        twins.push_back(std::move(twin));
     }
-    return twin;
+    for (Curve& twin : twins) {
+        if (twins.size() > 1) {
+            twin.name += ", " + twin.run;
+        }
+        twin.run.clear();
+    }
+    return twins;
 }
 
 const RefinementStudy* find_study(const SweepStudy& sweep, const std::string& key, const std::string& outcome,
@@ -152,10 +173,7 @@ Figure outcome_figure(const SweepStudy& sweep, std::size_t main, const std::vect
                                 "three finest values converge monotonically."
                               : "Bars: 95 % intervals, where known.",
         "", make_axis(key.label, number ? key.unit : "1"), make_axis(outcome.label, outcome.unit));
-    Curve twin = twin_curve(sweep, families, outcome, number ? Mark::line : Mark::points);
-    if (!twin.x.empty()) {
-        figure.curves.push_back(std::move(twin));
-    }
+    figure.curves = twin_curves(sweep, families, outcome, number);
     for (std::size_t f = 0; f < families.size(); ++f) {
         figure.curves.push_back(curve_of(sweep, families[f], outcome,
                                          number ? Mark::line_and_points : Mark::points, static_cast<int>(f),

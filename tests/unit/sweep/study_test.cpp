@@ -98,6 +98,29 @@ TEST(SweepFigures, ShowOutcomesAgainstTheRefinedKeyAndDeparturesOnLogarithmicAxe
     EXPECT_TRUE(figure_categories(made_up()).empty());
 }
 
+TEST(SweepFigures, ShowATwinForEachFamilyWhoseTwinDiffers) {
+    SweepStudy sweep = made_up();
+    sweep.keys.push_back({read_variation("turbulence.closure=a,b"), "closure", "", {}, false});
+    for (std::size_t i = 0; i < 3; ++i) {
+        sweep.runs[i].run.combination.values.push_back("a");
+        StudiedRun other = sweep.runs[i];
+        other.run.combination.values.back() = "b";
+        sweep.runs.push_back(other);
+        sweep.keys[0].numbers.push_back(sweep.keys[0].numbers[i]);
+    }
+    const auto twins = [&] {
+        const Analysis analysis = sweep_figures(sweep);
+        std::vector<std::string> names;
+        for (const Curve& curve : analysis.figures.front().curves) {
+            if (curve.origin == Origin::column) names.push_back(curve.name);
+        }
+        return names;
+    };
+    EXPECT_THAT(twins(), ElementsAre("twin"));
+    for (std::size_t i = 3; i < 6; ++i) sweep.runs[i].outcomes["depth_mean_velocity"].twin = 0.3;
+    EXPECT_THAT(twins(), ElementsAre("twin, closure=a", "twin, closure=b"));
+}
+
 TEST(SweepFigures, PutWordsSideBySideUnderTheirNames) {
     SweepStudy sweep = made_up();
     sweep.keys = {{read_variation("numerics.kernel=a,b,c"), "kernel", "", {}, false}};
