@@ -33,18 +33,16 @@ enum class KernelKind {
 enum class EquationOfState { linear, tait };
 enum class PressureForm { corrected, symmetric, riemann };
 enum class VelocityGradient { corrected, plain };
-enum class DensityDiffusion { fourtakas, none, molteni, antuono };
+enum class DensityDiffusion { fourtakas, none, molteni };
 enum class DensityFilter { none, shepard, mls };
 enum class ViscosityForm { morris, monaghan_gingold, lo_shao, artificial };
 enum class EddyStress { two_point, stress_divergence };
 enum class Stepping { semi_implicit_euler, predictor_corrector, verlet, symplectic, beeman };
-enum class Shifting { none, consistent };
 enum class WallKind { dummy, dynamic };
 enum class Precision { single_precision, double_precision };
 enum class StartKind { column, uniform, rest, power_law, results, standing_wave, taylor_green, section };
 enum class StartLattice { square, hexagonal };
 enum class SurfaceDetection { volume_fraction, position_divergence, density_ratio, depth_sum };
-enum class SolidMotion { fixed, constant, oscillating };
 enum class RunUntil { time, converged };
 enum class ProbeKind { velocity, wave, surface_line, grid, flow_rate, force };
 
@@ -56,8 +54,6 @@ struct Channel {
     double width = 0.459;  ///< of the flume, m; with periodic sides the simulated width
     int dimensions = 2;    ///< 2: the x-z plane; 3: x, y across the channel from 0 at a side wall, z
     Ends ends = Ends::periodic;
-    std::optional<double> wall_height;  ///< of upright end walls above the bed level, m; unset: 1.5 H
-    double lid_velocity = 0.0;          ///< of the wall at the top along x, m/s
     Sides sides = Sides::periodic;
     Top top = Top::free_surface;
 
@@ -142,8 +138,6 @@ struct Numerics {
     double artificial_viscosity = 0.02;  ///< alpha of viscosity = "artificial"
     double tensile_correction = 0.0;     ///< epsilon of Monaghan (2000); 0: none
     double xsph = 0.0;
-    Shifting shifting = Shifting::none;
-    double shifting_coefficient = 0.5;
     Stepping stepping = Stepping::semi_implicit_euler;
     double courant_number = 0.7;
     std::optional<double> time_step;  ///< fixed step, s; unset: from the Courant number and the forces
@@ -167,9 +161,7 @@ struct Start {
     double amplitude = 0.0;          ///< standing wave: of the surface, m
     std::filesystem::path file;      ///< results: the file to start from
     StartLattice lattice = StartLattice::square;
-    std::vector<double> water_x;  ///< corners of the outline of the water at the start, m; empty: all up to
-    std::vector<double> water_z;  ///< the depth
-    double jitter = 0.0;          ///< random displacement of the lattice, in units of the spacing
+    double jitter = 0.0;  ///< random displacement of the lattice, in units of the spacing
     long long seed = 1;
 
     bool operator==(const Start&) const = default;
@@ -254,22 +246,6 @@ struct Probe {
     bool operator==(const Probe&) const = default;
 };
 
-/// [[solid]]: a body in the x-z plane that the water flows around, in two dimensions.
-struct Solid {
-    std::string name;
-    std::vector<double> x;  ///< corners of its outline, m, in either sense of rotation
-    std::vector<double> z;  ///< m above the bed level
-    SolidMotion motion = SolidMotion::fixed;
-    double start = 0.0;       ///< time at which it starts to move, s
-    double velocity_x = 0.0;  ///< constant: m/s
-    double velocity_z = 0.0;
-    double amplitude_x = 0.0;  ///< oscillating: x = amplitude sin(2 pi frequency (t - start)), m
-    double amplitude_z = 0.0;
-    double frequency = 0.0;  ///< Hz
-
-    bool operator==(const Solid&) const = default;
-};
-
 /// First letters of the names of the instruments that record without asking; no other may begin so.
 inline constexpr const char* standard_probe_prefix = "standard_";
 
@@ -289,7 +265,6 @@ struct Case {
     Output output;
     Measured measured;
     std::vector<Probe> probes;
-    std::vector<Solid> solids;
 
     /// File it was read from; empty for a text without a file. Relative file names in a case are relative to
     /// the folder of its file, and are made absolute when it is read.

@@ -41,7 +41,7 @@ SectionKeys numerics() {
                          "Its coefficient delta.")
                          .greater_than(0)
                          .at_most(1)
-                         .applies_with("numerics.density_diffusion", {"fourtakas", "molteni", "antuono"}));
+                         .applies_with("numerics.density_diffusion", {"fourtakas", "molteni"}));
     s.keys.push_back(key("density_filter", &Numerics::density_filter, "Renormalisation of the density."));
     s.keys.push_back(key("density_filter_interval", &Numerics::density_filter_interval,
                          "Steps from one density filter to the next.")
@@ -65,11 +65,6 @@ SectionKeys numerics() {
     s.keys.push_back(key("xsph", &Numerics::xsph, "Smoothing of the particles' transport velocity; 0: none.")
                          .at_least(0)
                          .at_most(1));
-    s.keys.push_back(key("shifting", &Numerics::shifting, "Evening out of the particles' spacing."));
-    s.keys.push_back(key("shifting_coefficient", &Numerics::shifting_coefficient, "Its coefficient.")
-                         .greater_than(0)
-                         .at_most(2)
-                         .applies_with("numerics.shifting", {"consistent"}));
     s.keys.push_back(key("stepping", &Numerics::stepping, "Time stepping."));
     s.keys.push_back(key("courant_number", &Numerics::courant_number, "Courant number, dt c0 / h.")
                          .greater_than(0)

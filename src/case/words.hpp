@@ -166,11 +166,10 @@ struct Words<VelocityGradient> {
 
 template <>
 struct Words<DensityDiffusion> {
-    static constexpr std::array<Word, 4> list{{
+    static constexpr std::array<Word, 3> list{{
         {"fourtakas", "diffusion of the density less its hydrostatic part"},
         {"none", "no diffusion"},
         {"molteni", "diffusion of the density (Molteni & Colagrossi): lifts the level of water at rest"},
-        {"antuono", "diffusion of the density less its corrected linear part (Antuono et al.)"},
     }};
 };
 
@@ -233,23 +232,6 @@ struct Words<Stepping> {
         {"symplectic", "two force evaluations per step, the second at its middle; second order (SPHysics)"},
         {"beeman",
          "two force evaluations per step, with the rates of the step before; third order (SPHysics)"},
-    }};
-};
-
-template <>
-struct Words<Shifting> {
-    static constexpr std::array<Word, 2> list{{
-        {"none", "the particles move with the water"},
-        {"consistent", "they move towards even spacing, and what they carry is moved back"},
-    }};
-};
-
-template <>
-struct Words<SolidMotion> {
-    static constexpr std::array<Word, 3> list{{
-        {"fixed", "it stands still"},
-        {"constant", "it moves at a constant velocity from its start"},
-        {"oscillating", "it swings harmonically from its start"},
     }};
 };
 

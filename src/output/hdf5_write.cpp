@@ -271,8 +271,8 @@ void remove_hdf5_object(const Hdf5Handle& file, const std::string& path) {
 }
 
 void copy_hdf5_content(const Hdf5Handle& from, const Hdf5Handle& to) {
-    // H5Ocopy crashes on texts among more than eight attributes (HDF5 1.10 to 1.14.3, issue 2414 of HDF5): the
-    // attributes are copied one by one.
+    // H5Ocopy crashes on texts among more than eight attributes (HDF5 1.10 to 1.14.3, issue 2414 of HDF5):
+    // the attributes are copied one by one.
     const Hdf5Handle bare(H5Pcreate(H5P_OBJECT_COPY), H5Pclose, "make copy properties");
     hdf5_check(H5Pset_copy_object(bare.get(), H5O_COPY_WITHOUT_ATTR_FLAG), "set copy properties");
     for (const std::string& name : hdf5_children(from, "/")) {
