@@ -110,9 +110,8 @@ class Warnings {
                 "the mean velocity is low with it; use \"corrected\" unless this is what you study");
         }
         if (n.density_diffusion == DensityDiffusion::molteni && c_.channel.top == Top::free_surface) {
-            add("numerics.density_diffusion: \"molteni\" diffuses the hydrostatic difference too, and lifts "
-                "the level "
-                "of the water; use \"fourtakas\" under gravity");
+            add("numerics.density_diffusion: \"molteni\" diffuses the hydrostatic difference too, and moves "
+                "the level of the water by per cent within seconds; use \"fourtakas\" under gravity");
         }
         if (n.density_diffusion == DensityDiffusion::none && n.density_filter == DensityFilter::none) {
             add("numerics.density_diffusion: neither diffusion nor filter keeps the density free of noise");

@@ -169,7 +169,7 @@ struct Words<DensityDiffusion> {
     static constexpr std::array<Word, 3> list{{
         {"fourtakas", "diffusion of the density less its hydrostatic part"},
         {"none", "no diffusion"},
-        {"molteni", "diffusion of the density (Molteni & Colagrossi): lifts the level of water at rest"},
+        {"molteni", "diffusion of the density (Molteni & Colagrossi): moves the level of water at rest"},
     }};
 };
 
