@@ -297,6 +297,21 @@ Case any_case() {
     c.bed.datum_below_crest = c.bed.roughness_height * *number_between(0.0, 1.0);
     c.turbulence.zero = *number_between(0.0, 0.02);
     c.fluid.gravity = *number_between(0.1, 20.0);
+    // Options of the pair sums that go together.
+    Numerics& n = c.numerics;
+    if (n.tensile_correction > 0.0) {
+        n.kernel = KernelKind::cubic_spline;
+        n.pressure_form = PressureForm::symmetric;
+    }
+    if (n.viscosity == ViscosityForm::artificial) {
+        n.eddy_stress = EddyStress::stress_divergence;
+        if (n.pressure_form == PressureForm::riemann) {
+            n.pressure_form = PressureForm::corrected;
+        }
+    }
+    if (c.channel.dimensions == 3 && n.viscosity != ViscosityForm::morris) {
+        c.turbulence.spanwise_ratio = 1.0;
+    }
     const int probes = *rc::gen::inRange(0, 4);
     for (int i = 0; i < probes; ++i) {
         c.probes.push_back(any_probe(c, "probe-" + std::to_string(i)));
