@@ -51,6 +51,13 @@ std::vector<std::string> parts_of(const std::vector<const Case*>& group) {
         return difference.label + " " + difference.values[i];
     };
     std::vector<std::string> names(group.size());
+    const auto in_space = std::find_if(differences.begin(), differences.end(), [](const CaseDifference& d) {
+        return d.key == "channel.dimensions" && all_distinct(d.values);
+    });
+    if (in_space != differences.end()) {
+        for (std::size_t i = 0; i < group.size(); ++i) names[i] = in_space->values[i] + "D";
+        return names;
+    }
     const auto alone = std::find_if(differences.begin(), differences.end(),
                                     [](const CaseDifference& d) { return all_distinct(d.values); });
     if (alone != differences.end()) {

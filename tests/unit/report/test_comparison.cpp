@@ -59,6 +59,11 @@ TEST(CaseNames, TakeTheFirstKeyThatAloneTellsThemApart) {
     EXPECT_THAT(names(cases, {"a", "b", "c"}), ElementsAre("spacing 2 mm", "spacing 1.5 mm", "spacing 1 mm"));
 }
 
+TEST(CaseNames, TellTwoFromThreeDimensions) {
+    EXPECT_THAT(names({builtin_case("condition-2"), builtin_case("condition-2-3d")}, {"a", "b"}),
+                ElementsAre("2D", "3D"));
+}
+
 TEST(CaseNames, FallBackToTheFolderWhereTheCasesAreEqual) {
     const std::vector<Case> cases(2, builtin_case("condition-2"));
     EXPECT_THAT(names(cases, {"monday", "tuesday"}),
