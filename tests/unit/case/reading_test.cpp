@@ -312,6 +312,9 @@ Case any_case() {
     if (c.channel.dimensions == 3 && n.viscosity != ViscosityForm::morris) {
         c.turbulence.spanwise_ratio = 1.0;
     }
+    if (n.stepping == Stepping::verlet) {
+        n.density_diffusion = DensityDiffusion::none;
+    }
     const int probes = *rc::gen::inRange(0, 4);
     for (int i = 0; i < probes; ++i) {
         c.probes.push_back(any_probe(c, "probe-" + std::to_string(i)));
