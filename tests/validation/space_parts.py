@@ -1,11 +1,14 @@
 """The parts of the validation in three dimensions."""
 
+import json
 import math
+import subprocess
 
 import h5py
 import numpy
 
 from parts import Table, bar_header, row_against_bars
+from runs import ROOT
 
 # name in RiffleRun.values (absolute value), bar, printed label, unit factor
 COMMON_BARS = [
@@ -126,18 +129,56 @@ def space_coarse(run):
     """Half of the width with its side wall against the section twin."""
     table = Table("Half of the width (230 mm) with its side wall, 50 mm long, dx 3 mm (1, 2) and 4 mm (5, 8), against the cross-section twin",
                   bar_header(space_bars(0.02)) + ["U(y) beside the wall, max % (<= 10)", "bed share", "Yang & Lim", "walls' share", "Yang & Lim"])
-    for n in CONDITIONS:
-        result = complete(run(f"coarse-{n}", case_file(n, "-coarse")))
-        row_against_bars(table, f"condition {n}", result, space_bars(0.02))
+    channels = [(f"coarse-{n}", f"condition {n}", n, {}) for n in CONDITIONS]
+    # Exactly the model of the section twin, in a channel 86.6 mm wide.
+    channels.append(("narrow-plan", "condition 2, 86.6 mm wide, plan mean of the drag, 20 s", 2,
+                     dict(PLAN_MEAN, **{"channel.width": '"86.6 mm"', "run.until": '"20 s"'})))
+    for name, label, n, settings in channels:
+        result = complete(run(name, case_file(n, "-coarse"), settings))
+        row_against_bars(table, label, result, space_bars(0.02))
         v = result.values
         with h5py.File(result.folder / "results.h5", "r") as file:
             error = lateral_error(file, v)
             section = dict(file["/section"].attrs.items())
         bed = section["partition_bed_share"]
-        table.rows[-1] += [table.check(f"condition {n}", "U(y)", error, 0.10, f"{100 * error:.1f}"),
+        table.rows[-1] += [table.check(label, "U(y)", error, 0.10, f"{100 * error:.1f}"),
                            f"{v['drag_over_gravity']:.4f}", f"{bed:.4f}",
                            f"{v['side_wall_over_gravity']:.4f}", f"{1.0 - bed:.4f}"]
     return table
+
+
+def space_transient(run):
+    """From a power law, far from steady: the particles against the section twin at the same times."""
+    settings = {"channel.width": '"86.6 mm"', "bed.drag_form": "plan-mean", "start.kind": "power-law", "start.exponent": "3",
+                "start.velocity": '"0.45 m/s"'}
+    result = run("narrow-transient", case_file(2, "-coarse"), dict(settings, **{"output.mean_field_interval": '"1 s"', "run.until": '"6 s"'}))
+    table = Table("From a power law, half of a channel 86.6 mm wide, dx 3 mm, plan mean of the drag: U(y), means over 1 s, against the section twin",
+                  ["time, s", "against the twin at this time, max % (<= 10)", "the twin at this time against its steady state, max %"])
+    with h5py.File(result.folder / "results.h5", "r") as file:
+        field, datum = file["/mean_field"], result.values["datum"]
+        y, above = field["y"][:], field["z"][:] > datum
+        for window, time in ((2, 2.5), (5, 5.5)):
+            command = [result.command[0], "section", str(result.case), "--time", str(time), "--from", "power-law", "--json", "-"]
+            for key, value in settings.items():
+                command += ["--set", f"{key}={value}"]
+            twin = json.loads(subprocess.run(command, cwd=ROOT, check=True, capture_output=True, text=True).stdout)
+            count = field["count"][window].astype(float)
+            velocity = numpy.nan_to_num(field["velocity"][window].astype(float))
+            u = (count * velocity)[above].sum(axis=(0, 2)) / count[above].sum(axis=(0, 2))
+            now, steady = (depth_means(numpy.array(section["y"]), numpy.array(section["z"]), numpy.array(section["velocity"]), datum, y)
+                           for section in (twin["transient"]["section"], twin["section"]))
+            error = numpy.max(numpy.abs(u / now - 1.0))
+            table.rows.append([time, table.check(f"{time} s", "U(y)", error, 0.10, f"{100 * error:.1f}"),
+                               f"{100 * numpy.max(numpy.abs(now / steady - 1.0)):.0f}"])
+    return table
+
+
+def depth_means(ys, zs, velocity, datum, y):
+    """Means of a section twin's velocity over the height above the datum, at the places y."""
+    faces = numpy.concatenate([[0.0], 0.5 * (zs[1:] + zs[:-1]), [2 * zs[-1] - zs[-2]]])
+    thickness, high = numpy.diff(faces), zs > datum
+    means = (velocity.reshape(zs.size, ys.size)[high] * thickness[high, None]).sum(axis=0) / thickness[high].sum()
+    return numpy.interp(y, ys, means)
 
 
 def lateral_error(file, v):
@@ -151,13 +192,9 @@ def lateral_error(file, v):
     y, z = field["y"][:], field["z"][:]
     above = z > v["datum"]
     u = (count * velocity)[:, above].sum(axis=(0, 1, 3)) / count[:, above].sum(axis=(0, 1, 3))
-    ys, zs = section["y"][:], section["z"][:]
-    faces = lambda centres: numpy.concatenate([[0.0], 0.5 * (centres[1:] + centres[:-1]), [2 * centres[-1] - centres[-2]]])
-    thickness = numpy.diff(faces(zs))
-    high = zs > v["datum"]
-    twin = (section["velocity"][:][high] * thickness[high, None]).sum(axis=0) / thickness[high].sum()
+    twin = depth_means(section["y"][:], section["z"][:], section["velocity"][:], v["datum"], y)
     beside = (numpy.arange(y.size) > 0) & (y < v["total_depth"])
-    return numpy.max(numpy.abs(u[beside] / numpy.interp(y[beside], ys, twin) - 1.0))
+    return numpy.max(numpy.abs(u[beside] / twin[beside] - 1.0))
 
 
 def space_measured(run):
@@ -178,5 +215,5 @@ def space_measured(run):
 
 
 SPACE_PARTS = {"space_twin": space_twin, "space_quick": space_quick, "space_side_quick": space_side_quick, "space_wide": space_wide,
-               "space_coarse": space_coarse, "space_measured": space_measured}
-SPACE = ["space_twin", "space_wide", "space_coarse", "space_measured"]
+               "space_coarse": space_coarse, "space_transient": space_transient, "space_measured": space_measured}
+SPACE = ["space_twin", "space_wide", "space_coarse", "space_transient", "space_measured"]
