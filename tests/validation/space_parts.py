@@ -115,6 +115,7 @@ def space_wide(run):
     for n in CONDITIONS:
         wide_row(table, run, f"wide-{n}", f"condition {n}", n, {}, space_bars(0.02))
     variants = [
+        ("2.5mm", "dx 2.5 mm", {"numerics.spacing": "2.5mm"}, 0.02),
         ("slice", "slice form", {"bed.drag_form": "slice"}, 0.04),
         ("thesis", "printed form", {"bed.drag_form": "thesis"}, 0.04),
         ("disordered", "disordered start", {"start.jitter": "0.25"}, 0.03),
