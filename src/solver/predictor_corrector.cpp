@@ -1,5 +1,4 @@
 #include "solver/step_start.hpp"
-#include "solver/stepper.hpp"
 
 namespace riffle {
 
@@ -8,16 +7,11 @@ namespace {
 /// SPHysics, thesis (2.50-2.52): q^(n+1/2) = q^n + dt/2 q'^n, again with the rates at n+1/2, then q^(n+1) = 2
 /// q^(n+1/2) - q^n, which is q^n plus a full step at the rates of the middle.
 template <int D>
-class PredictorCorrector final : public Stepper<D> {
+class PredictorCorrector final : public MidpointStepper<D> {
+    using MidpointStepper<D>::start_;
+    using MidpointStepper<D>::step_;
+
   public:
-    [[nodiscard]] int evaluations() const override { return 2; }
-    [[nodiscard]] double evaluation_time(int evaluation) const override {
-        return evaluation == 0 ? 0.0 : 0.5;
-    }
-    void begin(Particles<D>& particles, const StepSize& step) override {
-        start_.save(particles);
-        step_ = step.now;
-    }
     void advance(int evaluation, std::size_t i, const ParticleRates<D>& rates, Particles<D>& p) override {
         const double step = evaluation == 0 ? 0.5 * step_ : step_;
         p.density_deviation[i] = start_.density_deviation[i] + step * rates.density;
@@ -27,10 +21,6 @@ class PredictorCorrector final : public Stepper<D> {
             p.velocity[k][i] = start_.velocity[k][i] + step * rates.acceleration[k];
         }
     }
-
-  private:
-    StepStart<D> start_;
-    double step_ = 0.0;
 };
 
 }  // namespace

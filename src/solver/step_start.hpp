@@ -1,6 +1,7 @@
 #pragma once
 
 #include "particles/particles.hpp"
+#include "solver/stepper.hpp"
 
 namespace riffle {
 
@@ -16,6 +17,22 @@ struct StepStart {
         velocity = particles.velocity;
         density_deviation = particles.density_deviation;
     }
+};
+
+/// A method whose second evaluation is at the middle of the step.
+template <int D>
+class MidpointStepper : public Stepper<D> {
+  public:
+    [[nodiscard]] int evaluations() const final { return 2; }
+    [[nodiscard]] double evaluation_time(int evaluation) const final { return evaluation == 0 ? 0.0 : 0.5; }
+    void begin(Particles<D>& particles, const StepSize& step) final {
+        start_.save(particles);
+        step_ = step.now;
+    }
+
+  protected:
+    StepStart<D> start_;
+    double step_ = 0.0;  ///< s
 };
 
 }  // namespace riffle

@@ -1,5 +1,4 @@
 #include "solver/step_start.hpp"
-#include "solver/stepper.hpp"
 
 namespace riffle {
 
@@ -10,16 +9,11 @@ namespace {
 /// the mean of old and new velocity moves the particle. The density over the step as rho^(n+1) = rho^n (2 -
 /// e)/(2 + e), e = -dt (D rho/Dt)/rho at the middle (Parshikov et al. 2000).
 template <int D>
-class Symplectic final : public Stepper<D> {
+class Symplectic final : public MidpointStepper<D> {
+    using MidpointStepper<D>::start_;
+    using MidpointStepper<D>::step_;
+
   public:
-    [[nodiscard]] int evaluations() const override { return 2; }
-    [[nodiscard]] double evaluation_time(int evaluation) const override {
-        return evaluation == 0 ? 0.0 : 0.5;
-    }
-    void begin(Particles<D>& particles, const StepSize& step) override {
-        start_.save(particles);
-        step_ = step.now;
-    }
     void advance(int evaluation, std::size_t i, const ParticleRates<D>& rates, Particles<D>& p) override {
         double& s = p.density_deviation[i];
         if (evaluation == 0) {
@@ -41,10 +35,6 @@ class Symplectic final : public Stepper<D> {
             p.velocity[k][i] = u;
         }
     }
-
-  private:
-    StepStart<D> start_;
-    double step_ = 0.0;
 };
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "check_run.hpp"
+#include "exact_flows.hpp"
 
 using namespace riffle;
 using namespace riffle::verification;
@@ -12,16 +12,6 @@ using namespace riffle::verification;
 namespace {
 
 constexpr double pi = std::numbers::pi;
-
-/// Flow between plates started from rest by the acceleration F (Morris, Fox & Zhu 1997, eq. 22).
-double start_up_poiseuille(double force, double nu, double width, double z, double t) {
-    double u = force / (2.0 * nu) * z * (width - z);
-    for (int n = 0; n < 200; ++n) {
-        const double k = pi * (2 * n + 1) / width;
-        u -= 4.0 * force / (nu * width * k * k * k) * std::sin(k * z) * std::exp(-nu * k * k * t);
-    }
-    return u;
-}
 
 /// Free-surface flow of depth H on a no-slip bed, started with the uniform velocity U.
 double start_up_channel(double force, double nu, double depth, double start, double z, double t) {

@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "case/words.hpp"
-#include "check_run.hpp"
+#include "exact_flows.hpp"
 
 using namespace riffle;
 using namespace riffle::verification;
@@ -18,22 +18,14 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Largest error of u of any particle, 50 times up to L^2/nu, over U_max; the series of laminar_test.cpp.
+/// Largest error of u of any particle, 50 times up to L^2/nu, over U_max.
 double poiseuille_error(const std::vector<Override>& overrides) {
     CheckRun run("poiseuille", overrides);
     const Case& c = run.parameters();
     const double nu = c.fluid.kinematic_viscosity;
     const double width = c.total_depth();
     const double force = c.streamwise_gravity();
-    const auto exact = [&](double z) {
-        double u = force / (2.0 * nu) * z * (width - z);
-        for (int n = 0; n < 200; ++n) {
-            const double k = pi * (2 * n + 1) / width;
-            u -=
-                4.0 * force / (nu * width * k * k * k) * std::sin(k * z) * std::exp(-nu * k * k * run.time());
-        }
-        return u;
-    };
+    const auto exact = [&](double z) { return start_up_poiseuille(force, nu, width, z, run.time()); };
     double largest = 0.0;
     for (int sample = 1; sample <= 50; ++sample) {
         run.advance_to(0.02 * sample * width * width / nu);
@@ -54,21 +46,13 @@ Decay taylor_green(const std::vector<Override>& overrides, double nu = 0.0) {
     const Case& c = run.parameters();
     const double k = 2.0 * pi / c.channel.length;
     const Particles<2>& p = run.particles();
-    const auto amplitude = [&] {
-        return mass_mean(p, [&](std::size_t i) {
-            const double x = k * p.position[0][i];
-            const double z = k * p.position[1][i];
-            return p.velocity[0][i] * std::sin(x) * std::cos(z) -
-                   p.velocity[1][i] * std::cos(x) * std::sin(z);
-        });
-    };
     run.advance_to(0.2);
     const double first_time = run.time();
-    const double first = amplitude();
+    const double first = vortex_amplitude(run);
     run.advance_to(1.0);
     const double exact = 2.0 * (nu > 0.0 ? nu : c.fluid.kinematic_viscosity) * k * k;
     Decay decay;
-    decay.rate = std::log(first / amplitude()) / (run.time() - first_time) / exact;
+    decay.rate = std::log(first / vortex_amplitude(run)) / (run.time() - first_time) / exact;
     double squared = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < p.size(); ++i) {
         for (std::size_t j = i + 1; j < p.size(); ++j) {

@@ -3,32 +3,23 @@
 #include <cmath>
 #include <numbers>
 
-#include "check_run.hpp"
+#include "exact_flows.hpp"
 
 using namespace riffle;
 using namespace riffle::verification;
 
-// Amplitude: projection of the velocity on the vortices. The rate is taken from t = 0.2 s, when the particles
+// The rate is taken from t = 0.2 s, when the particles
 // have settled, to 1 s, where half of the velocity is gone; the amplitude at 1 s includes the settling.
 TEST(TaylorGreen, DecaysAtTheViscousRate) {
     CheckRun run("taylor-green");
     const Case& c = run.parameters();
     const double k = 2.0 * std::numbers::pi / c.channel.length;
     const double exact = 2.0 * c.fluid.kinematic_viscosity * k * k;
-    const auto amplitude = [&] {
-        const Particles<2>& p = run.particles();
-        return 2.0 * mass_mean(p, [&](std::size_t i) {
-                   const double x = k * p.position[0][i];
-                   const double z = k * p.position[1][i];
-                   return p.velocity[0][i] * std::sin(x) * std::cos(z) -
-                          p.velocity[1][i] * std::cos(x) * std::sin(z);
-               });
-    };
     run.advance_to(0.2);
     const double first_time = run.time();
-    const double first = amplitude();
+    const double first = vortex_amplitude(run);
     run.advance_to(1.0);
-    const double last = amplitude();
+    const double last = vortex_amplitude(run);
     const double rate = std::log(first / last) / (run.time() - first_time);
     expect_below("Taylor-Green", "rate of decay against 2 nu k^2", 0.03, std::abs(rate / exact - 1.0));
     expect_below("Taylor-Green", "amplitude at 1 s", 0.03,

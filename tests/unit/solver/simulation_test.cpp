@@ -137,15 +137,7 @@ TEST_P(Options, CarryTheFlow) {
     GetParam().second(c);
     const Channel channel(c);
     channel.advance(200);
-    const auto& p = channel.simulation->particles();
-    double u = 0.0;
-    double z = 0.0;
-    for (std::size_t i = 0; i < p.size(); ++i) {
-        u += p.velocity[0][i] / static_cast<double>(p.size());
-        z += p.position[1][i] / static_cast<double>(p.size());
-    }
-    EXPECT_NEAR(u, channel.column.total_mean_velocity, 0.05 * channel.column.total_mean_velocity);
-    EXPECT_NEAR(z, 0.5 * c.total_depth(), 0.02 * c.total_depth());
+    test::expect_carried_flow(channel, 0.05);
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -43,6 +43,22 @@ struct ChannelIn {
 };
 using Channel = ChannelIn<2>;
 
+/// That the water's mean velocity is still the column's, to `tolerance` of it, and its level that of the
+/// case.
+inline void expect_carried_flow(const Channel& channel, double tolerance) {
+    const auto& p = channel.simulation->particles();
+    double u = 0.0;
+    double z = 0.0;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        u += p.velocity[0][i] / static_cast<double>(p.size());
+        z += p.position[1][i] / static_cast<double>(p.size());
+    }
+    const double expected = channel.column.total_mean_velocity;
+    const double depth = channel.parameters.total_depth();
+    EXPECT_NEAR(u, expected, tolerance * expected);
+    EXPECT_NEAR(z, 0.5 * depth, 0.02 * depth);
+}
+
 /// Number of each particle's place in the arrays, by its id (ids count from zero).
 template <int D>
 [[nodiscard]] std::vector<std::size_t> places_by_id(const Particles<D>& particles) {

@@ -72,15 +72,7 @@ TEST_P(Steppers, CarryTheFlow) {
     const Case c = stepped(GetParam());
     const Channel channel(c);
     channel.advance(600);
-    const auto& p = channel.simulation->particles();
-    double u = 0.0;
-    double z = 0.0;
-    for (std::size_t i = 0; i < p.size(); ++i) {
-        u += p.velocity[0][i] / static_cast<double>(p.size());
-        z += p.position[1][i] / static_cast<double>(p.size());
-    }
-    EXPECT_NEAR(u, channel.column.total_mean_velocity, 0.01 * channel.column.total_mean_velocity);
-    EXPECT_NEAR(z, 0.5 * c.total_depth(), 0.02 * c.total_depth());
+    test::expect_carried_flow(channel, 0.01);
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, Steppers,
