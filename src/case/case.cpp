@@ -13,7 +13,7 @@ bool Case::same_parameters(const Case& other) const {
            bed == other.bed && side_walls == other.side_walls && turbulence == other.turbulence &&
            fluid == other.fluid && numerics == other.numerics && start == other.start &&
            stirring == other.stirring && run == other.run && output == other.output &&
-           measured == other.measured && probes == other.probes;
+           measured == other.measured && probes == other.probes && solids == other.solids;
 }
 
 }  // namespace riffle

@@ -33,16 +33,19 @@ enum class KernelKind {
 enum class EquationOfState { linear, tait };
 enum class PressureForm { corrected, symmetric, riemann };
 enum class VelocityGradient { corrected, plain };
-enum class DensityDiffusion { fourtakas, none, molteni };
+enum class KernelCorrection { kernel_gradient, kernel };
+enum class DensityDiffusion { fourtakas, none, molteni, antuono };
 enum class DensityFilter { none, shepard, mls };
 enum class ViscosityForm { morris, monaghan_gingold, lo_shao, artificial };
 enum class EddyStress { two_point, stress_divergence };
 enum class Stepping { semi_implicit_euler, predictor_corrector, verlet, symplectic, beeman };
-enum class WallKind { dummy, dynamic };
+enum class WallKind { dummy, dynamic, modified_dynamic, repulsive };
 enum class Precision { single_precision, double_precision };
 enum class StartKind { column, uniform, rest, power_law, results, standing_wave, taylor_green, section };
-enum class StartLattice { square, hexagonal };
+enum class StartLattice { square, hexagonal, body_centred };
 enum class SurfaceDetection { volume_fraction, position_divergence, density_ratio, depth_sum };
+enum class SolidSurface { no_slip, slip };
+enum class SolidMotion { fixed, constant, oscillating };
 enum class RunUntil { time, converged };
 enum class ProbeKind { velocity, wave, surface_line, grid, flow_rate, force };
 
@@ -56,6 +59,8 @@ struct Channel {
     Ends ends = Ends::periodic;
     Sides sides = Sides::periodic;
     Top top = Top::free_surface;
+    std::optional<double> wall_height;  ///< of upright end walls above the bed level, m; unset: 1.5 H
+    double lid_velocity = 0.0;          ///< of the wall at the top along x, m/s
 
     /// Extent of the simulated water across the channel, m: half the width where the other half is its mirror
     /// image.
@@ -129,6 +134,7 @@ struct Numerics {
     EquationOfState equation_of_state = EquationOfState::linear;
     PressureForm pressure_form = PressureForm::corrected;
     VelocityGradient velocity_gradient = VelocityGradient::corrected;
+    KernelCorrection kernel_correction = KernelCorrection::kernel_gradient;  ///< of the corrected forms
     DensityDiffusion density_diffusion = DensityDiffusion::fourtakas;
     double density_diffusion_coefficient = 0.1;
     DensityFilter density_filter = DensityFilter::none;
@@ -161,7 +167,9 @@ struct Start {
     double amplitude = 0.0;          ///< standing wave: of the surface, m
     std::filesystem::path file;      ///< results: the file to start from
     StartLattice lattice = StartLattice::square;
-    double jitter = 0.0;  ///< random displacement of the lattice, in units of the spacing
+    std::vector<double> water_x;  ///< corners of the outline of the water at the start, m; empty: all up to
+    std::vector<double> water_z;  ///< the depth
+    double jitter = 0.0;          ///< random displacement of the lattice, in units of the spacing
     long long seed = 1;
 
     bool operator==(const Start&) const = default;
@@ -246,6 +254,27 @@ struct Probe {
     bool operator==(const Probe&) const = default;
 };
 
+/// [[solid]]: a body that the water flows around: an outline in two dimensions, a closed surface in three.
+struct Solid {
+    std::string name;
+    std::vector<double> x;       ///< 2D: corners of its outline, m, in either sense of rotation
+    std::vector<double> z;       ///< 2D: m above the bed level
+    std::filesystem::path file;  ///< 3D: STL file of its closed surface
+    double scale = 1.0;          ///< 3D: length of the file's unit, m
+    std::vector<double> place;   ///< 3D: x, y, z of the file's origin, m; empty: the channel's origin
+    SolidSurface surface = SolidSurface::no_slip;
+    SolidMotion motion = SolidMotion::fixed;
+    double start = 0.0;          ///< time at which it starts to move, s
+    std::optional<double> stop;  ///< time at which it stops, s; unset: never
+    double velocity_x = 0.0;     ///< constant: m/s
+    double velocity_z = 0.0;
+    double amplitude_x = 0.0;  ///< oscillating: x = amplitude sin(2 pi frequency (t - start)), m
+    double amplitude_z = 0.0;
+    double frequency = 0.0;  ///< Hz
+
+    bool operator==(const Solid&) const = default;
+};
+
 /// First letters of the names of the instruments that record without asking; no other may begin so.
 inline constexpr const char* standard_probe_prefix = "standard_";
 
@@ -265,6 +294,7 @@ struct Case {
     Output output;
     Measured measured;
     std::vector<Probe> probes;
+    std::vector<Solid> solids;
 
     /// File it was read from; empty for a text without a file. Relative file names in a case are relative to
     /// the folder of its file, and are made absolute when it is read.

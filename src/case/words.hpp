@@ -13,6 +13,8 @@ namespace riffle {
 struct Word {
     std::string_view name;
     std::string_view meaning;
+    std::string_view source = "";  ///< the equation and who stated it
+    std::string_view advice = "";  ///< where to take it and where not, with what was measured
 };
 
 /// The words of an enumeration, in the order of its enumerators.
@@ -165,11 +167,20 @@ struct Words<VelocityGradient> {
 };
 
 template <>
+struct Words<KernelCorrection> {
+    static constexpr std::array<Word, 2> list{{
+        {"kernel-gradient", "inverse of the first moments: exact for linear fields (Bonet & Lok)"},
+        {"kernel", "the kernel over its sum (Shepard): exact for constants alone"},
+    }};
+};
+
+template <>
 struct Words<DensityDiffusion> {
-    static constexpr std::array<Word, 3> list{{
+    static constexpr std::array<Word, 4> list{{
         {"fourtakas", "diffusion of the density less its hydrostatic part"},
         {"none", "no diffusion"},
         {"molteni", "diffusion of the density (Molteni & Colagrossi): moves the level of water at rest"},
+        {"antuono", "diffusion of the density less its corrected linear part (Antuono et al.)"},
     }};
 };
 
@@ -237,11 +248,16 @@ struct Words<Stepping> {
 
 template <>
 struct Words<WallKind> {
-    static constexpr std::array<Word, 2> list{{
+    static constexpr std::array<Word, 4> list{{
         {"dummy", "layers of particles that carry the pressure of the fluid before them"},
         {"dynamic",
          "staggered layers whose density follows the continuity equation (the thesis); the water rests at "
          "them"},
+        {"modified-dynamic",
+         "layers of particles that carry the density found at their mirror image in the water (English et "
+         "al.)"},
+        {"repulsive",
+         "one row of particles that push the water away (Monaghan & Kos): no pressure, no friction"},
     }};
 };
 
@@ -255,9 +271,10 @@ struct Words<Precision> {
 
 template <>
 struct Words<StartLattice> {
-    static constexpr std::array<Word, 2> list{{
+    static constexpr std::array<Word, 3> list{{
         {"square", "rows and columns; the layers slide in a shear flow"},
         {"hexagonal", "rows shifted against each other, the arrangement that stays at rest in still water"},
+        {"body-centred", "3D: body-centred cubic"},
     }};
 };
 
@@ -272,6 +289,23 @@ struct Words<StartKind> {
         {"standing-wave", "a standing gravity wave, one wave length over the channel length"},
         {"taylor-green", "Taylor-Green vortices (periodic in both directions)"},
         {"section", "3D: the steady velocity of the cross-section twin"},
+    }};
+};
+
+template <>
+struct Words<SolidSurface> {
+    static constexpr std::array<Word, 2> list{{
+        {"no-slip", "the water rests at it"},
+        {"slip", "frictionless: it gives pressure alone"},
+    }};
+};
+
+template <>
+struct Words<SolidMotion> {
+    static constexpr std::array<Word, 3> list{{
+        {"fixed", "it stands still"},
+        {"constant", "it moves at a constant velocity from its start"},
+        {"oscillating", "it swings harmonically from its start"},
     }};
 };
 
