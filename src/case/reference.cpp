@@ -1,9 +1,12 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "case/case_documents.hpp"
 #include "case/conversion.hpp"
 #include "case/key_table.hpp"
 #include "case/presets.hpp"
+#include "case/scheme_rules.hpp"
 
 namespace riffle {
 
@@ -104,6 +107,37 @@ std::string preset_page() {
     return page;
 }
 
+/// The options with their equations and where they are advised: one table per key that has words with advice.
+std::string options_page() {
+    std::string page =
+        "\n## Options of the method\n\nWhere the equation of each choice stands, who stated it, and where to "
+        "take "
+        "it. Sections are those of the [theory](theory.md); numbers are measured there and in "
+        "[verification](verification.md). `riffle sweep CASE --vary KEY=WORD,WORD` compares choices in a "
+        "case of "
+        "your own ([how](sweep.md)).\n";
+    for (const SectionKeys& section : key_table()) {
+        for (const Key& key : section.keys) {
+            if (std::all_of(key.words.begin(), key.words.end(),
+                            [](const Word& option) { return option.advice.empty(); })) {
+                continue;
+            }
+            page += fmt::format("\n### `{}`\n\n| choice | equation, source | advice |\n|---|---|---|\n",
+                                key.id());
+            for (const Word& option : key.words) {
+                page += fmt::format("| `{}` | {} | {} |\n", option.name, cell(std::string(option.source)),
+                                    cell(std::string(option.advice)));
+            }
+        }
+    }
+    page += "\n### Combinations that are refused\n\n| combination | reason, and what to do |\n|---|---|\n";
+    for (const SchemeRule& rule : scheme_rules()) {
+        page +=
+            fmt::format("| {} | {} |\n", cell(std::string(rule.combination)), cell(std::string(rule.reason)));
+    }
+    return page;
+}
+
 std::string unit_page() {
     std::string page =
         "\n## Units\n\nA number without quotes is in the SI unit of its key. A text in quotes is a number "
@@ -135,7 +169,7 @@ std::string case_reference_markdown() {
     for (const SectionKeys& section : key_table()) {
         page += section_page(section);
     }
-    return page + preset_page() + unit_page();
+    return page + options_page() + preset_page() + unit_page();
 }
 
 }  // namespace riffle

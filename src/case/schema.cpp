@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -47,6 +49,12 @@ Json number_schema(const Key& key) {
     return schema;
 }
 
+/// What an option is and where it is advised.
+std::string described(const Word& option) {
+    return option.advice.empty() ? std::string(option.meaning)
+                                 : fmt::format("{}. Advice: {}", option.meaning, option.advice);
+}
+
 /// What a single value of a key may be.
 Json choices(const Key& key) {
     Json list = Json::array();
@@ -60,7 +68,7 @@ Json choices(const Key& key) {
             break;
         case ValueType::word:
             for (const Word& option : key.words) {
-                list.push_back({{"const", option.name}, {"description", option.meaning}});
+                list.push_back({{"const", option.name}, {"description", described(option)}});
             }
             break;
         case ValueType::text:

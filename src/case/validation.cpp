@@ -6,9 +6,8 @@
 #include <utility>
 
 #include "case/probe_validation.hpp"
-#include "case/scheme_validation.hpp"
+#include "case/scheme_rules.hpp"
 #include "case/space_validation.hpp"
-#include "case/stepping_validation.hpp"
 #include "case/units.hpp"
 
 namespace riffle {
@@ -295,7 +294,6 @@ void validate(const Case& c, const Places& places, bool check_files, Problems& p
     validate_space(c, places, problems);
     validate_snapshots(c, places, problems);
     validate_probes(c, places, problems);
-    validate_stepping(c, places, problems);
 }
 
 }  // namespace riffle

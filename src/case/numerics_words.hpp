@@ -1,0 +1,196 @@
+#pragma once
+
+#include <array>
+
+#include "case/case.hpp"
+#include "case/word.hpp"
+
+namespace riffle {
+
+// The words of [numerics].
+
+template <>
+struct Words<Preset> {
+    static constexpr std::array<Word, 3> list{{
+        {"riffle", "the verified scheme of this program"},
+        {"thesis", "the numerics of the thesis (cubic spline, symmetric pressure form), for study"},
+        {"paper", "the numerics of the 2016 paper (as the thesis, linear equation of state), for study"},
+    }};
+};
+
+template <>
+struct Words<KernelKind> {
+    static constexpr std::array<Word, 7> list{{
+        {"wendland-c2", "Wendland's quintic C2 kernel", "Wendland (1995)",
+         "all flows: the scheme is verified with it"},
+        {"cubic-spline", "cubic B-spline", "Monaghan & Lattanzio (1985); thesis (2.36)",
+         "to repeat SPHysics; clumps, and a channel brakes by 9 to 33 % with the symmetric form"},
+        {"gaussian",
+         "Gaussian of length 2 h/3, cut at 2 h and normalised there; narrow, take h = 2 dx or more",
+         "Colagrossi & Landrini (2003)", "laminar checks with h = 2 dx; nothing gained in channels"},
+        {"quadratic", "parabola (SPHysics): does not clump, but its sums converge worst",
+         "Johnson et al. (1996); SPHysics",
+         "impact without clumping; second derivative jumps: viscous force 4 % low at h = 1.5 dx"},
+        {"quintic-spline", "quintic B-spline of radius 2 h; narrow, take h = 2 dx or more",
+         "Morris et al. (1997)", "laminar flow with h = 2 dx at 1.8 times the pairs"},
+        {"wendland-c4", "Wendland's C4 kernel; narrow, take h = 2 dx or more",
+         "Wendland (1995); Dehnen & Aly (2012)",
+         "h = 2 dx or more; spurious stress of the symmetric form 11.9 %, as C2"},
+        {"wendland-c6", "Wendland's C6 kernel; the narrowest, take h = 2 dx or more",
+         "Wendland (1995); Dehnen & Aly (2012)",
+         "h = 2 dx or more; spurious stress of the symmetric form 15.5 %, more than C2"},
+    }};
+};
+
+template <>
+struct Words<EquationOfState> {
+    static constexpr std::array<Word, 2> list{{
+        {"linear", "p = c0^2 (rho - rho0)", "paper (10); Morris et al. (1997)",
+         "always: the density varies by less than 1 %"},
+        {"tait", "p = (c0^2 rho0 / 7) [(rho / rho0)^7 - 1]", "thesis (2.45)",
+         "to repeat the thesis; differs from the linear one by 3 s, s the relative density change"},
+    }};
+};
+
+template <>
+struct Words<PressureForm> {
+    static constexpr std::array<Word, 3> list{{
+        {"corrected", "conservative form with the corrected kernel gradient: no spurious friction",
+         "theory 5; Bonet & Lok (1999) made conservative",
+         "all channels: spurious shear stress 1 % of the bed's under stirring"},
+        {"symmetric", "the usual p_i + p_j form: spurious friction where the particles are disordered",
+         "thesis (2.42)",
+         "not for channels: 10 to 30 % spurious stress under stirring, mean velocity 4 to 12 % low"},
+        {"riemann",
+         "p_i + p_j with the limited dissipation of a Riemann problem: for violent flow, not for channels",
+         "Zhang, Hu & Adams (2017)",
+         "violent flow; in channels 16 % spurious stress, mean velocity 6 % low; damps vortices at Re 100 by "
+         "10 %"},
+    }};
+};
+
+template <>
+struct Words<VelocityGradient> {
+    static constexpr std::array<Word, 2> list{{
+        {"corrected", "exact for linear velocity fields", "theory 6; Bonet & Lok (1999)",
+         "always with a closure: exact up to the last row at walls and surface"},
+        {"plain", "plain kernel sum", "theory 6, without the matrix", "laminar flow, where nothing uses it"},
+    }};
+};
+
+template <>
+struct Words<KernelCorrection> {
+    static constexpr std::array<Word, 2> list{{
+        {"kernel-gradient", "inverse of the first moments: exact for linear fields (Bonet & Lok)"},
+        {"kernel", "the kernel over its sum (Shepard): exact for constants alone"},
+    }};
+};
+
+template <>
+struct Words<DensityDiffusion> {
+    static constexpr std::array<Word, 4> list{{
+        {"fourtakas", "diffusion of the density less its hydrostatic part",
+         "theory 4; Fourtakas et al. (2019)", "always under gravity: level of still water within 0.15 %"},
+        {"none", "no diffusion", "", "short laminar flows with a filter, or to see the noise it takes away"},
+        {"molteni", "diffusion of the density (Molteni & Colagrossi): moves the level of water at rest",
+         "theory 4; Molteni & Colagrossi (2009)", "without gravity; with it still water sank by 6 % in 4 s"},
+        {"antuono", "diffusion of the density less its corrected linear part (Antuono et al.)"},
+    }};
+};
+
+template <>
+struct Words<DensityFilter> {
+    static constexpr std::array<Word, 3> list{{
+        {"none", "no filter", "", "with density diffusion"},
+        {"shepard", "zeroth-order renormalisation of the density", "Shepard (1968); SPHysics",
+         "to repeat published runs; density diffusion does the same at each step"},
+        {"mls", "first-order moving least squares renormalisation of the density",
+         "Colagrossi & Landrini (2003); the thesis",
+         "to repeat the thesis; density diffusion does the same at each step"},
+    }};
+};
+
+template <>
+struct Words<ViscosityForm> {
+    static constexpr std::array<Word, 4> list{{
+        {"morris", "acts along the velocity difference", "theory 6; Morris et al. (1997)",
+         "channels: exact in layered shear; a free surface has zero normal gradient, so waves lose half of "
+         "nature's damping"},
+        {"monaghan-gingold",
+         "acts along the line of centres; conserves angular momentum, too weak in layered shear: by 11 % at "
+         "h = 1.5 dx, 4 % at 2 dx (Wendland)",
+         "Monaghan & Gingold (1983), Monaghan (2005)",
+         "viscous damping of waves (decay within 2 %); in sheared layers 4 to 11 % weak"},
+        {"lo-shao", "acts along the velocity difference, softened (Lo & Shao; SPHysics): 1 to 2 % too weak",
+         "Lo & Shao (2002); SPHysics; the thesis",
+         "to repeat SPHysics; 1.3 % error in Poiseuille flow where `morris` has 0.07 %"},
+        {"artificial",
+         "Monaghan's artificial viscosity, alpha h c0, between approaching particles: instead of the "
+         "water's",
+         "Monaghan (1992); SPHysics",
+         "calming still water or impacts (alpha 0.01 to 0.1); changes with the spacing, not where friction "
+         "counts"},
+    }};
+};
+
+template <>
+struct Words<EddyStress> {
+    static constexpr std::array<Word, 2> list{{
+        {"two-point", "the eddy viscosity enters the pair viscosity", "theory 6", "always"},
+        {"stress-divergence", "kernel divergence of the stress at the particles (the thesis)",
+         "thesis (4.1); Gotoh et al. (2001)",
+         "to repeat the thesis: velocity zigzags from row to row, 2 to 6 % rms"},
+    }};
+};
+
+template <>
+struct Words<Stepping> {
+    static constexpr std::array<Word, 5> list{{
+        {"semi-implicit-euler",
+         "one force evaluation per step, first order: advised, as fast again as the "
+         "others and the same flow to 0.03 %",
+         "theory 10; order 1.00", "always: one evaluation, the same channel to 0.03 % as the others"},
+        {"predictor-corrector", "two force evaluations per step, second order (the thesis)",
+         "thesis (2.50-2.52), Monaghan (1989); order 2.00", "transients; Courant number 0.4 or less"},
+        {"verlet",
+         "one force evaluation per step, a leap over two steps (SPHysics); not with density diffusion "
+         "at Courant numbers above 0.2, where it fails",
+         "Verlet (1967), SPHysics; order 1.95 in small steps",
+         "without density diffusion, or Courant numbers up to 0.2"},
+        {"symplectic", "two force evaluations per step, the second at its middle; second order (SPHysics)",
+         "Leimkuhler et al. (1996), DualSPHysics; order 2.00", "transients"},
+        {"beeman",
+         "two force evaluations per step, with the rates of the step before; third order (SPHysics)",
+         "Beeman (1976), SPHysics; order 3.0", "accurate transients: error 1e-3 of Euler's at equal steps"},
+    }};
+};
+
+template <>
+struct Words<WallKind> {
+    static constexpr std::array<Word, 4> list{{
+        {"dummy", "layers of particles that carry the pressure of the fluid before them",
+         "theory 9; Adami et al. (2012)", "always: Poiseuille flow within 0.07 %"},
+        {"dynamic",
+         "staggered layers whose density follows the continuity equation (the thesis); the water rests at "
+         "them",
+         "Dalrymple & Knio (2001); SPHysics; the thesis",
+         "to repeat SPHysics; a slip bed is not possible with it"},
+        {"modified-dynamic",
+         "layers of particles that carry the density found at their mirror image in the water (English et "
+         "al.)"},
+        {"repulsive",
+         "one row of particles that push the water away (Monaghan & Kos): no pressure, no friction"},
+    }};
+};
+
+template <>
+struct Words<Precision> {
+    static constexpr std::array<Word, 2> list{{
+        {"single", "pair arithmetic in single precision, state in double", "theory 16",
+         "always: differs from double by less than 1e-3 g in accelerations"},
+        {"double", "everything in double precision; 1.5-1.8 times slower", "theory 16",
+         "convergence of the arithmetic itself"},
+    }};
+};
+
+}  // namespace riffle

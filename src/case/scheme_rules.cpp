@@ -1,0 +1,81 @@
+#include "case/scheme_rules.hpp"
+
+#include <fmt/format.h>
+
+#include "case/conversion.hpp"
+#include "case/key_table.hpp"
+
+namespace riffle {
+
+namespace {
+
+/// Largest Courant number at which Verlet's method held the channel of condition 2 with density diffusion.
+constexpr double verlet_courant_number = 0.2;
+
+}  // namespace
+
+const std::vector<SchemeRule>& scheme_rules() {
+    static const std::vector<SchemeRule> rules{
+        {{"numerics.tensile_correction", "numerics.pressure_form"},
+         "`tensile_correction` above 0 without `pressure_form = \"symmetric\"`",
+         "the correction cures the clumping of the symmetric form; set it to 0 or choose pressure_form = "
+         "\"symmetric\"",
+         [](const Case& c) {
+             return c.numerics.tensile_correction > 0.0 &&
+                    c.numerics.pressure_form != PressureForm::symmetric;
+         }},
+        {{"numerics.tensile_correction", "numerics.kernel"},
+         "`tensile_correction` above 0 without `kernel = \"cubic-spline\"`",
+         "it is made for the cubic spline, whose gradient vanishes at the centre faster than particles "
+         "approach; set it to 0 or choose kernel = \"cubic-spline\"",
+         [](const Case& c) {
+             return c.numerics.tensile_correction > 0.0 && c.numerics.kernel != KernelKind::cubic_spline;
+         }},
+        {{"numerics.viscosity", "numerics.pressure_form"},
+         "`viscosity = \"artificial\"` with `pressure_form = \"riemann\"`",
+         "both damp approaching particles, the one by alpha, the other by the Riemann problem; choose "
+         "viscosity = \"morris\" or pressure_form = \"corrected\"",
+         [](const Case& c) {
+             return c.numerics.viscosity == ViscosityForm::artificial &&
+                    c.numerics.pressure_form == PressureForm::riemann;
+         }},
+        {{"numerics.viscosity", "turbulence.closure", "numerics.eddy_stress"},
+         "`viscosity = \"artificial\"` with a closure and `eddy_stress = \"two-point\"`",
+         "artificial viscosity acts between approaching particles alone, so the eddy viscosity cannot act "
+         "through it; set [numerics] eddy_stress = \"stress-divergence\", or [turbulence] closure = "
+         "\"none\", or choose viscosity = \"morris\"",
+         [](const Case& c) {
+             return c.numerics.viscosity == ViscosityForm::artificial &&
+                    c.turbulence.closure != ClosureKind::none &&
+                    c.numerics.eddy_stress == EddyStress::two_point;
+         }},
+        {{"numerics.courant_number", "numerics.stepping", "numerics.density_diffusion"},
+         "`stepping = \"verlet\"` with density diffusion and `courant_number` above 0.2",
+         "the leap over two steps amplifies any diffusion of the density, and the run fails within 0.03 s at "
+         "0.3; make it 0.2 or less, set density_diffusion = \"none\", or choose another stepping",
+         [](const Case& c) {
+             const Numerics& n = c.numerics;
+             return n.stepping == Stepping::verlet && n.density_diffusion != DensityDiffusion::none &&
+                    !n.time_step && n.courant_number > verlet_courant_number;
+         }},
+    };
+    return rules;
+}
+
+void validate_scheme(const Case& c, const Places& places, Problems& problems) {
+    for (const SchemeRule& rule : scheme_rules()) {
+        if (!rule.broken(c)) {
+            continue;
+        }
+        std::vector<std::string> values;
+        for (const std::string& id : rule.keys) {
+            const Key& key = *find_key(id);
+            values.push_back(
+                fmt::format("[{}] {} = {}", key.section, key.name, handy_value_text(key, key.get(c))));
+        }
+        problems.add(places.of_first(rule.keys),
+                     fmt::format("{}: {}", fmt::join(values, " with "), rule.reason));
+    }
+}
+
+}  // namespace riffle
