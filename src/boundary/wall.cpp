@@ -2,37 +2,37 @@
 
 #include <cmath>
 
+#include "boundary/solid_fill.hpp"
+#include "boundary/wall_particle.hpp"
 #include "particles/lattice.hpp"
 
 namespace riffle {
 
+WallLaw wall_law(const Case& c) {
+    WallLaw law{.dynamic = c.numerics.wall == WallKind::dynamic,
+                .no_slip = c.bed.kind == BedKind::no_slip || c.numerics.wall == WallKind::dynamic,
+                .solid_no_slip = {}};
+    for (const Solid& solid : c.solids) {
+        law.solid_no_slip.push_back(solid.surface == SolidSurface::no_slip);
+    }
+    return law;
+}
+
+bool starts_beside_dry_walls(const Case& c) { return !c.start.water_x.empty() || !c.solids.empty(); }
+
 namespace {
 
-struct Normal {
-    double x = 0.0;
-    double z = 0.0;
-};
-
-void add_particle(WallParticles<2>& wall, double x, double z, double volume, const Normal& n, double depth) {
-    wall.position[0].push_back(x);
-    wall.position[1].push_back(z);
-    wall.volume.push_back(volume);
-    const bool corner = n.x == 0.0 && n.z == 0.0;
-    wall.projector[0].push_back(corner ? 1.0 : n.x * n.x);
-    wall.projector[1].push_back(n.x * n.z);
-    wall.projector[2].push_back(n.x * n.z);
-    wall.projector[3].push_back(corner ? 1.0 : n.z * n.z);
-    wall.normal[0].push_back(n.x);
-    wall.normal[1].push_back(n.z);
-    wall.depth.push_back(depth);
+/// End walls stand half a depth above the still water, for waves, or as high as the case says; with a lid
+/// they end at it.
+int end_wall_rows(const Case& c, const Lattice& lattice) {
+    if (c.channel.top == Top::wall) {
+        return lattice.rows;
+    }
+    return c.channel.wall_height ? static_cast<int>(std::ceil(*c.channel.wall_height / lattice.dz - 1e-9))
+                                 : lattice.rows + lattice.rows / 2;
 }
 
 }  // namespace
-
-WallLaw wall_law(const Case& c) {
-    return {.dynamic = c.numerics.wall == WallKind::dynamic,
-            .no_slip = c.bed.kind == BedKind::no_slip || c.numerics.wall == WallKind::dynamic};
-}
 
 template <>
 WallParticles<2> wall_particles<2>(const Case& c) {
@@ -56,31 +56,42 @@ WallParticles<2> wall_particles<2>(const Case& c) {
     const auto x_of = [&](int column, int row, int layer) {
         return dynamic ? (column + 0.5 + (layer % 2 == 1 ? 0.5 : 0.0)) * lattice.dx : lattice.x(column, row);
     };
+    const bool all_motion = !c.solids.empty();
+    const auto add = [&](double x, double z, const Vec<2>& normal, double behind,
+                         std::int32_t body = resting_body) {
+        add_wall_particle(wall, {{x, z}, volume, normal, behind, body, all_motion});
+    };
     for (int layer = 0; layer < layers; ++layer) {
         const double behind = layer_depth(layer, lattice.dz);
         for (int column = -beyond; column < lattice.columns + beyond; ++column) {
             const bool corner = column < 0 || column >= lattice.columns;
             const auto wrapped = [&](double x) { return closed ? x : std::fmod(x, c.channel.length); };
-            add_particle(wall, wrapped(x_of(column, -1 - layer, layer)), -behind, volume,
-                         corner ? Normal{} : Normal{0.0, 1.0}, behind);
+            add(wrapped(x_of(column, -1 - layer, layer)), -behind, corner ? Vec<2>{} : Vec<2>{0.0, 1.0},
+                behind);
             if (c.channel.top == Top::wall) {
-                add_particle(wall, wrapped(x_of(column, lattice.rows + layer, layer)), depth + behind, volume,
-                             corner ? Normal{} : Normal{0.0, -1.0}, behind);
+                // The corners belong to the end walls, which stand still.
+                add(wrapped(x_of(column, lattice.rows + layer, layer)), depth + behind,
+                    corner ? Vec<2>{} : Vec<2>{0.0, -1.0}, behind, corner ? resting_body : lid_body);
             }
         }
     }
     if (closed) {
-        // End walls stand half a depth above the still water, for waves; with a lid they end at it.
-        const int rows = c.channel.top == Top::wall ? lattice.rows : lattice.rows + lattice.rows / 2;
+        const int rows = end_wall_rows(c, lattice);
         const double length = c.channel.length;
         for (int layer = 0; layer < layers; ++layer) {
             for (int row = 0; row < rows; ++row) {
                 const double left = dynamic ? -layer_depth(layer, lattice.dx) : lattice.x(-1 - layer, row);
                 const double right = dynamic ? length - left : lattice.x(lattice.columns + layer, row);
-                add_particle(wall, left, lattice.z(row), volume, Normal{1.0, 0.0}, -left);
-                add_particle(wall, right, lattice.z(row), volume, Normal{-1.0, 0.0}, right - length);
+                add(left, lattice.z(row), {1.0, 0.0}, -left);
+                add(right, lattice.z(row), {-1.0, 0.0}, right - length);
             }
         }
+    }
+    for (std::size_t k = 0; k < c.solids.size(); ++k) {
+        add_solid(c, c.solids[k], first_solid + static_cast<std::int32_t>(k), wall);
+    }
+    if (c.solids.empty() && c.channel.lid_velocity == 0.0) {
+        wall.body.clear();
     }
     return wall;
 }

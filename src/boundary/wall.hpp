@@ -1,5 +1,6 @@
 #pragma once
 
+#include "boundary/wall_motion.hpp"
 #include "case/case.hpp"
 #include "particles/particles.hpp"
 
@@ -8,14 +9,30 @@ namespace riffle {
 /// How the walls of a case act on the fluid.
 struct WallLaw {
     bool dynamic = false;  ///< density from the continuity equation (Dalrymple & Knio 2001), not extrapolated
-    bool no_slip = false;  ///< viscous friction with the wall
+    bool no_slip = false;  ///< viscous friction with the bed, end walls and lid
+    std::vector<bool> solid_no_slip;  ///< and with each solid
+
+    /// Whether the water rests at a wall particle of a body (WallParticles::body).
+    [[nodiscard]] bool rests_at(std::int32_t body) const {
+        return body < first_solid ? no_slip : solid_no_slip[static_cast<std::size_t>(body - first_solid)];
+    }
+    /// The same of a particle of the walls.
+    template <int D>
+    [[nodiscard]] bool rests_at(const WallParticles<D>& walls, std::size_t i) const {
+        return walls.body.empty() ? no_slip : rests_at(walls.body[i]);
+    }
 };
 [[nodiscard]] WallLaw wall_law(const Case& c);
 
+/// Whether walls may stand dry at the start of a case: the water has an outline of its own, or there are
+/// solids.
+[[nodiscard]] bool starts_beside_dry_walls(const Case& c);
+
 /// Wall particles of a case: layers of dummy particles (Adami et al. 2012) below a bed, above a top wall
 /// and behind end walls, on the continuation of the fluid's lattice; or two staggered layers of dynamic
-/// particles. Empty for a fully periodic case. In three dimensions (periodic ends, free surface) layers of
-/// dummy particles below the bed, behind the side walls and behind a plane of symmetry.
+/// particles; and the dummy particles of the solids. Empty for a fully periodic case. In three dimensions
+/// (periodic ends, free surface) layers of dummy particles below the bed, behind the side walls and behind a
+/// plane of symmetry.
 template <int D = 2>
 [[nodiscard]] WallParticles<D> wall_particles(const Case& c);
 

@@ -49,6 +49,16 @@ SectionKeys channel() {
     s.keys.push_back(key("sides", &Channel::sides, "What the water ends at across the channel.")
                          .applies_with("channel.dimensions", {"3"}, true));
     s.keys.push_back(key("top", &Channel::top, "What the water ends at above."));
+    s.keys.push_back(
+        key("wall_height", &Channel::wall_height, "Height of the upright end walls above the bed level.")
+            .measured_in(length)
+            .greater_than(0)
+            .unset_by("auto", "one and a half times the total depth; up to a wall at the top")
+            .applies_with("channel.ends", {"walls"}, true));
+    s.keys.push_back(
+        key("lid_velocity", &Channel::lid_velocity, "Velocity of the wall at the top, along the channel.")
+            .measured_in(velocity)
+            .applies_with("channel.top", {"wall"}, true));
     return s;
 }
 

@@ -5,6 +5,7 @@
 
 #include "case/channel_keys.hpp"
 #include "case/probe_keys.hpp"
+#include "case/solid_keys.hpp"
 #include "case/units.hpp"
 
 namespace riffle {
@@ -112,6 +113,20 @@ SectionKeys start() {
     s.keys.push_back(
         key("file", &Start::file, "Results file to start from.").applies_with(kind, {"results"}));
     s.keys.push_back(key("lattice", &Start::lattice, "Arrangement of the particles at the start."));
+    const auto water = [&](const char* name, auto member, const char* meaning, const char* example) {
+        return key(name, member, meaning)
+            .measured_in(length)
+            .may_be_empty()
+            .with_default_note("all up to the depth")
+            .with_example(example)
+            .applies_with(kind, {"rest", "uniform"}, true);
+    };
+    s.keys.push_back(water("water_x", &Start::water_x,
+                           "Corners of the outline of the water along the channel, in two dimensions; the "
+                           "depth then only sets the spacing of the rows.",
+                           "[\"0 mm\", \"100 mm\", \"100 mm\", \"0 mm\"]"));
+    s.keys.push_back(water("water_z", &Start::water_z, "Heights of the same corners above the bed level.",
+                           "[\"0 mm\", \"0 mm\", \"200 mm\", \"200 mm\"]"));
     s.keys.push_back(
         key("jitter", &Start::jitter,
             "Largest random displacement of the particles from their lattice, in units of the spacing.")
@@ -287,7 +302,7 @@ SectionKeys measured() {
 
 std::vector<SectionKeys> make_table() {
     std::vector<SectionKeys> table = channel_keys();
-    for (auto* const section : {numerics, start, stirring, run, output, measured, probe_keys}) {
+    for (auto* const section : {numerics, start, stirring, run, output, measured, solid_keys, probe_keys}) {
         table.push_back(section());
     }
     return table;

@@ -7,6 +7,7 @@
 
 #include "case/probe_validation.hpp"
 #include "case/scheme_rules.hpp"
+#include "case/solid_validation.hpp"
 #include "case/space_validation.hpp"
 #include "case/units.hpp"
 
@@ -227,7 +228,8 @@ class Validation {
 
     /// Whether the column twin has a steady state with a velocity.
     [[nodiscard]] bool has_column() const {
-        return c_.bed.kind != BedKind::slip && c_.channel.top == Top::free_surface;
+        return c_.bed.kind != BedKind::slip && c_.channel.top == Top::free_surface && c_.solids.empty() &&
+               c_.start.water_x.empty();
     }
 
     void check_column_start() {
@@ -235,7 +237,8 @@ class Validation {
             add({"start.kind"},
                 fmt::format(R"([start] kind = "column": {}; choose kind = "rest" or "uniform")",
                             c_.bed.kind == BedKind::slip ? "a frictionless bed has no steady velocity profile"
-                                                         : "the column twin needs a free surface"));
+                            : c_.solids.empty()          ? "the column twin needs a free surface"
+                                                         : "the column twin knows of no solids in the flow"));
         }
         if (c_.channel.ends == Ends::walls) {
             add({"start.kind", "channel.ends"},
@@ -248,8 +251,8 @@ class Validation {
     void check_velocity_start() {
         if (!c_.start.velocity && !has_column()) {
             add({"start.velocity", "start.kind"},
-                "[start] velocity is missing: without a column twin (frictionless bed or no free surface) "
-                "give the "
+                "[start] velocity is missing: without a column twin (frictionless bed, no free surface or "
+                "solids in the flow) give the "
                 "velocity, for example velocity = \"0.3 m/s\"");
         }
     }
@@ -292,6 +295,7 @@ void validate(const Case& c, const Places& places, bool check_files, Problems& p
     Validation(c, places, problems).run(check_files);
     validate_scheme(c, places, problems);
     validate_space(c, places, problems);
+    validate_solids(c, places, problems);
     validate_snapshots(c, places, problems);
     validate_probes(c, places, problems);
 }

@@ -168,8 +168,13 @@ struct Words<StartKind> {
 template <>
 struct Words<SolidSurface> {
     static constexpr std::array<Word, 2> list{{
-        {"no-slip", "the water rests at it"},
-        {"slip", "frictionless: it gives pressure alone"},
+        {"no-slip", "the water rests at it",
+         "dummy particles whose velocity continues the water's through that of the surface (Adami, Hu & "
+         "Adams "
+         "2012)",
+         "the default; the boundary layer needs some four particles"},
+        {"slip", "frictionless: it gives pressure alone", "dummy particles without viscous pairs",
+         "for water at rest and where the boundary layer is far thinner than the spacing"},
     }};
 };
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <random>
 
+#include "case/outline.hpp"
+
 namespace riffle {
 
 Lattice lattice_of(const Case& c) {
@@ -22,6 +24,47 @@ Lattice lattice_of(const Case& c) {
     return lattice;
 }
 
+double still_surface(const Case& c, double x, double z) {
+    return c.start.water_x.empty() ? c.total_depth()
+                                   : ceiling_above({c.start.water_x, c.start.water_z}, x, z);
+}
+
+namespace {
+
+/// Top of all that a case names: the water at its depth, the outline of the water, walls and solids.
+double highest_part(const Case& c) {
+    double top = std::max(c.total_depth(), c.channel.wall_height.value_or(0.0));
+    for (const double z : c.start.water_z) {
+        top = std::max(top, z);
+    }
+    for (const Solid& solid : c.solids) {
+        // With where it moves to, but not beyond as much again: a gate leaves the water for good.
+        const double reach = solid.motion == SolidMotion::oscillating ? std::abs(solid.amplitude_z) : 0.0;
+        for (const double z : solid.z) {
+            top = std::max(top, z + reach);
+        }
+    }
+    return top;
+}
+
+/// Whether the water starts at a place.
+bool starts_wet(const Case& c, double x, double z) {
+    if (!c.start.water_x.empty() && !contains({c.start.water_x, c.start.water_z}, x, z)) {
+        return false;
+    }
+    const double clearance = 0.25 * c.numerics.spacing;
+    const double length = c.channel.length;
+    return std::none_of(c.solids.begin(), c.solids.end(), [&](const Solid& solid) {
+        const Outline outline{solid.x, solid.z};
+        const auto covers = [&](double at) {
+            return contains(outline, at, z) || distance_from_outline(outline, at, z) < clearance;
+        };
+        return covers(x) || (c.channel.ends == Ends::periodic && (covers(x - length) || covers(x + length)));
+    });
+}
+
+}  // namespace
+
 template <int D>
 Domain<D> domain_of(const Case& c) {
     const double depth = c.total_depth();
@@ -38,7 +81,7 @@ Domain<D> domain_of(const Case& c) {
     if constexpr (D == 3) {
         set(1, c.channel.sides == Sides::periodic, c.channel.simulated_width());
     }
-    set(D - 1, c.channel.top == Top::periodic, depth);
+    set(D - 1, c.channel.top == Top::periodic, highest_part(c));
     return domain;
 }
 
@@ -46,9 +89,15 @@ template <int D>
 Particles<D> lattice_particles(const Case& c) {
     const Lattice lattice = lattice_of(c);
     const int files = D == 3 ? lattice.files : 1;
+    // An outline of the water may rise above the depth that the spacing is cut from.
+    int rows = lattice.rows;
+    for (const double z : c.start.water_z) {
+        rows = std::max(rows, static_cast<int>(std::ceil(z / lattice.dz)));
+    }
+    const bool everywhere = D == 3 || (c.start.water_x.empty() && c.solids.empty());
     Particles<D> particles;
     particles.resize(static_cast<std::size_t>(lattice.columns) * static_cast<std::size_t>(files) *
-                     static_cast<std::size_t>(lattice.rows));
+                     static_cast<std::size_t>(rows));
     std::mt19937_64 generator(static_cast<std::uint64_t>(c.start.seed));
     const auto displacement = [&](double spacing) {
         // 53 random bits give the same number on every machine, unlike std::uniform_real_distribution.
@@ -58,7 +107,10 @@ Particles<D> lattice_particles(const Case& c) {
     std::size_t i = 0;
     for (int column = 0; column < lattice.columns; ++column) {
         for (int file = 0; file < files; ++file) {
-            for (int row = 0; row < lattice.rows; ++row, ++i) {
+            for (int row = 0; row < rows; ++row) {
+                if (!everywhere && !starts_wet(c, lattice.x(column, row), lattice.z(row))) {
+                    continue;
+                }
                 particles.position[0][i] = lattice.x(column, row);
                 if constexpr (D == 3) {
                     particles.position[1][i] = lattice.y(file);
@@ -72,9 +124,11 @@ Particles<D> lattice_particles(const Case& c) {
                     particles.position[D - 1][i] += displacement(lattice.dz);
                 }
                 particles.id[i] = static_cast<std::int32_t>(i);
+                ++i;
             }
         }
     }
+    particles.resize(i);
     return particles;
 }
 

@@ -38,8 +38,13 @@ struct Lattice {
 template <int D = 2>
 [[nodiscard]] Domain<D> domain_of(const Case& c);
 
+/// Height of the water at the start above a place (x, z) in it, m: the surface at the total depth, or the
+/// outline of the water.
+[[nodiscard]] double still_surface(const Case& c, double x, double z);
+
 /// Fluid particles at rest on the lattice (first row at dz/2), displaced at random by the start's jitter;
-/// density deviation and mass are left at zero.
+/// density deviation and mass are left at zero. In two dimensions those inside of the outline of the water,
+/// where the start gives one, and not in or closer than a quarter of the spacing to a solid.
 template <int D = 2>
 [[nodiscard]] Particles<D> lattice_particles(const Case& c);
 

@@ -48,6 +48,10 @@ void WallParticles<D>::permute(const std::vector<std::int32_t>& order) {
     }
     permute_array(volume, order, scratch);
     permute_array(depth, order, scratch);
+    if (!body.empty()) {
+        std::vector<std::int32_t> scratch_body;
+        permute_array(body, order, scratch_body);
+    }
 }
 
 template struct WallParticles<2>;

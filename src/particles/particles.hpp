@@ -54,7 +54,7 @@ struct Particles {
     void permute(const std::vector<std::int32_t>& order);
 };
 
-/// Fixed particles of a wall.
+/// Particles of walls and solids.
 template <int D>
 struct WallParticles {
     std::array<std::vector<double>, static_cast<std::size_t>(D)> position;
@@ -66,6 +66,8 @@ struct WallParticles {
     std::array<std::vector<double>, static_cast<std::size_t>(D)>
         normal;                 ///< into the fluid; zero in a corner
     std::vector<double> depth;  ///< distance behind the wall's surface, m
+    /// Which body a particle belongs to (boundary/wall_motion.hpp); empty where all are walls at rest.
+    std::vector<std::int32_t> body;
 
     [[nodiscard]] std::size_t size() const { return volume.size(); }
 

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <vector>
 
+#include "particles/lattice.hpp"
 #include "roughness/side_wall_partition.hpp"
 #include "sph/correction.hpp"
 #include "sph/kernel_registry.hpp"
@@ -141,20 +144,64 @@ namespace {
 // and wall has a quarter of its neighbours left: corrected through these alone, B = (I - M_wall) M_fluid^-1
 // makes so much of their disorder that water runs down the wall and out along the bed. So the bed continues
 // the water too where a particle can see both, 2h from the wall, and less and less up to 6h: a sudden end
-// drives a current as well.
+// drives a current as well. Solids have faces of all directions and corners: they continue the water
+// throughout, and the bed beside them.
 template <int D>
-double continuation(const Case& c, const Scheme& scheme, const WallParticles<D>& walls, std::size_t i) {
-    if (walls.normal[D - 1][i] == 0.0) {
-        return 1.0;
+class Continuation {
+  public:
+    Continuation(const Case& c, const Scheme& scheme, const WallParticles<D>& walls)
+        : c_(c), h_(scheme.smoothing_length), walls_(walls), domain_(domain_of<D>(c)) {
+        for (std::size_t i = 0; i < walls.body.size(); ++i) {
+            if (walls.body[i] >= first_solid) {
+                solids_.push_back(i);
+            }
+        }
     }
-    const bool standing = D == 2 ? c.channel.ends == Ends::walls : c.channel.sides != Sides::periodic;
-    if (!standing) {
-        return 0.0;
+
+    [[nodiscard]] double operator()(std::size_t i) const {
+        const bool solid = !walls_.body.empty() && walls_.body[i] >= first_solid;
+        if (solid || walls_.normal[D - 1][i] == 0.0) {
+            return 1.0;
+        }
+        return std::max(beside_walls(i), beside_solids(i));
     }
-    const double extent = D == 2 ? c.channel.length : c.channel.simulated_width();
-    const double x = walls.position[D - 2][i];
-    return 1.0 - smoothstep<double>(2.0, 6.0, std::min(x, extent - x) / scheme.smoothing_length);
-}
+
+  private:
+    [[nodiscard]] double faded(double distance) const {
+        return 1.0 - smoothstep<double>(2.0, 6.0, distance / h_);
+    }
+
+    [[nodiscard]] double beside_walls(std::size_t i) const {
+        const bool standing = D == 2 ? c_.channel.ends == Ends::walls : c_.channel.sides != Sides::periodic;
+        if (!standing) {
+            return 0.0;
+        }
+        const double extent = D == 2 ? c_.channel.length : c_.channel.simulated_width();
+        const double x = walls_.position[D - 2][i];
+        return faded(std::min(x, extent - x));
+    }
+
+    [[nodiscard]] double beside_solids(std::size_t i) const {
+        double nearest = std::numeric_limits<double>::infinity();
+        for (const std::size_t j : solids_) {
+            double squared = 0.0;
+            for (std::size_t k = 0; k < D; ++k) {
+                const double extent = domain_.periodic[k] ? domain_.extent(static_cast<int>(k)) : 0.0;
+                const double apart = std::abs(walls_.position[k][j] - walls_.position[k][i]);
+                const double short_way = extent > 0.0 ? std::min(apart, extent - apart) : apart;
+                squared += short_way * short_way;
+            }
+            nearest = std::min(nearest, squared);
+        }
+        return solids_.empty() ? 0.0 : faded(std::sqrt(nearest));
+    }
+
+    const Case& c_;
+    double h_;
+    const WallParticles<D>& walls_;
+    Domain<D> domain_;
+    std::vector<std::size_t> solids_;
+};
 
 }  // namespace
 
@@ -163,6 +210,7 @@ void pack_wall_records(const Case& c, const Scheme& scheme, const WallParticles<
                        const Clusters<D>& clusters, PairData<D, Real>& data) {
     constexpr auto axes = static_cast<std::size_t>(D);
     const WallLaw law = wall_law(c);
+    const Continuation<D> continuation(c, scheme, walls);
     const std::size_t slots = clusters.slots();
     data.wall_gradient.assign(slots + 1, {});
     data.wall_force.assign(slots + 1, {});
@@ -183,11 +231,11 @@ void pack_wall_records(const Case& c, const Scheme& scheme, const WallParticles<
             const double identity = k % (axes + 1) == 0 ? 1.0 : 0.0;
             gradient.projector[k] = static_cast<Real>(law.dynamic ? identity : walls.projector[k][i]);
         }
-        gradient.continuation = static_cast<Real>(law.dynamic ? 0.0 : continuation(c, scheme, walls, i));
+        gradient.continuation = static_cast<Real>(law.dynamic ? 0.0 : continuation(i));
         force.continuation = gradient.continuation;
         gradient.volume = static_cast<Real>(walls.volume[i]);
         force.weight = gradient.volume;
-        force.viscous_weight = law.no_slip ? gradient.volume : Real(0);
+        force.viscous_weight = law.rests_at(walls, i) ? gradient.volume : Real(0);
         force.viscosity_root = static_cast<Real>(viscosity_root(pair_viscosity(c, scheme)));
     }
     data.wall_gradient.back().x = data.wall_gradient.front().x;

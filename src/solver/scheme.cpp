@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "boundary/wall_motion.hpp"
 #include "particles/lattice.hpp"
 
 namespace riffle {
@@ -14,7 +15,12 @@ double expected_velocity(const Case& c, const ColumnResult* column) {
     if (c.start.kind == StartKind::standing_wave) {
         return c.start.amplitude * std::sqrt(c.fluid.gravity / c.total_depth());
     }
-    double velocity = c.start.velocity.value_or(0.0);
+    double velocity = std::max(c.start.velocity.value_or(0.0), largest_wall_speed(c));
+    if (!c.start.water_z.empty()) {
+        // Half the speed of Ritter's front, 2 sqrt(g h): the sound is ten times as fast as that.
+        const auto [low, high] = std::minmax_element(c.start.water_z.begin(), c.start.water_z.end());
+        velocity = std::max(velocity, std::sqrt(c.fluid.gravity * (*high - *low)));
+    }
     if (column != nullptr) {
         for (const double u : column->profile.velocity) {
             velocity = std::max(velocity, std::abs(u));

@@ -65,6 +65,7 @@ struct SimulationClock {
     double largest_acceleration = 0.0;        ///< of the last evaluation
     double displacement_bound = 0.0;          ///< bound of the relative motion since the last list build, m
     double side_wall_drag_coefficient = 0.0;  ///< beta of the side walls' layers in the next step, 1/m
+    double listed_time = 0.0;                 ///< of the last list build, where solids move, s
 };
 
 /// Where the time of a step goes, s: summed over the steps since the last reset. The parts inside the sweeps

@@ -34,6 +34,10 @@ void SimulationOf<D, Real>::build_lists(bool sort) {
             spatial_order<D>(domain_, position_view<D>(particles_.position), column_width_, 0.5 * spacing));
         ++clock_.list_builds;
         clock_.displacement_bound = 0.0;
+        if (motion_.displaces()) {
+            clock_.listed_time = clock_.time;
+            place_walls(clock_.listed_time);
+        }
         refer_to_particles();
     }
     clusters_ = build_clusters<D>(domain_, fixed_point_,
@@ -127,38 +131,15 @@ void SimulationOf<D, Real>::fill_last_records() {
     }
 }
 
-template <int D, class Real>
-void SimulationOf<D, Real>::make_walls() {
-    if (walls_.size() == 0) {
-        return;
-    }
-    const PositionView<D> unsorted = position_view<D>(walls_.position);
-    walls_.permute(spatial_order<D>(domain_, unsorted, column_width_, 0.5 * case_.numerics.spacing));
-    wall_clusters_ =
-        build_clusters<D>(domain_, fixed_point_, position_view<D>(walls_.position), column_width_);
-    pack_wall_records<D, Real>(case_, scheme_, walls_, wall_clusters_, data_);
-}
-
-template <int D, class Real>
-void SimulationOf<D, Real>::wet_walls() {
-    for (std::size_t slot = 0; slot < wall_clusters_.slots() && !wall_law_.dynamic; ++slot) {
-        const std::int32_t particle = wall_clusters_.particle_of(slot);
-        if (particle >= 0) {
-            const auto i = static_cast<std::size_t>(particle);
-            wet_wall(slot, i, scheme_.state.pressure(wall_deviation_[i]));
-        }
-    }
-}
-
 // A list stays complete as long as no two particles of neighbouring clusters have moved against each other by
 // more than the skin. Only relative motion counts, so a fast but smooth flow needs few rebuilds. While the
 // bound from the range of all velocities says so already, the test is spared; the answer is the same. A drop
 // that flies towards water beyond its reach is in no list that the test could look at: then the bound alone
-// decides.
+// decides; so with walls that move, which the test takes to stand still.
 template <int D, class Real>
 bool SimulationOf<D, Real>::lists_valid(double fraction) {
     const double limit = fraction * case_.numerics.skin_in(D) * scheme_.smoothing_length;
-    if (clock_.displacement_bound <= limit || loose_) {
+    if (clock_.displacement_bound <= limit || loose_ || motion_.displaces()) {
         return clock_.displacement_bound <= limit;
     }
     const double worst = reduce_blocks(
@@ -220,8 +201,11 @@ void SimulationOf<D, Real>::restore(Particles<D> particles, const SimulationCloc
                                     std::vector<double> wall_deviation) {
     particles_ = std::move(particles);
     clock_ = clock;
+    if (motion_.displaces()) {
+        place_walls(clock_.listed_time);
+    }
     wall_deviation_ = std::move(wall_deviation);
-    if (clock_.steps > 0) {
+    if (clock_.steps > 0 || starts_beside_dry_walls(case_)) {
         wet_walls();
     }
     check_state();

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "base/parallel.hpp"
+#include "boundary/wall_motion.hpp"
 #include "roughness/bed_drag.hpp"
 #include "solver/simulation.hpp"
 #include "solver/stepper.hpp"
@@ -70,12 +71,30 @@ class SimulationOf final : public SimulationIn<D> {
     void allocate();
     void refer_to_particles();
     void repack();
-    void make_walls();
-    /// wet_wall() of all wall particles, by their density deviation.
-    void wet_walls();
     void fill_last_records();
     [[nodiscard]] bool lists_valid(double fraction);
     [[nodiscard]] bool has_loose_particles() const;
+
+    // Walls (simulation_walls.cpp).
+    void make_walls();
+    /// Sort the walls in space and cut them into clusters; the order that they had before.
+    std::vector<std::int32_t> sort_walls();
+    /// Put the walls where they stand at a time, sort and pack them.
+    void place_walls(double time);
+    /// Coordinate of a wall particle that is displaced with its body; axis 0: x, 1: z.
+    [[nodiscard]] double displaced(double x, const BodyState& body, std::size_t axis) const;
+    /// Where the walls stand now, and how they move, into their records.
+    void move_walls();
+    /// Widen the range of velocities by those of the solids in the step that begins now.
+    void add_wall_motion(double step, Vec<D>& slowest, Vec<D>& fastest) const;
+    /// wet_wall() of all wall particles, by their density deviation.
+    void wet_walls();
+    [[nodiscard]] bool is_solid(std::size_t wall_particle) const {
+        return !walls_.body.empty() && walls_.body[wall_particle] >= first_solid;
+    }
+    void wet_wall(std::size_t slot, std::size_t particle, double pressure);
+    void update_wall(std::size_t slot, std::size_t particle, const WallResult<D, Real>& sums,
+                     std::size_t lane, double step);
 
     // Sweeps (simulation_sweeps.cpp).
     /// One evaluation of all rates, the motion that follows from it, and the packing of the moved particles.
@@ -85,9 +104,6 @@ class SimulationOf final : public SimulationIn<D> {
     void evaluate_gradients(Task& task, std::size_t begin, std::size_t end, double density_step);
     void evaluate_walls(Task& task, std::size_t begin, std::size_t end, double step);
     void evaluate_forces(Task& task, std::size_t begin, std::size_t end, double step);
-    void update_wall(std::size_t slot, std::size_t particle, const WallResult<D, Real>& sums,
-                     std::size_t lane, double step);
-    void wet_wall(std::size_t slot, std::size_t particle, double pressure);
     void gather_motion(double step);
     /// An evaluation of the stepper: the particles of a block by their rates.
     void advance_by_rates(Task& task, std::size_t begin, std::size_t end);
@@ -168,6 +184,8 @@ class SimulationOf final : public SimulationIn<D> {
 
     Case case_;
     WallLaw wall_law_;
+    WallMotion motion_;
+    std::vector<BodyState> bodies_;  ///< at the begin of the step; empty where no wall moves
     std::unique_ptr<const Closure> closure_;
     std::unique_ptr<const BedDrag> drag_;
     bool side_drag_ = false;      ///< side walls with drag
@@ -185,6 +203,8 @@ class SimulationOf final : public SimulationIn<D> {
 
     Clusters<D> clusters_;  ///< of the listed positions
     Clusters<D> wall_clusters_;
+    WallParticles<D> reference_walls_;      ///< at t = 0 in their first order; only where walls change place
+    std::vector<std::int32_t> wall_order_;  ///< of walls_: number in reference_walls_
     NeighbourList fluid_fluid_;
     NeighbourList fluid_wall_;
     NeighbourList wall_fluid_;

@@ -25,6 +25,7 @@ template <int D, class Real>
 SimulationOf<D, Real>::SimulationOf(const Case& c, const ColumnResult* column, Particles<D> particles)
     : case_(c),
       wall_law_(wall_law(c)),
+      motion_(c),
       closure_(make_closure(c)),
       drag_(make_bed_drag(c)),
       stirring_(c, c.stirring.celerity.value_or(column != nullptr ? column->total_mean_velocity : 0.0)),
@@ -56,7 +57,7 @@ SimulationOf<D, Real>::SimulationOf(const Case& c, const ColumnResult* column, P
 
     check_state();
     make_walls();
-    if constexpr (D == 3) {
+    if (D == 3 || starts_beside_dry_walls(c)) {
         // Again, as make_walls() has sorted them.
         for (std::size_t i = 0; i < walls_.size(); ++i) {
             wall_deviation_[i] = scheme_.hydrostatic_deviation(walls_.position[vertical][i]);

@@ -47,6 +47,7 @@ void SimulationOf<D, Real>::at_heights(std::size_t begin, std::size_t end, LaneA
 
 template <int D, class Real>
 void SimulationOf<D, Real>::evaluate(const StageSteps& steps) {
+    move_walls();
     measure_stirring();
     for (std::size_t wave = 0; wave < order_.waves; ++wave) {
         for_blocks(clusters_.size(), order_.gradients.blocks(wave),
@@ -160,59 +161,6 @@ void SimulationOf<D, Real>::evaluate_walls(Task& task, std::size_t begin, std::s
 }
 
 template <int D, class Real>
-void SimulationOf<D, Real>::update_wall(std::size_t slot, std::size_t i, const WallResult<D, Real>& sums,
-                                        std::size_t lane, double step) {
-    auto& record = data_.wall_force[slot];
-    double pressure = 0.0;
-    const auto weight = static_cast<double>(sums.weight[lane]);
-    if (wall_law_.dynamic) {
-        double& s = wall_deviation_[i];
-        s += step * (1.0 + s) * static_cast<double>(sums.density_rate[lane]);
-        pressure = scheme_.state.pressure(s);
-    } else if (weight > 0.0) {
-        // Adami et al. (2012), eq. 27: p_w = [sum p_f W + g . sum rho r_wf W] / sum W.
-        pressure = (static_cast<double>(sums.pressure[lane]) -
-                    scheme_.normal_gravity * static_cast<double>(sums.offset[vertical][lane])) /
-                   weight;
-        wall_deviation_[i] = scheme_.state.deviation(pressure);
-        // Of the saved deviation, so that a resumed run finds the same.
-        wet_wall(slot, i, scheme_.state.pressure(wall_deviation_[i]));
-    }
-    record.pressure = static_cast<Real>(pressure);
-    record.u = {};
-    if (wall_law_.no_slip && !wall_law_.dynamic && weight > 0.0) {
-        // No slip at the wall's surface: u is extrapolated along the line through zero at the surface that
-        // fits the fluid's momentum near by, so that a linear profile is met exactly.
-        double height = -walls_.depth[i] * weight;
-        for (std::size_t k = 0; k < axes; ++k) {
-            height -= walls_.normal[k][i] * static_cast<double>(sums.offset[k][lane]);
-        }
-        if (height > 0.0) {
-            for (std::size_t k = 0; k < axes; ++k) {
-                record.u[k] = static_cast<Real>(-walls_.depth[i] / height *
-                                                static_cast<double>(sums.velocity[k][lane]));
-            }
-        }
-    }
-}
-
-// An end wall stands higher than the water. Its particles above the surface, where the extrapolated pressure
-// is negative, must be as empty as the space over the rest of the surface, or they pull at the water below:
-// their volume fades out over one spacing.
-template <int D, class Real>
-void SimulationOf<D, Real>::wet_wall(std::size_t slot, std::size_t particle, double pressure) {
-    if (walls_.normal[vertical][particle] != 0.0 || scheme_.normal_gravity <= 0.0) {
-        return;
-    }
-    const double wetness =
-        std::clamp(0.5 + pressure / (scheme_.normal_gravity * case_.numerics.spacing), 0.0, 1.0);
-    const auto volume = static_cast<Real>(wetness * walls_.volume[particle]);
-    data_.wall_gradient[slot].volume = volume;
-    data_.wall_force[slot].weight = volume;
-    data_.wall_force[slot].viscous_weight = wall_law_.no_slip ? volume : Real(0);
-}
-
-template <int D, class Real>
 void SimulationOf<D, Real>::evaluate_forces(Task& task, std::size_t begin, std::size_t end, double step) {
     const std::size_t block = begin / block_clusters;
     timed(block_seconds_[block].forces, [&] { loops_.force(data_, begin, end, task.sums); });
@@ -254,7 +202,7 @@ template <int D, class Real>
 void SimulationOf<D, Real>::gather_motion(double step) {
     double largest = 0.0;
     bool fault = false;
-    Vec<D> slowest{};  // zero: the walls
+    Vec<D> slowest{};  // zero: the walls at rest
     Vec<D> fastest{};
     double bed_drag = 0.0;
     double side_layer = 0.0;
@@ -271,6 +219,7 @@ void SimulationOf<D, Real>::gather_motion(double step) {
     if (fault) {
         check_state();
     }
+    add_wall_motion(step, slowest, fastest);
     if (wall_over_bed_ > 0.0) {
         if (stepper_) {
             measure_side_drag();

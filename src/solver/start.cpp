@@ -75,7 +75,8 @@ double start_velocity(const Case& c, const Scheme& scheme, const ColumnResult* c
 bool has_column(const Case& c) {
     const bool friction = c.bed.kind != BedKind::slip;
     return c.channel.ends == Ends::periodic && c.channel.top != Top::periodic && friction &&
-           c.channel.slope > 0.0;
+           c.channel.slope > 0.0 && c.solids.empty() && c.start.water_x.empty() &&
+           c.channel.lid_velocity == 0.0;
 }
 
 template <int D>
@@ -105,9 +106,18 @@ Particles<D> initial_particles(const Case& c, const Scheme& scheme, const Column
             start_taylor_green(c, scheme, particles, extra_pressure);
         }
     }
+    if (c.channel.lid_velocity != 0.0) {
+        // A box without a surface has no pressure of its own; with that of the lid's velocity it does not
+        // fall below zero in the vortex, where the particles would be drawn apart.
+        extra_pressure.assign(n, c.channel.lid_velocity * c.channel.lid_velocity);
+    }
     const Domain<D> domain = domain_of<D>(c);
     for (std::size_t i = 0; i < n; ++i) {
-        const double hydrostatic = scheme.normal_gravity * (scheme.depth - still_height[i]);
+        double surface = scheme.depth;
+        if constexpr (D == 2) {
+            surface = still_surface(c, particles.position[0][i], still_height[i]);
+        }
+        const double hydrostatic = scheme.normal_gravity * (surface - still_height[i]);
         const double s = scheme.state.deviation(hydrostatic + extra_pressure[i]);
         particles.density_deviation[i] = s;
         particles.mass[i] = scheme.density * (1.0 + s) * lattice.volume<D>();

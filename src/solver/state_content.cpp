@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "base/error.hpp"
 #include "case/words.hpp"
@@ -28,7 +29,8 @@ std::vector<double> doubles(const Content& content, const std::string& path) {
     return std::get<std::vector<double>>(checkpoint_dataset(content, path).values);
 }
 
-double group_number(const Content& content, const std::string& group, const std::string& name) {
+double group_number(const Content& content, const std::string& group, const std::string& name,
+                    std::optional<double> otherwise = {}) {
     for (const Attribute& attribute : content.attributes) {
         if (attribute.path == group && attribute.name == name) {
             if (const auto* number = std::get_if<double>(&attribute.value)) {
@@ -36,6 +38,9 @@ double group_number(const Content& content, const std::string& group, const std:
             }
             return static_cast<double>(std::get<std::int64_t>(attribute.value));
         }
+    }
+    if (otherwise) {
+        return *otherwise;
     }
     throw FileError(
         fmt::format("the checkpoint lacks `{}` of {}: it was written by another build", name, group));
@@ -98,6 +103,9 @@ void add_state(Content& content, const std::string& group, const SimulationIn<D>
     attribute("time_step", clock.time_step);
     attribute("largest_acceleration", clock.largest_acceleration);
     attribute("displacement_bound", clock.displacement_bound);
+    if (clock.listed_time > 0.0) {
+        attribute("listed_time", clock.listed_time);
+    }
     if (D == 3) {
         attribute("side_wall_drag_coefficient", clock.side_wall_drag_coefficient);
     }
@@ -132,6 +140,7 @@ void restore_state(const Content& content, const std::string& group, SimulationI
     clock.time_step = group_number(content, group, "time_step");
     clock.largest_acceleration = group_number(content, group, "largest_acceleration");
     clock.displacement_bound = group_number(content, group, "displacement_bound");
+    clock.listed_time = group_number(content, group, "listed_time", 0.0);
     if (D == 3) {
         clock.side_wall_drag_coefficient = group_number(content, group, "side_wall_drag_coefficient");
     }

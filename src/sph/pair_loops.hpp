@@ -79,6 +79,10 @@ struct alignas(16) WallForceRecord {
     Real continuation;    ///< as in WallGradientRecord
 };
 
+/// Velocity of a wall particle through its projector, m/s.
+template <int D, class Real>
+using WallDrift = std::array<Real, static_cast<std::size_t>(D)>;
+
 /// Constants of the pair sums.
 template <int D, class Real>
 struct PairConstants {
@@ -163,6 +167,9 @@ struct PairData {
     std::vector<PressureRecord<Real>> pressure;  ///< or this, as the loops of the scheme need
     std::vector<WallGradientRecord<D, Real>> wall_gradient;
     std::vector<WallForceRecord<D, Real>> wall_force;
+    /// By wall slot, the part P u_w of a wall's velocity that counts in the continuity equation, m/s; empty
+    /// while no wall moves against the water.
+    std::vector<WallDrift<D, Real>> wall_drift;
     /// B of the clusters beside walls that continue the fluid, cluster after cluster; empty without such
     /// walls.
     std::array<std::vector<Real>, static_cast<std::size_t>(D* D)> correction;

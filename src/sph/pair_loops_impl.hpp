@@ -256,6 +256,23 @@ template <int D, class Real, class Kernel, bool Gradients>
                                     }
                                 }
                             });
+            if (!data.wall_drift.empty()) {
+                for_turns<Real>(*data.fluid_wall, cluster, work.slots.data(),
+                                [&](std::size_t slot_a, std::size_t slot_b, const std::int32_t* ahead) {
+                                    (void)ahead;
+                                    const WallGradientRecord<D, Real>& a = data.wall_gradient[slot_a];
+                                    const WallGradientRecord<D, Real>& b = data.wall_gradient[slot_b];
+                                    const Components<W, D> r = self.distance(a, b, c);
+                                    const W weight = kernel.gradient_shape(W(sqrt(dot<W, D>(r, r)))) *
+                                                     halves<Real, Real>(a.volume, b.volume);
+                                    Components<W, D> u{};
+                                    for (std::size_t k = 0; k < D; ++k) {
+                                        u[k] = halves<Real, Real>(data.wall_drift[slot_a][k],
+                                                                  data.wall_drift[slot_b][k]);
+                                    }
+                                    wall_divergence -= continuity<W, D>(weight, u, r);
+                                });
+            }
             divergence += fold<Real>(wall_divergence) * (scale * c.h);
         }
 

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace riffle {
+
+/// A closed polygon in the x-z plane by its corners, m; the last edge goes back to the first corner.
+struct Outline {
+    std::vector<double> x;
+    std::vector<double> z;
+
+    [[nodiscard]] std::size_t size() const { return x.size(); }
+    /// The corner after corner i.
+    [[nodiscard]] std::size_t next(std::size_t i) const { return i + 1 < size() ? i + 1 : 0; }
+};
+
+/// Enclosed area, m2; negative for corners that follow each other clockwise (x to the right, z upward).
+[[nodiscard]] double signed_area(const Outline& outline);
+
+/// Whether a point lies inside; on the outline itself the answer is either.
+[[nodiscard]] bool contains(const Outline& outline, double x, double z);
+
+/// Distance of a point from edge i, from corner i to the next one, m.
+[[nodiscard]] double distance_from_edge(const Outline& outline, std::size_t i, double x, double z);
+
+/// Distance of a point from the outline, m.
+[[nodiscard]] double distance_from_outline(const Outline& outline, double x, double z);
+
+/// Two edges that cross or touch without being neighbours, or neighbours that lie on each other; an edge of
+/// no length with itself. Unset for a simple polygon.
+[[nodiscard]] std::optional<std::pair<std::size_t, std::size_t>> crossing_edges(const Outline& outline);
+
+/// Height at which the vertical line upward from a point first leaves the outline, m; the point's own height
+/// where it does not meet it.
+[[nodiscard]] double ceiling_above(const Outline& outline, double x, double z);
+
+/// Length of the straight way into the outline from the middle of edge i, at right angles to it, up to the
+/// first other edge, m.
+[[nodiscard]] double thickness_at(const Outline& outline, std::size_t i);
+
+}  // namespace riffle

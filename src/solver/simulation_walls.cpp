@@ -1,0 +1,221 @@
+// Wall particles: their records, and the motion of the lid and of solids.
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/pair_setup.hpp"
+#include "solver/simulation_of.hpp"
+
+namespace riffle {
+
+template <int D, class Real>
+void SimulationOf<D, Real>::make_walls() {
+    if (walls_.size() == 0) {
+        return;
+    }
+    if (motion_.displaces()) {
+        reference_walls_ = walls_;
+        wall_order_.resize(walls_.size());
+        for (std::size_t i = 0; i < wall_order_.size(); ++i) {
+            wall_order_[i] = static_cast<std::int32_t>(i);
+        }
+        place_walls(clock_.time);
+        return;
+    }
+    sort_walls();
+    pack_wall_records<D, Real>(case_, scheme_, walls_, wall_clusters_, data_);
+}
+
+template <int D, class Real>
+std::vector<std::int32_t> SimulationOf<D, Real>::sort_walls() {
+    const PositionView<D> unsorted = position_view<D>(walls_.position);
+    std::vector<std::int32_t> order =
+        spatial_order<D>(domain_, unsorted, column_width_, 0.5 * case_.numerics.spacing);
+    walls_.permute(order);
+    wall_clusters_ =
+        build_clusters<D>(domain_, fixed_point_, position_view<D>(walls_.position), column_width_);
+    return order;
+}
+
+// Always sorted from the same order, so that where the walls stand follows from the time alone, in a resumed
+// run too.
+template <int D, class Real>
+void SimulationOf<D, Real>::place_walls(double time) {
+    std::vector<double> by_reference(walls_.size());
+    for (std::size_t i = 0; i < walls_.size(); ++i) {
+        by_reference[static_cast<std::size_t>(wall_order_[i])] = wall_deviation_[i];
+    }
+    walls_ = reference_walls_;
+    const std::vector<BodyState> bodies = motion_.at(time);
+    for (std::size_t i = 0; i < walls_.size(); ++i) {
+        const BodyState& body = bodies[static_cast<std::size_t>(walls_.body[i])];
+        walls_.position[0][i] = displaced(walls_.position[0][i], body, 0);
+        walls_.position[vertical][i] = displaced(walls_.position[vertical][i], body, 1);
+    }
+    wall_order_ = sort_walls();
+    for (std::size_t i = 0; i < walls_.size(); ++i) {
+        wall_deviation_[i] = by_reference[static_cast<std::size_t>(wall_order_[i])];
+    }
+    pack_wall_records<D, Real>(case_, scheme_, walls_, wall_clusters_, data_);
+    wet_walls();
+}
+
+template <int D, class Real>
+double SimulationOf<D, Real>::displaced(double x, const BodyState& body, std::size_t axis) const {
+    const std::size_t k = axis == 0 ? 0 : vertical;
+    x += body.displacement[axis];
+    if (domain_.periodic[k]) {
+        const double extent = domain_.upper[k] - domain_.lower[k];
+        x -= extent * std::floor((x - domain_.lower[k]) / extent);
+        return x < domain_.upper[k] ? x : domain_.lower[k];
+    }
+    // Far from all water: where exactly does not matter any more.
+    return std::clamp(x, domain_.lower[k], domain_.upper[k] - 4.0 * fixed_point_.unit(k));
+}
+
+template <int D, class Real>
+void SimulationOf<D, Real>::move_walls() {
+    if constexpr (D == 2) {
+        if (!motion_.any()) {
+            return;
+        }
+        bodies_ = motion_.at(clock_.time);
+        if (!motion_.displaces()) {
+            return;
+        }
+        data_.wall_drift.assign(data_.wall_force.size(), {});
+        for (std::size_t slot = 0; slot < wall_clusters_.slots(); ++slot) {
+            const std::int32_t particle = wall_clusters_.particle_of(slot);
+            if (particle < 0 || walls_.body[static_cast<std::size_t>(particle)] < first_solid) {
+                continue;
+            }
+            const auto i = static_cast<std::size_t>(particle);
+            const auto b = static_cast<std::size_t>(walls_.body[i]);
+            const auto reference = static_cast<std::size_t>(wall_order_[i]);
+            auto& gradient = data_.wall_gradient[slot];
+            for (std::size_t k = 0; k < axes; ++k) {
+                walls_.position[k][i] = displaced(reference_walls_.position[k][reference], bodies_[b], k);
+                gradient.x[k] = fixed_point_.encode(walls_.position[k][i], k);
+                double drift = 0.0;
+                for (std::size_t l = 0; l < axes; ++l) {
+                    drift += walls_.projector[k * axes + l][i] * bodies_[b].velocity[l];
+                }
+                data_.wall_drift[slot][k] = static_cast<Real>(drift);
+            }
+            data_.wall_force[slot].x = gradient.x;
+        }
+    }
+}
+
+template <int D, class Real>
+void SimulationOf<D, Real>::add_wall_motion(double step, Vec<D>& slowest, Vec<D>& fastest) const {
+    if constexpr (D == 2) {
+        if (!motion_.displaces() || step <= 0.0) {
+            return;
+        }
+        const std::vector<BodyState> after = motion_.at(clock_.time + step);
+        for (std::size_t b = first_solid; b < after.size(); ++b) {
+            for (std::size_t k = 0; k < axes; ++k) {
+                const double speed = (after[b].displacement[k] - bodies_[b].displacement[k]) / step;
+                slowest[k] = std::min(slowest[k], speed);
+                fastest[k] = std::max(fastest[k], speed);
+            }
+        }
+    }
+}
+
+template <int D, class Real>
+void SimulationOf<D, Real>::wet_walls() {
+    for (std::size_t slot = 0; slot < wall_clusters_.slots() && !wall_law_.dynamic; ++slot) {
+        const std::int32_t particle = wall_clusters_.particle_of(slot);
+        if (particle >= 0) {
+            const auto i = static_cast<std::size_t>(particle);
+            wet_wall(slot, i, scheme_.state.pressure(wall_deviation_[i]));
+        }
+    }
+}
+
+template <int D, class Real>
+void SimulationOf<D, Real>::update_wall(std::size_t slot, std::size_t i, const WallResult<D, Real>& sums,
+                                        std::size_t lane, double step) {
+    auto& record = data_.wall_force[slot];
+    double pressure = 0.0;
+    const auto weight = static_cast<double>(sums.weight[lane]);
+    const BodyState* const body =
+        bodies_.empty() ? nullptr : &bodies_[static_cast<std::size_t>(walls_.body[i])];
+    if (wall_law_.dynamic) {
+        double& s = wall_deviation_[i];
+        s += step * (1.0 + s) * static_cast<double>(sums.density_rate[lane]);
+        pressure = scheme_.state.pressure(s);
+    } else if (weight > 0.0) {
+        // Adami et al. (2012), eq. 27: p_w = [sum p_f W + (g - a_w) . sum rho r_wf W] / sum W.
+        pressure = static_cast<double>(sums.pressure[lane]) -
+                   scheme_.normal_gravity * static_cast<double>(sums.offset[vertical][lane]);
+        if (body != nullptr) {
+            pressure -= body->acceleration[0] * static_cast<double>(sums.offset[0][lane]) +
+                        body->acceleration[1] * static_cast<double>(sums.offset[vertical][lane]);
+        }
+        pressure /= weight;
+        // Suction at a solid in the water is no sign of a surface: its particles fade only where the water
+        // lies below them, and else the state that says how wet they are is that of one under water.
+        const bool below =
+            static_cast<double>(sums.offset[vertical][lane]) > 0.25 * weight * case_.numerics.spacing;
+        const double wetting = is_solid(i) && !below
+                                   ? std::max(pressure, scheme_.normal_gravity * case_.numerics.spacing)
+                                   : pressure;
+        wall_deviation_[i] = scheme_.state.deviation(wetting);
+        // Of the saved deviation, so that a resumed run finds the same.
+        wet_wall(slot, i, scheme_.state.pressure(wall_deviation_[i]));
+    }
+    record.pressure = static_cast<Real>(pressure);
+    record.u = {};
+    if (wall_law_.rests_at(walls_, i) && !wall_law_.dynamic && weight > 0.0) {
+        // No slip at the wall's surface: u is extrapolated along the line through the velocity of the surface
+        // that fits the fluid's momentum near by, so that a linear profile is met exactly.
+        Vec<D> surface{};
+        if (body != nullptr) {
+            surface[0] = body->velocity[0];
+            surface[vertical] = body->velocity[1];
+        }
+        double height = -walls_.depth[i] * weight;
+        for (std::size_t k = 0; k < axes; ++k) {
+            height -= walls_.normal[k][i] * static_cast<double>(sums.offset[k][lane]);
+        }
+        if (is_solid(i) && height > 0.0) {
+            // Behind the corner of a solid the water may lie beside the face, its mean height above it nearly
+            // 0.
+            height = std::max(height, 0.25 * case_.numerics.spacing * weight);
+        }
+        for (std::size_t k = 0; k < axes; ++k) {
+            double u = surface[k];
+            if (height > 0.0) {
+                u -= walls_.depth[i] / height *
+                     (static_cast<double>(sums.velocity[k][lane]) - weight * surface[k]);
+            }
+            record.u[k] = static_cast<Real>(u);
+        }
+    }
+}
+
+// An end wall stands higher than the water, and so may a solid. Their particles above the surface, where the
+// extrapolated pressure is negative, must be as empty as the space over the rest of the surface, or they pull
+// at the water below: their volume fades out over one spacing.
+template <int D, class Real>
+void SimulationOf<D, Real>::wet_wall(std::size_t slot, std::size_t particle, double pressure) {
+    if ((walls_.normal[vertical][particle] != 0.0 && !is_solid(particle)) || scheme_.normal_gravity <= 0.0) {
+        return;
+    }
+    const double wetness =
+        std::clamp(0.5 + pressure / (scheme_.normal_gravity * case_.numerics.spacing), 0.0, 1.0);
+    const auto volume = static_cast<Real>(wetness * walls_.volume[particle]);
+    data_.wall_gradient[slot].volume = volume;
+    data_.wall_force[slot].weight = volume;
+    data_.wall_force[slot].viscous_weight = wall_law_.rests_at(walls_, particle) ? volume : Real(0);
+}
+
+template class SimulationOf<2, float>;
+template class SimulationOf<2, double>;
+template class SimulationOf<3, float>;
+template class SimulationOf<3, double>;
+
+}  // namespace riffle

@@ -1,0 +1,189 @@
+// Wall particles of solids, and their motion.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "boundary/solid_fill.hpp"
+#include "boundary/wall.hpp"
+#include "boundary/wall_motion.hpp"
+#include "particles/lattice.hpp"
+#include "sph/kernel.hpp"
+
+namespace riffle {
+namespace {
+
+Case tank(const std::vector<Solid>& solids) {
+    Case c;
+    c.bed.kind = BedKind::slip;
+    c.bed.datum_below_crest = 0.0;
+    c.channel.depth = 0.06;
+    c.channel.length = 0.1;
+    c.channel.ends = Ends::walls;
+    c.numerics.spacing = 0.002;
+    c.numerics.wall_layers = 3;
+    c.solids = solids;
+    return c;
+}
+
+Solid solid(std::vector<double> x, std::vector<double> z) {
+    Solid s;
+    s.name = "body";
+    s.x = std::move(x);
+    s.z = std::move(z);
+    return s;
+}
+
+WallParticles<2> filled(const Case& c) {
+    WallParticles<2> walls;
+    add_solid(c, c.solids[0], first_solid, walls);
+    return walls;
+}
+
+double area(const WallParticles<2>& walls) {
+    double sum = 0.0;
+    for (const double v : walls.volume) {
+        sum += v;
+    }
+    return sum;
+}
+
+// Away from all walls every edge is wetted: three layers of 2 mm, 6 mm of the outline's inside.
+TEST(SolidFill, LayersOfAConvexBodyCoverItsRim) {
+    const Case c = tank({solid({0.03, 0.07, 0.07, 0.03}, {0.01, 0.01, 0.05, 0.05})});
+    const WallParticles<2> walls = filled(c);
+    EXPECT_NEAR(area(walls), 0.04 * 0.04 - 0.028 * 0.028, 1e-9);
+    for (std::size_t i = 0; i < walls.size(); ++i) {
+        const double x = walls.position[0][i];
+        const double z = walls.position[1][i];
+        const double depth = std::min({x - 0.03, 0.07 - x, z - 0.01, 0.05 - z});
+        EXPECT_NEAR(walls.depth[i], depth, 1e-9);
+        EXPECT_NEAR(std::hypot(walls.normal[0][i], walls.normal[1][i]), 1.0, 1e-12);
+        // The normal leads out of the body over the shortest way.
+        const double out_x = x + 1.01 * depth * walls.normal[0][i];
+        const double out_z = z + 1.01 * depth * walls.normal[1][i];
+        EXPECT_FALSE(contains(outline_of(c.solids[0]), out_x, out_z));
+        EXPECT_EQ(walls.body[i], first_solid);
+    }
+}
+
+// In a triangle the layers are trapezia whatever its corners; in either sense of its corners.
+TEST(SolidFill, LayersOfATriangleCoverItsRim) {
+    const std::vector<double> x{0.02, 0.08, 0.05};
+    const std::vector<double> z{0.005, 0.005, 0.055};
+    const Case c = tank({solid(x, z)});
+    const double side = std::hypot(0.03, 0.05);
+    const double whole = 0.5 * 0.06 * 0.05;
+    const double inradius = 2.0 * whole / (0.06 + 2.0 * side);
+    const double rest = whole * std::pow((inradius - 0.006) / inradius, 2);
+    EXPECT_NEAR(area(filled(c)), whole - rest, 0.002 * whole);
+    const Case reversed = tank({solid({x[2], x[1], x[0]}, {z[2], z[1], z[0]})});
+    EXPECT_NEAR(area(filled(reversed)), area(filled(c)), 1e-9);
+}
+
+// Round a corner that the solid surrounds the layers are quarters of rings, without a normal.
+TEST(SolidFill, ArcsFillTheInnerCorner) {
+    const Case c = tank({solid({0.02, 0.08, 0.08, 0.05, 0.05, 0.02}, {0.01, 0.01, 0.03, 0.03, 0.05, 0.05})});
+    const WallParticles<2> walls = filled(c);
+    double arcs = 0.0;
+    for (std::size_t i = 0; i < walls.size(); ++i) {
+        if (walls.normal[0][i] == 0.0 && walls.normal[1][i] == 0.0) {
+            arcs += walls.volume[i];
+            EXPECT_NEAR(std::hypot(walls.position[0][i] - 0.05, walls.position[1][i] - 0.03), walls.depth[i],
+                        1e-9);
+            EXPECT_EQ(walls.projector[0][i], 1.0);
+            EXPECT_EQ(walls.projector[1][i], 0.0);
+        }
+    }
+    EXPECT_NEAR(arcs, std::numbers::pi / 4.0 * 0.006 * 0.006, 1e-8);
+}
+
+// A step on the bed, aligned with the lattice, continues the water as a bed does: particles beside it see the
+// sum of W that those in the middle see, at its inner corners with the bed too.
+TEST(SolidFill, AStepOnTheBedCompletesTheSupport) {
+    const Case c = tank({solid({0.04, 0.06, 0.06, 0.04}, {0.0, 0.0, 0.02, 0.02})});
+    const Particles<2> fluid = lattice_particles(c);
+    const WallParticles<2> walls = wall_particles(c);
+    const double h = c.numerics.smoothing_ratio * c.numerics.spacing;
+    const double volume = 0.002 * 0.002;
+    EXPECT_EQ(fluid.size(), 30U * 50U - 100U);
+    int checked = 0;
+    for (std::size_t i = 0; i < fluid.size(); ++i) {
+        if (fluid.position[1][i] > 0.05) {
+            continue;
+        }
+        double sum = 0.0;
+        const auto add = [&](const auto& particles, const auto& volume_of) {
+            for (std::size_t j = 0; j < particles.position[0].size(); ++j) {
+                sum += volume_of(j) *
+                       WendlandC2<2>::value(std::hypot(particles.position[0][j] - fluid.position[0][i],
+                                                       particles.position[1][j] - fluid.position[1][i]) /
+                                            h) /
+                       (h * h);
+            }
+        };
+        add(fluid, [&](std::size_t) { return volume; });
+        add(walls, [&](std::size_t j) { return walls.volume[j]; });
+        EXPECT_NEAR(sum, 1.0, 0.01) << fluid.position[0][i] << " " << fluid.position[1][i];
+        ++checked;
+    }
+    EXPECT_GT(checked, 1000);
+}
+
+// What lies against the bed is not wetted while the solid stands still.
+TEST(SolidFill, OnlyEdgesThatWaterMayTouchAreLined) {
+    Case c = tank({solid({0.03, 0.07, 0.05}, {0.0, 0.0, 0.04})});
+    Solid& wedge = c.solids[0];
+    const Outline outline = outline_of(wedge);
+    EXPECT_FALSE(is_wetted(c, wedge, outline, 0));
+    EXPECT_TRUE(is_wetted(c, wedge, outline, 1));
+    wedge.motion = SolidMotion::constant;
+    EXPECT_TRUE(is_wetted(c, wedge, outline, 0));
+}
+
+// A plate of three spacings is filled once, not from both sides.
+TEST(SolidFill, FillsAThinPlateOnce) {
+    const Case c = tank({solid({0.03, 0.036, 0.036, 0.03}, {0.01, 0.01, 0.05, 0.05})});
+    EXPECT_NEAR(area(filled(c)), 0.006 * 0.04, 0.1 * 0.006 * 0.006);
+}
+
+TEST(WallMotion, FollowsItsLaw) {
+    Case c = tank({solid({0.03, 0.04, 0.04, 0.03}, {0.0, 0.0, 0.05, 0.05}), {}, {}});
+    c.channel.lid_velocity = 0.5;
+    c.solids[1].motion = SolidMotion::constant;
+    c.solids[1].start = 1.0;
+    c.solids[1].velocity_z = 2.0;
+    c.solids[2].motion = SolidMotion::oscillating;
+    c.solids[2].amplitude_x = 0.01;
+    c.solids[2].frequency = 2.0;
+    const WallMotion motion(c);
+    EXPECT_TRUE(motion.displaces());
+    const double t = 1.3;
+    const std::vector<BodyState> now = motion.at(t);
+    ASSERT_EQ(now.size(), 5U);
+    EXPECT_EQ(now[resting_body].velocity[0], 0.0);
+    EXPECT_EQ(now[lid_body].velocity[0], 0.5);
+    EXPECT_EQ(now[lid_body].displacement[0], 0.0);
+    EXPECT_EQ(now[first_solid].displacement[1], 0.0);
+    EXPECT_NEAR(now[first_solid + 1].displacement[1], 0.6, 1e-12);
+    EXPECT_EQ(motion.at(0.9)[first_solid + 1].velocity[1], 0.0);
+    // Velocity and acceleration are the derivatives of the displacement.
+    const double step = 1e-5;
+    const BodyState before = motion.at(t - step)[first_solid + 2];
+    const BodyState after = motion.at(t + step)[first_solid + 2];
+    const BodyState& swing = now[first_solid + 2];
+    EXPECT_NEAR((after.displacement[0] - before.displacement[0]) / (2 * step), swing.velocity[0], 1e-8);
+    EXPECT_NEAR((after.velocity[0] - before.velocity[0]) / (2 * step), swing.acceleration[0], 1e-6);
+    EXPECT_NEAR(largest_wall_speed(c), 2.0, 1e-12);
+}
+
+TEST(WallMotion, NothingMovesInAPlainCase) {
+    const Case c = tank({});
+    EXPECT_FALSE(WallMotion(c).any());
+    EXPECT_TRUE(wall_particles(c).body.empty());
+}
+
+}  // namespace
+}  // namespace riffle
