@@ -42,10 +42,10 @@ class RiffleRun:
             self.values = {key: text(value) for key, value in file["/summary"].attrs.items()}
             self.column = dict(file["/column"].attrs.items()) if "/column" in file else {}
             self.series = {key: data[:] for key, data in file["/time_series"].items()}
-            self.profiles = {key: data[:] for key, data in file["/profiles"].items()}
+            self.profiles = {key: data[:] for key, data in file["/profiles"].items()} if "/profiles" in file else {}
             snapshots = [file["/snapshots"][name] for name in sorted(file["/snapshots"])]
             self.snapshot_time = numpy.array([float(group.attrs["time"]) for group in snapshots])
-            self.heights = numpy.array([group["position"][:, 2] for group in snapshots])
+            self.mean_height = numpy.array([numpy.mean(group["position"][:, 2], dtype=float) for group in snapshots])
         v = self.values
         if "drag_over_gravity" in v:
             v["force_balance_error"] = v["drag_over_gravity"] + v["wall_over_gravity"] - 1.0
@@ -56,7 +56,7 @@ class RiffleRun:
 
         The mean height tells the volume of the water; the detected surface also sees how the top row is arranged."""
         v = self.values
-        depth = 2.0 * self.heights.mean(axis=1)
+        depth = 2.0 * self.mean_height
         inside = self.snapshot_time >= v.get("window_start", 0.0)
         if inside.sum() > 2:
             v["level_drift_10_s"] = 10.0 * numpy.polyfit(self.snapshot_time[inside], depth[inside], 1)[0]

@@ -7,8 +7,9 @@ import subprocess
 import h5py
 import numpy
 
-from parts import Table, bar_header, row_against_bars
+from parts import bar_header, row_against_bars
 from runs import ROOT
+from table import Table
 
 # name in RiffleRun.values (absolute value), bar, printed label, unit factor
 COMMON_BARS = [

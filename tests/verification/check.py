@@ -1,0 +1,97 @@
+"""One case of the verification: error norms against bars, figures, budgets, and how it was best run."""
+
+import math
+
+import numpy
+
+from flow import Energy, lost_mass, momentum_budget
+from table import Table
+
+
+class Check:
+    """`name` is that of the command line; `text` says what is exact about the case."""
+
+    def __init__(self, name, title, text):
+        self.name, self.title, self.text = name, title, text
+        self.norms = []  # (label, bar or None, value, text of the value, text of the bar, known to fail)
+        self.figures, self.budgets, self.tables, self.remarks = [], [], [], []
+        self.best, self.cost = "", ""
+
+    def norm(self, label, value, bar=None, unit="%", digits=2, known=False):
+        """An error that must not exceed its bar in magnitude; without a bar it is stated only. Percent are given as fractions.
+
+        `known`: it is known to fail, for a reason that the text of the check gives: said openly, but no error of the run.
+        """
+        factor = 100 if unit == "%" else 1
+        shown = lambda v: f"{factor * v:.{digits}g}" + (f" {unit}" if unit else "")
+        self.norms.append((label, bar, value, shown(value), "" if bar is None else shown(bar), known))
+
+    def budget(self, quantity, value, statement, limit=None):
+        """A budget; more than `limit` is a missed bar, and a row of the table of all checks then."""
+        self.budgets.append((quantity, statement, f"{value:.2g}" if isinstance(value, float) else value))
+        if limit is not None and not abs(value) <= limit:
+            self.norms.append((f"budget of {quantity}: {statement}", limit, value, f"{value:.1e}", f"{limit:.0e}" if limit else "0", False))
+
+    def budgets_of(self, flow, energy=True, vertical=True):
+        """Mass, momentum and energy of a run."""
+        self.budget("mass", float(lost_mass(flow)), "share of the particles lost (their masses are constant)", 0.0)
+        along, upright, scale = momentum_budget(flow)
+        self.budget("momentum", float(along), f"along x: change less the forces' impulse, over the {scale}")
+        if vertical:
+            self.budget("momentum", float(upright), "along z: the same, over the impulse of the weight" if flow.forces and flow.gravity_z else "along z: the same")
+        return self.energy_budget(flow) if energy else None
+
+    def energy_budget(self, flow, snapshots=41):
+        e = Energy(flow, snapshots)
+        available = max(e.kinetic.max(), numpy.abs(e.weight).max(), 1e-300)
+        self.budget("energy", f"{(e.total[-1] - e.total[0] - e.weight[-1]) / available:+.3f}",
+                    "change of kinetic, potential and elastic energy less the work of the weight, over the largest kinetic energy, or that work if it is more")
+        self.budget("energy", f"{-e.dissipation[-1] / available:+.3f}", "work of viscosity, from the velocity gradients in the snapshots, over the same")
+        self.budget("energy", f"{e.balance[-1] / available:+.3f}", "what is left: gained (+) or lost (-) by the scheme and by the sampling")
+        return e
+
+    @staticmethod
+    def _held(norm):
+        return norm[1] is None or (math.isfinite(norm[2]) and abs(norm[2]) <= norm[1])
+
+    def _failures(self, known):
+        return [f"{self.title}: {norm[0]} {norm[3]} (bar {norm[4]})" for norm in self.norms if not self._held(norm) and norm[5] == known]
+
+    @property
+    def missed(self):
+        return self._failures(known=False)
+
+    @property
+    def known(self):
+        return self._failures(known=True)
+
+    def rows(self):
+        """Rows of the table of all checks; a missed bar is marked with !, one that is known to be missed with (fails)."""
+        for i, norm in enumerate(self.norms):
+            mark = "" if self._held(norm) else " (fails)" if norm[5] else " !"
+            yield [self.title if i == 0 else "", norm[0], norm[4] or "stated", norm[3] + mark, self.best if i == 0 else "", self.cost if i == 0 else ""]
+
+
+def text(check):
+    """The norms of one check, for the terminal."""
+    table = Table(check.title, HEADER[1:4])
+    table.rows = [row[1:4] for row in check.rows()]
+    return table.text() + f"\n{check.best}; {check.cost}"
+
+
+HEADER = ["case", "error norm", "bar", "measured", "best option set", "cost"]
+
+
+def summary_table(checks):
+    table = Table("Verification", HEADER)
+    for check in checks:
+        table.rows += list(check.rows())
+        table.checks += sum(norm[1] is not None for norm in check.norms)
+        table.missed += check.missed
+    return table
+
+
+def order_table(title, header, rows):
+    table = Table(title, header)
+    table.rows = rows
+    return table
