@@ -84,7 +84,7 @@ void Channel<D>::pack_fluid() {
     const PairLoops<D, float> sums = pair_loops<D, float>({.gradients = gradients});
     const ParticleLoops<D, float> loops = particle_loops<D, float>();
     for_blocks(clusters, [&](std::size_t begin, std::size_t end) {
-        loops.pack(particle_data, data, moved, begin, end);
+        loops.pack(particle_data, data, &moved, begin, end);
     });
     for_blocks(clusters, [&](std::size_t begin, std::size_t end) {
         sums.gradient(data, begin, end, work);

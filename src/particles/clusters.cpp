@@ -205,7 +205,7 @@ Clusters<D> build_clusters(const Domain<D>& domain, const FixedPoint<D>& fixed_p
     clusters.highest.resize(size);
     clusters.lowest.resize(size);
     for (std::size_t k = 0; k < D; ++k) {
-        clusters.slot_position[k].resize(clusters.slots());
+        clusters.slot_position[k].resize(clusters.slots() + cluster_size);
         clusters.centre[k].resize(size + cluster_size);
         clusters.half_extent[k].resize(size + cluster_size);
     }

@@ -34,7 +34,8 @@ struct Clusters {
     std::vector<std::int32_t> highest;
     std::vector<std::int32_t> lowest;
 
-    /// Positions in integer units by slot; empty slots repeat the last particle of their cluster.
+    /// Positions in integer units by slot, 8 more than slots; empty ones repeat their cluster's last
+    /// particle.
     std::array<std::vector<std::int32_t>, static_cast<std::size_t>(D)> slot_position;
 
     /// Free what only the search for neighbours needs.

@@ -1,6 +1,7 @@
 // Forces that are not sums over neighbours: the stirring, and the coefficients of the drags.
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "base/parallel.hpp"
@@ -70,26 +71,24 @@ void SimulationOf<D, Real>::add_stirring(Task& task, std::size_t begin, std::siz
 template <int D, class Real>
 void SimulationOf<D, Real>::find_drag(Task& task, std::size_t begin, std::size_t end) const {
     // Few clusters reach into the roughness.
-    const double top = drag_->top();
+    const std::uint32_t reaching = particle_loops_.standing_below(particle_data_, drag_->top(), begin, end);
+    task.particles.drag_clusters = reaching;
     const std::vector<double>& height = particles_.position[vertical];
+    const auto block_first = static_cast<std::size_t>(clusters_.begin[begin]);
     const bool in_plan = D == 3 && drag_->varies_in_plan();
-    for_clusters(begin, end, [&](std::size_t first, std::size_t last, std::size_t lane) {
-        std::fill_n(&task.particles.drag[lane], cluster_size, 0.0);
-        double lowest = height[first];
-        for (std::size_t i = first + 1; i < last; ++i) {
-            lowest = std::min(lowest, height[i]);
-        }
-        if (lowest > top) {
-            return;
-        }
+    for (std::uint32_t left = reaching; left != 0; left &= left - 1) {
+        const std::size_t cluster = begin + static_cast<std::size_t>(std::countr_zero(left));
+        const auto first = static_cast<std::size_t>(clusters_.begin[cluster]);
+        const auto count = static_cast<std::size_t>(clusters_.count(cluster));
+        double* const drag = &task.particles.drag[first - block_first];
         if (in_plan) {
-            for (std::size_t i = first; i < last; ++i) {
-                task.particles.drag[lane + (i - first)] = bed_drag_at(i);
+            for (std::size_t n = 0; n < count; ++n) {
+                drag[n] = bed_drag_at(first + n);
             }
         } else {
-            drag_->coefficients({&height[first], last - first}, {&task.particles.drag[lane], last - first});
+            drag_->coefficients({&height[first], count}, {drag, count});
         }
-    });
+    }
 }
 
 template <int D, class Real>
@@ -132,14 +131,14 @@ void SimulationOf<D, Real>::measure_side_drag() {
 }
 
 template <int D, class Real>
-void SimulationOf<D, Real>::add_drags(Task& task, std::size_t lane, std::size_t particle, Vec<D>& a) const {
+void SimulationOf<D, Real>::add_drags(Task& task, std::size_t lane, std::size_t particle, double bed,
+                                      Vec<D>& a) const {
     const auto drag = [&](double beta, std::size_t k) {
         const double u = particles_.velocity[k][particle];
         const double acceleration = -beta * u * std::abs(u);
         a[k] += acceleration;
         return acceleration;
     };
-    const double bed = drag_ ? task.particles.drag[lane] : 0.0;
     task.particles.drag_force[lane] = drag(bed, 0);
     if constexpr (D == 3) {
         task.particles.drag_force_across[lane] = drag(bed, 1);

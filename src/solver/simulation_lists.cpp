@@ -71,6 +71,9 @@ void SimulationOf<D, Real>::refer_to_particles() {
     }
     particle_data_.density_deviation = particles_.density_deviation.data();
     particle_data_.mass = particles_.mass.data();
+    const auto& mass = particles_.mass;
+    const bool uniform = std::all_of(mass.begin(), mass.end(), [&](double m) { return m == mass.front(); });
+    particle_data_.uniform_mass = uniform && !mass.empty() ? mass.front() : 0.0;
     particle_data_.clusters = &clusters_;
 }
 
@@ -115,8 +118,9 @@ void SimulationOf<D, Real>::allocate() {
 template <int D, class Real>
 void SimulationOf<D, Real>::repack() {
     parallel_blocks(clusters_.size(), light_block, [&](std::size_t begin, std::size_t end) {
-        particle_loops_.pack(particle_data_, data_, moved_, begin, end);
+        particle_loops_.pack(particle_data_, data_, &moved_, begin, end);
     });
+    moved_known_ = true;
     fill_last_records();
 }
 
@@ -131,6 +135,18 @@ void SimulationOf<D, Real>::fill_last_records() {
     }
 }
 
+template <int D, class Real>
+double SimulationOf<D, Real>::displacement_limit() const {
+    return case_.numerics.skin_in(D) * scheme_.smoothing_length;
+}
+
+// Finding the displacements with the packing costs less than finding them later, but most steps need none.
+template <int D, class Real>
+bool SimulationOf<D, Real>::displacements_due() const {
+    constexpr double margin = 1.1;  // the next step may be a little faster
+    return clock_.displacement_bound + margin * last_motion_ > displacement_limit();
+}
+
 // A list stays complete as long as no two particles of neighbouring clusters have moved against each other by
 // more than the skin. Only relative motion counts, so a fast but smooth flow needs few rebuilds. While the
 // bound from the range of all velocities says so already, the test is spared; the answer is the same. A drop
@@ -138,9 +154,12 @@ void SimulationOf<D, Real>::fill_last_records() {
 // decides; so with walls that move, which the test takes to stand still.
 template <int D, class Real>
 bool SimulationOf<D, Real>::lists_valid(double fraction) {
-    const double limit = fraction * case_.numerics.skin_in(D) * scheme_.smoothing_length;
+    const double limit = fraction * displacement_limit();
     if (clock_.displacement_bound <= limit || loose_ || motion_.displaces()) {
         return clock_.displacement_bound <= limit;
+    }
+    if (!moved_known_) {
+        repack();
     }
     const double worst = reduce_blocks(
         clusters_.size(), light_block, 0.0,

@@ -59,10 +59,11 @@ class SimulationOf final : public SimulationIn<D> {
         double wall = 0.0;  ///< density of dynamic walls
         double motion = 0.0;
     };
-    /// Time of the pair sums of a block, s.
+    /// Time of the pair sums of a block, s, and how often both were measured.
     struct BlockSeconds {
         double gradients = 0.0;
         double forces = 0.0;
+        std::int64_t measurements = 0;
     };
 
     // Lists and packing (simulation_lists.cpp).
@@ -73,6 +74,10 @@ class SimulationOf final : public SimulationIn<D> {
     void repack();
     void fill_last_records();
     [[nodiscard]] bool lists_valid(double fraction);
+    /// Most relative displacement that the lists allow, m.
+    [[nodiscard]] double displacement_limit() const;
+    /// Whether lists_valid() is likely to look at the displacements after this step.
+    [[nodiscard]] bool displacements_due() const;
     [[nodiscard]] bool has_loose_particles() const;
 
     // Walls (simulation_walls.cpp).
@@ -101,6 +106,9 @@ class SimulationOf final : public SimulationIn<D> {
     void evaluate(const StageSteps& steps);
     /// Ask for what follows the sums of a block, so that it arrives meanwhile.
     void fetch_for_stress(std::size_t begin, std::size_t end);
+    void fetch_for_motion(std::size_t begin, std::size_t end);
+    /// Mixing lengths at the particles of a block.
+    void find_mixing_lengths(Task& task, std::size_t begin, std::size_t end) const;
     void evaluate_gradients(Task& task, std::size_t begin, std::size_t end, double density_step);
     void evaluate_walls(Task& task, std::size_t begin, std::size_t end, double step);
     void evaluate_forces(Task& task, std::size_t begin, std::size_t end, double step);
@@ -117,8 +125,8 @@ class SimulationOf final : public SimulationIn<D> {
     /// Coefficients of the bed's drag at the particles of a block, and at one.
     void find_drag(Task& task, std::size_t begin, std::size_t end) const;
     [[nodiscard]] double bed_drag_at(std::size_t particle) const;
-    /// Explicit drags on a particle (with a stepper), added to `a`.
-    void add_drags(Task& task, std::size_t lane, std::size_t particle, Vec<D>& a) const;
+    /// Explicit drags on a particle (with a stepper), added to `a`; `bed` is the coefficient of the bed's.
+    void add_drags(Task& task, std::size_t lane, std::size_t particle, double bed, Vec<D>& a) const;
     /// The coefficient of the side walls' drag from the sums of AdvanceResult, and from the particles.
     void set_side_drag(double bed_drag, double side_layer);
     void measure_side_drag();
@@ -144,8 +152,6 @@ class SimulationOf final : public SimulationIn<D> {
               static_cast<std::size_t>(clusters_.begin[cluster + 1]), (cluster - begin) * cluster_size);
         }
     }
-    template <class F>
-    void at_heights(std::size_t begin, std::size_t end, LaneArray<double>& lanes, const F& f) const;
     /// f(task, begin, end) for blocks of clusters, in parallel; each thread keeps its task from call to call.
     template <class F>
     void for_blocks(std::size_t clusters, std::span<const std::uint32_t> blocks, const F& f) const {
@@ -210,6 +216,8 @@ class SimulationOf final : public SimulationIn<D> {
     NeighbourList wall_fluid_;
     SweepOrder order_;
     Displacement<D> moved_;
+    bool moved_known_ = false;  ///< `moved_` is of the present positions
+    double last_motion_ = 0.0;  ///< what the last step added to the bound of the displacements, m
 
     bool keep_fields_ = true;                      ///< in this step
     std::vector<AdvanceResult<D>> block_advance_;  ///< by block
@@ -221,6 +229,8 @@ class SimulationOf final : public SimulationIn<D> {
 
     bool profiling_ = false;
     StepProfile profile_;
+    double clock_seconds_ = 0.0;               ///< of a measurement of nothing, all in all, s
+    double clock_seconds_inside_ = 0.0;        ///< what it measures, s
     std::vector<BlockSeconds> block_seconds_;  ///< by block
 };
 

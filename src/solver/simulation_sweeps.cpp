@@ -20,35 +20,17 @@ void fetch(const Values& values, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; i += step) {
         __builtin_prefetch(&values[i], 1);
     }
+    // Else GCC takes the function for one without effects and drops its calls.
+    asm volatile("");
 }
 
 }  // namespace
-
-/// A function of the height, f(heights, results), for the particles of a block, which follow each other in
-/// memory; the results by lane, zero in empty ones.
-template <int D, class Real>
-template <class F>
-void SimulationOf<D, Real>::at_heights(std::size_t begin, std::size_t end, LaneArray<double>& lanes,
-                                       const F& f) const {
-    const auto first = static_cast<std::size_t>(clusters_.begin[begin]);
-    const auto count = static_cast<std::size_t>(clusters_.begin[end]) - first;
-    LaneArray<double> dense;
-    f(std::span<const double>(&particles_.position[vertical][first], count),
-      std::span<double>(dense.data(), count));
-    for_clusters(begin, end, [&](std::size_t i, std::size_t last, std::size_t lane) {
-        if (last - i == cluster_size) {
-            std::copy_n(&dense[i - first], cluster_size, &lanes[lane]);
-        } else {
-            std::fill_n(&lanes[lane], cluster_size, 0.0);
-            std::copy_n(&dense[i - first], last - i, &lanes[lane]);
-        }
-    });
-}
 
 template <int D, class Real>
 void SimulationOf<D, Real>::evaluate(const StageSteps& steps) {
     move_walls();
     measure_stirring();
+    Displacement<D>* const moved = displacements_due() ? &moved_ : nullptr;
     for (std::size_t wave = 0; wave < order_.waves; ++wave) {
         for_blocks(clusters_.size(), order_.gradients.blocks(wave),
                    [&](Task& task, std::size_t begin, std::size_t end) {
@@ -68,10 +50,11 @@ void SimulationOf<D, Real>::evaluate(const StageSteps& steps) {
                    [&](Task&, std::size_t begin, std::size_t end) {
                        // A faulty position has no integer code; it is reported below.
                        if (!block_advance_[begin / block_clusters].fault) {
-                           particle_loops_.pack(particle_data_, data_, moved_, begin, end);
+                           particle_loops_.pack(particle_data_, data_, moved, begin, end);
                        }
                    });
     }
+    moved_known_ = moved != nullptr;
     gather_motion(steps.motion);
     fill_last_records();
 }
@@ -81,10 +64,26 @@ void SimulationOf<D, Real>::fetch_for_stress(std::size_t begin, std::size_t end)
     const auto first = static_cast<std::size_t>(clusters_.begin[begin]);
     const auto last = static_cast<std::size_t>(clusters_.begin[end]);
     fetch(particles_.density_deviation, first, last);
-    fetch(particles_.mass, first, last);
-    fetch(particles_.position[vertical], first, last);
+    if (particle_data_.uniform_mass == 0.0) {
+        fetch(particles_.mass, first, last);
+    }
+    if (closure_) {
+        fetch(particles_.position[vertical], first, last);
+    }
     if (!data_.stress.empty()) {
         fetch(data_.stress, begin * cluster_size, end * cluster_size);
+    } else {
+        fetch(data_.pressure, begin * cluster_size, end * cluster_size);
+    }
+}
+
+template <int D, class Real>
+void SimulationOf<D, Real>::fetch_for_motion(std::size_t begin, std::size_t end) {
+    const auto first = static_cast<std::size_t>(clusters_.begin[begin]);
+    const auto last = static_cast<std::size_t>(clusters_.begin[end]);
+    for (std::size_t k = 0; k < axes; ++k) {
+        fetch(particles_.position[k], first, last);
+        fetch(particles_.velocity[k], first, last);
     }
 }
 
@@ -95,18 +94,7 @@ void SimulationOf<D, Real>::evaluate_gradients(Task& task, std::size_t begin, st
     timed(block_seconds_[begin / block_clusters].gradients,
           [&] { loops_.gradient(data_, begin, end, task.sums); });
     if (closure_) {
-        at_heights(begin, end, task.particles.mixing_length,
-                   [&](auto z, auto result) { closure_->mixing_lengths(z, result); });
-        if constexpr (D == 3) {
-            if (closure_->varies_across()) {
-                for_clusters(begin, end, [&](std::size_t first, std::size_t last, std::size_t lane) {
-                    for (std::size_t i = first; i < last; ++i) {
-                        task.particles.mixing_length[lane + (i - first)] *=
-                            closure_->side_factor(particles_.position[1][i]);
-                    }
-                });
-            }
-        }
+        find_mixing_lengths(task, begin, end);
     }
     particle_loops_.stress(particle_data_, data_, task.sums, task.particles, density_step, begin, end);
     if (stepper_) {
@@ -116,6 +104,19 @@ void SimulationOf<D, Real>::evaluate_gradients(Task& task, std::size_t begin, st
     }
     if (keep_fields_) {
         keep_stress_fields(task, begin, end);
+    }
+}
+
+template <int D, class Real>
+void SimulationOf<D, Real>::find_mixing_lengths(Task& task, std::size_t begin, std::size_t end) const {
+    const auto first = static_cast<std::size_t>(clusters_.begin[begin]);
+    const auto count = static_cast<std::size_t>(clusters_.begin[end]) - first;
+    double* const lengths = task.particles.mixing_length.data();
+    closure_->mixing_lengths({&particles_.position[vertical][first], count}, {lengths, count});
+    if constexpr (D == 3) {
+        for (std::size_t i = 0; closure_->varies_across() && i < count; ++i) {
+            lengths[i] *= closure_->side_factor(particles_.position[1][first + i]);
+        }
     }
 }
 
@@ -163,7 +164,9 @@ void SimulationOf<D, Real>::evaluate_walls(Task& task, std::size_t begin, std::s
 template <int D, class Real>
 void SimulationOf<D, Real>::evaluate_forces(Task& task, std::size_t begin, std::size_t end, double step) {
     const std::size_t block = begin / block_clusters;
+    fetch_for_motion(begin, end);
     timed(block_seconds_[block].forces, [&] { loops_.force(data_, begin, end, task.sums); });
+    ++block_seconds_[block].measurements;
     if (drag_) {
         find_drag(task, begin, end);
     }
@@ -233,8 +236,9 @@ void SimulationOf<D, Real>::gather_motion(double step) {
         squared += (fastest[k] - slowest[k]) * (fastest[k] - slowest[k]);
     }
     // A hair more than the rounding of the moved positions.
-    clock_.displacement_bound +=
+    last_motion_ =
         stepper_ ? std::numeric_limits<double>::infinity() : (1.0 + 1e-6) * step * std::sqrt(squared);
+    clock_.displacement_bound += last_motion_;
 }
 
 template <int D, class Real>
@@ -265,15 +269,17 @@ template <int D, class Real>
 void SimulationOf<D, Real>::advance_by_rates(Task& task, std::size_t begin, std::size_t end) {
     const bool corrected = weighs_by_volume(case_);
     const bool smoothed = case_.numerics.xsph != 0.0;
+    const auto block_first = static_cast<std::size_t>(clusters_.begin[begin]);
     double largest = 0.0;
     bool fault = false;
     for_clusters(begin, end, [&](std::size_t first, std::size_t last, std::size_t first_lane) {
+        const bool dragged = drag_ && (task.particles.drag_clusters >> first_lane / cluster_size & 1U) != 0;
         for (std::size_t i = first; i < last; ++i) {
             const std::size_t lane = first_lane + (i - first);
             const double factor = corrected ? 1.0 / (1.0 + particles_.density_deviation[i]) : 1.0;
             double squared = 0.0;
             Vec<D> drags{};
-            add_drags(task, lane, i, drags);
+            add_drags(task, lane, i, dragged ? task.particles.drag[i - block_first] : 0.0, drags);
             ParticleRates<D> rates{.density = density_rate_[i]};
             for (std::size_t k = 0; k < axes; ++k) {
                 double a = factor * (static_cast<double>(task.sums.force.tensor[k][lane]) +

@@ -4,6 +4,7 @@
 
 #include "base/error.hpp"
 #include "sph/loop_table.hpp"
+#include "sph/particle_loop_table.hpp"
 
 namespace riffle {
 
@@ -63,6 +64,18 @@ InstructionSet active_instruction_set() {
 
 namespace {
 
+ParticleLoopTable particle_loop_table(InstructionSet set) {
+    switch (set) {
+        case InstructionSet::avx512:
+            return avx512::particle_loop_table();
+        case InstructionSet::avx2:
+            return avx2::particle_loop_table();
+        case InstructionSet::baseline:
+            break;
+    }
+    return baseline::particle_loop_table();
+}
+
 template <bool single, class S, class D>
 auto single_or_double(S in_single, D in_double) {
     if constexpr (single) {
@@ -113,12 +126,12 @@ template PairLoops<3, double> pair_loops<3, double>(const LoopOptions&, Instruct
 
 template <int D, class Real>
 ParticleLoops<D, Real> particle_loops(InstructionSet set) {
-    const LoopTable table = loop_table(set);
+    const ParticleLoopTable table = particle_loop_table(set);
     constexpr bool single = std::is_same_v<Real, float>;
     if constexpr (D == 2) {
-        return single_or_double<single>(table.plane_particles_single, table.plane_particles_double);
+        return single_or_double<single>(table.plane_single, table.plane_double);
     } else {
-        return single_or_double<single>(table.space_particles_single, table.space_particles_double);
+        return single_or_double<single>(table.space_single, table.space_double);
     }
 }
 
@@ -139,9 +152,9 @@ template ParticleLoops<3, double> particle_loops<3, double>(InstructionSet);
 template <int D>
 NeighbourSearchFunction<D> neighbour_search(InstructionSet set) {
     if constexpr (D == 2) {
-        return loop_table(set).plane_search;
+        return particle_loop_table(set).plane_search;
     } else {
-        return loop_table(set).space_search;
+        return particle_loop_table(set).space_search;
     }
 }
 

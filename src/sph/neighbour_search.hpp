@@ -3,6 +3,7 @@
 // The search for neighbours. Compiled once per instruction set, like the loops.
 
 #include <cmath>
+#include <limits>
 
 #include "sph/neighbour_list.hpp"
 #include "sph/wide.hpp"
@@ -19,7 +20,7 @@ class ColumnRange {
         const int first = static_cast<int>(std::floor((low - j.lower[axis]) / j.column_width[axis]));
         const int last = static_cast<int>(std::floor((high - j.lower[axis]) / j.column_width[axis]));
         if (periodic_) {
-            first_ = first;
+            first_ = (first % columns_ + columns_) % columns_;
             count_ = last - first + 1 < columns_ ? last - first + 1 : columns_;
         } else {
             first_ = first < 0 ? 0 : (first < columns_ ? first : columns_ - 1);
@@ -29,7 +30,8 @@ class ColumnRange {
     }
     [[nodiscard]] int count() const { return count_; }
     [[nodiscard]] int operator[](int n) const {
-        return periodic_ ? ((first_ + n) % columns_ + columns_) % columns_ : first_ + n;
+        const int column = first_ + n;
+        return periodic_ && column >= columns_ ? column - columns_ : column;
     }
 
   private:
@@ -38,6 +40,18 @@ class ColumnRange {
     int first_ = 0;
     int count_ = 1;
 };
+
+/// Bit l: whether lane l is at most `limit`.
+template <class V>
+RIFFLE_INLINE unsigned wide_at_most(const V& v, float limit) {
+    if constexpr (V::size() == 2 * cluster_size) {
+#ifdef __AVX512F__
+        return _mm512_cmp_ps_mask(static_cast<__m512>(v), _mm512_set1_ps(limit), _CMP_LE_OQ);
+#endif
+    } else {
+        return lanes_at_most(v, limit);
+    }
+}
 
 /// The search of one block, with its constants and buffers.
 template <int D>
@@ -59,10 +73,7 @@ class BlockSearch {
     void search_cluster(std::size_t ci, std::size_t place) {
         const std::size_t runs_before = block_.run_count();
         const std::size_t masks_before = block_.mask_count();
-        for (std::size_t k = 0; k < D; ++k) {
-            position_[k] = gather<float, std::int32_t>(&i_.slot_position[k][ci * cluster_size],
-                                                       [](const std::int32_t& code) { return code; });
-        }
+        take_positions(ci);
         std::array<ColumnRange, 2> columns;
         for (std::size_t k = 0; k + 1 < D; ++k) {
             const double centre = fixed_point_.decode(i_.centre[k][ci], k);
@@ -83,6 +94,26 @@ class BlockSearch {
     }
 
   private:
+    /// The positions of the i-cluster.
+    void take_positions(std::size_t ci) {
+        image_ = true;
+        for (std::size_t k = 0; k < D; ++k) {
+            const std::int32_t* code = &i_.slot_position[k][ci * cluster_size];
+            const Lanes<std::int32_t> offset = load_lanes(code) - i_.centre[k][ci];
+            store_lanes(Lanes<float>(stdx::static_simd_cast<Lanes<float>>(offset) * unit_[k]),
+                        from_centre_[k].data());
+            constexpr double half_period = 2147483648.0;  // units
+            image_ = image_ && (!j_.periodic[k] || static_cast<double>(i_.half_extent[k][ci]) + range_ <
+                                                       0.999 * half_period * fixed_point_.unit(k));
+        }
+        if (!image_) {
+            for (std::size_t k = 0; k < D; ++k) {
+                position_[k] = gather<float, std::int32_t>(&i_.slot_position[k][ci * cluster_size],
+                                                           [](const std::int32_t& code) { return code; });
+            }
+        }
+    }
+
     /// The clusters of one column: one run, from the first near cluster to the last.
     void search_column(std::size_t ci, std::size_t column) {
         auto first = static_cast<std::size_t>(j_.column_begin[column]);
@@ -96,6 +127,9 @@ class BlockSearch {
                               2;
             const std::int64_t low = centre - half - reach_;
             high = centre + half + reach_;
+            if (first == last || j_.highest[last - 1] < low) {
+                return;
+            }
             // The first cluster that reaches up to `low`, by bisection in high columns.
             std::size_t count = last - first;
             while (count > 2 * cluster_size) {
@@ -114,9 +148,14 @@ class BlockSearch {
             if (last - group < cluster_size) {
                 candidates &= (1U << (last - group)) - 1U;
             }
+            if (candidates == 0) {
+                continue;
+            }
+            const std::array<std::uint8_t, cluster_size> masks = masks_of(ci, group, candidates);
             for (; candidates != 0; candidates &= candidates - 1U) {
-                const std::size_t cj = group + static_cast<std::size_t>(__builtin_ctz(candidates));
-                const std::uint8_t mask = mask_of(cj);
+                const auto c = static_cast<std::size_t>(__builtin_ctz(candidates));
+                const std::size_t cj = group + c;
+                const std::uint8_t mask = masks[c];
                 if (mask == 0) {
                     continue;
                 }
@@ -157,10 +196,52 @@ class BlockSearch {
         return lanes_at_most(squared, range_squared_);
     }
 
-    /// The particles of cluster cj that are within range of any particle of the i-cluster.
-    [[nodiscard]] std::uint8_t mask_of(std::size_t cj) const {
+    /// For the candidates among clusters cj to cj + 7, the particles that are within range of any particle of
+    /// the i-cluster.
+    [[nodiscard]] std::array<std::uint8_t, cluster_size> masks_of(std::size_t ci, std::size_t cj,
+                                                                  unsigned candidates) const {
+        std::array<std::uint8_t, cluster_size> masks{};
+        for (std::size_t c = 0; c < cluster_size; c += neighbours_per_turn<float>) {
+            constexpr unsigned both = (1U << neighbours_per_turn<float>)-1U;
+            if ((candidates >> c & both) == 0) {
+                continue;
+            }
+            const unsigned near = image_ ? near_image(ci, cj + c) : near_images(cj + c);
+            for (std::size_t n = 0; n < neighbours_per_turn<float> && cj + c + n < j_.size(); ++n) {
+                // Empty slots repeat a particle.
+                const unsigned present = (1U << static_cast<unsigned>(j_.count(cj + c + n))) - 1U;
+                masks[c + n] = static_cast<std::uint8_t>(near >> n * cluster_size & present);
+            }
+        }
+        return masks;
+    }
+
+    /// Bits of the slots of as many clusters from cj on as fill the lanes: whether they are within range of
+    /// any particle of the i-cluster, where one image of each decides, that nearest to the cluster's centre.
+    [[nodiscard]] unsigned near_image(std::size_t ci, std::size_t cj) const {
+        std::array<Wide<float>, static_cast<std::size_t>(D)> x{};
+        for (std::size_t k = 0; k < D; ++k) {
+            const WideInteger<float> code(&j_.slot_position[k][cj * cluster_size], stdx::element_aligned);
+            x[k] =
+                stdx::static_simd_cast<Wide<float>>(WideInteger<float>(code - i_.centre[k][ci])) * unit_[k];
+        }
+        Wide<float> closest(std::numeric_limits<float>::max());
+        for (std::size_t l = 0; l < cluster_size; ++l) {
+            Wide<float> squared(0.0F);
+            for (std::size_t k = 0; k < D; ++k) {
+                const Wide<float> d = x[k] - from_centre_[k][l];
+                squared += d * d;
+            }
+            closest = stdx::min(closest, squared);
+        }
+        return wide_at_most(closest, range_squared_);
+    }
+
+    /// The same by the nearest image of each pair, in a narrow periodic domain.
+    [[nodiscard]] unsigned near_images(std::size_t cj) const {
         unsigned mask = 0;
-        for (std::size_t l = 0; l < cluster_size; l += neighbours_per_turn<float>) {
+        for (std::size_t l = 0; l < cluster_size * neighbours_per_turn<float>;
+             l += neighbours_per_turn<float>) {
             Wide<float> squared(0.0F);
             for (std::size_t k = 0; k < D; ++k) {
                 const std::int32_t* code = &j_.slot_position[k][cj * cluster_size + l];
@@ -173,8 +254,7 @@ class BlockSearch {
             }
             mask |= any_in_halves(squared, range_squared_) << l;
         }
-        // Empty slots repeat a particle.
-        return static_cast<std::uint8_t>(mask & ((1U << static_cast<unsigned>(j_.count(cj))) - 1U));
+        return mask;
     }
 
     const Clusters<D>& i_;
@@ -185,6 +265,9 @@ class BlockSearch {
     float range_squared_ = 0.0F;
     std::int64_t reach_ = 0;  ///< range in units of the last axis
     std::array<float, static_cast<std::size_t>(D)> unit_{};
+    /// Of the i-cluster: whether one image decides, positions from its centre (m), in units where needed.
+    bool image_ = true;
+    std::array<std::array<float, cluster_size>, static_cast<std::size_t>(D)> from_centre_{};
     std::array<WideInteger<float>, static_cast<std::size_t>(D)> position_{};
     std::size_t neighbours_ = 0;
 };

@@ -10,11 +10,11 @@
 
 #include "sph/correction.hpp"
 #include "sph/kernel.hpp"
-#include "sph/neighbour_search.hpp"
 #include "sph/pair_loops.hpp"
 #include "sph/pair_terms.hpp"
 #include "sph/record_lanes.hpp"
 #include "sph/tabulated_kernel.hpp"
+#include "sph/wide.hpp"
 
 namespace riffle::RIFFLE_ISA {
 

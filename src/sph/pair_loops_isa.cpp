@@ -2,7 +2,6 @@
 
 #include "sph/loop_table.hpp"
 #include "sph/pair_loops_impl.hpp"
-#include "sph/particle_loops_impl.hpp"
 
 namespace riffle::RIFFLE_ISA {
 
@@ -11,12 +10,6 @@ LoopTable loop_table() {
             .plane_double = &loops<2, double>,
             .space_single = &loops<3, float>,
             .space_double = &loops<3, double>,
-            .plane_search = &search_neighbours<2>,
-            .space_search = &search_neighbours<3>,
-            .plane_particles_single = particle_loops_of<2, float>(),
-            .plane_particles_double = particle_loops_of<2, double>(),
-            .space_particles_single = particle_loops_of<3, float>(),
-            .space_particles_double = particle_loops_of<3, double>(),
             .peak = peak_loop()};
 }
 

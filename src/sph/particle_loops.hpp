@@ -20,7 +20,8 @@ struct ParticleData {
     std::array<double*, static_cast<std::size_t>(D)> position{};
     std::array<double*, static_cast<std::size_t>(D)> velocity{};
     double* density_deviation = nullptr;
-    const double* mass = nullptr;
+    const double* mass = nullptr;  ///< not read where uniform_mass is set
+    double uniform_mass = 0.0;     ///< of every particle, kg (per m in a plane); 0: `mass` holds them
 
     Domain<D> domain;
     FixedPoint<D> fixed_point;
@@ -41,11 +42,13 @@ struct ParticleData {
     const Clusters<D>* clusters = nullptr;
 };
 
-/// Arrays of a block by lane, beside the sums.
+/// Arrays of a block, beside the sums: the first two by particle, from the block's first one on, so that they
+/// are found for all at once; the others by lane.
 template <int D, class Real>
 struct ParticleWork {
     LaneArray<double> mixing_length;  ///< in: l_m at the particles, m
-    LaneArray<double> drag;           ///< in: beta of the bed drag, 1/m
+    LaneArray<double> drag;           ///< in: beta of the bed drag, 1/m, in the clusters of drag_clusters
+    std::uint32_t drag_clusters = 0;  ///< in: bit c: the drag acts in cluster c of the block
     LaneArray<double> density_rate;   ///< out: ds/dt
     LaneArray<Real> pressure;         ///< out: p/rho0
     LaneArray<Real> eddy_viscosity;   ///< out: nu_t
@@ -106,9 +109,12 @@ struct ParticleLoops {
     /// of the bed along x and in three dimensions along y, that of the side walls along x and z.
     AdvanceResult<D> (*advance)(const ParticleData<D>&, const BlockWork<D, Real>&, ParticleWork<D, Real>&,
                                 const AdvanceOptions&, std::size_t begin, std::size_t end);
-    /// Motion records and displacements of the moved particles.
-    void (*pack)(const ParticleData<D>&, PairData<D, Real>&, Displacement<D>&, std::size_t begin,
+    /// Motion records of the moved particles, and their displacements unless null.
+    void (*pack)(const ParticleData<D>&, PairData<D, Real>&, Displacement<D>*, std::size_t begin,
                  std::size_t end);
+    /// Bit c: whether any particle of cluster begin + c stands at `height` or below.
+    std::uint32_t (*standing_below)(const ParticleData<D>&, double height, std::size_t begin,
+                                    std::size_t end);
     /// Largest squared relative displacement (m2) of clusters in the lists of [begin, end), and of those with
     /// walls near them against the walls.
     double (*displaced)(const PairData<D, Real>&, const FixedPoint<D>&, const Displacement<D>&,

@@ -21,6 +21,11 @@ struct Members {
     std::size_t first;
     int count;
 
+    /// The lanes that hold particles.
+    template <class Value>
+    [[nodiscard]] RIFFLE_INLINE typename Lanes<Value>::mask_type present() const {
+        return Lanes<Value>([](int l) { return static_cast<Value>(l); }) < static_cast<Value>(count);
+    }
     template <class Value>
     RIFFLE_INLINE Lanes<Value> load(const Value* values) const {
         if constexpr (Full) {
@@ -39,22 +44,32 @@ struct Members {
         if constexpr (Full) {
             store_lanes(v, values + first);
         } else {
-            for (int l = 0; l < count; ++l) {
-                values[first + static_cast<std::size_t>(l)] = v[static_cast<std::size_t>(l)];
-            }
+            stdx::where(present<Value>(), v).copy_to(values + first, stdx::element_aligned);
         }
     }
     /// Zero in the lanes past the last particle.
     template <class Value>
     RIFFLE_INLINE Lanes<Value> cut(Lanes<Value> v) const {
         if constexpr (!Full) {
-            const Lanes<std::int32_t> lane([](int l) { return l; });
-            stdx::where(stdx::static_simd_cast<Lanes<Value>>(lane) >= static_cast<Value>(count), v) =
-                Lanes<Value>(0);
+            stdx::where(!present<Value>(), v) = Lanes<Value>(0);
         }
         return v;
     }
 };
+
+/// The values of the particles of a cluster in an array of its block, whose first particle is `block_first`;
+/// zero in the lanes past the last particle.
+template <class M>
+RIFFLE_INLINE Doubles of_block(const M& members, std::size_t block_first, const LaneArray<double>& values) {
+    const M in_block{members.first - block_first, members.count};
+    return in_block.cut(in_block.load(values.data()));
+}
+
+/// The masses of the particles of a cluster.
+template <int D, class M>
+RIFFLE_INLINE Doubles masses(const ParticleData<D>& p, const M& members) {
+    return p.uniform_mass > 0.0 ? Doubles(p.uniform_mass) : members.load(p.mass);
+}
 
 /// Call f(Members) for a cluster.
 template <int D, class F>
@@ -183,12 +198,14 @@ RIFFLE_INLINE void put_motion(const Components<Integers, D>& x, const Components
 }
 
 template <int D, class Real>
-[[gnu::flatten]] void stress_loop(const ParticleData<D>& p, PairData<D, Real>& data,
+[[gnu::flatten]] void stress_loop(const ParticleData<D>& particles, PairData<D, Real>& data,
                                   const BlockWork<D, Real>& work, ParticleWork<D, Real>& own, double step,
                                   std::size_t begin, std::size_t end) {
     using T = Lanes<Real>;
     using stdx::abs;
     using stdx::sqrt;
+    const ParticleData<D> p = particles;  // which no store of the loop can change
+    const auto block_first = static_cast<std::size_t>(p.clusters->begin[begin]);
     const bool tensor = !data.stress.empty();
     const double inverse_density = 1.0 / p.density;
     for (std::size_t cluster = begin; cluster < end; ++cluster) {
@@ -207,7 +224,7 @@ template <int D, class Real>
             const T pressure = convert<Real>(pressure_double);
             store_lanes(pressure, &own.pressure[lane]);
             const T density_ratio = convert<Real>(Doubles(1.0 + s));  // rho/rho0
-            const T mass = convert<Real>(Doubles(members.load(p.mass) * inverse_density));
+            const T mass = convert<Real>(Doubles(masses(p, members) * inverse_density));
             // The symmetric form (thesis 2.42) has weights m_j and divides stresses by rho^2.
             const T scale = p.corrected ? T(1) : T(T(1) / (density_ratio * density_ratio));
             const T weight = p.corrected ? T(mass / density_ratio) : mass;
@@ -219,7 +236,7 @@ template <int D, class Real>
                     g[k] = load_lanes(&work.gradient.velocity_gradient[k][lane]);
                 }
                 if (p.closure) {
-                    const T length = convert<Real>(load_lanes(&own.mixing_length[lane]));
+                    const T length = convert<Real>(of_block(members, block_first, own.mixing_length));
                     const T strain = p.shear_only ? T(abs(g[D - 1])) : strain_rate<T, D>(g);
                     nu_t = length * length * strain;
                 }
@@ -286,13 +303,14 @@ RIFFLE_INLINE Doubles drag_step(const Doubles& beta, double dt, Doubles& u) {
     return drag;
 }
 
-/// The drags of bed and side walls on a cluster in three dimensions, whose particles stand at y.
+/// The drags of bed and side walls on a cluster in three dimensions, whose particles stand at y; `bed` is the
+/// coefficient of the former.
 template <class Real>
 RIFFLE_INLINE void drag_in_space(const ParticleData<3>& p, const AdvanceOptions& options, std::size_t lane,
                                  const Doubles& y, const Doubles& mass, Components<Doubles, 3>& u,
-                                 ParticleWork<3, Real>& own, Doubles& bed_drag, Doubles& side_layer) {
+                                 const Doubles& bed, ParticleWork<3, Real>& own, Doubles& bed_drag,
+                                 Doubles& side_layer) {
     using stdx::abs;
-    const Doubles bed = options.drag ? load_lanes(&own.drag[lane]) : Doubles(0.0);
     Doubles inside(0.0);
     stdx::where(y < p.layer_below || y > p.layer_above, inside) = Doubles(1.0);
     const Doubles side = options.side_drag * inside;
@@ -314,13 +332,17 @@ RIFFLE_INLINE void drag_in_space(const ParticleData<3>& p, const AdvanceOptions&
 }
 
 template <int D, class Real>
-[[gnu::flatten]] AdvanceResult<D> advance_loop(const ParticleData<D>& p, const BlockWork<D, Real>& work,
-                                               ParticleWork<D, Real>& own, const AdvanceOptions& options,
-                                               std::size_t begin, std::size_t end) {
+[[gnu::flatten]] AdvanceResult<D> advance_loop(const ParticleData<D>& particles,
+                                               const BlockWork<D, Real>& work, ParticleWork<D, Real>& own,
+                                               const AdvanceOptions& wanted, std::size_t begin,
+                                               std::size_t end) {
     using T = Lanes<Real>;
     using stdx::abs;
     using stdx::sqrt;
+    const ParticleData<D> p = particles;  // which no store of the loop can change
+    const AdvanceOptions options = wanted;
     const double dt = options.step;
+    const auto block_first = static_cast<std::size_t>(p.clusters->begin[begin]);
     Doubles largest(0.0);
     Components<Doubles, D> slowest{};
     Components<Doubles, D> fastest{};
@@ -349,16 +371,20 @@ template <int D, class Real>
                 u[k] = members.load(p.velocity[k]) + dt * a;
             }
             largest = stdx::max(largest, squared);
+            const bool dragged = options.drag && (own.drag_clusters >> (cluster - begin) & 1U) != 0;
+            const Doubles bed = dragged ? of_block(members, block_first, own.drag) : Doubles(0.0);
             if constexpr (D == 2) {
-                if (options.drag) {
-                    store_lanes(drag_step(load_lanes(&own.drag[lane]), dt, u[0]), &own.drag_force[lane]);
+                if (dragged) {
+                    store_lanes(drag_step(bed, dt, u[0]), &own.drag_force[lane]);
+                } else if (options.drag) {
+                    store_lanes(Doubles(0.0), &own.drag_force[lane]);
                 }
             } else {
                 const Doubles y = options.side_drag > 0.0 || options.sum_of_drags
                                       ? members.load(p.position[1])
                                       : Doubles(0.0);
-                const Doubles mass = options.sum_of_drags ? members.cut(members.load(p.mass)) : Doubles(0.0);
-                drag_in_space(p, options, lane, y, mass, u, own, bed_drag, side_layer);
+                const Doubles mass = options.sum_of_drags ? members.cut(masses(p, members)) : Doubles(0.0);
+                drag_in_space(p, options, lane, y, mass, u, bed, own, bed_drag, side_layer);
             }
             // Written so that a NaN is a fault too.
             auto fine = abs(s) <= 1e300;
@@ -395,9 +421,10 @@ template <int D, class Real>
 }
 
 template <int D, class Real>
-[[gnu::flatten]] void pack_loop(const ParticleData<D>& p, PairData<D, Real>& data, Displacement<D>& moved,
-                                std::size_t begin, std::size_t end) {
+[[gnu::flatten]] void pack_loop(const ParticleData<D>& particles, PairData<D, Real>& data,
+                                Displacement<D>* moved, std::size_t begin, std::size_t end) {
     using T = Lanes<Real>;
+    const ParticleData<D> p = particles;  // which no store of the loop can change
     const double inverse_density = 1.0 / p.density;
     for (std::size_t cluster = begin; cluster < end; ++cluster) {
         const std::size_t slot = cluster * cluster_size;
@@ -413,16 +440,32 @@ template <int D, class Real>
                                                        Integers(std::numeric_limits<std::int32_t>::min()))
                                             : convert<std::int32_t>(units);
                 u[k] = convert<Real>(members.load(p.velocity[k]));
-                const Integers d = x[k] - load_lanes(&p.clusters->slot_position[k][slot]);
-                moved.low[k][cluster] = stdx::hmin(d);
-                moved.high[k][cluster] = stdx::hmax(d);
+                if (moved != nullptr) {
+                    const Integers d = x[k] - load_lanes(&p.clusters->slot_position[k][slot]);
+                    moved->low[k][cluster] = stdx::hmin(d);
+                    moved->high[k][cluster] = stdx::hmax(d);
+                }
             }
             const Doubles s = members.load(p.density_deviation);
-            const T mass = convert<Real>(Doubles(members.load(p.mass) * inverse_density));
+            const T mass = convert<Real>(Doubles(masses(p, members) * inverse_density));
             const T volume = members.cut(T(mass / convert<Real>(Doubles(1.0 + s))));
             put_motion<D, Real>(x, u, convert<Real>(s), volume, &data.motion[slot]);
         });
     }
+}
+
+template <int D>
+[[gnu::flatten]] std::uint32_t standing_below_loop(const ParticleData<D>& p, double height, std::size_t begin,
+                                                   std::size_t end) {
+    const double* const z = p.position[D - 1];
+    std::uint32_t standing = 0;
+    for (std::size_t cluster = begin; cluster < end; ++cluster) {
+        with_members(*p.clusters, cluster, [&](const auto& members) {
+            const bool below = stdx::any_of(members.load(z) <= height);
+            standing |= static_cast<std::uint32_t>(below) << (cluster - begin);
+        });
+    }
+    return standing;
 }
 
 template <int D, class Real>
@@ -469,6 +512,7 @@ ParticleLoops<D, Real> particle_loops_of() {
     return {.stress = &stress_loop<D, Real>,
             .advance = &advance_loop<D, Real>,
             .pack = &pack_loop<D, Real>,
+            .standing_below = &standing_below_loop<D>,
             .displaced = &displaced_loop<D, Real>};
 }
 

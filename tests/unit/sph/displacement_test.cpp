@@ -51,7 +51,7 @@ struct ListedSet {
         double worst = 0.0;
         const std::size_t clusters = set.cloud.clusters.size();
         for (std::size_t begin = 0; begin < clusters; begin += block_clusters) {
-            loops.pack(set.particles, set.records, set.moved, begin,
+            loops.pack(set.particles, set.records, &set.moved, begin,
                        std::min(clusters, begin + block_clusters));
         }
         for (std::size_t begin = 0; begin < clusters; begin += 5) {

@@ -55,7 +55,7 @@ std::array<Real, N> rounded(const std::array<double, N>& values) {
 template <class Record, std::size_t N>
 void set_positions(std::vector<Record>& records, const std::array<std::vector<std::int32_t>, N>& position) {
     for (std::size_t k = 0; k < N; ++k) {
-        for (std::size_t slot = 0; slot < position[k].size(); ++slot) {
+        for (std::size_t slot = 0; slot + 1 < records.size(); ++slot) {
             records[slot].x[k] = position[k][slot];
         }
     }

@@ -73,7 +73,7 @@ PlainStress<D> plain_stress(const ParticleSet<D, Real>& set, const StressOptions
                 squared += 2.0 * strain * strain;
             }
         }
-        const double length = set.work->mixing_length[lane];
+        const double length = set.work->mixing_length[i];
         plain.eddy_viscosity = length * length * (o.shear_only ? std::abs(g(0, D - 1)) : std::sqrt(squared));
     }
     const double ratio = 1.0 + s;
@@ -197,8 +197,8 @@ template <int D, class Real>
 DragSum drag_sum(const ParticleSet<D, Real>& set, const AdvanceOptions& options, std::size_t i,
                  std::size_t lane, std::size_t k) {
     DragSum sum;
-    if (options.drag && k + 1 < D) {
-        sum.bed = set.work->drag[lane];
+    if (options.drag && k + 1 < D && (set.work->drag_clusters >> lane / cluster_size & 1U) != 0) {
+        sum.bed = set.work->drag[i];
     }
     const double y = set.start[1][i];
     if (D == 3 && k != 1 && (y < set.particles.layer_below || y > set.particles.layer_above)) {
@@ -231,7 +231,7 @@ void expect_sums(const ParticleSet<D, Real>& set, const AdvanceOptions& options,
         set.for_particles([&](std::size_t i, std::size_t, std::size_t lane) {
             const double square = set.mass[i] * set.velocity[0][i] * std::abs(set.velocity[0][i]);
             const bool side = drag_sum(set, options, i, lane, 0).side > 0.0;
-            bed += set.work->drag[lane] * square;
+            bed += drag_sum(set, options, i, lane, 0).bed * square;
             layers += side ? square : 0.0;
             largest += std::abs(square);
         });
@@ -337,7 +337,7 @@ TEST_P(ParticleLoopsTest, AdvanceStaysInsideThePeriod) {
         }
         EXPECT_FALSE(
             loops.advance(set->particles, *set->sums, *set->work, {.step = 1e-3}, 0, set->end).fault);
-        loops.pack(set->particles, set->records, set->moved, 0, set->end);
+        loops.pack(set->particles, set->records, &set->moved, 0, set->end);
         set->for_particles([&](std::size_t i, std::size_t slot, std::size_t) {
             EXPECT_GE(set->position[0][i], 0.0);
             EXPECT_LT(set->position[0][i], 1.0);
@@ -406,7 +406,7 @@ TEST_P(ParticleLoopsTest, PackFollowsTheFormulas) {
                 }
             }
         }
-        loops.pack(set->particles, set->records, set->moved, 0, set->end);
+        loops.pack(set->particles, set->records, &set->moved, 0, set->end);
         std::vector<std::array<std::int32_t, 3>> low(set->end, {0x7fffffff, 0x7fffffff, 0x7fffffff});
         std::vector<std::array<std::int32_t, 3>> high(set->end, {-0x7fffffff, -0x7fffffff, -0x7fffffff});
         set->for_particles([&](std::size_t i, std::size_t slot, std::size_t) {

@@ -117,6 +117,7 @@ struct ParticleSet {
         fill(sums->force.viscous, -10.0, 10.0);
         fill(work->mixing_length, 0.0, 0.1);
         fill(work->drag, 0.0, 5.0);
+        work->drag_clusters = 0xfffffffbU;  // the drag acts in all clusters but one
         fill(work->acceleration, -3.0, 3.0);
         fill(work->transport, -0.5, 0.5);
     }
