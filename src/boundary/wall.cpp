@@ -56,10 +56,9 @@ WallParticles<2> wall_particles<2>(const Case& c) {
     const auto x_of = [&](int column, int row, int layer) {
         return dynamic ? (column + 0.5 + (layer % 2 == 1 ? 0.5 : 0.0)) * lattice.dx : lattice.x(column, row);
     };
-    const bool all_motion = !c.solids.empty();
     const auto add = [&](double x, double z, const Vec<2>& normal, double behind,
                          std::int32_t body = resting_body) {
-        add_wall_particle(wall, {{x, z}, volume, normal, behind, body, all_motion});
+        add_wall_particle(wall, {{x, z}, volume, normal, behind, body});
     };
     for (int layer = 0; layer < layers; ++layer) {
         const double behind = layer_depth(layer, lattice.dz);

@@ -12,9 +12,9 @@ struct WallParticle {
     Vec<2> normal{};      ///< into the fluid
     double depth = 0.0;   ///< behind the surface, m
     std::int32_t body = resting_body;
-    /// All motion of the water counts, not that along the normal alone: where there are solids. Water that
-    /// slides along one face may run into another, and where counted motion begins along a face it would meet
-    /// the density of the whole wall at once.
+    /// All motion of the water counts, not that along the normal alone: of solids. Water that slides along
+    /// one face runs off its end or into another, and where counting began along a face it would meet the
+    /// density of the whole wall at once.
     bool all_motion = false;
 };
 

@@ -270,21 +270,25 @@ class SolidValidation {
                                     "\"fixed\"",
                                     *solid.stop, solid.start));
         }
-        const double swing_x = constant ? 0.0 : std::abs(solid.amplitude_x);
+        const double moving =
+            std::max(0.0, std::min(solid.stop.value_or(c_.run.time), c_.run.time) - solid.start);
+        const double swing_x = constant ? moving * std::abs(solid.velocity_x) : std::abs(solid.amplitude_x);
         const double swing_z = constant ? 0.0 : std::abs(solid.amplitude_z);
+        const bool left_way = !constant || solid.velocity_x < 0.0;
+        const bool right_way = !constant || solid.velocity_x > 0.0;
         const double slack = 1e-9 * c_.numerics.spacing;
         const bool closed = c_.channel.ends == Ends::walls;
         if (low - swing_z < -slack ||
-            (closed && (left - swing_x < -slack || right + swing_x > c_.channel.length + slack))) {
+            (closed && (left - (left_way ? swing_x : 0.0) < -slack ||
+                        right + (right_way ? swing_x : 0.0) > c_.channel.length + slack))) {
             say("motion",
                 fmt::format("moves through the bed or an end wall: expected room for it, x from 0 to "
                             "{} and z from 0",
                             length_text(c_.channel.length)));
         }
-        if (constant && solid.velocity_z < 0.0 &&
-            low + solid.velocity_z * (std::min(solid.stop.value_or(c_.run.time), c_.run.time) - solid.start) <
-                -slack) {
-            say("velocity_z", "reaches the bed before the end of the run: make it slower or the run shorter");
+        if (constant && solid.velocity_z < 0.0 && low + solid.velocity_z * moving < -slack) {
+            say("velocity_z",
+                "reaches the bed before the end of the run: make it slower, or let it stop before");
         }
     }
 

@@ -33,6 +33,7 @@ void SimulationOf<D, Real>::build_lists(bool sort) {
         particles_.permute(
             spatial_order<D>(domain_, position_view<D>(particles_.position), column_width_, 0.5 * spacing));
         ++clock_.list_builds;
+        check_solids();
         clock_.displacement_bound = 0.0;
         if (motion_.displaces()) {
             clock_.listed_time = clock_.time;

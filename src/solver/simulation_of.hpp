@@ -5,6 +5,7 @@
 #include <span>
 
 #include "base/parallel.hpp"
+#include "boundary/solid_contact.hpp"
 #include "boundary/wall_motion.hpp"
 #include "roughness/bed_drag.hpp"
 #include "solver/simulation.hpp"
@@ -92,6 +93,10 @@ class SimulationOf final : public SimulationIn<D> {
     void move_walls();
     /// Widen the range of velocities by those of the solids in the step that begins now.
     void add_wall_motion(double step, Vec<D>& slowest, Vec<D>& fastest) const;
+    /// Put moved particles of a block that are in a solid back onto its face.
+    void keep_out_of_solids(std::size_t begin, std::size_t end);
+    /// Error where water stands more than a spacing deep in a solid.
+    void check_solids() const;
     /// wet_wall() of all wall particles, by their density deviation.
     void wet_walls();
     [[nodiscard]] bool is_solid(std::size_t wall_particle) const {
@@ -191,7 +196,10 @@ class SimulationOf final : public SimulationIn<D> {
     Case case_;
     WallLaw wall_law_;
     WallMotion motion_;
-    std::vector<BodyState> bodies_;  ///< at the begin of the step; empty where no wall moves
+    SolidContact contact_;
+    std::vector<BodyState> bodies_after_;  ///< at the end of the step; empty without solids
+    std::vector<double> contact_depth_;    ///< by block, the largest of the step, m
+    std::vector<BodyState> bodies_;        ///< at the begin of the step; empty where no wall moves
     std::unique_ptr<const Closure> closure_;
     std::unique_ptr<const BedDrag> drag_;
     bool side_drag_ = false;      ///< side walls with drag

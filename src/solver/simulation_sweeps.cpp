@@ -29,6 +29,10 @@ void fetch(const Values& values, std::size_t begin, std::size_t end) {
 template <int D, class Real>
 void SimulationOf<D, Real>::evaluate(const StageSteps& steps) {
     move_walls();
+    if (!contact_.empty()) {
+        bodies_after_ = motion_.at(clock_.time + steps.motion);
+        contact_depth_.assign(block_advance_.size(), 0.0);
+    }
     measure_stirring();
     Displacement<D>* const moved = displacements_due() ? &moved_ : nullptr;
     for (std::size_t wave = 0; wave < order_.waves; ++wave) {
@@ -194,6 +198,9 @@ void SimulationOf<D, Real>::evaluate_forces(Task& task, std::size_t begin, std::
                                                          .sum_of_drags = wall_over_bed_ > 0.0},
                                                         begin, end);
     }
+    if (!contact_.empty()) {
+        keep_out_of_solids(begin, end);
+    }
     if (keep_fields_) {
         keep_force_fields(task, begin, end);
     }
@@ -239,6 +246,9 @@ void SimulationOf<D, Real>::gather_motion(double step) {
     last_motion_ =
         stepper_ ? std::numeric_limits<double>::infinity() : (1.0 + 1e-6) * step * std::sqrt(squared);
     clock_.displacement_bound += last_motion_;
+    if (!contact_.empty()) {
+        clock_.displacement_bound += 2.0 * *std::max_element(contact_depth_.begin(), contact_depth_.end());
+    }
 }
 
 template <int D, class Real>

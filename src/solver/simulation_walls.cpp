@@ -1,8 +1,12 @@
 // Wall particles: their records, and the motion of the lid and of solids.
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
+#include "base/error.hpp"
+#include "case/outline.hpp"
 #include "solver/pair_setup.hpp"
 #include "solver/simulation_of.hpp"
 
@@ -119,6 +123,60 @@ void SimulationOf<D, Real>::add_wall_motion(double step, Vec<D>& slowest, Vec<D>
                 const double speed = (after[b].displacement[k] - bodies_[b].displacement[k]) / step;
                 slowest[k] = std::min(slowest[k], speed);
                 fastest[k] = std::max(fastest[k], speed);
+            }
+        }
+    }
+}
+
+template <int D, class Real>
+void SimulationOf<D, Real>::keep_out_of_solids(std::size_t begin, std::size_t end) {
+    if constexpr (D == 2) {
+        double deepest = 0.0;
+        for (std::size_t cluster = begin; cluster < end; ++cluster) {
+            if (fluid_wall_.run_begin[cluster] == fluid_wall_.run_begin[cluster + 1]) {
+                continue;
+            }
+            for_clusters(cluster, cluster + 1, [&](std::size_t first, std::size_t last, std::size_t) {
+                for (std::size_t i = first; i < last; ++i) {
+                    Vec<D> x{particles_.position[0][i], particles_.position[1][i]};
+                    Vec<D> u{particles_.velocity[0][i], particles_.velocity[1][i]};
+                    const double depth = contact_.resolve(bodies_after_, x, u);
+                    for (std::size_t k = 0; k < axes && depth > 0.0; ++k) {
+                        particles_.position[k][i] = x[k];
+                        particles_.velocity[k][i] = u[k];
+                    }
+                    deepest = std::max(deepest, depth);
+                }
+            });
+        }
+        contact_depth_[begin / block_clusters] = deepest;
+    }
+}
+
+template <int D, class Real>
+void SimulationOf<D, Real>::check_solids() const {
+    if constexpr (D == 2) {
+        const std::vector<BodyState> bodies = motion_.at(clock_.time);
+        const double length = domain_.periodic[0] ? domain_.extent(0) : 0.0;
+        for (std::size_t k = 0; k < case_.solids.size(); ++k) {
+            const Solid& solid = case_.solids[k];
+            const Outline outline{solid.x, solid.z};
+            const auto [left, right] = std::minmax_element(solid.x.begin(), solid.x.end());
+            for (std::size_t i = 0; i < particles_.size(); ++i) {
+                const Vec<2>& moved = bodies[first_solid + k].displacement;
+                double x = particles_.position[0][i] - moved[0];
+                const double z = particles_.position[1][i] - moved[1];
+                x += x < *left ? length : 0.0;
+                x -= x > *right ? length : 0.0;
+                if (x > *left && x < *right && contains(outline, x, z) &&
+                    distance_from_outline(outline, x, z) > case_.numerics.spacing) {
+                    throw RunError(fmt::format(
+                        "water has entered the solid \"{}\": particle {} at x = {:.6g} m, z = {:.6g} m, "
+                        "velocity ({:.4g}, {:.4g}) m/s, at t = {:.6g} s; take a smaller spacing, let the "
+                        "solid move more slowly, or keep [numerics] density_diffusion = \"fourtakas\"",
+                        solid.name, particles_.id[i], particles_.position[0][i], particles_.position[1][i],
+                        particles_.velocity[0][i], particles_.velocity[1][i], clock_.time));
+                }
             }
         }
     }

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <vector>
 
+#include "boundary/solid_contact.hpp"
 #include "boundary/solid_fill.hpp"
 #include "boundary/wall.hpp"
 #include "boundary/wall_motion.hpp"
@@ -177,6 +178,70 @@ TEST(WallMotion, FollowsItsLaw) {
     EXPECT_NEAR((after.displacement[0] - before.displacement[0]) / (2 * step), swing.velocity[0], 1e-8);
     EXPECT_NEAR((after.velocity[0] - before.velocity[0]) / (2 * step), swing.acceleration[0], 1e-6);
     EXPECT_NEAR(largest_wall_speed(c), 2.0, 1e-12);
+}
+
+TEST(WallMotion, RestsAfterItsStopWhereItHasCome) {
+    Case c = tank({solid({0.03, 0.04, 0.04, 0.03}, {0.0, 0.0, 0.05, 0.05})});
+    Solid& s = c.solids[0];
+    s.motion = SolidMotion::constant;
+    s.start = 0.5;
+    s.stop = 1.5;
+    s.velocity_x = 0.02;
+    const WallMotion motion(c);
+    EXPECT_NEAR(motion.at(1.0)[first_solid].displacement[0], 0.01, 1e-12);
+    for (const double t : {1.5, 2.0, 100.0}) {
+        EXPECT_NEAR(motion.at(t)[first_solid].displacement[0], 0.02, 1e-12) << t;
+        EXPECT_EQ(motion.at(t)[first_solid].velocity[0], 0.0) << t;
+    }
+}
+
+TEST(WallLawOfSolids, EachHasItsOwnSurface) {
+    Case c = tank({solid({0.03, 0.04, 0.04, 0.03}, {0.0, 0.0, 0.05, 0.05}), {}});
+    c.solids[1].surface = SolidSurface::slip;
+    const WallLaw law = wall_law(c);
+    EXPECT_FALSE(law.rests_at(resting_body));
+    EXPECT_TRUE(law.rests_at(first_solid));
+    EXPECT_FALSE(law.rests_at(first_solid + 1));
+}
+
+// A particle in a solid comes back onto the nearest face that water touches, keeps its motion along the face,
+// and no longer moves into it; outside nothing happens to it.
+TEST(SolidContact, PutsWaterBackOntoTheFace) {
+    Case c = tank({solid({0.04, 0.06, 0.06, 0.04}, {0.0, 0.0, 0.02, 0.02})});
+    c.solids[0].motion = SolidMotion::constant;
+    c.solids[0].velocity_x = 0.1;
+    const SolidContact contact(c);
+    const std::vector<BodyState> now = WallMotion(c).at(0.05);  // 5 mm on
+    Vec<2> x{0.0655, 0.012};
+    Vec<2> u{0.0, 0.3};
+    EXPECT_EQ(contact.resolve(now, x, u), 0.0);
+    EXPECT_EQ(x[0], 0.0655);
+    x = {0.0645, 0.012};
+    EXPECT_NEAR(contact.resolve(now, x, u), 0.0005, 1e-12);
+    EXPECT_NEAR(x[0], 0.065, 1e-8);
+    EXPECT_EQ(x[1], 0.012);
+    EXPECT_NEAR(u[0], 0.1, 1e-12);
+    EXPECT_EQ(u[1], 0.3);
+    // Deeper than a spacing it is left for the error that names it.
+    x = {0.055, 0.010};
+    EXPECT_NEAR(contact.resolve(now, x, u), 0.01, 1e-12);
+    EXPECT_EQ(x[0], 0.055);
+}
+
+// The edge on the bed gives no way out: water at the foot leaves by the face beside it.
+TEST(SolidContact, LeavesByAWettedFaceAndAcrossPeriodicEnds) {
+    Case c = tank({solid({-0.01, 0.01, 0.01, -0.01}, {0.0, 0.0, 0.02, 0.02})});
+    c.channel.ends = Ends::periodic;
+    const SolidContact contact(c);
+    const std::vector<BodyState> now = WallMotion(c).at(0.0);
+    Vec<2> x{0.0095, 0.0001};
+    Vec<2> u{-0.2, -0.1};
+    EXPECT_NEAR(contact.resolve(now, x, u), 0.0005, 1e-12);
+    EXPECT_NEAR(x[0], 0.01, 1e-8);
+    EXPECT_EQ(u[0], 0.0);
+    x = {0.0915, 0.012};
+    EXPECT_NEAR(contact.resolve(now, x, u), 0.0015, 1e-12);
+    EXPECT_NEAR(x[0], 0.09, 1e-8);
 }
 
 TEST(WallMotion, NothingMovesInAPlainCase) {

@@ -83,6 +83,14 @@ TEST(Solids, MotionMustBeOneAndHaveRoom) {
     EXPECT_THAT(
         error_of(with_solid(step_x, step_z, "motion = \"oscillating\"\namplitude_z = 0.01\nfrequency = 1\n")),
         HasSubstr("moves through the bed"));
+    EXPECT_THAT(
+        error_of(with_solid(step_x, step_z, "motion = \"constant\"\nvelocity_z = 1\nstart = 2\nstop = 1\n")),
+        HasSubstr("stops at 1 s, not after its start at 2 s"));
+    EXPECT_THAT(error_of(with_solid(step_x, step_z, "motion = \"constant\"\nvelocity_x = 1\n")),
+                HasSubstr("moves through the bed or an end wall"));
+    EXPECT_EQ(error_of(with_solid(step_x, step_z,
+                                  "motion = \"constant\"\nvelocity_x = 0.1\nstart = 1\nstop = 1.5\n")),
+              "");
     EXPECT_EQ(error_of(with_solid(step_x, step_z, "motion = \"constant\"\nvelocity_z = 1\n")), "");
 }
 

@@ -1,0 +1,70 @@
+#include "boundary/solid_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "boundary/solid_fill.hpp"
+
+namespace riffle {
+
+SolidContact::SolidContact(const Case& c)
+    : spacing_(c.numerics.spacing), period_(c.channel.ends == Ends::periodic ? c.channel.length : 0.0) {
+    for (const Solid& solid : c.solids) {
+        Body body{.outline = outline_of(solid), .wetted = {}};
+        for (std::size_t i = 0; i < body.outline.size(); ++i) {
+            body.wetted.push_back(is_wetted(c, solid, body.outline, i));
+        }
+        const auto [left, right] = std::minmax_element(solid.x.begin(), solid.x.end());
+        body.left = *left;
+        body.right = *right;
+        bodies_.push_back(std::move(body));
+    }
+}
+
+double SolidContact::beside(const Body& body, double x) const {
+    if (period_ > 0.0) {
+        x += x < body.left ? period_ : 0.0;
+        x -= x > body.right ? period_ : 0.0;
+    }
+    return x;
+}
+
+double SolidContact::resolve(const std::vector<BodyState>& now, Vec<2>& position, Vec<2>& velocity) const {
+    double deepest = 0.0;
+    for (std::size_t k = 0; k < bodies_.size(); ++k) {
+        const Body& body = bodies_[k];
+        const BodyState& state = now[first_solid + k];
+        const double x = beside(body, position[0] - state.displacement[0]);
+        const double z = position[1] - state.displacement[1];
+        if (x < body.left || x > body.right || !contains(body.outline, x, z)) {
+            continue;
+        }
+        double depth = std::numeric_limits<double>::infinity();
+        std::size_t edge = 0;
+        for (std::size_t i = 0; i < body.outline.size(); ++i) {
+            const double distance = distance_from_edge(body.outline, i, x, z);
+            if (body.wetted[i] && distance < depth) {
+                depth = distance;
+                edge = i;
+            }
+        }
+        deepest = std::max(deepest, depth);
+        if (depth > spacing_) {
+            continue;
+        }
+        const std::size_t end = body.outline.next(edge);
+        const double dx = body.outline.x[end] - body.outline.x[edge];
+        const double dz = body.outline.z[end] - body.outline.z[edge];
+        const Vec<2> normal{dz / std::hypot(dx, dz), -dx / std::hypot(dx, dz)};
+        const double inward =
+            (velocity[0] - state.velocity[0]) * normal[0] + (velocity[1] - state.velocity[1]) * normal[1];
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+            position[axis] += (depth + 1e-6 * spacing_) * normal[axis];
+            velocity[axis] -= std::min(inward, 0.0) * normal[axis];
+        }
+    }
+    return deepest;
+}
+
+}  // namespace riffle

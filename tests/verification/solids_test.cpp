@@ -1,0 +1,214 @@
+// Bodies in the water: at rest, in a flow, and moving.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "boundary/wall_motion.hpp"
+#include "case/outline.hpp"
+#include "check_run.hpp"
+
+using namespace riffle;
+using namespace riffle::verification;
+
+namespace {
+
+/// How deep the water stands in the first solid: the largest distance of a particle behind its outline, m.
+double penetration(const CheckRun& run) {
+    const Solid& solid = run.parameters().solids[0];
+    const Outline outline{solid.x, solid.z};
+    const Vec<2> moved = WallMotion(run.parameters()).at(run.time())[first_solid].displacement;
+    const Particles<2>& p = run.particles();
+    double deepest = 0.0;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        const double x = p.position[0][i] - moved[0];
+        const double z = p.position[1][i] - moved[1];
+        if (contains(outline, x, z)) {
+            deepest = std::max(deepest, distance_from_outline(outline, x, z));
+        }
+    }
+    return deepest;
+}
+
+// No particle may be in a solid; what remains is the rounding of the place where its face is.
+constexpr double allowed_penetration = 1e-4;
+
+}  // namespace
+
+// The bar of the pressure is that of the hydrostatic tank. That of the speed is fifty times as high: the
+// faces cut the rows of particles at any place, so that the water beside them starts in disorder, and goes on
+// finding a better arrangement at a few mm/s. (1e-3 was the aim; it is not reached.)
+TEST(Wedge, WaterStaysAtRest) {
+    CheckRun run("tank-with-wedge");
+    const Scheme& scheme = run.simulation().scheme();
+    const double speed = std::sqrt(scheme.normal_gravity * scheme.depth);
+    double deepest = 0.0;
+    run.advance_to(5.0, [&] { deepest = std::max(deepest, penetration(run)); });
+    double later = 0.0;
+    run.advance_to(6.0, [&] { later = std::max(later, largest_speed(run.particles())); });
+    double sum = 0.0;
+    double level = 0.0;
+    int count = 0;
+    for (std::size_t i = 0; i < run.particles().size(); ++i) {
+        const double z = run.particles().position[1][i];
+        level = std::max(level, z);
+        if (z < scheme.depth - 2.0 * scheme.smoothing_length) {
+            const double exact = scheme.density * scheme.normal_gravity * (scheme.depth - z);
+            const double difference = run.simulation().fields().pressure[i] - exact;
+            sum += difference * difference;
+            ++count;
+        }
+    }
+    expect_below("tank with a wedge", "largest velocity from 5 to 6 s / sqrt(gH)", 5e-3, later / speed);
+    expect_below("tank with a wedge", "rms of p - rho g (H - z) / (rho g H)", 0.01,
+                 std::sqrt(sum / count) / (scheme.density * scheme.normal_gravity * scheme.depth));
+    expect_below("tank with a wedge", "deepest particle in the wedge, 0 to 5 s / dx", allowed_penetration,
+                 deepest / run.parameters().numerics.spacing);
+}
+
+// Time averages over the last of 4 s, five times the relaxation time: what is left of the start is 1 % of
+// what it was. What passes a section in a second crosses 60 cells of it, so that single particles do not
+// show.
+TEST(Step, FlowOverItKeepsDischargeAndMomentum) {
+    CheckRun run("flow-over-step");
+    const Case& c = run.parameters();
+    const double length = c.channel.length;
+    constexpr std::size_t sections = 16;
+    std::vector<double> discharge(sections, 0.0);
+    double deepest = 0.0;
+    double wall = 0.0;
+    double weight = 0.0;
+    double steps = 0.0;
+    const auto watch = [&] { deepest = std::max(deepest, penetration(run)); };
+    run.advance_to(3.0, watch);
+    run.advance_to(4.0, [&] {
+        watch();
+        const Particles<2>& p = run.particles();
+        const ParticleFields& fields = run.simulation().fields();
+        for (std::size_t i = 0; i < p.size(); ++i) {
+            const auto section = static_cast<std::size_t>(p.position[0][i] / length * sections);
+            discharge[std::min(section, sections - 1)] += p.mass[i] * p.velocity[0][i];
+            wall -= p.mass[i] * fields.wall_acceleration_x[i];
+            weight += p.mass[i] * c.streamwise_gravity();
+        }
+        steps += 1.0;
+    });
+    double mean = 0.0;
+    for (double& q : discharge) {
+        q /= steps * c.fluid.density * length / sections;
+        mean += q / sections;
+    }
+    double largest = 0.0;
+    for (const double q : discharge) {
+        largest = std::max(largest, std::abs(q / mean - 1.0));
+    }
+    expect_below("flow over a step", "discharge of any section / mean - 1", 0.01, largest);
+    expect_below("flow over a step", "force on bed and step / weight down the slope - 1", 0.01,
+                 std::abs(wall / weight - 1.0));
+    expect_below("flow over a step", "deepest particle in the step / dx", allowed_penetration,
+                 deepest / c.numerics.spacing);
+}
+
+// The level as of the tank: twice the height of the centre of mass, and the same bar. The water is pushed so
+// slowly (3 % of sqrt(gH)) that its waves hold 1e-3 H of it.
+TEST(Piston, DisplacesItsVolume) {
+    CheckRun run("piston");
+    const double depth = run.parameters().total_depth();
+    const auto level = [&] {
+        return 2.0 *
+               mass_mean(run.particles(), [&](std::size_t i) { return run.particles().position[1][i]; });
+    };
+    double deepest = 0.0;
+    const auto watch = [&] { deepest = std::max(deepest, penetration(run)); };
+    run.advance_to(0.5, watch);
+    const double before = level();
+    run.advance_to(3.0, watch);
+    const double exact = depth * 188.0 / 168.0;
+    double behind = 0.0;
+    for (const double x : run.particles().position[0]) {
+        behind += x < 0.032 - allowed_penetration * run.parameters().numerics.spacing ? 1.0 : 0.0;
+    }
+    expect_below("piston", "rise of the level against the volume displaced / H", 5e-3,
+                 std::abs(level() - before * exact / depth) / depth);
+    expect_below("piston", "particles behind it", 0.5, behind);
+    expect_below("piston", "deepest particle in it / dx", allowed_penetration,
+                 deepest / run.parameters().numerics.spacing);
+}
+
+// As the dam break: the speed of the front, not its place, and from three units of time after the gate has
+// gone.
+TEST(Gate, HoldsTheWaterAndReleasesIt) {
+    CheckRun run("gate");
+    const Case& c = run.parameters();
+    const double depth = c.total_depth();
+    const double celerity = std::sqrt(c.fluid.gravity * depth);
+    const auto front = [&] {
+        std::vector<double> x = run.particles().position[0];
+        constexpr std::size_t drops = 2;
+        std::nth_element(x.begin(), x.end() - 1 - drops, x.end());
+        return x[x.size() - 1 - drops];
+    };
+    run.advance_to(0.3);
+    expect_below(
+        "gate", "water beyond its face before it opens / dx", allowed_penetration,
+        (*std::max_element(run.particles().position[0].begin(), run.particles().position[0].end()) - 0.5) /
+            c.numerics.spacing);
+    run.advance_to(0.35 + 3.0 * depth / celerity);
+    const double early = run.time();
+    const double early_front = front();
+    run.advance_to(0.35 + 6.0 * depth / celerity);
+    const double speed = (front() - early_front) / (run.time() - early);
+    expect_below("gate", "speed of the front, t sqrt(g/h0) from 3 to 6, against 2 sqrt(g h0)", 0.05,
+                 std::abs(speed / (2.0 * celerity) - 1.0));
+}
+
+// The depth of the water at a station by the volume in a sixth of a depth along the channel, 4 % of the
+// wave's length; its part of the piston's frequency over two periods.
+TEST(Wavemaker, MakesHavelocksWaves) {
+    CheckRun run("wavemaker");
+    const Case& c = run.parameters();
+    const Solid& piston = c.solids[0];
+    const double omega = 2.0 * std::numbers::pi * piston.frequency;
+    const double depth = c.total_depth();
+    const double width = depth / 6.0;
+    const std::vector<double> stations{0.4, 0.45, 0.5, 0.55, 0.6};
+    std::vector<double> cosine(stations.size(), 0.0);
+    std::vector<double> sine(stations.size(), 0.0);
+    double deepest = 0.0;
+    const double begin = 3.0;
+    const double end = begin + 2.0 / piston.frequency;
+    run.advance_to(begin, [&] { deepest = std::max(deepest, penetration(run)); });
+    run.advance_to(end, [&] {
+        deepest = std::max(deepest, penetration(run));
+        const Particles<2>& p = run.particles();
+        std::vector<double> volume(stations.size(), 0.0);
+        for (std::size_t i = 0; i < p.size(); ++i) {
+            for (std::size_t s = 0; s < stations.size(); ++s) {
+                if (std::abs(p.position[0][i] - stations[s]) < 0.5 * width) {
+                    volume[s] += p.mass[i] / (c.fluid.density * (1.0 + p.density_deviation[i]));
+                }
+            }
+        }
+        const double weight = 2.0 / (end - begin) * run.simulation().clock().time_step;
+        for (std::size_t s = 0; s < stations.size(); ++s) {
+            cosine[s] += weight * (volume[s] / width - depth) * std::cos(omega * run.time());
+            sine[s] += weight * (volume[s] / width - depth) * std::sin(omega * run.time());
+        }
+    });
+    double height = 0.0;
+    for (std::size_t s = 0; s < stations.size(); ++s) {
+        height += 2.0 * std::hypot(cosine[s], sine[s]) / static_cast<double>(stations.size());
+    }
+    double kh = 1.0;  // of the dispersion relation omega^2 h/g = kh tanh kh
+    for (int i = 0; i < 100; ++i) {
+        kh = 0.5 * (kh + omega * omega * depth / c.fluid.gravity / std::tanh(kh));
+    }
+    const double havelock = 2.0 * (std::cosh(2.0 * kh) - 1.0) / (std::sinh(2.0 * kh) + 2.0 * kh);
+    expect_below("wavemaker", "height of the waves over the stroke against Havelock", 0.05,
+                 std::abs(height / (2.0 * piston.amplitude_x) / havelock - 1.0));
+    expect_below("wavemaker", "deepest particle in the piston / dx", allowed_penetration,
+                 deepest / c.numerics.spacing);
+}
