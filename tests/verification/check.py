@@ -36,6 +36,8 @@ class Check:
         """Mass, momentum and energy of a run."""
         self.budget("mass", float(lost_mass(flow)), "share of the particles lost (their masses are constant)", 0.0)
         along, upright, scale = momentum_budget(flow)
+        if flow.forces:
+            scale += f" (sampled at {(len(flow.forces['time']) - 1) / (flow.forces['time'][-1] - flow.forces['time'][0]):.3g} Hz)"
         self.budget("momentum", float(along), f"along x: change less the forces' impulse, over the {scale}")
         if vertical:
             self.budget("momentum", float(upright), "along z: the same, over the impulse of the weight" if flow.forces and flow.gravity_z else "along z: the same")

@@ -30,7 +30,7 @@ from flow import Flow  # noqa: E402
 from table import Table  # noqa: E402
 
 CHECKS = viscous_checks.CHECKS | surface_checks.CHECKS | scheme_checks.CHECKS
-QUICK = ["poiseuille", "taylor_green_re100", "tank", "standing_wave", "drop"]
+QUICK = ["poiseuille", "couette", "taylor_green_re100", "tank", "standing_wave", "drop"]
 
 
 class Study:

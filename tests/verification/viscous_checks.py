@@ -7,6 +7,7 @@ import numpy
 import exact
 import figures
 from check import Check
+from flow import Energy
 from options import compare_options, options_text, refinement
 
 
@@ -48,7 +49,11 @@ def _plates(study, check, case, solution_of, scale_of, label, spacings):
     check.figures.append(_profiles_figure(
         flow, solution_of(flow), [0.0225, 0.045, 0.1125, 0.225, 1.0], scale_of(flow), f"velocity u / {label}", check.name,
         "Velocity between the plates at the times of Morris, Fox & Zhu (1997) and in the end: series (lines) and particles (points)."))
-    check.budgets_of(flow, vertical=False)
+    lid = flow.parameters["channel"].get("lid_velocity", 0.0)
+    check.budgets_of(flow, vertical=False, energy=lid == 0.0)
+    if lid:
+        rate = Energy(flow, 2).rate[-1] / (flow.density * flow.viscosity * lid**2 / flow.depth * flow.length)
+        check.budget("energy", f"{rate - 1:+.1e}", "work of viscosity in the end against that of the lid, μV₀²/L per area, less 1")
     if not study.quick:
         refinement(study, check, case, spacings, lambda f: measure(f)[1], f"rms error of u / {label}")
         compare_options(study, check, case, {
@@ -359,6 +364,6 @@ def cavity_1000(study):
     return cavity(study, 1000)
 
 
-CHECKS = {"poiseuille": poiseuille, "laminar_re10": laminar_10, "laminar_re100": laminar_100,
+CHECKS = {"poiseuille": poiseuille, "couette": couette, "laminar_re10": laminar_10, "laminar_re100": laminar_100,
           "laminar_re200": laminar_200, "laminar_water": film, "ramp": ramp, "taylor_green_re100": taylor_green_100,
-          "taylor_green_re1000": taylor_green_1000}
+          "taylor_green_re1000": taylor_green_1000, "cavity_re100": cavity_100, "cavity_re1000": cavity_1000}

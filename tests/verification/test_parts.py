@@ -1,0 +1,104 @@
+"""What the verification in Python is made of: neighbour sums, exact solutions, fits, bars."""
+
+import math
+import pathlib
+import sys
+import unittest
+
+import numpy
+
+sys.path[:0] = [str(pathlib.Path(__file__).resolve().parent), str(pathlib.Path(__file__).resolve().parents[1] / "validation")]
+
+import exact  # noqa: E402
+from check import Check, summary_table  # noqa: E402
+from neighbours import neighbour_pairs, velocity_gradients  # noqa: E402
+
+
+class Neighbours(unittest.TestCase):
+    def setUp(self):
+        random = numpy.random.default_rng(1)
+        self.x, self.z = random.uniform(0, 1.0, 400), random.uniform(0, 0.7, 400)
+
+    def test_pairs_are_those_of_a_search_over_all(self):
+        for periods in ((None, None), (1.0, None), (1.0, 0.7)):
+            for radius in (0.07, 0.34):  # the second: less than three cells a period
+                i, j, dx, dz = neighbour_pairs(self.x, self.z, radius, periods)
+                apart = [self.x[None, :] - self.x[:, None], self.z[None, :] - self.z[:, None]]
+                for values, period in zip(apart, periods):
+                    if period:
+                        values -= period * numpy.round(values / period)
+                near = numpy.hypot(*apart) < radius
+                numpy.fill_diagonal(near, False)
+                self.assertEqual(sorted(zip(i, j)), sorted(zip(*numpy.nonzero(near))))
+                numpy.testing.assert_allclose(numpy.hypot(dx, dz), numpy.hypot(*apart)[i, j])
+
+    def test_gradients_of_a_linear_field_are_exact_among_disordered_particles(self):
+        u, w = 2 * self.x - 3 * self.z, 0.5 * self.x + 7 * self.z
+        gradients = velocity_gradients(self.x, self.z, u, w, numpy.full(400, 0.7 / 400), 0.08, (None, None))
+        for found, slope in zip(gradients, (2, -3, 0.5, 7)):
+            numpy.testing.assert_allclose(found, slope, atol=1e-9)
+
+
+class ExactSolutions(unittest.TestCase):
+    def test_ramp_profile_has_the_printed_values_and_the_slope_of_its_balance(self):
+        xi = numpy.array([0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 0.9, 1.0])
+        numpy.testing.assert_allclose(exact.ramp_profile(xi), [3.876, 5.505, 7.068, 8.040, 9.759, 11.161, 12.144, 12.378], atol=5e-4)
+        slope = (exact.ramp_profile(xi[:-1] + 1e-6) - exact.ramp_profile(xi[:-1] - 1e-6)) / 2e-6
+        length = numpy.minimum(0.41 * xi[:-1], 0.09)
+        numpy.testing.assert_allclose((length * slope) ** 2, 1 - xi[:-1], rtol=1e-5)
+
+    def test_start_up_series_begin_at_the_start_and_end_in_the_steady_flow(self):
+        z = numpy.linspace(0.1, 0.9, 9)
+        numpy.testing.assert_allclose(exact.poiseuille_start(2.0, 0.5, 1.0, z, 0.0), 0, atol=1e-4)
+        numpy.testing.assert_allclose(exact.poiseuille_start(2.0, 0.5, 1.0, z, 50.0), 2 * z * (1 - z))
+        numpy.testing.assert_allclose(exact.couette_start(3.0, 0.5, 1.0, z, 2e-4), 0, atol=1e-6)
+        numpy.testing.assert_allclose(exact.couette_start(3.0, 0.5, 1.0, z, 50.0), 3 * z)
+        numpy.testing.assert_allclose(exact.channel_start(2.0, 0.5, 1.0, 0.7, z, 1e-4), 0.7, atol=2e-3)
+        numpy.testing.assert_allclose(exact.channel_start(2.0, 0.5, 1.0, 0.7, z, 50.0), 2 * z * (2 - z))
+
+    def test_tilted_tank_starts_with_its_tilt(self):
+        x = numpy.linspace(0.02, 0.38, 19)
+        n, amplitude = exact.tilted_tank(0.02, 0.4, 0.1, 9.81, 0.0, [0.0], 4000)
+        level = numpy.cos(numpy.outer(x, n) * math.pi / 0.4) @ amplitude[0]
+        numpy.testing.assert_allclose(level, 0.02 * (0.2 - x), atol=2e-6)
+
+    def test_drop_keeps_its_energy_and_reaches_the_published_axis(self):
+        times = numpy.linspace(0, 1, 6)
+        a, b, rate = exact.elliptic_drop(1.0, 1.0, times)
+        numpy.testing.assert_allclose(rate**2 * (a**2 + b**2), 2, rtol=1e-8)
+        self.assertAlmostEqual(exact.elliptic_drop(1.0, 100.0, [0.0076])[0][0], 1.95, delta=0.006)  # Monaghan (1994), his table
+
+    def test_ritter_holds_the_volume(self):
+        x = numpy.linspace(-3, 3, 60001)
+        depth = exact.ritter_depth(9.81, 0.2, x, 0.5)
+        self.assertAlmostEqual((depth - numpy.where(x < 0, 0.2, 0)).sum() * (x[1] - x[0]), 0, delta=1e-5)
+
+    def test_fit_finds_the_oscillation_again(self):
+        t = numpy.arange(0, 2, 0.004)
+        value = 0.2 + numpy.exp(-0.8 * t) * (0.3 * numpy.cos(17 * t) - 0.7 * numpy.sin(17 * t))
+        frequency, decay, fit = exact.fit_oscillation(t, value, 17.5, 1.0, offset=True)
+        self.assertAlmostEqual(frequency, 17, delta=1e-9)
+        self.assertAlmostEqual(decay, 0.8, delta=1e-9)
+        numpy.testing.assert_allclose(fit, value, atol=1e-9)
+
+    def test_order(self):
+        self.assertAlmostEqual(exact.observed_order([4, 2, 1], [16e-3, 4e-3, 1e-3]), 2)
+
+
+class Bars(unittest.TestCase):
+    def test_misses_and_known_failures_are_told_apart(self):
+        check = Check("name", "Title", "text")
+        check.norm("held", 0.009, 0.01)
+        check.norm("stated", 0.5)
+        check.norm("missed", -0.02, 0.01)
+        check.norm("not a number", math.nan, 0.01)
+        check.norm("known", 0.02, 0.01, known=True)
+        table = summary_table([check])
+        self.assertEqual(table.checks, 4)
+        self.assertEqual([line.split()[1] for line in table.missed], ["missed", "not"])
+        self.assertEqual(len(check.known), 1)
+        self.assertEqual([row[3] for row in table.rows], ["0.9 %", "50 %", "-2 % !", "nan % !", "2 % (fails)"])
+
+
+if __name__ == "__main__":
+    unittest.main()
