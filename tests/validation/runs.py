@@ -1,5 +1,6 @@
 """Runs Riffle and reads the numbers of its results file."""
 
+import json
 import math
 import os
 import pathlib
@@ -22,11 +23,14 @@ class RiffleRun:
         self.command = [str(riffle), "run", str(case), "-o", str(folder), "--quiet", "--force", "-j", str(threads)]
         for key, value in settings.items():
             self.command += ["--set", f"{key}={value}"]
-        if not (reuse and self._complete()):
+        wanted = json.dumps([str(case), settings], sort_keys=True)
+        record = self.folder / "made-from.json"  # so that results of other settings under this name are not taken for these
+        if not (reuse and self._complete() and (not record.exists() or record.read_text() == wanted)):
             shutil.rmtree(self.folder, ignore_errors=True)
             finished = subprocess.run(self.command, cwd=ROOT, stderr=subprocess.PIPE, text=True)
             if finished.returncode != 0:
                 sys.exit(f"{' '.join(self.command)}\nfailed with status {finished.returncode}:\n{finished.stderr}")
+            record.write_text(wanted)
         self._read()
 
     def _complete(self):

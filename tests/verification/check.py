@@ -16,6 +16,7 @@ class Check:
         self.norms = []  # (label, bar or None, value, text of the value, text of the bar, known to fail)
         self.figures, self.budgets, self.tables, self.remarks = [], [], [], []
         self.best, self.cost = "", ""
+        self.closing = {}  # the budgets in short, by the heads of the table of all cases
 
     def norm(self, label, value, bar=None, unit="%", digits=2, known=False):
         """An error that must not exceed its bar in magnitude; without a bar it is stated only. Percent are given as fractions.
@@ -34,21 +35,27 @@ class Check:
 
     def budgets_of(self, flow, energy=True, vertical=True):
         """Mass, momentum and energy of a run."""
-        self.budget("mass", float(lost_mass(flow)), "share of the particles lost (their masses are constant)", 0.0)
+        lost = float(lost_mass(flow))
+        self.closing["mass lost"] = f"{lost:.1g}"
+        self.budget("mass", lost, "share of the particles lost (their masses are constant)", 0.0)
         along, upright, scale = momentum_budget(flow)
         if flow.forces:
             scale += f" (sampled at {(len(flow.forces['time']) - 1) / (flow.forces['time'][-1] - flow.forces['time'][0]):.3g} Hz)"
+        self.closing["momentum along x"] = f"{along:.1e}"
         self.budget("momentum", float(along), f"along x: change less the forces' impulse, over the {scale}")
         if vertical:
+            self.closing["along z"] = f"{upright:.1e}"
             self.budget("momentum", float(upright), "along z: the same, over the impulse of the weight" if flow.forces and flow.gravity_z else "along z: the same")
         return self.energy_budget(flow) if energy else None
 
     def energy_budget(self, flow, snapshots=41):
         e = Energy(flow, snapshots)
         available = max(e.kinetic.max(), numpy.abs(e.weight).max(), 1e-300)
-        self.budget("energy", f"{(e.total[-1] - e.total[0] - e.weight[-1]) / available:+.3f}",
+        gained, worked = (e.total[-1] - e.total[0] - e.weight[-1]) / available, -e.dissipation[-1] / available
+        self.closing |= {"energy": f"{gained:+.3f}", "work of viscosity": f"{worked:+.3f}", "left": f"{e.balance[-1] / available:+.3f}"}
+        self.budget("energy", f"{gained:+.3f}",
                     "change of kinetic, potential and elastic energy less the work of the weight, over the largest kinetic energy, or that work if it is more")
-        self.budget("energy", f"{-e.dissipation[-1] / available:+.3f}", "work of viscosity, from the velocity gradients in the snapshots, over the same")
+        self.budget("energy", f"{worked:+.3f}", "work of viscosity, from the velocity gradients in the snapshots, over the same")
         self.budget("energy", f"{e.balance[-1] / available:+.3f}", "what is left: gained (+) or lost (-) by the scheme and by the sampling")
         return e
 
@@ -93,7 +100,8 @@ def summary_table(checks):
     return table
 
 
-def order_table(title, header, rows):
-    table = Table(title, header)
-    table.rows = rows
+def budget_table(checks):
+    heads = ["mass lost", "momentum along x", "along z", "energy", "work of viscosity", "left"]
+    table = Table("Budgets", ["case"] + heads)
+    table.rows = [[check.title] + [check.closing.get(head, "") for head in heads] for check in checks]
     return table

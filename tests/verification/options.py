@@ -27,16 +27,19 @@ def options_text(flow):
 
 
 def compare_options(study, check, case, variants, flow, measure, label, base=None):
-    """A table of option sets at the case's spacing: the error of `measure`, and the cost; the smallest error makes the best set."""
+    """A table of option sets at the case's spacing: the error of `measure`, and the cost; the smallest error makes the best set.
+
+    `settings` of a variant are keys of the case; `base` holds what all of them and `flow` have been given.
+    """
     rows = [("as the case", measure(flow), flow)]
-    same = flow.parameters["numerics"]
+    own = lambda key: flow.parameters[key.split(".")[0]][key.split(".")[1]]
     for name, settings in variants.items():
-        if all(str(same[key.removeprefix("numerics.")]).removesuffix(".0") == value for key, value in settings.items()):
+        if all(str(own(key)).removesuffix(".0") == value for key, value in settings.items()):
             continue  # the case itself
         other = study.try_run(f"{check.name}-{re.sub('[^a-z0-9.]+', '-', name.lower())}", case, {**(base or {}), **settings})
         rows.append((name, measure(other) if other else None, other))
     best = min((row for row in rows if row[1] is not None), key=lambda row: row[1])
-    check.best = ("the case's: " if best[0] == "as the case" else f"{best[0]}; else ") + options_text(flow)
+    check.best = f"{options_text(best[2])} ({best[0]})"
     table = Table(f"{check.title}: option sets", ["option set", f"{label} %", "s of a core"])
     table.rows = [[name, "fails" if value is None else f"{100 * value:.3g}", "" if value is None else f"{other.cost:.1f}"] for name, value, other in rows]
     check.tables.append(table)

@@ -30,7 +30,7 @@ def _verdict(_, column, row):
     return "missed" if row[3].endswith(("!", "(fails)")) else "stated" if row[2] == "stated" else "held"
 
 
-def html_page(table, checks, build):
+def html_page(table, budgets, checks, build):
     known = sum(len(c.known) for c in checks)
     held = table.checks - len(table.missed) - known
     parts = ["<!DOCTYPE html><html lang=en><head><meta charset=utf-8><meta name=viewport content='width=device-width,initial-scale=1'>"
@@ -40,6 +40,9 @@ def html_page(table, checks, build):
              "<span class=missed>(fails)</span> what is known to, for the reason given with the case. Every figure shows the exact "
              "solution (or the measurement) as a line and the particles as points unless it says otherwise.</p>"]
     parts.append(_table(table.header, table.rows, _verdict))
+    parts.append("<h3>Budgets</h3><p>Particles lost; change of momentum less the impulse of all forces, over that of their magnitudes; change of "
+                 "energy less the work of the weight, the work of viscosity, and what is left of them (the scheme's own, and the sampling's), over the "
+                 "largest kinetic energy or the work of the weight.</p>" + _table(budgets.header, budgets.rows))
     parts.append("<p>" + " · ".join(f"<a href='#{c.name}'>{html.escape(c.title)}</a>" for c in checks) + "</p>")
     for check in checks:
         parts.append(f"<h2 id='{check.name}'>{html.escape(check.title)}</h2><p>{check.text}</p>")
@@ -56,6 +59,6 @@ def html_page(table, checks, build):
     return "\n".join(parts) + "</body></html>\n"
 
 
-def markdown(table, checks):
-    """The table of all checks, then the further tables of each."""
-    return "\n".join([table.markdown()] + [extra.markdown() for check in checks for extra in check.tables])
+def markdown(table, budgets, checks):
+    """The tables of all checks, then the further tables of each."""
+    return "\n".join([table.markdown(), budgets.markdown()] + [extra.markdown() for check in checks for extra in check.tables])

@@ -77,7 +77,7 @@ def main():
     parser.add_argument("--threads", "-j", type=int, default=0, help="threads of each run (default: all cores)")
     parser.add_argument("--coarse", action="store_true", help="single names: as in the quick tier, without spacings and option sets")
     arguments = parser.parse_args()
-    riffle = arguments.riffle or runs.default_riffle()
+    riffle = (arguments.riffle or runs.default_riffle()).resolve()
     quick = arguments.tier == ["quick"]
     names = QUICK if quick else list(CHECKS) if arguments.tier == ["full"] else [n for n in arguments.tier if n in CHECKS]
     done = []
@@ -90,9 +90,10 @@ def main():
             print(checks.text(done[-1]), flush=True)
         build = next(iter(study.done.values())).build
     table = checks.summary_table(done)
-    arguments.page.write_text(page.html_page(table, done, build))
+    budgets = checks.budget_table(done)
+    arguments.page.write_text(page.html_page(table, budgets, done, build))
     if arguments.markdown:
-        arguments.markdown.write_text(page.markdown(table, done))
+        arguments.markdown.write_text(page.markdown(table, budgets, done))
     if arguments.figures:
         arguments.figures.mkdir(parents=True, exist_ok=True)
         for check in done:
