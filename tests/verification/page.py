@@ -9,7 +9,6 @@ table{border-collapse:collapse;font-size:.86rem;margin:.8rem 0;display:block;ove
 th,td{padding:.25rem .6rem;text-align:left;vertical-align:top;border-bottom:1px solid #e6e6e6}th{background:#f4f6f8}
 .held{color:#22662b}.missed{color:#b3261e;font-weight:600}.stated{color:#666}figure{margin:1rem 0}figcaption{font-size:.86rem;color:#555}
 svg{max-width:100%;height:auto}code{background:#f4f6f8;padding:0 .25em}a{color:#1b6ca8}p{max-width:52rem}
-@media(prefers-color-scheme:dark){figure{background:#fff;color:#222}}
 """
 
 
