@@ -36,13 +36,15 @@ SectionKeys numerics() {
     s.keys.push_back(key("pressure_form", &Numerics::pressure_form, "Form of the pressure force."));
     s.keys.push_back(key("velocity_gradient", &Numerics::velocity_gradient,
                          "Velocity gradient that the closure is given."));
+    s.keys.push_back(key("kernel_correction", &Numerics::kernel_correction,
+                         "What corrects the corrected forms of pressure and velocity gradient."));
     s.keys.push_back(key("density_diffusion", &Numerics::density_diffusion,
                          "Diffusion in the continuity equation, against noise in the pressure."));
     s.keys.push_back(key("density_diffusion_coefficient", &Numerics::density_diffusion_coefficient,
                          "Its coefficient delta.")
                          .greater_than(0)
                          .at_most(1)
-                         .applies_with("numerics.density_diffusion", {"fourtakas", "molteni"}));
+                         .applies_with("numerics.density_diffusion", {"fourtakas", "molteni", "antuono"}));
     s.keys.push_back(key("density_filter", &Numerics::density_filter, "Renormalisation of the density."));
     s.keys.push_back(key("density_filter_interval", &Numerics::density_filter_interval,
                          "Steps from one density filter to the next.")

@@ -81,8 +81,14 @@ struct Words<VelocityGradient> {
 template <>
 struct Words<KernelCorrection> {
     static constexpr std::array<Word, 2> list{{
-        {"kernel-gradient", "inverse of the first moments: exact for linear fields (Bonet & Lok)"},
-        {"kernel", "the kernel over its sum (Shepard): exact for constants alone"},
+        {"kernel-gradient", "inverse of the first moments: exact for linear fields (Bonet & Lok)",
+         "B = M^-1, M = -sum V r grad W (Bonet & Lok 1999)",
+         "all flows: a stirred channel keeps a spurious stress below 1 % of the bed's"},
+        {"kernel", "the kernel over its sum (Shepard): exact for constants alone",
+         "B = I / S, S = sum V W (Shepard 1968)",
+         "no flow; it shows what the gradient's correction is worth: stirred, condition 2 has a spurious "
+         "stress of 12.3 % of the bed's, as without any correction (12.1 %); vortices decay 6 % too fast "
+         "(kernel-gradient: 0.3 %); error in Poiseuille flow 0.8 % (0.07 %)"},
     }};
 };
 
@@ -94,7 +100,11 @@ struct Words<DensityDiffusion> {
         {"none", "no diffusion", "", "short laminar flows with a filter, or to see the noise it takes away"},
         {"molteni", "diffusion of the density (Molteni & Colagrossi): moves the level of water at rest",
          "theory 4; Molteni & Colagrossi (2009)", "without gravity; with it still water sank by 6 % in 4 s"},
-        {"antuono", "diffusion of the density less its corrected linear part (Antuono et al.)"},
+        {"antuono", "diffusion of the density less its corrected linear part (Antuono et al.)",
+         "sum V [2 (s_i - s_j) - (g_i + g_j).r] F, g = M^-1 sum V (s_j - s_i) grad W (Antuono et al. 2012)",
+         "water that is not hydrostatic along z (tilted, violent); in a channel fourtakas does the same "
+         "for less: level of still water within 0.24 % in 4 s (fourtakas 0.15 %, molteni 6 %), decay of "
+         "vortices within 0.5 %; two more sums in plain code, runs 6 times longer"},
     }};
 };
 

@@ -31,6 +31,18 @@ const std::vector<SchemeRule>& scheme_rules() {
          [](const Case& c) {
              return c.numerics.tensile_correction > 0.0 && c.numerics.kernel != KernelKind::cubic_spline;
          }},
+        {{"numerics.kernel_correction", "numerics.pressure_form", "numerics.velocity_gradient",
+          "turbulence.closure"},
+         "`kernel_correction = \"kernel\"` without a corrected form",
+         "there is nothing to correct: neither the pressure form is \"corrected\" nor does a closure use a "
+         "corrected velocity gradient; choose pressure_form = \"corrected\", or remove the key",
+         [](const Case& c) {
+             const Numerics& n = c.numerics;
+             return n.kernel_correction == KernelCorrection::kernel &&
+                    n.pressure_form != PressureForm::corrected &&
+                    (n.velocity_gradient != VelocityGradient::corrected ||
+                     c.turbulence.closure == ClosureKind::none);
+         }},
         {{"numerics.viscosity", "numerics.pressure_form"},
          "`viscosity = \"artificial\"` with `pressure_form = \"riemann\"`",
          "both damp approaching particles, the one by alpha, the other by the Riemann problem; choose "

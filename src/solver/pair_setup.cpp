@@ -84,19 +84,22 @@ PairConstants<D, Real> pair_constants(const Case& c, const Scheme& scheme, const
     const double h = scheme.smoothing_length;
     const double c0 = scheme.state.sound_speed;
     const DensityDiffusion diffusion = c.numerics.density_diffusion;
+    // That of Antuono et al. is a sweep of its own (pair_sweep.hpp), as is Shepard's correction below.
+    const bool in_loops = diffusion != DensityDiffusion::none && diffusion != DensityDiffusion::antuono;
+    const bool by_gradient = c.numerics.kernel_correction == KernelCorrection::kernel_gradient;
     PairConstants<D, Real> constants{};
     for (std::size_t k = 0; k < D; ++k) {
         constants.unit[k] = static_cast<Real>(fixed_point.unit(k) / h);
     }
     constants.h = static_cast<Real>(h);
     constants.gradient_scale = static_cast<Real>(std::pow(h, -(D + 2)));
-    constants.diffusion = static_cast<Real>(
-        diffusion != DensityDiffusion::none ? c.numerics.density_diffusion_coefficient * h * c0 : 0.0);
+    constants.diffusion =
+        static_cast<Real>(in_loops ? c.numerics.density_diffusion_coefficient * h * c0 : 0.0);
     // Molteni's diffusion acts on the hydrostatic difference too.
     constants.hydrostatic_gradient =
         static_cast<Real>(diffusion == DensityDiffusion::molteni ? 0.0 : scheme.normal_gravity / (c0 * c0));
-    constants.correct_pressure = c.numerics.pressure_form == PressureForm::corrected;
-    constants.correct_gradient = c.numerics.velocity_gradient == VelocityGradient::corrected;
+    constants.correct_pressure = by_gradient && c.numerics.pressure_form == PressureForm::corrected;
+    constants.correct_gradient = by_gradient && c.numerics.velocity_gradient == VelocityGradient::corrected;
     if (has_directional_viscosity(c)) {
         const auto weights = pair_direction_weights(static_cast<Real>(spanwise_ratio(c)));
         constants.directional = {.slope = weights.slope,
@@ -107,6 +110,25 @@ PairConstants<D, Real> pair_constants(const Case& c, const Scheme& scheme, const
     constants.form = pair_form<D, Real>(c, scheme, constants.directional);
     constants.table = &kernel_table<D, Real>(c.numerics.kernel);
     return constants;
+}
+
+template <int D, class Real>
+std::vector<std::unique_ptr<PairSweep<D, Real>>> make_pair_sweeps(const Case& c, const Scheme& scheme,
+                                                                  const FixedPoint<D>& fixed_point) {
+    const Numerics& n = c.numerics;
+    const double h = scheme.smoothing_length;
+    const SweepConstants<D> constants(fixed_point, n.kernel, h);
+    std::vector<std::unique_ptr<PairSweep<D, Real>>> sweeps;
+    if (n.density_diffusion == DensityDiffusion::antuono) {
+        sweeps.push_back(make_antuono_diffusion<D, Real>(
+            constants, n.density_diffusion_coefficient * h * scheme.state.sound_speed));
+    }
+    if (n.kernel_correction == KernelCorrection::kernel && needs_gradients(c)) {
+        sweeps.push_back(
+            make_shepard_correction<D, Real>(constants, n.pressure_form == PressureForm::corrected,
+                                             n.velocity_gradient == VelocityGradient::corrected));
+    }
+    return sweeps;
 }
 
 template <int D>
@@ -248,6 +270,14 @@ template PairConstants<2, float> pair_constants(const Case&, const Scheme&, cons
 template PairConstants<2, double> pair_constants(const Case&, const Scheme&, const FixedPoint<2>&);
 template PairConstants<3, float> pair_constants(const Case&, const Scheme&, const FixedPoint<3>&);
 template PairConstants<3, double> pair_constants(const Case&, const Scheme&, const FixedPoint<3>&);
+template std::vector<std::unique_ptr<PairSweep<2, float>>> make_pair_sweeps(const Case&, const Scheme&,
+                                                                            const FixedPoint<2>&);
+template std::vector<std::unique_ptr<PairSweep<2, double>>> make_pair_sweeps(const Case&, const Scheme&,
+                                                                             const FixedPoint<2>&);
+template std::vector<std::unique_ptr<PairSweep<3, float>>> make_pair_sweeps(const Case&, const Scheme&,
+                                                                            const FixedPoint<3>&);
+template std::vector<std::unique_ptr<PairSweep<3, double>>> make_pair_sweeps(const Case&, const Scheme&,
+                                                                             const FixedPoint<3>&);
 template ParticleData<2> particle_constants(const Case&, const Scheme&, const Domain<2>&);
 template ParticleData<3> particle_constants(const Case&, const Scheme&, const Domain<3>&);
 template void pack_wall_records(const Case&, const Scheme&, const WallParticles<2>&, const Clusters<2>&,

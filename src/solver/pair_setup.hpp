@@ -1,8 +1,12 @@
 #pragma once
 
+#include <memory>
+#include <vector>
+
 #include "boundary/wall.hpp"
 #include "solver/scheme.hpp"
 #include "sph/pair_loops.hpp"
+#include "sph/pair_sweep.hpp"
 #include "sph/particle_loops.hpp"
 
 namespace riffle {
@@ -35,6 +39,12 @@ template <int D>
 template <int D, class Real>
 [[nodiscard]] PairConstants<D, Real> pair_constants(const Case& c, const Scheme& scheme,
                                                     const FixedPoint<D>& fixed_point);
+
+/// The sums beside the pair loops that the options of a case ask for: the one place where they are
+/// registered.
+template <int D, class Real>
+[[nodiscard]] std::vector<std::unique_ptr<PairSweep<D, Real>>> make_pair_sweeps(
+    const Case& c, const Scheme& scheme, const FixedPoint<D>& fixed_point);
 
 /// Constants of the particle loops; the arrays and clusters are left for the caller.
 template <int D>

@@ -287,6 +287,9 @@ std::size_t SimulationOf<D, Real>::bytes() const {
     for (const auto field : ParticleFields::all()) {
         add(fields_.*field);
     }
+    for (const auto& sweep : sweeps_) {
+        total += sweep->bytes();
+    }
     return total + fluid_fluid_.bytes() + fluid_wall_.bytes() + wall_fluid_.bytes();
 }
 

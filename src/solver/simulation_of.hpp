@@ -13,6 +13,7 @@
 #include "solver/stirring.hpp"
 #include "solver/sweep_order.hpp"
 #include "sph/pair_loops.hpp"
+#include "sph/pair_sweep.hpp"
 #include "sph/particle_loops.hpp"
 #include "turbulence/closure.hpp"
 
@@ -222,6 +223,7 @@ class SimulationOf final : public SimulationIn<D> {
     NeighbourList fluid_fluid_;
     NeighbourList fluid_wall_;
     NeighbourList wall_fluid_;
+    std::vector<std::unique_ptr<PairSweep<D, Real>>> sweeps_;  ///< options beside the pair loops
     SweepOrder order_;
     Displacement<D> moved_;
     bool moved_known_ = false;  ///< `moved_` is of the present positions

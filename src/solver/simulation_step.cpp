@@ -45,6 +45,7 @@ SimulationOf<D, Real>::SimulationOf(const Case& c, const ColumnResult* column, P
         wall_deviation_[i] = scheme_.hydrostatic_deviation(walls_.position[vertical][i]);
     }
     data_.constants = pair_constants<D, Real>(c, scheme_, fixed_point_);
+    sweeps_ = make_pair_sweeps<D, Real>(c, scheme_, fixed_point_);
     particle_data_ = particle_constants<D>(c, scheme_, domain_);
     refer_to_particles();
     if (D == 3 && has_side_wall_drag(c)) {

@@ -34,6 +34,9 @@ void SimulationOf<D, Real>::evaluate(const StageSteps& steps) {
         contact_depth_.assign(block_advance_.size(), 0.0);
     }
     measure_stirring();
+    for (const auto& sweep : sweeps_) {
+        sweep->begin(data_, clusters_);
+    }
     Displacement<D>* const moved = displacements_due() ? &moved_ : nullptr;
     for (std::size_t wave = 0; wave < order_.waves; ++wave) {
         for_blocks(clusters_.size(), order_.gradients.blocks(wave),
@@ -97,6 +100,9 @@ void SimulationOf<D, Real>::evaluate_gradients(Task& task, std::size_t begin, st
     fetch_for_stress(begin, end);
     timed(block_seconds_[begin / block_clusters].gradients,
           [&] { loops_.gradient(data_, begin, end, task.sums); });
+    for (const auto& sweep : sweeps_) {
+        sweep->complete(data_, clusters_, begin, end, task.sums.gradient);
+    }
     if (closure_) {
         find_mixing_lengths(task, begin, end);
     }

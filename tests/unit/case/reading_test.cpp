@@ -303,6 +303,10 @@ Case any_case() {
         n.kernel = KernelKind::cubic_spline;
         n.pressure_form = PressureForm::symmetric;
     }
+    if (n.kernel_correction == KernelCorrection::kernel) {
+        n.tensile_correction = 0.0;
+        n.pressure_form = PressureForm::corrected;
+    }
     if (n.viscosity == ViscosityForm::artificial) {
         n.eddy_stress = EddyStress::stress_divergence;
         if (n.pressure_form == PressureForm::riemann) {

@@ -43,6 +43,17 @@ TEST(SchemeValidation, ArtificialViscosityCarriesNoEddyViscosity) {
     EXPECT_EQ(error_of(with(artificial, laminar)), "");
 }
 
+TEST(SchemeValidation, KernelCorrectionNeedsAForm) {
+    const std::string kernel = "kernel_correction = \"kernel\"\n";
+    EXPECT_EQ(error_of(with(kernel)), "");
+    EXPECT_EQ(error_of(with(kernel + "pressure_form = \"symmetric\"\n")), "") << "of the velocity gradient";
+    EXPECT_THAT(error_of(with(kernel + "pressure_form = \"symmetric\"\n", laminar)),
+                AllOf(HasSubstr("pressure_form = \"symmetric\""), HasSubstr("closure = \"none\""),
+                      HasSubstr("nothing to correct")));
+    EXPECT_THAT(error_of(with(kernel + "pressure_form = \"symmetric\"\nvelocity_gradient = \"plain\"\n")),
+                HasSubstr("velocity_gradient = \"plain\""));
+}
+
 TEST(SchemeValidation, OneDissipationOfApproachingParticles) {
     EXPECT_THAT(error_of(with("viscosity = \"artificial\"\npressure_form = \"riemann\"\n", laminar)),
                 HasSubstr("both damp approaching particles"));
