@@ -31,12 +31,21 @@ struct Members {
         if constexpr (Full) {
             return load_lanes(values + first);
         } else {
-            alignas(64) std::array<Value, cluster_size> lanes;
-            for (int l = 0; l < cluster_size; ++l) {
-                lanes[static_cast<std::size_t>(l)] =
-                    values[first + static_cast<std::size_t>(l < count ? l : count - 1)];
-            }
-            return load_lanes(lanes.data());
+            Lanes<Value> lanes(values[first + static_cast<std::size_t>(count - 1)]);
+            stdx::where(present<Value>(), lanes).copy_from(values + first, stdx::element_aligned);
+            return lanes;
+        }
+    }
+    /// x + dt rate. The product is rounded by itself where a cluster is not full, and with the sum where it
+    /// is and the processor can: so the bits of the motion have always been, and no optimisation may change
+    /// them.
+    RIFFLE_INLINE Doubles step(const Doubles& x, double dt, const Doubles& rate) const {
+        if constexpr (Full) {
+            return x + dt * rate;
+        } else {
+            Doubles product = dt * rate;
+            asm("" : "+m"(product));
+            return x + product;
         }
     }
     template <class Value>
@@ -368,7 +377,7 @@ template <int D, class Real>
                     a += load_lanes(&own.acceleration[k][lane]);
                 }
                 squared += a * a;
-                u[k] = members.load(p.velocity[k]) + dt * a;
+                u[k] = members.step(members.load(p.velocity[k]), dt, a);
             }
             largest = stdx::max(largest, squared);
             const bool dragged = options.drag && (own.drag_clusters >> (cluster - begin) & 1U) != 0;
@@ -396,7 +405,7 @@ template <int D, class Real>
                 }
                 slowest[k] = stdx::min(slowest[k], transport);
                 fastest[k] = stdx::max(fastest[k], transport);
-                Doubles x = members.load(p.position[k]) + dt * transport;
+                Doubles x = members.step(members.load(p.position[k]), dt, transport);
                 if (p.domain.periodic[k]) {
                     const double extent = p.domain.upper[k] - p.domain.lower[k];
                     stdx::where(x < p.domain.lower[k], x) = x + extent;
