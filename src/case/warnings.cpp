@@ -104,6 +104,11 @@ class Warnings {
                 "cure; "
                 "the mean velocity is then 4-30 % low. Use \"corrected\" unless this is what you study");
         }
+        if (n.kernel_correction == KernelCorrection::kernel) {
+            add("numerics.kernel_correction: \"kernel\" leaves the spurious shear stress of the symmetric "
+                "form as "
+                "it is (12 % of the bed stress in a stirred channel); verified with \"kernel-gradient\"");
+        }
         if (n.pressure_form == PressureForm::riemann) {
             add("numerics.pressure_form: the Riemann form keeps the spurious shear stress of the symmetric "
                 "one, and "

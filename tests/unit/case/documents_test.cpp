@@ -218,6 +218,7 @@ INSTANTIATE_TEST_SUITE_P(
         Warned{"numerics.smoothing_ratio", "1.3", "verified with 1.5 and 2.0"},
         Warned{"numerics.smoothing_ratio", "2.0", "do not fill the kernel"},
         Warned{"numerics.pressure_form", "symmetric", "shear stress as large as the flow's own friction"},
+        Warned{"numerics.kernel_correction", "kernel", "spurious shear stress of the symmetric form"},
         Warned{"numerics.density_diffusion", "none", "free of noise"},
         Warned{"numerics.density_diffusion_coefficient", "0.02", "with h = 1.5 dx use 0.1"},
         Warned{"numerics.density_diffusion_coefficient", "0.5", "from 0.02 to 0.1"},
