@@ -187,7 +187,12 @@ struct Words<WallKind> {
          "to repeat SPHysics; a slip bed is not possible with it"},
         {"modified-dynamic",
          "layers of particles that carry the density found at their mirror image in the water (English et "
-         "al.)"},
+         "al.)",
+         "s_w = s_g + (x_w - x_g).grad s, s_g and its gradient by Liu & Liu's first-order interpolation "
+         "(English et al. 2022)",
+         "plane walls, as accurate as dummy: still water within 1e-4 sqrt(g H), its pressure within "
+         "0.5 %, Poiseuille flow within 0.07 %. Only with density diffusion: without it the pressure of "
+         "still water scatters by 14 %"},
         {"repulsive",
          "one row of particles that push the water away (Monaghan & Kos): no pressure, no friction"},
     }};

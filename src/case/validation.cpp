@@ -10,6 +10,7 @@
 #include "case/solid_validation.hpp"
 #include "case/space_validation.hpp"
 #include "case/units.hpp"
+#include "case/wall_validation.hpp"
 
 namespace riffle {
 
@@ -294,6 +295,7 @@ class Validation {
 void validate(const Case& c, const Places& places, bool check_files, Problems& problems) {
     Validation(c, places, problems).run(check_files);
     validate_scheme(c, places, problems);
+    validate_walls(c, places, problems);
     validate_space(c, places, problems);
     validate_solids(c, places, problems);
     validate_snapshots(c, places, problems);

@@ -52,11 +52,14 @@ void SimulationOf<D, Real>::build_lists(bool sort) {
         data_.fluid_wall = &fluid_wall_;
         data_.wall_fluid = &wall_fluid_;
     }
+    if (ghosts_) {
+        ghosts_->build_list(clusters_, range);
+    }
     const bool walled = walls_.size() > 0;
     order_ = order_sweeps({.fluid_fluid = &fluid_fluid_,
                            .fluid_wall = walled ? &fluid_wall_ : nullptr,
                            .wall_fluid = walled ? &wall_fluid_ : nullptr},
-                          wave_blocks());
+                          ghosts_ ? clusters_.size() : wave_blocks());
     loose_ = has_loose_particles();
     clusters_.release_boxes();
     data_.fluid_fluid = &fluid_fluid_;
@@ -152,11 +155,12 @@ bool SimulationOf<D, Real>::displacements_due() const {
 // more than the skin. Only relative motion counts, so a fast but smooth flow needs few rebuilds. While the
 // bound from the range of all velocities says so already, the test is spared; the answer is the same. A drop
 // that flies towards water beyond its reach is in no list that the test could look at: then the bound alone
-// decides; so with walls that move, which the test takes to stand still.
+// decides; so with walls that move, which the test takes to stand still, and where ghost nodes stand in the
+// water, which it does not know either.
 template <int D, class Real>
 bool SimulationOf<D, Real>::lists_valid(double fraction) {
     const double limit = fraction * displacement_limit();
-    if (clock_.displacement_bound <= limit || loose_ || motion_.displaces()) {
+    if (clock_.displacement_bound <= limit || loose_ || ghosts_ || motion_.displaces()) {
         return clock_.displacement_bound <= limit;
     }
     if (!moved_known_) {
@@ -287,6 +291,7 @@ std::size_t SimulationOf<D, Real>::bytes() const {
     for (const auto field : ParticleFields::all()) {
         add(fields_.*field);
     }
+    total += ghosts_ ? ghosts_->bytes() : 0;
     for (const auto& sweep : sweeps_) {
         total += sweep->bytes();
     }

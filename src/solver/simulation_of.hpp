@@ -8,6 +8,7 @@
 #include "boundary/solid_contact.hpp"
 #include "boundary/wall_motion.hpp"
 #include "roughness/bed_drag.hpp"
+#include "solver/ghost_nodes.hpp"
 #include "solver/simulation.hpp"
 #include "solver/stepper.hpp"
 #include "solver/stirring.hpp"
@@ -106,6 +107,8 @@ class SimulationOf final : public SimulationIn<D> {
     void wet_wall(std::size_t slot, std::size_t particle, double pressure);
     void update_wall(std::size_t slot, std::size_t particle, const WallResult<D, Real>& sums,
                      std::size_t lane, double step);
+    /// The same from the particle's ghost node (ghost_walls.cpp).
+    void update_wall_by_ghost(std::size_t slot, std::size_t particle);
 
     // Sweeps (simulation_sweeps.cpp).
     /// One evaluation of all rates, the motion that follows from it, and the packing of the moved particles.
@@ -224,6 +227,7 @@ class SimulationOf final : public SimulationIn<D> {
     NeighbourList fluid_wall_;
     NeighbourList wall_fluid_;
     std::vector<std::unique_ptr<PairSweep<D, Real>>> sweeps_;  ///< options beside the pair loops
+    std::unique_ptr<GhostNodes<D>> ghosts_;  ///< of walls that look into the water at their mirror images
     SweepOrder order_;
     Displacement<D> moved_;
     bool moved_known_ = false;  ///< `moved_` is of the present positions

@@ -44,6 +44,9 @@ void SimulationOf<D, Real>::evaluate(const StageSteps& steps) {
                        evaluate_gradients(task, begin, end, steps.density);
                    });
         timed(profile_.walls, [&] {
+            if (ghosts_) {  // all in one wave (build_lists)
+                ghosts_->interpolate(data_, clusters_, particles_.density_deviation);
+            }
             for_blocks(wall_clusters_.size(), order_.walls.blocks(wave),
                        [&](Task& task, std::size_t begin, std::size_t end) {
                            evaluate_walls(task, begin, end, steps.wall);

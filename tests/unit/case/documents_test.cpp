@@ -235,6 +235,15 @@ INSTANTIATE_TEST_SUITE_P(
         Warned{"start.exponent", "4", "has no effect: it is used only with start.kind = \"power-law\""},
         Warned{"turbulence.filter_width", "1 mm", "has no effect"}));
 
+TEST(Warnings, WallsThatNeedMoreOrGiveLess) {
+    const auto modified = [](const std::string& diffusion) {
+        return warnings_with(
+            {{"numerics.wall", "modified-dynamic"}, {"numerics.density_diffusion", diffusion}});
+    };
+    EXPECT_THAT(modified("none"), Contains(HasSubstr("carry the noise of the density")));
+    EXPECT_THAT(modified("fourtakas"), IsEmpty());
+}
+
 TEST(Warnings, SoundSpeedAgainstTheMeasuredVelocity) {
     EXPECT_THAT(warnings_with({{"numerics.sound_speed", "7.5"}}), IsEmpty());
     EXPECT_THAT(warnings_with({{"numerics.sound_speed", "7.5"}, {"measured.depth_mean_velocity", "0.9"}}),

@@ -1,0 +1,85 @@
+// The kinds of walls other than dummy particles, in flows with exact solutions.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "exact_flows.hpp"
+
+using namespace riffle;
+using namespace riffle::verification;
+
+namespace {
+
+struct StillWater {
+    double speed = 0.0;            ///< largest speed of any particle at the end over sqrt(g H)
+    double level = 0.0;            ///< twice the height of the centre of mass over H, less 1
+    double pressure = 0.0;         ///< rms of p - rho g (H - z) over rho g H, more than 2h below the surface
+    double nearest = 0.0;          ///< of a particle to bed or end wall, spacings; negative: behind it
+    double weight_on_walls = 0.0;  ///< vertical force of the walls over the weight, less 1
+    double force_along = 0.0;      ///< sum of the forces of the end walls over the weight
+};
+
+StillWater still_tank(double time, const std::vector<Override>& overrides) {
+    // The density at a ghost node is not smoothed, so these walls need the diffusion that the case leaves
+    // out.
+    std::vector<Override> all{{"numerics.density_diffusion", "fourtakas"}};
+    all.insert(all.end(), overrides.begin(), overrides.end());
+    CheckRun run("hydrostatic-tank", all);
+    run.advance_to(time);
+    const Particles<2>& p = run.particles();
+    const Scheme& scheme = run.simulation().scheme();
+    const ParticleFields& fields = run.simulation().fields();
+    const double length = run.parameters().channel.length;
+    const double bed = scheme.density * scheme.normal_gravity * scheme.depth;
+    StillWater water;
+    water.speed = largest_speed(p) / std::sqrt(scheme.normal_gravity * scheme.depth);
+    water.level = 2.0 * mass_mean(p, [&](std::size_t i) { return p.position[1][i]; }) / scheme.depth - 1.0;
+    water.nearest = length;
+    double sum = 0.0;
+    int count = 0;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        const double x = p.position[0][i];
+        const double z = p.position[1][i];
+        water.nearest = std::min({water.nearest, z, x, length - x});
+        if (z < scheme.depth - 2.0 * scheme.smoothing_length) {
+            const double exact = scheme.density * scheme.normal_gravity * (scheme.depth - z);
+            sum += (fields.pressure[i] - exact) * (fields.pressure[i] - exact);
+            ++count;
+        }
+    }
+    water.pressure = std::sqrt(sum / count) / bed;
+    water.nearest /= run.parameters().numerics.spacing;
+    const auto wall_force = [&](const std::vector<double>& acceleration) {
+        return mass_mean(p, [&](std::size_t i) { return acceleration[i]; }) / scheme.normal_gravity;
+    };
+    water.weight_on_walls = wall_force(fields.wall_acceleration_z) - 1.0;
+    water.force_along = wall_force(fields.wall_acceleration_x);
+    return water;
+}
+
+}  // namespace
+
+// As HydrostaticTank.StaysAtRest: at the ghost nodes water at rest is met exactly, corners included.
+TEST(ModifiedDynamicWalls, HoldStillWater) {
+    const StillWater water = still_tank(5.0, {{"numerics.wall", "modified-dynamic"}});
+    expect_below("tank, modified-dynamic", "largest velocity at 5 s / sqrt(gH)", 1e-4, water.speed);
+    expect_below("tank, modified-dynamic", "change of level / H", 5e-3, std::abs(water.level));
+    expect_below("tank, modified-dynamic", "rms of p - rho g (H - z) / (rho g H)", 0.01, water.pressure);
+}
+
+TEST(ModifiedDynamicWalls, FollowPoiseuille) {
+    CheckRun run("poiseuille", {{"numerics.wall", "modified-dynamic"}});
+    const double nu = run.parameters().fluid.kinematic_viscosity;
+    const double width = run.parameters().total_depth();
+    const double force = run.parameters().streamwise_gravity();
+    const auto exact = [&](double z) { return start_up_poiseuille(force, nu, width, z, run.time()); };
+    double largest = 0.0;
+    for (int sample = 1; sample <= 20; ++sample) {
+        run.advance_to(0.05 * sample * width * width / nu);
+        largest = std::max(largest, profile_error(run, exact).largest);
+    }
+    expect_below("Poiseuille, modified-dynamic", "largest error of u / U_max", 0.01,
+                 largest / (force * width * width / (8.0 * nu)));
+}
