@@ -37,7 +37,7 @@ int end_wall_rows(const Case& c, const Lattice& lattice) {
 template <>
 WallParticles<2> wall_particles<2>(const Case& c) {
     WallParticles<2> wall;
-    if (c.channel.top == Top::periodic) {
+    if (c.channel.top == Top::periodic || c.numerics.wall == WallKind::repulsive) {
         return wall;
     }
     const Lattice lattice = lattice_of(c);
@@ -102,6 +102,9 @@ WallParticles<3> wall_particles<3>(const Case& c) {
     const bool closed = c.channel.sides != Sides::periodic;
     const double width = c.channel.simulated_width();
     WallParticles<3> wall;
+    if (c.numerics.wall == WallKind::repulsive) {
+        return wall;
+    }
     const auto add = [&](int column, int file, int row, const Vec<3>& n, double depth) {
         const Vec<3> x{lattice.x(column, row), lattice.y(file), lattice.z(row)};
         const bool corner = n[1] == 0.0 && n[2] == 0.0;

@@ -77,8 +77,10 @@ SectionKeys numerics() {
                          .greater_than(0)
                          .unset_by("auto", "from the Courant number, the viscosity and the forces"));
     s.keys.push_back(key("wall", &Numerics::wall, "Kind of the wall particles."));
-    s.keys.push_back(
-        key("wall_layers", &Numerics::wall_layers, "Layers of wall particles.").at_least(1).at_most(10));
+    s.keys.push_back(key("wall_layers", &Numerics::wall_layers, "Layers of wall particles.")
+                         .at_least(1)
+                         .at_most(10)
+                         .applies_with("numerics.wall", {"dummy", "dynamic", "modified-dynamic"}));
     s.keys.push_back(key("precision", &Numerics::precision, "Precision of the pair arithmetic."));
     s.keys.push_back(
         key("skin", &Numerics::skin, "Reach of the neighbour lists beyond the kernel, in units of h.")

@@ -216,6 +216,11 @@ class Warnings {
                 "into the wall; without density diffusion the pressure of still water scattered by 14 % and "
                 "its level rose by 7 % in 2 s");
         }
+        if (n.wall == WallKind::repulsive) {
+            add("numerics.wall: \"repulsive\" walls hold the water and give no more: no friction, and "
+                "between "
+                "end walls they stir still water to 9 % of sqrt(g H); verified with \"dummy\" walls");
+        }
         if (n.wall == WallKind::dynamic && n.preset == Preset::riffle) {
             add("numerics.wall: verified with \"dummy\" walls, which act by their pressure only");
         }

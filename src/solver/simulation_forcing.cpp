@@ -55,14 +55,31 @@ Vec<D> SimulationOf<D, Real>::stirring_at(std::size_t particle) const {
 
 template <int D, class Real>
 void SimulationOf<D, Real>::add_stirring(Task& task, std::size_t begin, std::size_t end) const {
-    for (auto& component : task.particles.acceleration) {
-        component.fill(0.0);
-    }
     for_clusters(begin, end, [&](std::size_t first, std::size_t last, std::size_t first_lane) {
         for (std::size_t i = first; i < last; ++i) {
             const Vec<D> a = stirring_at(i);
             for (std::size_t k = 0; k < axes; ++k) {
                 task.particles.acceleration[k][first_lane + (i - first)] = a[k] - stirring_mean_[k];
+            }
+        }
+    });
+}
+
+template <int D, class Real>
+void SimulationOf<D, Real>::add_repulsion(Task& task, std::size_t begin, std::size_t end) const {
+    for_clusters(begin, end, [&](std::size_t first, std::size_t last, std::size_t first_lane) {
+        for (std::size_t i = first; i < last; ++i) {
+            Vec<D> x{};
+            Vec<D> u{};
+            for (std::size_t k = 0; k < axes; ++k) {
+                x[k] = particles_.position[k][i];
+                u[k] = particles_.velocity[k][i];
+            }
+            const Vec<D> a = repulsion_.acceleration(x, u);
+            const std::size_t lane = first_lane + (i - first);
+            for (std::size_t k = 0; k < axes; ++k) {
+                task.repulsion[k][lane] = a[k];
+                task.particles.acceleration[k][lane] += a[k];
             }
         }
     });

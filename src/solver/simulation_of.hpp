@@ -5,6 +5,7 @@
 #include <span>
 
 #include "base/parallel.hpp"
+#include "boundary/repulsive_wall.hpp"
 #include "boundary/solid_contact.hpp"
 #include "boundary/wall_motion.hpp"
 #include "roughness/bed_drag.hpp"
@@ -55,6 +56,7 @@ class SimulationOf final : public SimulationIn<D> {
     struct Task {
         BlockWork<D, Real> sums;
         ParticleWork<D, Real> particles;
+        std::array<LaneArray<double>, static_cast<std::size_t>(D)> repulsion;  ///< of the walls, m/s2
     };
     /// What an evaluation advances by how much, s.
     struct StageSteps {
@@ -131,6 +133,10 @@ class SimulationOf final : public SimulationIn<D> {
     void measure_stirring();
     [[nodiscard]] Vec<D> stirring_at(std::size_t particle) const;
     void add_stirring(Task& task, std::size_t begin, std::size_t end) const;
+    /// The push of repulsive walls, added to the accelerations of a block.
+    void add_repulsion(Task& task, std::size_t begin, std::size_t end) const;
+    /// Whether a block has accelerations beside those of the pairs, gravity and drags.
+    [[nodiscard]] bool has_accelerations() const { return stirring_.active() || repulsion_.active(); }
     /// Coefficients of the bed's drag at the particles of a block, and at one.
     void find_drag(Task& task, std::size_t begin, std::size_t end) const;
     [[nodiscard]] double bed_drag_at(std::size_t particle) const;
@@ -209,6 +215,7 @@ class SimulationOf final : public SimulationIn<D> {
     bool side_drag_ = false;      ///< side walls with drag
     double wall_over_bed_ = 0.0;  ///< force on each side wall over that on the bed; 0: a fixed coefficient
     StirringIn<D> stirring_;
+    RepulsiveWalls<D> repulsion_;
     Vec<D> stirring_mean_{};  ///< of the horizontal components over the particles, m/s2
     Domain<D> domain_;
     FixedPoint<D> fixed_point_;

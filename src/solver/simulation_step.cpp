@@ -63,6 +63,7 @@ SimulationOf<D, Real>::SimulationOf(const Case& c, const ColumnResult* column, P
     if (c.numerics.wall == WallKind::modified_dynamic && walls_.size() > 0) {
         ghosts_ = std::make_unique<GhostNodes<D>>(c, scheme_, domain_, walls_, column_width_);
     }
+    repulsion_ = RepulsiveWalls<D>(c, scheme_.state.sound_speed);
     if (D == 3 || starts_beside_dry_walls(c)) {
         // Again, as make_walls() has sorted them.
         for (std::size_t i = 0; i < walls_.size(); ++i) {

@@ -183,8 +183,16 @@ void SimulationOf<D, Real>::evaluate_forces(Task& task, std::size_t begin, std::
     if (drag_) {
         find_drag(task, begin, end);
     }
+    if (has_accelerations()) {
+        for (auto& component : task.particles.acceleration) {
+            component.fill(0.0);
+        }
+    }
     if (stirring_.active()) {
         add_stirring(task, begin, end);
+    }
+    if (repulsion_.active()) {
+        add_repulsion(task, begin, end);
     }
     const bool smoothed = case_.numerics.xsph != 0.0;
     if (smoothed) {
@@ -201,7 +209,7 @@ void SimulationOf<D, Real>::evaluate_forces(Task& task, std::size_t begin, std::
         block_advance_[block] = particle_loops_.advance(particle_data_, task.sums, task.particles,
                                                         {.step = step,
                                                          .drag = drag_ != nullptr,
-                                                         .acceleration = stirring_.active(),
+                                                         .acceleration = has_accelerations(),
                                                          .transport = smoothed,
                                                          .side_drag = clock_.side_wall_drag_coefficient,
                                                          .sum_of_drags = wall_over_bed_ > 0.0},
@@ -273,6 +281,10 @@ void SimulationOf<D, Real>::keep_force_fields(const Task& task, std::size_t begi
             fields_.wall_acceleration_x[i] = factor * static_cast<double>(task.sums.force.wall[0][lane]);
             fields_.wall_acceleration_z[i] =
                 factor * static_cast<double>(task.sums.force.wall[vertical][lane]);
+            if (repulsion_.active()) {
+                fields_.wall_acceleration_x[i] += task.repulsion[0][lane];
+                fields_.wall_acceleration_z[i] += task.repulsion[vertical][lane];
+            }
             fields_.drag_acceleration_x[i] = drag_ ? task.particles.drag_force[lane] : 0.0;
             if constexpr (D == 3) {
                 fields_.drag_acceleration_y[i] = drag_ ? task.particles.drag_force_across[lane] : 0.0;
@@ -304,7 +316,7 @@ void SimulationOf<D, Real>::advance_by_rates(Task& task, std::size_t begin, std:
                 double a = factor * (static_cast<double>(task.sums.force.tensor[k][lane]) +
                                      static_cast<double>(task.sums.force.viscous[k][lane])) +
                            particle_data_.gravity[k];
-                a += stirring_.active() ? task.particles.acceleration[k][lane] : 0.0;
+                a += has_accelerations() ? task.particles.acceleration[k][lane] : 0.0;
                 squared += a * a;
                 rates.acceleration[k] = a + drags[k];
                 rates.drift[k] = smoothed ? task.particles.transport[k][lane] : 0.0;

@@ -83,3 +83,32 @@ TEST(ModifiedDynamicWalls, FollowPoiseuille) {
     expect_below("Poiseuille, modified-dynamic", "largest error of u / U_max", 0.01,
                  largest / (force * width * width / (8.0 * nu)));
 }
+
+const std::vector<Override> repulsive{{"numerics.wall", "repulsive"},
+                                      {"numerics.pressure_form", "symmetric"}};
+
+// On a bed they hold the water and its weight, a part of the spacing above the place of a dummy wall.
+TEST(RepulsiveWalls, HoldStillWater) {
+    std::vector<Override> bed = repulsive;
+    bed.push_back({"channel.ends", "periodic"});
+    const StillWater water = still_tank(5.0, bed);
+    expect_below("still water, repulsive bed", "largest velocity at 5 s / sqrt(gH)", 0.01, water.speed);
+    expect_below("still water, repulsive bed", "change of level / H", 0.01, std::abs(water.level));
+    expect_below("still water, repulsive bed", "rms of p - rho g (H - z) / (rho g H)", 0.05, water.pressure);
+    expect_below("still water, repulsive bed", "force on the bed over the weight, less 1", 0.01,
+                 std::abs(water.weight_on_walls));
+    EXPECT_GT(water.nearest, 0.0) << "nothing leaks";
+}
+
+// The force of an end wall grows with depth and falls with distance: it has no potential, and stirs the water
+// beside it. It holds it none the less, and what it pushes with is counted.
+TEST(RepulsiveWalls, HoldATank) {
+    const StillWater water = still_tank(5.0, repulsive);
+    expect_below("tank, repulsive", "largest velocity at 5 s / sqrt(gH)", 0.2, water.speed);
+    expect_below("tank, repulsive", "change of level / H", 0.02, std::abs(water.level));
+    expect_below("tank, repulsive", "force on the bed over the weight, less 1", 0.05,
+                 std::abs(water.weight_on_walls));
+    expect_below("tank, repulsive", "force of both end walls over the weight", 0.05,
+                 std::abs(water.force_along));
+    EXPECT_GT(water.nearest, 0.0) << "nothing leaks";
+}

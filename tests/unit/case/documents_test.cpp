@@ -242,6 +242,8 @@ TEST(Warnings, WallsThatNeedMoreOrGiveLess) {
     };
     EXPECT_THAT(modified("none"), Contains(HasSubstr("carry the noise of the density")));
     EXPECT_THAT(modified("fourtakas"), IsEmpty());
+    EXPECT_THAT(warnings_with({{"numerics.wall", "repulsive"}, {"numerics.pressure_form", "symmetric"}}),
+                Contains(HasSubstr("\"repulsive\" walls hold the water and give no more")));
 }
 
 TEST(Warnings, SoundSpeedAgainstTheMeasuredVelocity) {

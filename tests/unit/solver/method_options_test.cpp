@@ -110,6 +110,19 @@ INSTANTIATE_TEST_SUITE_P(
                          c.numerics.wall = WallKind::modified_dynamic;
                          c.numerics.stepping = Stepping::symplectic;
                          c.numerics.courant_number = 0.3;
+                     }},
+        MethodOption{"repulsive_tank",
+                     [](Case& c) {
+                         c.numerics.wall = WallKind::repulsive;
+                         c.numerics.pressure_form = PressureForm::symmetric;
+                         stand_between_end_walls(c);
+                     }},
+        MethodOption{"repulsive_symplectic",
+                     [](Case& c) {
+                         c.numerics.wall = WallKind::repulsive;
+                         c.numerics.pressure_form = PressureForm::symmetric;
+                         c.numerics.stepping = Stepping::symplectic;
+                         c.numerics.courant_number = 0.3;
                      }}),
     [](const auto& instance) { return instance.param.name; });
 

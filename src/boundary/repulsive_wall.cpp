@@ -1,0 +1,46 @@
+#include "boundary/repulsive_wall.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace riffle {
+
+template <int D>
+RepulsiveWalls<D>::RepulsiveWalls(const Case& c, double sound_speed) {
+    if (c.numerics.wall != WallKind::repulsive || c.channel.top == Top::periodic) {
+        return;
+    }
+    const Numerics& n = c.numerics;
+    reach_ = 2.0 * n.spacing;
+    depth_ = c.total_depth();
+    strength_ = c.normal_gravity() * depth_ / (n.smoothing_ratio * n.spacing);
+    sound_speed_ = sound_speed;
+    planes_.push_back({.axis = D - 1, .position = 0.0, .normal = 1.0});
+    const bool standing = D == 2 ? c.channel.ends == Ends::walls : c.channel.sides == Sides::walls;
+    if (standing) {
+        planes_.push_back({.axis = D - 2, .position = 0.0, .normal = 1.0});
+        planes_.push_back(
+            {.axis = D - 2, .position = D == 2 ? c.channel.length : c.channel.width, .normal = -1.0});
+    }
+}
+
+template <int D>
+Vec<D> RepulsiveWalls<D>::acceleration(const Vec<D>& x, const Vec<D>& u) const {
+    constexpr double nearest = 0.01;
+    Vec<D> a{};
+    for (const Plane& plane : planes_) {
+        const double q = std::max(plane.normal * (x[plane.axis] - plane.position) / reach_, nearest);
+        if (q >= 1.0) {
+            continue;
+        }
+        const double below = std::clamp((depth_ - x[D - 1]) / depth_ + 0.02, 0.02, 1.0);
+        const double approach = std::clamp(-20.0 * plane.normal * u[plane.axis] / sound_speed_, 0.0, 1.0);
+        a[plane.axis] += plane.normal * strength_ * (1.0 - q) / std::sqrt(q) * (below + approach);
+    }
+    return a;
+}
+
+template class RepulsiveWalls<2>;
+template class RepulsiveWalls<3>;
+
+}  // namespace riffle
