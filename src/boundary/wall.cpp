@@ -99,6 +99,11 @@ template <>
 WallParticles<3> wall_particles<3>(const Case& c) {
     const Lattice lattice = lattice_of(c);
     const int layers = c.numerics.wall_layers;
+    // Rows of the body-centred lattice stand closer than the spacing.
+    const int layers_below =
+        lattice.arrangement == StartLattice::body_centred
+            ? static_cast<int>(std::ceil(layers * c.numerics.spacing / lattice.dz - 1e-9))
+            : layers;
     const bool closed = c.channel.sides != Sides::periodic;
     const double width = c.channel.simulated_width();
     WallParticles<3> wall;
@@ -106,7 +111,7 @@ WallParticles<3> wall_particles<3>(const Case& c) {
         return wall;
     }
     const auto add = [&](int column, int file, int row, const Vec<3>& n, double depth) {
-        const Vec<3> x{lattice.x(column, row), lattice.y(file), lattice.z(row)};
+        const Vec<3> x{lattice.x(column, row), lattice.y(file, row), lattice.z(row)};
         const bool corner = n[1] == 0.0 && n[2] == 0.0;
         for (std::size_t k = 0; k < 3; ++k) {
             wall.position[k].push_back(x[k]);
@@ -126,15 +131,15 @@ WallParticles<3> wall_particles<3>(const Case& c) {
     for (int column = 0; column < lattice.columns; ++column) {
         for (int file = -beyond; file < lattice.files + beyond; ++file) {
             const bool side = file < 0 || file >= lattice.files;
-            for (int layer = 0; layer < layers; ++layer) {
+            for (int layer = 0; layer < layers_below; ++layer) {
                 add(column, file, -1 - layer, side ? Vec<3>{} : Vec<3>{0.0, 0.0, 1.0},
                     (layer + 0.5) * lattice.dz);
             }
             if (!side) {
                 continue;
             }
-            const double y = lattice.y(file);
             for (int row = 0; row < top; ++row) {
+                const double y = lattice.y(file, row);
                 add(column, file, row, {0.0, file < 0 ? 1.0 : -1.0, 0.0}, file < 0 ? -y : y - width);
             }
         }

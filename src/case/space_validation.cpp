@@ -56,6 +56,11 @@ class SpaceValidation {
                 "dimensions choose "
                 "\"consistent\", which is its plan mean");
         }
+        if (c_.start.lattice == StartLattice::body_centred) {
+            add({"start.lattice", "channel.dimensions"},
+                "[start] lattice = \"body-centred\" is an arrangement in space: in two dimensions choose "
+                "\"hexagonal\", which rests in still water as it does, or \"square\"");
+        }
         if (c_.start.kind == StartKind::section) {
             add({"start.kind", "channel.dimensions"},
                 "[start] kind = \"section\" goes with [channel] dimensions = 3; choose \"column\"");
@@ -78,7 +83,8 @@ class SpaceValidation {
         refuse(c.channel.top != Top::free_surface, "channel.top", word(c.channel.top), "\"free-surface\"");
         refuse(c.bed.kind == BedKind::spheres && c.bed.drag_form == DragForm::paper, "bed.drag_form",
                word(c.bed.drag_form), R"("consistent", "slice" or "thesis")");
-        refuse(c.start.lattice != StartLattice::square, "start.lattice", word(c.start.lattice), "\"square\"");
+        refuse(c.start.lattice == StartLattice::hexagonal, "start.lattice", word(c.start.lattice),
+               R"("square" or "body-centred")");
         refuse(c.start.kind == StartKind::standing_wave || c.start.kind == StartKind::taylor_green,
                "start.kind", word(c.start.kind), R"("column", "section", "uniform", "power-law" or "rest")");
         refuse(c.numerics.wall == WallKind::dynamic, "numerics.wall", word(c.numerics.wall), "\"dummy\"");

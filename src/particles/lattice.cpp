@@ -10,16 +10,21 @@ namespace riffle {
 
 Lattice lattice_of(const Case& c) {
     Lattice lattice;
-    lattice.hexagonal = c.start.lattice == StartLattice::hexagonal;
-    // Ratio of the spacing along x to sqrt(area per particle), and of the same root to the distance of rows.
-    const double ratio = lattice.hexagonal ? std::sqrt(2.0 / std::sqrt(3.0)) : 1.0;
+    lattice.arrangement = c.start.lattice;
+    const bool cubic = lattice.arrangement == StartLattice::body_centred;
+    // Ratio of the spacing along x and y to sqrt(area per particle), or to cbrt(volume), and of the same root
+    // to the distance of rows.
+    const double ratio = lattice.arrangement == StartLattice::hexagonal ? std::sqrt(2.0 / std::sqrt(3.0))
+                         : cubic                                        ? std::cbrt(2.0)
+                                                                        : 1.0;
+    const double per_row = cubic ? 2.0 / ratio : ratio;
     const double spacing = c.numerics.spacing;
     lattice.columns = std::max(1, static_cast<int>(std::lround(c.channel.length / (ratio * spacing))));
-    lattice.rows = std::max(1, static_cast<int>(std::lround(c.total_depth() * ratio / spacing)));
+    lattice.rows = std::max(1, static_cast<int>(std::lround(c.total_depth() * per_row / spacing)));
     lattice.dx = c.channel.length / lattice.columns;
     lattice.dz = c.total_depth() / lattice.rows;
     const double width = c.channel.simulated_width();
-    lattice.files = std::max(1, static_cast<int>(std::lround(width / spacing)));
+    lattice.files = std::max(1, static_cast<int>(std::lround(width / (cubic ? ratio * spacing : spacing))));
     lattice.dy = width / lattice.files;
     return lattice;
 }
@@ -113,7 +118,7 @@ Particles<D> lattice_particles(const Case& c) {
                 }
                 particles.position[0][i] = lattice.x(column, row);
                 if constexpr (D == 3) {
-                    particles.position[1][i] = lattice.y(file);
+                    particles.position[1][i] = lattice.y(file, row);
                 }
                 particles.position[D - 1][i] = lattice.z(row);
                 if (c.start.jitter > 0.0) {

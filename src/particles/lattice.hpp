@@ -8,7 +8,9 @@ namespace riffle {
 
 /// The lattice that a case starts from: rows along the bed, evenly spaced normal to it.
 /// Square: spacing H/round(H/dx) between rows. Hexagonal: rows sqrt(3)/2 of the spacing along x apart, the
-/// same area per particle, and every other row shifted by half a spacing.
+/// same area per particle, and every other row shifted by half a spacing. Body-centred (three dimensions):
+/// square rows a = 2^(1/3) dx apart in x and y, half of that in z, every other one shifted by a/2 in x and y;
+/// the same volume per particle.
 struct Lattice {
     int columns = 0;  ///< particles along x
     int files = 1;    ///< particles along y (three dimensions)
@@ -16,14 +18,15 @@ struct Lattice {
     double dx = 0.0;  ///< spacing along x, m
     double dy = 0.0;  ///< spacing along y, m
     double dz = 0.0;  ///< spacing along z, m
-    bool hexagonal = false;
+    StartLattice arrangement = StartLattice::square;
 
     /// Position of a particle; rows and columns beyond the fluid (negative ones too) are those of the walls.
     [[nodiscard]] double x(int column, int row) const {
-        const double shift = hexagonal ? (row % 2 == 0 ? -0.25 : 0.25) : 0.0;
-        return (column + 0.5 + shift) * dx;
+        return (column + 0.5 + (arrangement == StartLattice::square ? 0.0 : shift(row))) * dx;
     }
-    [[nodiscard]] double y(int file) const { return (file + 0.5) * dy; }
+    [[nodiscard]] double y(int file, int row) const {
+        return (file + 0.5 + (arrangement == StartLattice::body_centred ? shift(row) : 0.0)) * dy;
+    }
     [[nodiscard]] double z(int row) const { return (row + 0.5) * dz; }
 
     /// Area (2D) or volume (3D) of a particle.
@@ -31,6 +34,9 @@ struct Lattice {
     [[nodiscard]] double volume() const {
         return D == 2 ? dx * dz : dx * dy * dz;
     }
+
+  private:
+    static constexpr double shift(int row) { return row % 2 == 0 ? -0.25 : 0.25; }
 };
 [[nodiscard]] Lattice lattice_of(const Case& c);
 

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numeric>
 
 #include "base/parallel.hpp"
 #include "check_run.hpp"
@@ -115,4 +116,44 @@ TEST(SphereCell, FollowsTheColumnWhenStirred) {
     Case c = sphere_cell();
     c.stirring.acceleration = 0.3;
     check("3D cell, stirred", c, 0.03, 2.0, 6.0);
+}
+
+// Still water of a cubic body-centred lattice on a smooth bed: half of its particles stand between the
+// others, and no row can fall between two. Mean height of the particles over 1 s, from rest.
+TEST(BodyCentredStart, StillWaterKeepsItsLevel) {
+    Case c;
+    c.channel.dimensions = 3;
+    c.channel.slope = 0.0;
+    c.channel.depth = 0.040;
+    c.channel.length = 0.030;
+    c.channel.width = 0.030;
+    c.bed.kind = BedKind::slip;
+    c.bed.roughness_height = 0.0;
+    c.bed.datum_below_crest = 0.0;
+    c.turbulence.closure = ClosureKind::none;
+    c.fluid.kinematic_viscosity = 3e-4;  // as the other tests of still water
+    c.numerics.spacing = 0.004;
+    c.start.kind = StartKind::rest;
+    c.start.lattice = StartLattice::body_centred;
+    set_thread_count(1);
+    const Scheme scheme = make_scheme(c, nullptr);
+    const auto simulation = make_simulation<3>(c, nullptr, initial_particles<3>(c, scheme, nullptr));
+    const auto mean_height = [&] {
+        const auto& p = simulation->particles();
+        return std::accumulate(p.position[2].begin(), p.position[2].end(), 0.0) /
+               static_cast<double>(p.size());
+    };
+    const double before = mean_height();
+    while (simulation->clock().time < 1.0) {
+        simulation->step(1.0);
+    }
+    expect_below("3D still water, body-centred, 1 s", "change of level / H", 0.01,
+                 2.0 * std::abs(mean_height() - before) / scheme.depth);
+    double fastest = 0.0;
+    const auto& p = simulation->particles();
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        fastest = std::max(fastest, std::hypot(p.velocity[0][i], p.velocity[1][i], p.velocity[2][i]));
+    }
+    expect_below("3D still water, body-centred, 1 s", "largest velocity / sqrt(gH)", 0.02,
+                 fastest / std::sqrt(scheme.normal_gravity * scheme.depth));
 }

@@ -12,7 +12,7 @@
 namespace riffle {
 namespace {
 
-Case channel(Sides sides) {
+Case channel(Sides sides, StartLattice arrangement = StartLattice::square) {
     Case c;
     c.channel.dimensions = 3;
     c.bed.kind = BedKind::slip;
@@ -22,6 +22,7 @@ Case channel(Sides sides) {
     c.channel.width = 0.032;
     c.channel.sides = sides;
     c.numerics.spacing = 0.002;
+    c.start.lattice = arrangement;
     return c;
 }
 
@@ -62,12 +63,30 @@ TEST_P(SideWallTest, CompletesTheSupport) {
     const WallParticles<3> wall = wall_particles<3>(c);
     const Lattice lattice = lattice_of(c);
     const auto at = [&](int file, int row) {
-        return coverage(c, fluid, wall, {lattice.x(3, row), lattice.y(file), lattice.z(row)});
+        return coverage(c, fluid, wall, {lattice.x(3, row), lattice.y(file, row), lattice.z(row)});
     };
     const double middle = at(lattice.files / 2, lattice.rows / 2);
     EXPECT_NEAR(middle, 1.0, 0.01);
     for (const int file : {0, 1, lattice.files / 2, lattice.files - 1}) {
         for (const int row : {0, 1, lattice.rows / 2}) {
+            EXPECT_NEAR(at(file, row), middle, 1e-12) << file << " " << row;
+        }
+    }
+}
+
+// Half of the cell's rows stand in the shifted half, on the walls too.
+TEST(BodyCentredWalls, CompleteTheSupport) {
+    const Case c = channel(Sides::walls, StartLattice::body_centred);
+    const Particles<3> fluid = lattice_particles<3>(c);
+    const WallParticles<3> wall = wall_particles<3>(c);
+    const Lattice lattice = lattice_of(c);
+    const auto at = [&](int file, int row) {
+        return coverage(c, fluid, wall, {lattice.x(3, row), lattice.y(file, row), lattice.z(row)});
+    };
+    const double middle = at(lattice.files / 2, lattice.rows / 2);
+    EXPECT_NEAR(middle, 1.0, 0.01);
+    for (const int file : {0, 1, lattice.files - 1}) {
+        for (const int row : {0, 1, 2, lattice.rows / 2}) {
             EXPECT_NEAR(at(file, row), middle, 1e-12) << file << " " << row;
         }
     }
@@ -120,7 +139,7 @@ INSTANTIATE_TEST_SUITE_P(, SideWallTest, testing::Values(Sides::periodic, Sides:
 TEST(SideWall, DomainAndLatticeCoverTheSimulatedWidth) {
     Case c = channel(Sides::half);
     EXPECT_EQ(lattice_of(c).files, 8);
-    EXPECT_DOUBLE_EQ(lattice_of(c).y(7), 0.015);
+    EXPECT_DOUBLE_EQ(lattice_of(c).y(7, 0), 0.015);
     EXPECT_FALSE(domain_of<3>(c).periodic[1]);
     EXPECT_LT(domain_of<3>(c).lower[1], -0.006);
     EXPECT_GT(domain_of<3>(c).upper[1], 0.022);

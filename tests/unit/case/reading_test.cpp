@@ -280,6 +280,7 @@ Case any_case() {
     c.bed.sphere_diameter = *number_between(0.005, 0.1);
     if (c.channel.dimensions == 3) {
         c.numerics.wall = *rc::gen::element(WallKind::dummy, WallKind::modified_dynamic);
+        c.start.lattice = *rc::gen::element(StartLattice::square, StartLattice::body_centred);
         // Spheres that tile the channel, and side walls within their edge zones.
         c.bed.sphere_diameter = *number_between(0.01, 0.02);
         c.bed.sphere_ramp = 0.1 * c.bed.sphere_diameter;

@@ -89,6 +89,14 @@ TEST(Space, WhatExistsInThreeDimensionsAloneIsRefusedInAPlane) {
                 HasSubstr("positions across the channel go with [channel] dimensions = 3"));
 }
 
+TEST(Space, LatticesBelongToTheirDimensions) {
+    EXPECT_EQ(error_of(channel + "\n[start]\nlattice = \"body-centred\"\n"), "");
+    EXPECT_THAT(error_of(channel + "\n[start]\nlattice = \"hexagonal\"\n"),
+                HasSubstr("choose \"square\" or \"body-centred\""));
+    EXPECT_THAT(error_of(with("dimensions = 3", "\n[start]\nlattice = \"body-centred\"")),
+                HasSubstr("\"body-centred\" is an arrangement in space"));
+}
+
 TEST(Space, SnapshotsNameKnownFieldsAndWholeRanges) {
     EXPECT_THAT(error_of(channel + "\n[output]\nsnapshot_fields = \"velocity vorticity\"\n"),
                 AllOf(HasSubstr("\"vorticity\" is no field of a snapshot"), HasSubstr("eddy_viscosity")));

@@ -57,6 +57,64 @@ TEST(HexagonalLattice, HasSixNeighboursAtOneDistance) {
     EXPECT_NEAR(across / in_row, 1.0, 0.03);
 }
 
+Case space(double spacing) {
+    Case c = channel(StartLattice::body_centred);
+    c.channel.dimensions = 3;
+    c.channel.length = 0.1;
+    c.channel.width = 0.08;
+    c.numerics.spacing = spacing;
+    return c;
+}
+
+TEST(BodyCentredLattice, FillsTheWater) {
+    for (const double spacing : {0.004, 0.0037, 0.005}) {
+        const Case c = space(spacing);
+        const Lattice lattice = lattice_of(c);
+        const Particles<3> particles = lattice_particles<3>(c);
+        const double volume = c.channel.length * c.channel.width * c.total_depth();
+        EXPECT_NEAR(static_cast<double>(particles.size()) * lattice.volume<3>(), volume, 1e-12 * volume);
+        // Within the rounding to whole rows, columns and files, which are fewer in space.
+        EXPECT_NEAR(lattice.volume<3>() / std::pow(spacing, 3), 1.0, 0.08);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto [low, high] =
+                std::minmax_element(particles.position[k].begin(), particles.position[k].end());
+            const double extent = k == 0 ? c.channel.length : k == 1 ? c.channel.width : c.total_depth();
+            // As far from the one side as from the other.
+            EXPECT_GT(*low, 0.0);
+            EXPECT_NEAR(*low, extent - *high, 1e-15);
+        }
+    }
+}
+
+// In the middle of the water: eight at sqrt(3)/2 of the cell's edge, then six at the edge.
+TEST(BodyCentredLattice, HasEightNeighboursAtOneDistance) {
+    Case c = space(0.005);
+    const double edge = std::cbrt(2.0) * c.numerics.spacing;
+    c.channel.length = 12.0 * edge;
+    c.channel.width = 12.0 * edge;
+    c.channel.depth = 12.0 * edge - (c.total_depth() - c.channel.depth);
+    const Particles<3> p = lattice_particles<3>(c);
+    const Lattice lattice = lattice_of(c);
+    const std::array<double, 3> middle{lattice.x(6, 12), lattice.y(6, 12), lattice.z(12)};
+    std::vector<double> distance;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        double squared = 0.0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            squared += (p.position[k][i] - middle[k]) * (p.position[k][i] - middle[k]);
+        }
+        distance.push_back(std::sqrt(squared) / edge);
+    }
+    std::sort(distance.begin(), distance.end());
+    EXPECT_NEAR(distance[0], 0.0, 1e-12);
+    for (std::size_t i = 1; i <= 8; ++i) {
+        EXPECT_NEAR(distance[i], 0.5 * std::sqrt(3.0), 1e-9);
+    }
+    for (std::size_t i = 9; i <= 14; ++i) {
+        EXPECT_NEAR(distance[i], 1.0, 1e-9);
+    }
+    EXPECT_GT(distance[15], 1.4);
+}
+
 TEST(LatticeParticles, JitterIsBoundedAndReproducible) {
     const Particles<2> still = lattice_particles(channel(StartLattice::square));
     const Particles<2> first = lattice_particles(channel(StartLattice::square, 0.2));
