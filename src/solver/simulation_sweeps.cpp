@@ -71,6 +71,11 @@ void SimulationOf<D, Real>::evaluate(const StageSteps& steps) {
 
 template <int D, class Real>
 void SimulationOf<D, Real>::fetch_for_stress(std::size_t begin, std::size_t end) {
+    // The sums of the blocks that follow begin with the positions of particles that none has read yet: those
+    // some columns ahead.
+    constexpr std::size_t ahead = 3 * block_clusters;
+    fetch(data_.motion, std::min((begin + ahead) * cluster_size, data_.motion.size()),
+          std::min((end + ahead) * cluster_size, data_.motion.size()));
     const auto first = static_cast<std::size_t>(clusters_.begin[begin]);
     const auto last = static_cast<std::size_t>(clusters_.begin[end]);
     fetch(particles_.density_deviation, first, last);

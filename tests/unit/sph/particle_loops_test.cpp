@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -438,6 +439,37 @@ TEST_P(ParticleLoopsTest, PackFollowsTheFormulas) {
             if (set->cloud.clusters.particle_of(slot) < 0) {
                 EXPECT_EQ(static_cast<double>(set->records.motion[slot].volume), 0.0);
             }
+        }
+    });
+}
+
+TEST_P(ParticleLoopsTest, OneMassForAllGivesTheSameBits) {
+    for_all([&](const auto& loops, const auto& set) {
+        std::fill(set->mass.begin(), set->mass.end(), 987.0);
+        const auto volumes = [&](double uniform_mass) {
+            set->particles.uniform_mass = uniform_mass;
+            loops.pack(set->particles, set->records, nullptr, 0, set->end);
+            std::vector<double> result;
+            set->for_particles([&](std::size_t, std::size_t slot, std::size_t) {
+                result.push_back(static_cast<double>(set->records.motion[slot].volume));
+            });
+            return result;
+        };
+        EXPECT_EQ(volumes(0.0), volumes(987.0));
+        EXPECT_NE(volumes(0.0), volumes(988.0));
+    });
+}
+
+TEST_P(ParticleLoopsTest, StandingBelowNamesTheClustersThatReachDown) {
+    for_all([&](const auto& loops, const auto& set) {
+        const auto& height = set->position[set->axes - 1];
+        // Below all, at the particles themselves, above all.
+        for (const double level : {-10.0, height[0], height[3], 0.25, 10.0}) {
+            std::uint32_t expected = 0;
+            set->for_particles([&](std::size_t i, std::size_t slot, std::size_t) {
+                expected |= (height[i] <= level ? 1U : 0U) << slot / cluster_size;
+            });
+            EXPECT_EQ(loops.standing_below(set->particles, level, 0, set->end), expected);
         }
     });
 }
