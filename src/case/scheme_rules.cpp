@@ -12,6 +12,17 @@ namespace {
 /// Largest Courant number at which Verlet's method held the channel of condition 2 with density diffusion.
 constexpr double verlet_courant_number = 0.2;
 
+bool repels(const Case& c) { return c.numerics.wall == WallKind::repulsive; }
+
+/// `[numerics] wall = "dummy"`; of a repeated section its heading alone.
+std::string value_in_case(const std::string& id, const Case& c) {
+    const Key& key = *find_key(id);
+    const SectionKeys& section = *find_section(key.section);
+    return section.repeated()
+               ? section.heading()
+               : fmt::format("{} {} = {}", section.heading(), key.name, handy_value_text(key, key.get(c)));
+}
+
 }  // namespace
 
 const std::vector<SchemeRule>& scheme_rules() {
@@ -70,6 +81,35 @@ const std::vector<SchemeRule>& scheme_rules() {
              return n.stepping == Stepping::verlet && n.density_diffusion != DensityDiffusion::none &&
                     !n.time_step && n.courant_number > verlet_courant_number;
          }},
+        {{"numerics.wall", "solid.name"},
+         "`wall = \"modified-dynamic\"` or `\"repulsive\"` with a `[[solid]]`",
+         "both are made for planes, at which the water has a mirror image, and the outline of a solid is "
+         "none; choose wall = \"dummy\", or remove the solids",
+         [](const Case& c) {
+             return (c.numerics.wall == WallKind::modified_dynamic || repels(c)) && !c.solids.empty();
+         }},
+        {{"numerics.wall", "bed.kind"},
+         "`wall = \"repulsive\"` with `bed.kind = \"no-slip\"`",
+         "repulsive walls push along the normal alone, and nothing holds the water back along it; choose "
+         "[bed] kind = \"slip\" or \"spheres\", or wall = \"dummy\"",
+         [](const Case& c) { return repels(c) && c.bed.kind == BedKind::no_slip; }},
+        {{"numerics.wall", "channel.top"},
+         "`wall = \"repulsive\"` without a free surface",
+         "their force scales with the depth below a free surface, which must be there; set [channel] top = "
+         "\"free-surface\", or choose wall = \"dummy\"",
+         [](const Case& c) { return repels(c) && c.channel.top != Top::free_surface; }},
+        {{"numerics.wall", "numerics.pressure_form"},
+         "`wall = \"repulsive\"` with `pressure_form = \"corrected\"`",
+         "repulsive walls have no particles that complete the kernel, and the correction would take them for "
+         "a free surface; choose pressure_form = \"symmetric\" or \"riemann\", or wall = \"dummy\"",
+         [](const Case& c) { return repels(c) && c.numerics.pressure_form == PressureForm::corrected; }},
+        {{"numerics.wall", "channel.sides"},
+         "`wall = \"repulsive\"` with `channel.sides = \"half\"`",
+         "a plane of symmetry must mirror the water and not push it; choose [channel] sides = \"walls\" or "
+         "\"periodic\", or wall = \"dummy\"",
+         [](const Case& c) {
+             return repels(c) && c.channel.dimensions == 3 && c.channel.sides == Sides::half;
+         }},
     };
     return rules;
 }
@@ -81,9 +121,7 @@ void validate_scheme(const Case& c, const Places& places, Problems& problems) {
         }
         std::vector<std::string> values;
         for (const std::string& id : rule.keys) {
-            const Key& key = *find_key(id);
-            values.push_back(
-                fmt::format("[{}] {} = {}", key.section, key.name, handy_value_text(key, key.get(c))));
+            values.push_back(value_in_case(id, c));
         }
         problems.add(places.of_first(rule.keys),
                      fmt::format("{}: {}", fmt::join(values, " with "), rule.reason));

@@ -10,7 +10,6 @@
 #include "case/solid_validation.hpp"
 #include "case/space_validation.hpp"
 #include "case/units.hpp"
-#include "case/wall_validation.hpp"
 
 namespace riffle {
 
@@ -295,7 +294,6 @@ class Validation {
 void validate(const Case& c, const Places& places, bool check_files, Problems& problems) {
     Validation(c, places, problems).run(check_files);
     validate_scheme(c, places, problems);
-    validate_walls(c, places, problems);
     validate_space(c, places, problems);
     validate_solids(c, places, problems);
     validate_snapshots(c, places, problems);
