@@ -11,15 +11,16 @@ from check import Check
 from options import compare_options, options_text, refinement
 
 
-def _stillness(study, check, case, still_level, bar):
+def _stillness(study, check, case, still_level, solid_area, bar):
     """Largest speed, level and pressure of water that must stay at rest."""
     flow = study.run(check.name, case)
     scale = math.sqrt(flow.gravity_z * flow.depth)
     speeds = numpy.array([(s.time, numpy.hypot(s.u, s.w).max()) for s in flow.snapshots()])
     last = flow.snapshot(-1)
     check.norm("largest speed of any particle in the end, over √(gH)", speeds[-1, 1] / scale, bar, "", 3)
-    level = lambda s: still_level(flow, (flow.mass * s.z).sum() / flow.mass.sum())
-    check.norm("change of the level, told by the height of the centre of mass, over H", (level(last) - level(flow.snapshot(0))) / flow.depth, 0.005)
+    level = still_level(flow, (flow.mass * last.z).sum() / flow.mass.sum())
+    volume_level = ((flow.mass / last.density).sum() + solid_area(flow)) / flow.length
+    check.norm("level, told by the height of the centre of mass, against that of the water's volume, over H", (level - volume_level) / flow.depth, 0.005)
     pressure = flow.density * flow.gravity_z * (flow.depth - last.z)
     below = last.z < flow.depth - 2 * flow.smoothing_length
     check.norm("rms of p − ρg(H − z) more than 2h below the surface, over ρgH",
@@ -42,7 +43,7 @@ def _stillness(study, check, case, still_level, bar):
 
 def tank(study):
     check = Check("tank", "Hydrostatic tank", "Still water in a closed tank must stay still and keep its level.")
-    flow = _stillness(study, check, "cases/checks/hydrostatic-tank.toml", lambda f, centre: 2 * centre, 1e-4)
+    flow = _stillness(study, check, "cases/checks/hydrostatic-tank.toml", lambda f, centre: 2 * centre, lambda f: 0.0, 1e-4)
     if not study.quick:
         compare_options(study, check, "cases/checks/hydrostatic-tank.toml", {
             "square lattice, h = 1.5 dx": {"start.lattice": "square", "numerics.smoothing_ratio": "1.5"},
@@ -55,17 +56,22 @@ def tank(study):
 
 def wedge(study):
     check = Check("wedge", "Hydrostatic tank with a wedge",
-                  "The same with a wedge on the floor, half of the depth high, whose faces cut through the rows of particles.")
-    _stillness(study, check, "cases/checks/tank-with-wedge.toml", _level_over_wedge, 1e-3)
+                  "The same with a wedge on the floor, half of the depth high. Its faces cut through the rows of particles, so that the water "
+                  "beside them starts in disorder and goes on finding a better arrangement: the bar of the speed is fifty times that of the tank.")
+    _stillness(study, check, "cases/checks/tank-with-wedge.toml", _level_over_wedge, _wedge_area, 5e-3)
     return check
 
 
 def _level_over_wedge(flow, centre):
     """H of the water over a triangle of area A, centroid z_A, whose centre of mass is at `centre`: L H^2/2 - A z_A = centre (L H - A)."""
+    centroid = numpy.mean(flow.parameters["solid"][0]["z"])
+    return centre + math.sqrt(centre**2 - 2 * _wedge_area(flow) * (centre - centroid) / flow.length)
+
+
+def _wedge_area(flow):
     solid = flow.parameters["solid"][0]
     x, z = numpy.array(solid["x"]), numpy.array(solid["z"])
-    area = 0.5 * abs((x * numpy.roll(z, -1) - z * numpy.roll(x, -1)).sum())
-    return centre + math.sqrt(centre**2 - 2 * area * (centre - z.mean()) / flow.length)
+    return 0.5 * abs((x * numpy.roll(z, -1) - z * numpy.roll(x, -1)).sum())
 
 
 def wave(study):

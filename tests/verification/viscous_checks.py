@@ -129,8 +129,8 @@ def film(study):
                   "The pressure forces are a hundred thousand times the weight component, so slow a shear gives the "
                   "rows of particles time to leave their order, as they do in still water, and the viscosity of water does not stop them. Among "
                   "disordered particles the two-point viscosity is too small, and without any other viscosity the depth grows by a percent in a "
-                  "hundred seconds, the velocity by twice that (u ~ h²). The usual pair forms do worse by far: their spurious "
-                  "friction stops the flow (table of option sets). The same film (Reynolds number, weight component, viscosity) with a hundredth of the gravity "
+                  "hundred seconds, the velocity by twice that (u ~ h²). Both fall with the spacing. The usual pair forms do worse by far: "
+                  "their spurious friction stops the flow (table of option sets). The same film (Reynolds number, weight component, viscosity) with a hundredth of the gravity "
                   "on a hundred times the slope and h = 3 dx does not drift (with h = 2 dx it keeps the order of its particles, and the parabola to 0.2 %, "
                   "for 190 s, and then drifts by 0.7 % in 100 s). A turbulent channel has a thousand times this viscosity and does not drift (validation).")
     case = "cases/checks/laminar-water.toml"
@@ -259,10 +259,11 @@ def taylor_green(study, reynolds):
     for colour, side in zip(figures.COLOURS, sides):
         flow = study.run(f"{check.name}-{side}", case, {"numerics.spacing": repr(1 / side), **interval})
         rows = _vortices(flow)
-        rate, amplitude, l2 = _rate_error(flow, rows, 0.2), abs(rows[-1, 1] - 1), rows[-1, 2]
+        rate, l2 = _rate_error(flow, rows, 0.2), rows[-1, 2]
         spacings.append(1 / side)
-        errors.append(amplitude)
-        velocity_errors.append(l2)
+        turn = numpy.argmin(numpy.abs(rows[:, 0] - 1.0))  # after L / U, before vortices on few particles break up
+        errors.append(abs(rows[turn, 1] - 1))
+        velocity_errors.append(rows[turn, 2])
         table_rows.append([side, f"{100 * rate:+.2f}", f"{100 * (rows[-1, 1] - 1):+.2f}", f"{100 * l2:.2f}", f"{flow.cost:.0f}"])
         k2 = (2 * math.pi / flow.length) ** 2
         if side == sides[-1]:
@@ -273,13 +274,14 @@ def taylor_green(study, reynolds):
         figures.simulated(departure, rows[:, 0], 100 * (rows[:, 1] - 1), f"{side} a side", colour)
         if side == (64 if study.quick else 100):
             chosen, chosen_rate, chosen_amplitude, chosen_l2 = flow, rate, rows[-1, 1] - 1, l2
+    departure.set_ylim(max(departure.get_ylim()[0], -6), min(departure.get_ylim()[1], 6))
     end = chosen.values["simulated_time"]
     check.norm(f"rate of decay from 0.2 to {end:.3g} s against 2νk², {chosen.length / chosen.spacing:.0f} a side", chosen_rate, 0.03)
     check.norm(f"amplitude at {end:.3g} s, the settling of the start included", chosen_amplitude, 0.03)
     check.norm("L2 error of the velocity at the end, over the amplitude left", chosen_l2)
     if len(sides) > 2:
-        check.norm("observed order of the amplitude error", exact.observed_order(spacings, errors), None, "")
-        check.norm("observed order of the velocity's L2 error", exact.observed_order(spacings, velocity_errors), None, "")
+        check.norm("observed order of the error of the amplitude at 1 s", exact.observed_order(spacings, errors), None, "")
+        check.norm("observed order of the velocity's L2 error at 1 s", exact.observed_order(spacings, velocity_errors), None, "")
     check.best, check.cost = options_text(chosen), chosen.cost_text
     table = study.table(f"{check.title}: resolutions", ["a side", "rate %", "amplitude at the end %", "L2 error of the velocity %", "s of a core"], table_rows)
     check.tables.append(table)
@@ -337,8 +339,11 @@ def cavity(study, reynolds):
         return (_field_at(flow, shots, half, exact.GHIA_Z * flow.length, "u") / lid - exact.GHIA_U[reynolds],
                 _field_at(flow, shots, exact.GHIA_X * flow.length, half, "w") / lid - exact.GHIA_W[reynolds])
 
-    interval = {"output.snapshot_interval": '"0.5 s"'}
-    flow = study.run(check.name, case, {"numerics.spacing": '"10 mm"', **interval})
+    settings = {"output.snapshot_interval": '"0.5 s"'}
+    if reynolds == 100:
+        # At this spacing the pressure of the corner where the lid runs against the wall compresses water of c0 = 10 U by 4 %.
+        settings["numerics.sound_speed"] = "20"
+    flow = study.run(check.name, case, {"numerics.spacing": '"10 mm"', **settings})
     u, w = measure(flow)
     both = numpy.concatenate([u, w])
     check.norm("largest error on both centre lines, 100 a side, over the lid's velocity", numpy.abs(both).max(), 0.03)
@@ -357,8 +362,14 @@ def cavity(study, reynolds):
     late = e[-max(len(e) // 10, 2):]
     check.budget("energy", f"{late[-1] / late[0] - 1:+.1e}", "change of the kinetic energy over the last tenth of the run (the work of the lid is not in the results)")
     if not study.quick:
-        refinement(study, check, case, ("40 mm", "20 mm", "10 mm"), lambda f: math.sqrt(numpy.mean(numpy.concatenate(measure(f)) ** 2)),
-                   "rms error on the centre lines / U", interval)
+        refinement(study, check, case, ("40 mm", "20 mm", "10 mm") if reynolds == 100 else ("20 mm", "10 mm"),
+                   lambda f: math.sqrt(numpy.mean(numpy.concatenate(measure(f)) ** 2)), "rms error on the centre lines / U", settings)
+        if reynolds == 100:
+            compare_options(study, check, case, {
+                "c0 = 10 U": {"numerics.sound_speed": "10"}, "h = 2 dx": {"numerics.smoothing_ratio": "2", "numerics.wall_layers": "4"},
+                "c0 = 10 U, h = 2 dx": {"numerics.sound_speed": "10", "numerics.smoothing_ratio": "2", "numerics.wall_layers": "4"}},
+                flow, lambda f: numpy.abs(numpy.concatenate(measure(f))).max(), "largest error on the centre lines / U",
+                {"numerics.spacing": '"10 mm"', **settings})
     return check
 
 
