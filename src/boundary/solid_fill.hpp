@@ -13,11 +13,12 @@ namespace riffle {
 /// the bed, an end wall or the lid, or beyond it.
 [[nodiscard]] bool is_wetted(const Case& c, const Solid& solid, const Outline& outline, std::size_t i);
 
-/// Add the dummy particles of a solid to the walls: layers along the inside of its wetted edges, one spacing
-/// apart, the first half a spacing behind the surface, as many as `numerics.wall_layers` or as the solid is
-/// thick. Each particle takes the normal of its edge and the area of its part of the layer, so that the
-/// layers leave no gap at a corner of the solid, sharp or blunt; around a corner that the solid surrounds
-/// they are arcs, without a normal. `body`: the number that the particles carry (WallParticles::body).
+/// Add the dummy particles of a solid in two dimensions to the walls: layers along the inside of its wetted
+/// edges, one spacing apart, the first half a spacing behind the surface, as many as `numerics.wall_layers`
+/// or as the solid is thick; at a right angle those of the longer edge go through. Each particle takes the
+/// normal of its edge and the area of its part of the layer, so that the layers leave no gap at a corner of
+/// the solid, sharp or blunt; around a corner that the solid surrounds they are arcs, without a normal.
+/// `body`: the number that the particles carry (WallParticles::body).
 void add_solid(const Case& c, const Solid& solid, std::int32_t body, WallParticles<2>& walls);
 
 }  // namespace riffle

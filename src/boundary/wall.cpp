@@ -1,9 +1,11 @@
 #include "boundary/wall.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "boundary/solid_fill.hpp"
 #include "boundary/wall_particle.hpp"
+#include "case/solid_mesh.hpp"
 #include "particles/lattice.hpp"
 
 namespace riffle {
@@ -30,6 +32,40 @@ int end_wall_rows(const Case& c, const Lattice& lattice) {
     }
     return c.channel.wall_height ? static_cast<int>(std::ceil(*c.channel.wall_height / lattice.dz - 1e-9))
                                  : lattice.rows + lattice.rows / 2;
+}
+
+/// The places of the lattice in solids, as deep as there are layers: with the water around them they leave no
+/// gap, whatever the surface. Each particle takes the normal and the depth of the nearest place of the
+/// surface.
+void add_meshes(const Case& c, const Lattice& lattice, int rows, WallParticles<3>& wall) {
+    const std::vector<SolidMesh> meshes = meshes_of(c);
+    const double reach = c.numerics.wall_layers * c.numerics.spacing;
+    for (int column = 0; column < lattice.columns && !meshes.empty(); ++column) {
+        for (int file = 0; file < lattice.files; ++file) {
+            for (int row = 0; row < rows; ++row) {
+                const Vec<3> p{lattice.x(column, row), lattice.y(file), lattice.z(row)};
+                const auto mesh = std::find_if(meshes.begin(), meshes.end(),
+                                               [&](const SolidMesh& m) { return m.contains(p); });
+                if (mesh == meshes.end()) {
+                    continue;
+                }
+                const SolidMesh::Foot foot = mesh->nearest(p);
+                if (foot.distance > reach) {
+                    continue;
+                }
+                for (std::size_t k = 0; k < 3; ++k) {
+                    wall.position[k].push_back(p[k]);
+                    wall.normal[k].push_back(foot.direction[k]);
+                    for (std::size_t l = 0; l < 3; ++l) {
+                        wall.projector[3 * k + l].push_back(k == l ? 1.0 : 0.0);
+                    }
+                }
+                wall.volume.push_back(lattice.volume<3>());
+                wall.depth.push_back(foot.distance);
+                wall.body.push_back(first_solid + static_cast<std::int32_t>(mesh - meshes.begin()));
+            }
+        }
+    }
 }
 
 }  // namespace
@@ -124,6 +160,7 @@ WallParticles<3> wall_particles<3>(const Case& c) {
         }
         wall.volume.push_back(lattice.volume<3>());
         wall.depth.push_back(depth);
+        wall.body.push_back(resting_body);
     };
     const int beyond = closed ? layers : 0;
     // Side walls stand half a depth above the still water, as end walls do.
@@ -143,6 +180,10 @@ WallParticles<3> wall_particles<3>(const Case& c) {
                 add(column, file, row, {0.0, file < 0 ? 1.0 : -1.0, 0.0}, file < 0 ? -y : y - width);
             }
         }
+    }
+    add_meshes(c, lattice, top, wall);
+    if (c.solids.empty()) {
+        wall.body.clear();
     }
     return wall;
 }

@@ -270,6 +270,9 @@ Case parse_case(const std::string& text, const std::string& name, const std::fil
     }
     c.path = path;
     c.start.file = resolved(c.start.file, path);
+    for (Solid& solid : c.solids) {
+        solid.file = resolved(solid.file, path);
+    }
     c.measured.velocity_profile = resolved(c.measured.velocity_profile, path);
     // What the keys demand of each other can only be judged when each of them is right.
     if (problems.empty()) {

@@ -9,7 +9,7 @@ namespace riffle {
 SectionKeys solid_keys() {
     using enum Dimension;
     SectionKeys s{"solid",
-                  "A body that the water flows around, in two dimensions; any number of them, each under "
+                  "A body that the water flows around; any number of them, each under "
                   "[[solid]].",
                   {},
                   [](const Case& c) { return c.solids.size(); }};
@@ -22,12 +22,29 @@ SectionKeys solid_keys() {
     s.keys.push_back(
         key("x", &Solid::x, "Corners of its outline along the channel, one after the other in either sense.")
             .measured_in(length)
-            .is_required()
-            .with_example("[\"100 mm\", \"140 mm\", \"140 mm\", \"100 mm\"]"));
+            .with_default_note("required in two dimensions")
+            .with_example("[\"100 mm\", \"140 mm\", \"140 mm\", \"100 mm\"]")
+            .applies_with("channel.dimensions", {"2"}, true));
     s.keys.push_back(key("z", &Solid::z, "Heights of the same corners above the bed level.")
                          .measured_in(length)
-                         .is_required()
-                         .with_example("[\"0 mm\", \"0 mm\", \"20 mm\", \"20 mm\"]"));
+                         .with_default_note("required in two dimensions")
+                         .with_example("[\"0 mm\", \"0 mm\", \"20 mm\", \"20 mm\"]")
+                         .applies_with("channel.dimensions", {"2"}, true));
+    s.keys.push_back(
+        key("file", &Solid::file, "STL file, binary or text, of its closed surface in three dimensions.")
+            .with_default_note("required in three dimensions")
+            .with_example("\"stone.stl\"")
+            .applies_with("channel.dimensions", {"3"}, true));
+    s.keys.push_back(key("scale", &Solid::scale, "Length of the file's unit.")
+                         .measured_in(length)
+                         .greater_than(0)
+                         .applies_with("channel.dimensions", {"3"}, true));
+    s.keys.push_back(key("place", &Solid::place, "x, y and z of the file's origin in the channel.")
+                         .measured_in(length)
+                         .may_be_empty()
+                         .with_default_note("the channel's origin")
+                         .with_example("[\"100 mm\", \"50 mm\", \"0 mm\"]")
+                         .applies_with("channel.dimensions", {"3"}, true));
     s.keys.push_back(key("surface", &Solid::surface, "What the water does at it."));
     s.keys.push_back(key("motion", &Solid::motion, "Whether and how it moves."));
     s.keys.push_back(key("start", &Solid::start, "Simulated time at which it starts to move.")

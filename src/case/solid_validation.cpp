@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/error.hpp"
 #include "case/outline.hpp"
+#include "case/solid_mesh.hpp"
 #include "case/units.hpp"
 #include "case/words.hpp"
 
@@ -190,10 +192,20 @@ class SolidValidation {
                 say("name", "another solid has this name already: each needs its own");
             }
         }
-        check_plane(place, "[[solid]]");
         check_dummy(place, "[[solid]]");
+        if (c_.channel.dimensions == 3) {
+            check_mesh(solid, say);
+            return;
+        }
         if (c_.channel.top == Top::periodic) {
             say("name", "goes with [channel] top = \"free-surface\" or \"wall\"");
+        }
+        if (solid.x.empty() || solid.z.empty()) {
+            say("x",
+                "x or z is missing: give the corners of its outline, for example x = [\"100 mm\", \"140 "
+                "mm\", "
+                "\"120 mm\"] and z = [\"0 mm\", \"0 mm\", \"20 mm\"]");
+            return;
         }
         const Outline outline{solid.x, solid.z};
         const std::string fault = outline_fault(outline);
@@ -212,6 +224,71 @@ class SolidValidation {
         check_thickness(outline, say);
         if (solid.motion != SolidMotion::fixed) {
             check_motion(solid, *left, *right, *low, say);
+        }
+    }
+
+    template <class Say>
+    void check_mesh(const Solid& solid, const Say& say) {
+        if (solid.motion != SolidMotion::fixed) {
+            say("motion", "goes with [channel] dimensions = 2: in three dimensions solids stand still");
+        }
+        if (solid.file.empty()) {
+            say("file",
+                "file is missing: give the STL file of its closed surface, for example file = \"stone.stl\"");
+            return;
+        }
+        if (!solid.place.empty() && solid.place.size() != 3) {
+            say("place", fmt::format("holds {} lengths; expected three: x, y and z", solid.place.size()));
+            return;
+        }
+        if (c_.path.empty()) {
+            return;  // a text without a folder
+        }
+        try {
+            const SolidMesh mesh(solid);
+            const auto& low = mesh.lower();
+            const auto& high = mesh.upper();
+            const auto range = [&](std::size_t k) {
+                return fmt::format("{} to {}", length_text(low[k]), length_text(high[k]));
+            };
+            const double width = c_.channel.simulated_width();
+            const bool open_sides = c_.channel.sides == Sides::periodic;
+            const auto crosses = [&](std::size_t k, double extent) {
+                const bool goes_through = low[k] <= 0.0 && high[k] >= extent;
+                return !goes_through && (low[k] < 0.0 || high[k] > extent);
+            };
+            if (crosses(0, c_.channel.length) || (open_sides && crosses(1, width)) || low[1] >= width ||
+                high[1] <= 0.0 || high[2] <= 0.0 || low[2] >= c_.total_depth()) {
+                say("place",
+                    fmt::format("lies outside of the channel, or across its periodic ends: x {}, y {}, z "
+                                "{}; expected x from 0 to {}, y from 0 to {} (or all of it) and a part of z "
+                                "from 0 to "
+                                "{}; see `place` and `scale` (the length of the file's unit)",
+                                range(0), range(1), range(2), length_text(c_.channel.length),
+                                length_text(width), length_text(c_.total_depth())));
+            }
+            const auto covers = [&](double share) {
+                return mesh.contains({share * c_.channel.length, share * width, share * c_.total_depth()});
+            };
+            if (covers(1e-3) && covers(0.5) && covers(0.999)) {
+                say("scale",
+                    fmt::format("fills the whole channel: no water is left; x {}, y {}, z {}: see `scale`, "
+                                "the length of the file's unit",
+                                range(0), range(1), range(2)));
+            }
+            for (std::size_t k = 0; k < 3; ++k) {
+                const double needed = c_.numerics.wall_layers * c_.numerics.spacing;
+                if (high[k] - low[k] < needed) {
+                    say("file",
+                        fmt::format("is only {} wide, less than {} layers of wall particles ({}); make it "
+                                    "larger or the spacing smaller",
+                                    length_text(high[k] - low[k]), c_.numerics.wall_layers,
+                                    length_text(needed)));
+                    break;
+                }
+            }
+        } catch (const Error& e) {
+            say("file", e.what());
         }
     }
 

@@ -105,6 +105,7 @@ double slowest_decay_time(const SectionBalance& balance, const Eigen::VectorXd& 
 
 bool has_section(const Case& c) {
     if (!c.has_side_walls() || !(c.streamwise_gravity() > 0.0)) return false;
+    if (!c.solids.empty()) return false;
     if (c.channel.ends != Ends::periodic || c.channel.top == Top::periodic) return false;
     // Whether there is friction does not depend on the grid.
     constexpr int coarse = 8;

@@ -50,7 +50,7 @@ struct SectionOptions {
 };
 
 /// Whether a case has a section twin: three dimensions with side walls, a slope and something that resists
-/// the flow. Periodic sides have the column.
+/// the flow, and no solids. Periodic sides have the column.
 [[nodiscard]] bool has_section(const Case& c);
 
 /// Solve the steady flow of

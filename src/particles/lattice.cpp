@@ -5,6 +5,7 @@
 #include <random>
 
 #include "case/outline.hpp"
+#include "case/solid_mesh.hpp"
 
 namespace riffle {
 
@@ -99,7 +100,17 @@ Particles<D> lattice_particles(const Case& c) {
     for (const double z : c.start.water_z) {
         rows = std::max(rows, static_cast<int>(std::ceil(z / lattice.dz)));
     }
-    const bool everywhere = D == 3 || (c.start.water_x.empty() && c.solids.empty());
+    const bool everywhere = c.start.water_x.empty() && c.solids.empty();
+    const std::vector<SolidMesh> meshes = D == 3 ? meshes_of(c) : std::vector<SolidMesh>();
+    const auto is_wet = [&](int column, int file, int row) {
+        if constexpr (D == 2) {
+            return starts_wet(c, lattice.x(column, row), lattice.z(row));
+        } else {
+            const Point3 p{lattice.x(column, row), lattice.y(file), lattice.z(row)};
+            return std::none_of(meshes.begin(), meshes.end(),
+                                [&](const auto& mesh) { return mesh.contains(p); });
+        }
+    };
     Particles<D> particles;
     particles.resize(static_cast<std::size_t>(lattice.columns) * static_cast<std::size_t>(files) *
                      static_cast<std::size_t>(rows));
@@ -113,7 +124,7 @@ Particles<D> lattice_particles(const Case& c) {
     for (int column = 0; column < lattice.columns; ++column) {
         for (int file = 0; file < files; ++file) {
             for (int row = 0; row < rows; ++row) {
-                if (!everywhere && !starts_wet(c, lattice.x(column, row), lattice.z(row))) {
+                if (!everywhere && !is_wet(column, file, row)) {
                     continue;
                 }
                 particles.position[0][i] = lattice.x(column, row);

@@ -50,7 +50,8 @@ template <int D = 2>
 
 /// Fluid particles at rest on the lattice (first row at dz/2), displaced at random by the start's jitter;
 /// density deviation and mass are left at zero. In two dimensions those inside of the outline of the water,
-/// where the start gives one, and not in or closer than a quarter of the spacing to a solid.
+/// where the start gives one, and not in or closer than a quarter of the spacing to a solid. In three
+/// dimensions those in a solid are the wall particles' places (boundary/wall.hpp).
 template <int D = 2>
 [[nodiscard]] Particles<D> lattice_particles(const Case& c);
 

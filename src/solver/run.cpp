@@ -53,7 +53,8 @@ void check_runnable(const Case& c) {
         throw InputError(
             "[run] until = \"converged\" tests the mean velocity against the relaxation time of the steady "
             "channel flow; "
-            "this case has no such flow (no slope, no friction, closed ends or periodic top): give a time, "
+            "this case has no such flow (no slope, no friction, closed ends, solids or periodic top): give a "
+            "time, "
             "until = "
             "\"10 s\"");
     }

@@ -10,6 +10,7 @@
 #include "base/parallel.hpp"
 #include "base/version.hpp"
 #include "output/checkpoint_file.hpp"
+#include "particles/lattice.hpp"
 #include "solver/content.hpp"
 #include "solver/run_content.hpp"
 #include "solver/start.hpp"
@@ -73,6 +74,12 @@ void RunSession<D>::start() {
         "{} fluid and {} wall particles, spacing {:.4g} mm, h {:.4g} mm, c0 {:.4g} m/s, step <= {:.4g} s",
         simulation_->particles().size(), simulation_->walls().size(), 1e3 * scheme.spacing,
         1e3 * scheme.smoothing_length, scheme.state.sound_speed, scheme.acoustic_step));
+    if (!case_.solids.empty() && case_.start.water_x.empty()) {
+        Case free = case_;
+        free.solids.clear();
+        log_.info(fmt::format("{} particles of the water's lattice are left out, in or too close to solids",
+                              lattice_particles<D>(free).size() - simulation_->particles().size()));
+    }
     Content content = run_head(case_, twins_);
     content.compression = case_.output.compression;
     recorder_->record(*simulation_);

@@ -8,6 +8,7 @@
 #include "boundary/repulsive_wall.hpp"
 #include "boundary/solid_contact.hpp"
 #include "boundary/wall_motion.hpp"
+#include "case/solid_mesh.hpp"
 #include "roughness/bed_drag.hpp"
 #include "solver/ghost_nodes.hpp"
 #include "solver/simulation.hpp"
@@ -207,6 +208,7 @@ class SimulationOf final : public SimulationIn<D> {
     WallLaw wall_law_;
     WallMotion motion_;
     SolidContact contact_;
+    std::vector<SolidMesh> meshes_;        ///< of the solids, in three dimensions
     std::vector<BodyState> bodies_after_;  ///< at the end of the step; empty without solids
     std::vector<double> contact_depth_;    ///< by block, the largest of the step, m
     std::vector<BodyState> bodies_;        ///< at the begin of the step; empty where no wall moves

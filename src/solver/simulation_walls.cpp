@@ -155,28 +155,38 @@ void SimulationOf<D, Real>::keep_out_of_solids(std::size_t begin, std::size_t en
 
 template <int D, class Real>
 void SimulationOf<D, Real>::check_solids() const {
-    if constexpr (D == 2) {
-        const std::vector<BodyState> bodies = motion_.at(clock_.time);
-        const double length = domain_.periodic[0] ? domain_.extent(0) : 0.0;
-        for (std::size_t k = 0; k < case_.solids.size(); ++k) {
-            const Solid& solid = case_.solids[k];
-            const Outline outline{solid.x, solid.z};
-            const auto [left, right] = std::minmax_element(solid.x.begin(), solid.x.end());
-            for (std::size_t i = 0; i < particles_.size(); ++i) {
-                const Vec<2>& moved = bodies[first_solid + k].displacement;
-                double x = particles_.position[0][i] - moved[0];
-                const double z = particles_.position[1][i] - moved[1];
+    const double spacing = case_.numerics.spacing;
+    const std::vector<BodyState> bodies = motion_.at(clock_.time);
+    for (std::size_t k = 0; k < case_.solids.size(); ++k) {
+        const Solid& solid = case_.solids[k];
+        const Outline outline{solid.x, solid.z};
+        const Vec<2>& moved = bodies[first_solid + k].displacement;
+        const auto is_deep = [&](const Vec<D>& place) {
+            if constexpr (D == 3) {
+                return meshes_[k].contains(place) && meshes_[k].nearest(place).distance > spacing;
+            } else {
+                const auto [left, right] = std::minmax_element(solid.x.begin(), solid.x.end());
+                const double length = domain_.periodic[0] ? domain_.extent(0) : 0.0;
+                double x = place[0] - moved[0];
+                const double z = place[1] - moved[1];
                 x += x < *left ? length : 0.0;
                 x -= x > *right ? length : 0.0;
-                if (x > *left && x < *right && contains(outline, x, z) &&
-                    distance_from_outline(outline, x, z) > case_.numerics.spacing) {
-                    throw RunError(fmt::format(
-                        "water has entered the solid \"{}\": particle {} at x = {:.6g} m, z = {:.6g} m, "
-                        "velocity ({:.4g}, {:.4g}) m/s, at t = {:.6g} s; take a smaller spacing, let the "
-                        "solid move more slowly, or keep [numerics] density_diffusion = \"fourtakas\"",
-                        solid.name, particles_.id[i], particles_.position[0][i], particles_.position[1][i],
-                        particles_.velocity[0][i], particles_.velocity[1][i], clock_.time));
-                }
+                return x > *left && x < *right && contains(outline, x, z) &&
+                       distance_from_outline(outline, x, z) > spacing;
+            }
+        };
+        for (std::size_t i = 0; i < particles_.size(); ++i) {
+            Vec<D> place{};
+            for (std::size_t axis = 0; axis < axes; ++axis) {
+                place[axis] = particles_.position[axis][i];
+            }
+            if (is_deep(place)) {
+                throw RunError(fmt::format(
+                    "water has entered the solid \"{}\": particle {} at x = {:.6g} m, z = {:.6g} m, velocity "
+                    "({:.4g}, {:.4g}) m/s, at t = {:.6g} s; take a smaller spacing, let the solid move more "
+                    "slowly, or keep [numerics] density_diffusion = \"fourtakas\"",
+                    solid.name, particles_.id[i], place[0], place[vertical], particles_.velocity[0][i],
+                    particles_.velocity[vertical][i], clock_.time));
             }
         }
     }

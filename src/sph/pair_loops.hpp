@@ -93,6 +93,7 @@ struct PairConstants {
     Real hydrostatic_gradient;                           ///< g_z/c0^2, 1/m
     bool correct_pressure;                               ///< B = M^-1 near full support, else the identity
     bool correct_gradient;
+    bool correct_along = false;  ///< walls that continue the fluid do so along the channel too: with solids
     DirectionalViscosity<Real> directional;  ///< where LoopOptions ask for it
     PairForm<Real> form;                     ///< where LoopOptions need one (needs_pair_form)
     const KernelTable<Real>* table;          ///< of a kernel without loops of its own

@@ -299,7 +299,7 @@ template <int D, class Real, class Kernel, bool Gradients>
                 c.correct_pressure ? smoothstep<T>(Real(0.6), Real(0.9), regularity) : T(0);
             Components<T, D* D> b = pressure_correction<T, D>(m_fluid, m_wall, pressure_blend);
             if constexpr (D == 3) {
-                if (continued_cluster) {
+                if (continued_cluster && !c.correct_along) {
                     // Along the channel a side wall is uncorrected like a bed (first_continued_row).
                     Symmetric<T, D> all_walls = m_wall;
                     add(all_walls, m_continued);
@@ -429,7 +429,7 @@ template <int D, class Real, class Kernel, class Viscosity, class Record>
             const bool continued = correction_lane >= 0;
             Components<W, D * D> departure{};
             if (continued) {
-                for (std::size_t k = first_continued_row<D> * D; k < D * D; ++k) {
+                for (std::size_t k = c.correct_along ? 0 : first_continued_row<D> * D; k < D * D; ++k) {
                     const Real identity = k % (D + 1) == 0 ? Real(1) : Real(0);
                     departure[k] =
                         gather<Real, Real>(&data.correction[k][static_cast<std::size_t>(correction_lane)],

@@ -67,11 +67,11 @@ TEST(Solids, NeedANameOfTheirOwn) {
                 HasSubstr("another solid has this name"));
 }
 
-TEST(Solids, GoWithTwoDimensionsAndDummyWalls) {
+TEST(Solids, GoWithDummyWallsAndInSpaceNeedAFile) {
     EXPECT_THAT(error_of(with_solid(step_x, step_z, "[numerics]\nwall = \"dynamic\"\n")),
                 HasSubstr("goes with [numerics] wall = \"dummy\""));
     EXPECT_THAT(error_of(with_solid(step_x, step_z), {{"channel.dimensions", "3"}}),
-                HasSubstr("[[solid]] goes with [channel] dimensions = 2"));
+                HasSubstr("file is missing"));
 }
 
 TEST(Solids, MotionMustBeOneAndHaveRoom) {

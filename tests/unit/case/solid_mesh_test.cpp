@@ -1,0 +1,183 @@
+// Solids in three dimensions: STL files, what is refused of them, and the questions to a closed surface.
+
+#include "case/solid_mesh.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <fstream>
+#include <string>
+
+#include "base/error.hpp"
+#include "case_test.hpp"
+
+namespace riffle {
+namespace {
+
+using test::error_of;
+using testing::HasSubstr;
+
+/// The twelve triangles of the box from a to b.
+Triangles box(const Point3& a, const Point3& b) {
+    Triangles triangles;
+    const auto corner = [&](int bits) {
+        return Point3{(bits & 1) != 0 ? b[0] : a[0], (bits & 2) != 0 ? b[1] : a[1],
+                      (bits & 4) != 0 ? b[2] : a[2]};
+    };
+    const int faces[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                             {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+    for (const auto& f : faces) {
+        triangles.push_back({corner(f[0]), corner(f[1]), corner(f[2])});
+        triangles.push_back({corner(f[0]), corner(f[2]), corner(f[3])});
+    }
+    return triangles;
+}
+
+std::string text_of(const Triangles& triangles) {
+    std::string text = "solid a box\n";
+    for (const auto& t : triangles) {
+        text += "facet normal 0 0 0\nouter loop\n";
+        for (const Point3& p : t) {
+            text += "vertex " + std::to_string(p[0]) + " " + std::to_string(p[1]) + " " +
+                    std::to_string(p[2]) + "\n";
+        }
+        text += "endloop\nendfacet\n";
+    }
+    return text + "endsolid a box\n";
+}
+
+std::string binary_of(const Triangles& triangles) {
+    std::string content = "solid, but in binary all the same";
+    content.resize(80, ' ');
+    const auto count = static_cast<std::uint32_t>(triangles.size());
+    content.append(reinterpret_cast<const char*>(&count), 4);
+    for (const auto& t : triangles) {
+        content.append(12, '\0');
+        for (const Point3& p : t) {
+            for (const double x : p) {
+                const auto number = static_cast<float>(x);
+                content.append(reinterpret_cast<const char*>(&number), 4);
+            }
+        }
+        content.append(2, '\0');
+    }
+    return content;
+}
+
+std::filesystem::path file_of(const std::string& content) {
+    const std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
+    const auto file = std::filesystem::path(testing::TempDir()) / ("riffle_" + name + ".stl");
+    std::ofstream(file, std::ios::binary) << content;
+    return file;
+}
+
+std::string fault_of(const std::string& content) {
+    try {
+        static_cast<void>(read_stl(file_of(content)));
+    } catch (const FileError& e) {
+        return e.what();
+    }
+    return "";
+}
+
+TEST(StlFile, TextAndBinaryAreTheSame) {
+    const Triangles triangles = box({0.0, 0.0, 0.0}, {2.0, 1.0, 0.5});
+    const Triangles text = read_stl(file_of(text_of(triangles)));
+    EXPECT_EQ(text, triangles);
+    EXPECT_EQ(read_stl(file_of(binary_of(triangles))), triangles);
+    EXPECT_NEAR(SolidMesh(text).volume(), 1.0, 1e-12);
+}
+
+TEST(StlFile, ASurfaceInsideOutIsTurned) {
+    Triangles triangles = box({0.0, 0.0, 0.0}, {2.0, 1.0, 0.5});
+    for (auto& t : triangles) {
+        std::swap(t[1], t[2]);
+    }
+    EXPECT_NEAR(SolidMesh(read_stl(file_of(text_of(triangles)))).volume(), 1.0, 1e-12);
+}
+
+TEST(StlFile, FaultsNameFileAndTriangle) {
+    const Triangles whole = box({0.0, 0.0, 0.0}, {2.0, 1.0, 0.5});
+    Triangles open = whole;
+    open.erase(open.begin() + 4);
+    EXPECT_THAT(fault_of(text_of(open)), HasSubstr("the surface is not closed"));
+    EXPECT_THAT(fault_of(text_of(open)), HasSubstr("riffle_FaultsNameFileAndTriangle.stl: triangle "));
+    Triangles turned = whole;
+    std::swap(turned[6][0], turned[6][1]);
+    EXPECT_THAT(fault_of(text_of(turned)), HasSubstr("turned over"));
+    Triangles flat = whole;
+    flat[3][2] = flat[3][1];
+    EXPECT_THAT(fault_of(text_of(flat)), HasSubstr("triangle 4: two of its corners are the same"));
+    std::string wrong = text_of(whole);
+    wrong.replace(wrong.find("vertex") + 7, 1, "x");
+    EXPECT_THAT(fault_of(wrong), HasSubstr("triangle 1: expected `vertex` and three numbers"));
+    const std::string binary = binary_of(whole);
+    EXPECT_THAT(fault_of(binary.substr(1, binary.size() - 11)), HasSubstr("cut short"));
+    EXPECT_THAT(fault_of("solid x\nendsolid\n"), HasSubstr("holds no triangle"));
+    EXPECT_THAT(fault_of(text_of(whole).substr(0, 300)), HasSubstr("cut short: `endsolid` is missing"));
+    std::string infinite = binary;
+    const float nan = std::nanf("");
+    std::memcpy(infinite.data() + 84 + 50 * 2 + 12, &nan, 4);
+    EXPECT_THAT(fault_of(infinite), HasSubstr("triangle 3: a coordinate is not a finite number"));
+}
+
+TEST(SolidMesh, KnowsInsideAndTheNearestPlace) {
+    const SolidMesh mesh(box({0.0, 0.0, 0.0}, {2.0, 1.0, 0.5}));
+    for (const double x : {-0.1, 0.1, 1.0, 1.9, 2.1}) {
+        for (const double y : {-0.1, 0.25, 0.5, 0.9, 1.1}) {
+            for (const double z : {-0.1, 0.1, 0.25, 0.4, 0.6}) {
+                const bool inside = x > 0.0 && x < 2.0 && y > 0.0 && y < 1.0 && z > 0.0 && z < 0.5;
+                EXPECT_EQ(mesh.contains({x, y, z}), inside) << x << " " << y << " " << z;
+                const double dx = std::max({-x, x - 2.0, 0.0});
+                const double dy = std::max({-y, y - 1.0, 0.0});
+                const double dz = std::max({-z, z - 0.5, 0.0});
+                const double exact = inside ? std::min({x, 2.0 - x, y, 1.0 - y, z, 0.5 - z})
+                                            : std::sqrt(dx * dx + dy * dy + dz * dz);
+                EXPECT_NEAR(mesh.nearest({x, y, z}).distance, exact, 1e-12);
+            }
+        }
+    }
+    const auto foot = mesh.nearest({1.0, 0.5, 0.4});
+    EXPECT_NEAR(foot.direction[2], 1.0, 1e-12);
+}
+
+TEST(SolidsInSpace, NeedAFileAndAPlaceInTheChannel) {
+    const auto file = file_of(text_of(box({0.0, 0.0, 0.0}, {40.0, 30.0, 20.0})));
+    const auto text = [&](const std::string& lines) {
+        const auto path = file.parent_path() / "riffle_solid_case.toml";
+        std::ofstream(path)
+            << "[channel]\nslope = 0\ndepth = \"50 mm\"\nlength = \"200 mm\"\nwidth = \"100 mm\"\n"
+               "dimensions = 3\n[bed]\nkind = \"slip\"\n[turbulence]\nclosure = \"none\"\n"
+               "[start]\nkind = \"rest\"\n[run]\nuntil = \"1 s\"\n[[solid]]\nname = \"stone\"\n"
+            << lines;
+        try {
+            static_cast<void>(read_case(path));
+        } catch (const Error& e) {
+            return std::string(e.what());
+        }
+        return std::string();
+    };
+    const std::string name = "file = \"" + file.filename().string() + "\"\n";
+    EXPECT_THAT(text(""), HasSubstr("file is missing"));
+    EXPECT_THAT(text(name), HasSubstr("fills the whole channel"));
+    EXPECT_THAT(text(name + "scale = \"1 mm\"\nplace = [0, 0, 1]\n"),
+                HasSubstr("lies outside of the channel"));
+    EXPECT_EQ(text(name + "scale = \"1 mm\"\nplace = [0.05, 0.02, 0]\n"), "");
+    EXPECT_EQ(text(name + "scale = \"5 mm\"\nplace = [0, -0.02, -0.06]\n"),
+              "");  // all of the length and width
+    EXPECT_THAT(text(name + "scale = \"1 mm\"\nplace = [0.18, 0.02, 0]\n"),
+                HasSubstr("across its periodic ends"));
+    EXPECT_THAT(text(name + "scale = \"1 mm\"\nplace = [0.05]\n"), HasSubstr("expected three: x, y and z"));
+    EXPECT_THAT(text(name + "scale = \"0.1 mm\"\n"), HasSubstr("less than 3 layers"));
+    EXPECT_THAT(text(name + "scale = \"1 mm\"\nmotion = \"constant\"\nvelocity_x = 1\n"),
+                HasSubstr("in three dimensions solids stand still"));
+    EXPECT_THAT(text(name + "x = [0, 1, 2]\n"), HasSubstr("x goes only with channel.dimensions"));
+    EXPECT_THAT(text("file = \"none.stl\"\n"), HasSubstr("there is no such STL file"));
+}
+
+}  // namespace
+}  // namespace riffle
