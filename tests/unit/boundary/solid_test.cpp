@@ -2,8 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <fstream>
 #include <numbers>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "boundary/solid_contact.hpp"
@@ -148,6 +152,70 @@ TEST(SolidFill, OnlyEdgesThatWaterMayTouchAreLined) {
 TEST(SolidFill, FillsAThinPlateOnce) {
     const Case c = tank({solid({0.03, 0.036, 0.036, 0.03}, {0.01, 0.01, 0.05, 0.05})});
     EXPECT_NEAR(area(filled(c)), 0.006 * 0.04, 0.1 * 0.006 * 0.006);
+}
+
+// In space water and wall particles share one lattice: each place of it in the channel is one or the other,
+// or deeper in the solid than its layers.
+TEST(SolidFill, InSpaceWaterAndSolidShareTheLattice) {
+    Case c;
+    c.channel.dimensions = 3;
+    c.channel.sides = Sides::periodic;
+    c.bed.kind = BedKind::slip;
+    c.bed.datum_below_crest = 0.0;
+    c.channel.depth = 0.04;
+    c.channel.length = 0.06;
+    c.channel.width = 0.06;
+    c.numerics.spacing = 0.002;
+    c.numerics.wall_layers = 3;
+    // An octahedron with corners 20 mm from its middle; its faces are planes |x| + |y| + |z| = 20 mm.
+    Solid s;
+    s.name = "octahedron";
+    s.file = std::string(testing::TempDir()) + "riffle_octahedron.stl";
+    s.scale = 0.02;
+    s.place = {0.03, 0.03, 0.02};
+    const int faces[8][3] = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
+                             {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
+    const char* const corners[6] = {"1 0 0", "-1 0 0", "0 1 0", "0 -1 0", "0 0 1", "0 0 -1"};
+    std::ofstream file(s.file);
+    file << "solid octahedron\n";
+    for (const auto& face : faces) {
+        file << "facet normal 0 0 0\nouter loop\n";
+        for (const int corner : face) {
+            file << "vertex " << corners[corner] << "\n";
+        }
+        file << "endloop\nendfacet\n";
+    }
+    file << "endsolid octahedron\n";
+    file.close();
+    c.solids = {s};
+
+    std::set<std::array<long, 3>> places;
+    const auto place = [](const auto& position, std::size_t i) {
+        return std::array<long, 3>{std::lround(position[0][i] / 1e-3), std::lround(position[1][i] / 1e-3),
+                                   std::lround(position[2][i] / 1e-3)};
+    };
+    const Particles<3> water = lattice_particles<3>(c);
+    for (std::size_t i = 0; i < water.size(); ++i) {
+        EXPECT_TRUE(places.insert(place(water.position, i)).second);
+    }
+    const WallParticles<3> walls = wall_particles<3>(c);
+    std::size_t of_solid = 0;
+    for (std::size_t i = 0; i < walls.size(); ++i) {
+        if (walls.body[i] < first_solid) {
+            continue;
+        }
+        ++of_solid;
+        EXPECT_TRUE(places.insert(place(walls.position, i)).second);
+        const double sum = std::abs(walls.position[0][i] - 0.03) + std::abs(walls.position[1][i] - 0.03) +
+                           std::abs(walls.position[2][i] - 0.02);
+        EXPECT_NEAR(walls.depth[i], (0.02 - sum) / std::sqrt(3.0), 1e-9);
+        EXPECT_LE(walls.depth[i], 0.006);
+    }
+    EXPECT_GT(of_solid, 500U);
+    // What is missing lies deeper than 6 mm: in the octahedron whose corners are 6 sqrt(3) mm nearer.
+    const double missing = 30.0 * 30.0 * 20.0 - static_cast<double>(places.size());
+    const double edge = 0.02 - 0.006 * std::sqrt(3.0);
+    EXPECT_NEAR(missing, 4.0 / 3.0 * edge * edge * edge / 8e-9, 0.25 * missing);
 }
 
 TEST(WallMotion, FollowsItsLaw) {
