@@ -239,6 +239,11 @@ class Warnings {
     }
 
     void beginning() {
+        if (c_.start.lattice == StartLattice::body_centred && c_.start.kind != StartKind::rest) {
+            add("start.lattice: \"body-centred\" has no layers that slide in a shear flow (spurious stress "
+                "of "
+                "1.3 % against 0.2 % in a cell of spheres at 5 mm); verified with \"square\"");
+        }
         constexpr double verified_jitter = 0.25;
         if (c_.start.jitter > verified_jitter) {
             add("start.jitter: verified up to {} spacings; a start at 0.4 failed", verified_jitter);

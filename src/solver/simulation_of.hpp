@@ -110,8 +110,6 @@ class SimulationOf final : public SimulationIn<D> {
     void wet_wall(std::size_t slot, std::size_t particle, double pressure);
     void update_wall(std::size_t slot, std::size_t particle, const WallResult<D, Real>& sums,
                      std::size_t lane, double step);
-    /// The same from the particle's ghost node (ghost_walls.cpp).
-    void update_wall_by_ghost(std::size_t slot, std::size_t particle);
 
     // Sweeps (simulation_sweeps.cpp).
     /// One evaluation of all rates, the motion that follows from it, and the packing of the moved particles.
@@ -123,6 +121,8 @@ class SimulationOf final : public SimulationIn<D> {
     void find_mixing_lengths(Task& task, std::size_t begin, std::size_t end) const;
     void evaluate_gradients(Task& task, std::size_t begin, std::size_t end, double density_step);
     void evaluate_walls(Task& task, std::size_t begin, std::size_t end, double step);
+    /// The same from the particles' ghost nodes (ghost_walls.cpp).
+    void update_walls_by_ghosts(std::size_t begin, std::size_t end);
     void evaluate_forces(Task& task, std::size_t begin, std::size_t end, double step);
     void gather_motion(double step);
     /// An evaluation of the stepper: the particles of a block by their rates.

@@ -46,6 +46,7 @@ SimulationOf<D, Real>::SimulationOf(const Case& c, const ColumnResult* column, P
         wall_deviation_[i] = scheme_.hydrostatic_deviation(walls_.position[vertical][i]);
     }
     data_.constants = pair_constants<D, Real>(c, scheme_, fixed_point_);
+    repulsion_ = RepulsiveWalls<D>(c, scheme_.state.sound_speed);
     sweeps_ = make_pair_sweeps<D, Real>(c, scheme_, fixed_point_);
     particle_data_ = particle_constants<D>(c, scheme_, domain_);
     refer_to_particles();
@@ -61,16 +62,15 @@ SimulationOf<D, Real>::SimulationOf(const Case& c, const ColumnResult* column, P
 
     check_state();
     make_walls();
-    if (c.numerics.wall == WallKind::modified_dynamic && walls_.size() > 0) {
-        ghosts_ = std::make_unique<GhostNodes<D>>(c, scheme_, domain_, walls_, column_width_);
-    }
-    repulsion_ = RepulsiveWalls<D>(c, scheme_.state.sound_speed);
     if (D == 3 || starts_beside_dry_walls(c)) {
         // Again, as make_walls() has sorted them.
         for (std::size_t i = 0; i < walls_.size(); ++i) {
             wall_deviation_[i] = scheme_.hydrostatic_deviation(walls_.position[vertical][i]);
         }
         wet_walls();
+    }
+    if (c.numerics.wall == WallKind::modified_dynamic && walls_.size() > 0) {
+        ghosts_ = std::make_unique<GhostNodes<D>>(c, scheme_, domain_, walls_, column_width_);
     }
     build_lists(true);
     fields_.resize(particles_.size(), D);

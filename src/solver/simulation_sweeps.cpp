@@ -169,6 +169,10 @@ void SimulationOf<D, Real>::keep_stress_fields(const Task& task, std::size_t beg
 
 template <int D, class Real>
 void SimulationOf<D, Real>::evaluate_walls(Task& task, std::size_t begin, std::size_t end, double step) {
+    if (ghosts_) {
+        update_walls_by_ghosts(begin, end);
+        return;
+    }
     loops_.wall(data_, begin, end, task.sums);
     for (std::size_t slot = begin * cluster_size; slot < end * cluster_size; ++slot) {
         const std::int32_t particle = wall_clusters_.particle_of(slot);

@@ -206,10 +206,6 @@ void SimulationOf<D, Real>::wet_walls() {
 template <int D, class Real>
 void SimulationOf<D, Real>::update_wall(std::size_t slot, std::size_t i, const WallResult<D, Real>& sums,
                                         std::size_t lane, double step) {
-    if (ghosts_) {
-        update_wall_by_ghost(slot, i);
-        return;
-    }
     auto& record = data_.wall_force[slot];
     double pressure = 0.0;
     const auto weight = static_cast<double>(sums.weight[lane]);
