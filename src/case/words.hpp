@@ -33,7 +33,9 @@ template <>
 struct Words<Sides> {
     static constexpr std::array<Word, 3> list{{
         {"periodic", "what leaves at one side enters at the other: part of a wide channel"},
-        {"walls", "frictionless walls at y = 0 and y = width, whose drag is that of [side_walls]"},
+        {"walls",
+         "walls at y = 0 and y = width: frictionless but for the drag of [side_walls]; no-slip with "
+         "`bed.kind = \"no-slip\"`"},
         {"half", "a side wall at y = 0 and the plane of symmetry at y = width / 2"},
     }};
 };

@@ -52,7 +52,11 @@ Scheme make_scheme(const Case& c, const ColumnResult* column) {
     scheme.acoustic_step = c.numerics.courant_number * scheme.smoothing_length / scheme.state.sound_speed;
     // Explicit diffusion of momentum, here only where the viscosity is that of a laminar case.
     const double h = scheme.smoothing_length;
-    scheme.acoustic_step = std::min(scheme.acoustic_step, 0.125 * h * h / scheme.viscosity);
+    double stiffness = scheme.viscosity;
+    if (c.numerics.viscosity == ViscosityForm::monaghan_gingold) {
+        stiffness *= c.channel.dimensions + 2.0;  // its force along a line of centres is as much stronger
+    }
+    scheme.acoustic_step = std::min(scheme.acoustic_step, 0.125 * h * h / stiffness);
     if (c.numerics.viscosity == ViscosityForm::artificial) {
         const double viscosity = c.numerics.artificial_viscosity * h * scheme.state.sound_speed /
                                  (2.0 * (c.channel.dimensions + 2.0));

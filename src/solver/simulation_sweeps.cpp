@@ -16,7 +16,8 @@ namespace {
 /// Ask for values [begin, end) that will be read and written.
 template <class Values>
 void fetch(const Values& values, std::size_t begin, std::size_t end) {
-    constexpr std::size_t step = 64 / sizeof(values[0]);  // a line of the caches
+    constexpr std::size_t line = 64;  // of the caches, bytes; some records are longer
+    constexpr std::size_t step = std::max<std::size_t>(line / sizeof(values[0]), 1);
     for (std::size_t i = begin; i < end; i += step) {
         __builtin_prefetch(&values[i], 1);
     }
