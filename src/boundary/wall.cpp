@@ -43,7 +43,7 @@ void add_meshes(const Case& c, const Lattice& lattice, int rows, WallParticles<3
     for (int column = 0; column < lattice.columns && !meshes.empty(); ++column) {
         for (int file = 0; file < lattice.files; ++file) {
             for (int row = 0; row < rows; ++row) {
-                const Vec<3> p{lattice.x(column, row), lattice.y(file), lattice.z(row)};
+                const Vec<3> p{lattice.x(column, row), lattice.y(file, row), lattice.z(row)};
                 const auto mesh = std::find_if(meshes.begin(), meshes.end(),
                                                [&](const SolidMesh& m) { return m.contains(p); });
                 if (mesh == meshes.end()) {

@@ -205,7 +205,8 @@ class Warnings {
             add("numerics.courant_number: {} is more than {}, the largest value verified with \"{}\"",
                 n.courant_number, verified, word(n.stepping));
         }
-        if ((n.wall == WallKind::dummy || n.wall == WallKind::modified_dynamic) &&
+        const bool layered = n.wall == WallKind::dummy || n.wall == WallKind::modified_dynamic;
+        if (layered && c_.channel.top != Top::periodic &&
             n.wall_layers * n.spacing < 2 * n.smoothing_ratio * n.spacing * (1 - small)) {
             add("numerics.wall_layers: {} layers do not fill the kernel (2 h = {} dx); take {}",
                 n.wall_layers, 2 * n.smoothing_ratio, std::ceil(2 * n.smoothing_ratio));

@@ -106,7 +106,7 @@ Particles<D> lattice_particles(const Case& c) {
         if constexpr (D == 2) {
             return starts_wet(c, lattice.x(column, row), lattice.z(row));
         } else {
-            const Point3 p{lattice.x(column, row), lattice.y(file), lattice.z(row)};
+            const Point3 p{lattice.x(column, row), lattice.y(file, row), lattice.z(row)};
             return std::none_of(meshes.begin(), meshes.end(),
                                 [&](const auto& mesh) { return mesh.contains(p); });
         }
