@@ -99,7 +99,7 @@ void register_particle_loops(const std::string& suffix, InstructionSet set,
         loops.pack(c->particle_data, c->data, &c->moved, begin, end);
     });
     sweep("displaced", [c, loops](std::size_t begin, std::size_t end) {
-        benchmark::DoNotOptimize(loops.displaced(c->data, c->fixed_point, &c->moved, begin, end));
+        benchmark::DoNotOptimize(loops.displaced(c->data, c->fixed_point, c->moved, begin, end));
     });
 }
 
