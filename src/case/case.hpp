@@ -39,6 +39,7 @@ enum class DensityFilter { none, shepard, mls };
 enum class ViscosityForm { morris, monaghan_gingold, lo_shao, artificial };
 enum class EddyStress { two_point, stress_divergence };
 enum class Stepping { semi_implicit_euler, predictor_corrector, verlet, symplectic, beeman };
+enum class StepRule { acoustic, monaghan_kos };
 enum class WallKind { dummy, dynamic, modified_dynamic, repulsive };
 enum class Precision { single_precision, double_precision };
 enum class StartKind { column, uniform, rest, power_law, results, standing_wave, taylor_green, section };
@@ -145,6 +146,7 @@ struct Numerics {
     double tensile_correction = 0.0;     ///< epsilon of Monaghan (2000); 0: none
     double xsph = 0.0;
     Stepping stepping = Stepping::semi_implicit_euler;
+    StepRule step_rule = StepRule::acoustic;
     double courant_number = 0.7;
     std::optional<double> time_step;  ///< fixed step, s; unset: from the Courant number and the forces
     WallKind wall = WallKind::dummy;

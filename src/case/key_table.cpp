@@ -69,6 +69,8 @@ SectionKeys numerics() {
                          .at_least(0)
                          .at_most(1));
     s.keys.push_back(key("stepping", &Numerics::stepping, "Time stepping."));
+    s.keys.push_back(key("step_rule", &Numerics::step_rule, "What the time step follows from.")
+                         .applies_with("numerics.time_step", {"auto"}));
     s.keys.push_back(key("courant_number", &Numerics::courant_number, "Courant number, dt c0 / h.")
                          .greater_than(0)
                          .at_most(2));

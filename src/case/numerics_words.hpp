@@ -176,6 +176,20 @@ struct Words<Stepping> {
 };
 
 template <>
+struct Words<StepRule> {
+    static constexpr std::array<Word, 2> list{{
+        {"acoustic", "C h / c0, or less where forces (a quarter of sqrt(h / a)) or viscosity ask for it",
+         "theory 10", "always: at c0 of 20 U_max and more the pairs' velocities change little"},
+        {"monaghan-kos",
+         "C times the smaller of sqrt(h / a) and h / (c0 + the largest velocity of a pair along its line)",
+         "thesis (2.53); Monaghan & Kos (1999)",
+         "to repeat the thesis, and violent flow with a low speed of sound; the pairs are looked at once "
+         "more "
+         "in each step, in plain code"},
+    }};
+};
+
+template <>
 struct Words<WallKind> {
     static constexpr std::array<Word, 4> list{{
         {"dummy", "layers of particles that carry the pressure of the fluid before them",

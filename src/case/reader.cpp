@@ -236,8 +236,9 @@ Case assemble(const Values& values, const Document& document, const Places& plac
             for (const Key& key : section.keys) {
                 const auto given = values.find({&key, item});
                 const Key* const other = find_key(key.applies.id);
-                const bool other_wrong = other != nullptr && places.given(other->id(item)) &&
-                                         !values.contains({other, item});  // reported already
+                const std::size_t its_item = other != nullptr && other->repeated ? item : 0;
+                const bool other_wrong = other != nullptr && places.given(other->id(its_item)) &&
+                                         !values.contains({other, its_item});  // reported already
                 if (given != values.end() && !other_wrong) {
                     set_key(c, key, item, given->second, places, problems);
                 }

@@ -74,4 +74,12 @@ double force_limited_step(const Scheme& scheme, double largest_acceleration) {
                                       : std::numeric_limits<double>::infinity();
 }
 
+double monaghan_kos_step(const Scheme& scheme, double courant_number, double largest_acceleration,
+                         double approach) {
+    const double h = scheme.smoothing_length;
+    const double acoustic = h / (scheme.state.sound_speed + approach);
+    return courant_number *
+           (largest_acceleration > 0.0 ? std::min(acoustic, std::sqrt(h / largest_acceleration)) : acoustic);
+}
+
 }  // namespace riffle

@@ -32,4 +32,9 @@ struct Scheme {
 /// Step by the largest acceleration: 0.25 sqrt(h/|a|) (Monaghan & Kos 1999; thesis 2.53).
 [[nodiscard]] double force_limited_step(const Scheme& scheme, double largest_acceleration);
 
+/// Step of Monaghan & Kos (1999; thesis 2.53): C min(sqrt(h/a), h/(c0 + approach)), s, from the largest
+/// acceleration a (m/s2) and the largest velocity of a pair along its line of centres (m/s).
+[[nodiscard]] double monaghan_kos_step(const Scheme& scheme, double courant_number,
+                                       double largest_acceleration, double approach);
+
 }  // namespace riffle

@@ -12,6 +12,7 @@
 #include "roughness/side_wall_partition.hpp"
 #include "solver/pair_setup.hpp"
 #include "solver/simulation_of.hpp"
+#include "sph/pair_approach.hpp"
 
 namespace riffle {
 
@@ -85,6 +86,12 @@ template <int D, class Real>
 double SimulationOf<D, Real>::choose_step() const {
     if (case_.numerics.time_step) {
         return *case_.numerics.time_step;
+    }
+    if (case_.numerics.step_rule == StepRule::monaghan_kos) {
+        const double approach =
+            largest_pair_approach(data_, clusters_, fixed_point_, scheme_.smoothing_length);
+        return std::min(scheme_.acoustic_step, monaghan_kos_step(scheme_, case_.numerics.courant_number,
+                                                                 clock_.largest_acceleration, approach));
     }
     return std::min(scheme_.acoustic_step, force_limited_step(scheme_, clock_.largest_acceleration));
 }

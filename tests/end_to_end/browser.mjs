@@ -39,7 +39,7 @@ export async function draw_all(page) {
     await page.waitForFunction(element => {
       element.scrollIntoView({ block: 'center' });
       return element.classList.contains('js-plotly-plot') && element._fullLayout;
-    }, plot, { timeout: 60000, polling: 100 });
+    }, plot, { timeout: 180000, polling: 100 });
   }
   await page.evaluate(() => scrollTo(0, 0));
 }

@@ -41,6 +41,15 @@ TEST(Solids, AreReadAndWritten) {
     EXPECT_TRUE(parse_case(case_template(c), "template").same_parameters(c));
 }
 
+// The keys of each depend on one that stands in no [[solid]].
+TEST(Solids, SeveralAreReadWithTheDimensionsGiven) {
+    const std::string second = "[[solid]]\nname = \"pier\"\nx = [0.2, 0.23, 0.23]\nz = [0, 0, 0.03]\n";
+    const Case c = parse_case(with_solid(step_x, step_z) + second, "case.toml");
+    ASSERT_EQ(c.solids.size(), 2U);
+    EXPECT_NE(c.text.find("dimensions = 2"), std::string::npos);
+    EXPECT_TRUE(parse_case(c.text, "text").same_parameters(c));
+}
+
 TEST(Solids, OutlinesMustBeSimplePolygons) {
     EXPECT_THAT(error_of(with_solid("[0.08, 0.12]", "[0, 0.02]")), HasSubstr("2 corners"));
     EXPECT_THAT(error_of(with_solid("[0.08, 0.12, 0.1]", "[0, 0.02]")),

@@ -99,6 +99,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         MethodOption{"antuono", [](Case& c) { c.numerics.density_diffusion = DensityDiffusion::antuono; }},
         MethodOption{"kernel", [](Case& c) { c.numerics.kernel_correction = KernelCorrection::kernel; }},
+        MethodOption{"monaghan_kos", [](Case& c) { c.numerics.step_rule = StepRule::monaghan_kos; }},
         MethodOption{"modified_dynamic", [](Case& c) { c.numerics.wall = WallKind::modified_dynamic; }},
         MethodOption{"modified_dynamic_tank",
                      [](Case& c) {
