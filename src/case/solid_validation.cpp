@@ -182,7 +182,7 @@ class SolidValidation {
         const std::string place = fmt::format("solid[{}]", item);
         const auto say = [&](const char* key, const std::string& message) {
             add({place + "." + key, place},
-                fmt::format("[[solid]] {}{}: {}", solid.name, solid.name.empty() ? "" : ",", message));
+                fmt::format("[[solid]]{}{}: {}", solid.name.empty() ? "" : " ", solid.name, message));
         };
         if (solid.name.empty()) {
             say("name", "name is empty: give one, for messages");
