@@ -31,7 +31,7 @@ enum class KernelKind {
     wendland_c6
 };
 enum class EquationOfState { linear, tait };
-enum class PressureForm { corrected, symmetric, riemann };
+enum class PressureForm { corrected, symmetric, riemann, riemann_non_conservative };
 enum class VelocityGradient { corrected, plain };
 enum class KernelCorrection { kernel_gradient, kernel };
 enum class DensityDiffusion { fourtakas, none, molteni, antuono };
@@ -157,6 +157,11 @@ struct Numerics {
 
     bool operator==(const Numerics&) const = default;
 
+    /// Whether the pressure of a pair is that of a Riemann problem.
+    [[nodiscard]] bool has_riemann_problem() const {
+        return pressure_form == PressureForm::riemann ||
+               pressure_form == PressureForm::riemann_non_conservative;
+    }
     /// The skin in use.
     [[nodiscard]] double skin_in(int dimensions) const { return skin.value_or(dimensions == 3 ? 0.1 : 0.3); }
 };

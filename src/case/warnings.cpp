@@ -109,8 +109,8 @@ class Warnings {
                 "form as "
                 "it is (12 % of the bed stress in a stirred channel); verified with \"kernel-gradient\"");
         }
-        if (n.pressure_form == PressureForm::riemann) {
-            add("numerics.pressure_form: the Riemann form keeps the spurious shear stress of the symmetric "
+        if (n.has_riemann_problem()) {
+            add("numerics.pressure_form: a Riemann form keeps the spurious shear stress of the symmetric "
                 "one, and "
                 "the mean velocity is low with it; use \"corrected\" unless this is what you study");
         }

@@ -42,7 +42,7 @@ LoopOptions loop_options(const Case& c) {
             .viscosity = n.viscosity,
             .gradients = needs_gradients(c),
             .directional = has_directional_viscosity(c),
-            .pair_pressure = n.pressure_form == PressureForm::riemann || n.tensile_correction > 0.0};
+            .pair_pressure = n.has_riemann_problem() || n.tensile_correction > 0.0};
 }
 
 double pair_viscosity(const Case& c, const Scheme& scheme) {
@@ -60,7 +60,8 @@ PairForm<Real> pair_form(const Case& c, const Scheme& scheme, const DirectionalV
     PairForm<Real> form = viscosity_form<D, Real>(n.viscosity);
     form.by_direction = has_directional_viscosity(c);
     form.direction = directional;
-    if (n.pressure_form == PressureForm::riemann) {
+    if (n.has_riemann_problem()) {
+        form.own = Real(n.pressure_form == PressureForm::riemann_non_conservative ? 2 : 0);
         form.impact = Real(3);
         form.sound_speed = static_cast<Real>(scheme.state.sound_speed);
     }

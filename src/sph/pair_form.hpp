@@ -24,6 +24,7 @@ struct PairForm {
     // Pressure, added to (p_i + p_j)/rho0.
     Real impact = Real(0);  ///< 3: dissipation of the Riemann problem; 0: none
     Real sound_speed = Real(0);
+    Real own = Real(0);            ///< 2: the particle's own pressure taken off twice, p_j - p_i; 0: not
     Real tensile = Real(0);        ///< epsilon of Monaghan (2000); 0: none
     Real tensile_scale = Real(0);  ///< 1/W(dx)
 

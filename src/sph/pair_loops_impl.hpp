@@ -378,7 +378,7 @@ template <int D, class Real, class Kernel, class Viscosity, class Record>
         const auto [self, s] = own_motion<D, Real>(&data.motion[slot]);
         const auto [stress, root] = own_stress<Real>(own);
         [[maybe_unused]] W own_pressure(0);
-        if constexpr (further && may_repel<Kernel, D>) {
+        if constexpr (further) {
             own_pressure = gather<Real, Real>(own, [](const auto& r) { return r.pressure; });
         }
 
@@ -404,7 +404,8 @@ template <int D, class Real, class Kernel, class Viscosity, class Record>
                 if constexpr (further) {
                     const W density = Real(1) + Real(0.5) * (s + halves<Real, Real>(data.motion[slot_a].s,
                                                                                     data.motion[slot_b].s));
-                    W more = form.template dissipation<W, D>(density, u, r, distance);
+                    W more =
+                        form.template dissipation<W, D>(density, u, r, distance) - form.own * own_pressure;
                     if constexpr (may_repel<Kernel, D>) {
                         if (form.tensile > Real(0)) {
                             more += form.template repulsion<W>(own_pressure,
@@ -451,6 +452,9 @@ template <int D, class Real, class Kernel, class Viscosity, class Record>
                     const W weight = shape * halves<Real, Real>(a.weight, b.weight);
                     const W wall_pressure = halves<Real, Real>(a.pressure, b.pressure);
                     W pressure_sum = pressure + wall_pressure;
+                    if constexpr (further) {
+                        pressure_sum -= form.own * pressure;
+                    }
                     if constexpr (further && may_repel<Kernel, D>) {
                         if (form.tensile > Real(0)) {
                             pressure_sum +=

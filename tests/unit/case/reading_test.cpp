@@ -300,6 +300,9 @@ Case any_case() {
     c.fluid.gravity = *number_between(0.1, 20.0);
     // Options of the pair sums that go together.
     Numerics& n = c.numerics;
+    if (n.pressure_form == PressureForm::riemann_non_conservative) {  // not with a free surface
+        n.pressure_form = PressureForm::riemann;
+    }
     if (n.tensile_correction > 0.0) {
         n.kernel = KernelKind::cubic_spline;
         n.pressure_form = PressureForm::symmetric;
@@ -310,7 +313,7 @@ Case any_case() {
     }
     if (n.viscosity == ViscosityForm::artificial) {
         n.eddy_stress = EddyStress::stress_divergence;
-        if (n.pressure_form == PressureForm::riemann) {
+        if (n.has_riemann_problem()) {
             n.pressure_form = PressureForm::corrected;
         }
     }

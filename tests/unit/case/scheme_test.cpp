@@ -60,6 +60,11 @@ TEST(SchemeValidation, OneDissipationOfApproachingParticles) {
     EXPECT_EQ(error_of(with("viscosity = \"lo-shao\"\npressure_form = \"riemann\"\n")), "");
 }
 
+TEST(SchemeValidation, DifferencesOfPressureHaveNoFreeSurface) {
+    EXPECT_THAT(error_of(with("pressure_form = \"riemann-non-conservative\"\n")),
+                AllOf(HasSubstr("top = \"free-surface\""), HasSubstr("the surface blows up")));
+}
+
 TEST(SchemeRules, NameKeysThatExistAndSayWhatToDo) {
     for (const SchemeRule& rule : scheme_rules()) {
         for (const std::string& id : rule.keys) {

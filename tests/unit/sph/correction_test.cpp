@@ -246,6 +246,33 @@ void check_pair_forces() {
     }
 }
 
+// The non-conservative form of the Riemann problem: at one pressure and one velocity, disordered particles
+// feel nothing, whatever the pressure.
+template <int D>
+void check_uniform_pressure() {
+    PairSample<D> sample = disordered_sample<D>(0.4, 0, 9);
+    for (auto& particle : sample.fluid) {
+        particle.pressure = 3.0;
+        particle.u = {};
+    }
+    LoopRun<D, double> run(sample, {.gradients = false, .impact = 3.0, .sound_speed = 1.0, .own = 2.0});
+    run.run(pair_loops<D, double>({.gradients = false, .pair_pressure = true}));
+    LoopRun<D, double> conservative(sample, {.gradients = false, .impact = 3.0, .sound_speed = 1.0});
+    conservative.run(pair_loops<D, double>({.gradients = false, .pair_pressure = true}));
+    double largest = 0.0;
+    double felt = 0.0;
+    for (std::size_t i = 0; i < sample.fluid.size(); ++i) {
+        for (std::size_t k = 0; k < D; ++k) {
+            largest = std::max(largest, std::abs(run.force.tensor[k][run.fluid_slot[i]]));
+            felt = std::max(felt, std::abs(conservative.force.tensor[k][conservative.fluid_slot[i]]));
+        }
+    }
+    EXPECT_LT(largest, 1e-12 * felt);
+}
+
+TEST(PairForces, VanishAtUniformPressureInTheNonConservativeForm2D) { check_uniform_pressure<2>(); }
+TEST(PairForces, VanishAtUniformPressureInTheNonConservativeForm3D) { check_uniform_pressure<3>(); }
+
 TEST(PairForces, SumToNothing2D) { check_pair_forces<2>(); }
 TEST(PairForces, SumToNothing3D) { check_pair_forces<3>(); }
 

@@ -86,6 +86,7 @@ LoopRun<D, Real>::LoopRun(const PairSample<D>& sample, const RunOptions& options
     form.direction = data.constants.directional;
     form.impact = static_cast<Real>(options.impact);
     form.sound_speed = static_cast<Real>(options.sound_speed);
+    form.own = static_cast<Real>(options.own);
     form.tensile = static_cast<Real>(options.tensile);
     form.tensile_scale = static_cast<Real>(visit_kernel<D>(options.kernel, [&](auto kernel) {
         return 1.0 / decltype(kernel)::value(PairSample<D>::spacing / h);

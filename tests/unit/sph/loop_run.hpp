@@ -21,6 +21,7 @@ struct RunOptions {
     ViscosityForm viscosity = ViscosityForm::morris;
     double impact = 0.0;  ///< as in PairForm
     double sound_speed = 0.0;
+    double own = 0.0;
     double tensile = 0.0;
     bool by_direction = false;
 };

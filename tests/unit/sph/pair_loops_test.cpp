@@ -60,6 +60,7 @@ struct Option {
     bool directional = false;  ///< in three dimensions
     double impact = 0.0;       ///< of the Riemann problem
     double tensile = 0.0;
+    double own = 0.0;  ///< 2: p_j - p_i
 };
 
 template <int D>
@@ -180,6 +181,7 @@ void compare_with_plain_sums(const Option& option) {
                                   .viscosity = option.viscosity,
                                   .impact = option.impact,
                                   .sound_speed = sound_speed,
+                                  .own = option.own,
                                   .tensile = option.tensile,
                                   .by_direction = option.directional});
     run.run(pair_loops<D, Real>({.kernel = option.kernel,
@@ -207,6 +209,7 @@ void compare_with_plain_sums(const Option& option) {
                                               .hydrostatic_gradient = hydrostatic_gradient,
                                               .impact = option.impact,
                                               .sound_speed = sound_speed,
+                                              .own = option.own,
                                               .tensile = option.tensile,
                                               .weighted = option.directional,
                                               .directional = directional},
@@ -250,7 +253,8 @@ std::string name_of(const testing::TestParamInfo<Option>& info) {
     return instruction_set_name(info.param.set) + "_" + in_name(info.param.kernel) + "_" +
            in_name(info.param.viscosity) + (info.param.layers > 0 ? "_walls" : "_periodic") +
            (info.param.gradients ? "" : "_plain") + (info.param.directional ? "_directional" : "") +
-           (info.param.impact > 0.0 ? "_riemann" : "") + (info.param.tensile > 0.0 ? "_tensile" : "");
+           (info.param.impact > 0.0 ? "_riemann" : "") + (info.param.tensile > 0.0 ? "_tensile" : "") +
+           (info.param.own > 0.0 ? "_own" : "");
 }
 
 std::vector<Option> all_options() {
@@ -285,6 +289,8 @@ std::vector<Option> all_options() {
                 {set, KernelKind::wendland_c2, ViscosityForm::morris, 3, gradients, false, 3.0, 0.0});
             options.push_back(
                 {set, KernelKind::cubic_spline, ViscosityForm::morris, 3, gradients, false, 0.0, 0.2});
+            options.push_back(
+                {set, KernelKind::wendland_c2, ViscosityForm::morris, 3, gradients, false, 3.0, 0.0, 2.0});
             options.push_back(
                 {set, KernelKind::wendland_c6, ViscosityForm::lo_shao, 0, gradients, false, 3.0, 0.0});
         }

@@ -44,6 +44,7 @@ struct PlainOptions {
     double hydrostatic_gradient = 0.0;
     double impact = 0.0;       ///< Riemann problem of the pair
     double sound_speed = 0.0;  ///< of it
+    double own = 0.0;          ///< of the particle's own pressure, taken off
     double tensile = 0.0;      ///< Monaghan's (2000) epsilon
     bool weighted = false;     ///< Morris' viscosity by `directional` (three dimensions)
     DirectionalViscosity<double> directional = {};
