@@ -22,12 +22,23 @@ SolidContact::SolidContact(const Case& c)
     }
 }
 
-double SolidContact::beside(const Body& body, double x) const {
+std::optional<Vec<2>> SolidContact::inside(const Body& body, const BodyState& state,
+                                           const Vec<2>& position) const {
+    double x = position[0] - state.displacement[0];
+    const double z = position[1] - state.displacement[1];
     if (period_ > 0.0) {
         x += x < body.left ? period_ : 0.0;
         x -= x > body.right ? period_ : 0.0;
     }
-    return x;
+    return x < body.left || x > body.right || !contains(body.outline, x, z) ? std::nullopt
+                                                                            : std::optional(Vec<2>{x, z});
+}
+
+double SolidContact::depth(std::size_t solid, const std::vector<BodyState>& now,
+                           const Vec<2>& position) const {
+    const Body& body = bodies_[solid];
+    const auto place = inside(body, now[first_solid + solid], position);
+    return place ? distance_from_outline(body.outline, (*place)[0], (*place)[1]) : 0.0;
 }
 
 double SolidContact::resolve(const std::vector<BodyState>& now, Vec<2>& position, Vec<2>& velocity) const {
@@ -35,15 +46,14 @@ double SolidContact::resolve(const std::vector<BodyState>& now, Vec<2>& position
     for (std::size_t k = 0; k < bodies_.size(); ++k) {
         const Body& body = bodies_[k];
         const BodyState& state = now[first_solid + k];
-        const double x = beside(body, position[0] - state.displacement[0]);
-        const double z = position[1] - state.displacement[1];
-        if (x < body.left || x > body.right || !contains(body.outline, x, z)) {
+        const auto place = inside(body, state, position);
+        if (!place) {
             continue;
         }
         double depth = std::numeric_limits<double>::infinity();
         std::size_t edge = 0;
         for (std::size_t i = 0; i < body.outline.size(); ++i) {
-            const double distance = distance_from_edge(body.outline, i, x, z);
+            const double distance = distance_from_edge(body.outline, i, (*place)[0], (*place)[1]);
             if (body.wetted[i] && distance < depth) {
                 depth = distance;
                 edge = i;

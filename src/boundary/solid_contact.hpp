@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "boundary/wall_motion.hpp"
@@ -22,6 +23,10 @@ class SolidContact {
     /// Returns how deep it was, m; 0 outside; beyond a spacing it stays where it is.
     double resolve(const std::vector<BodyState>& now, Vec<2>& position, Vec<2>& velocity) const;
 
+    /// How deep a place is behind the outline of a solid, m; 0 outside.
+    [[nodiscard]] double depth(std::size_t solid, const std::vector<BodyState>& now,
+                               const Vec<2>& position) const;
+
   private:
     struct Body {
         Outline outline;
@@ -29,8 +34,10 @@ class SolidContact {
         double left = 0.0;
         double right = 0.0;
     };
-    /// Its coordinate along the channel beside the body, where the ends are periodic.
-    [[nodiscard]] double beside(const Body& body, double x) const;
+    /// The place of water in a body, where its outline stood at t = 0, beside it where the ends are periodic;
+    /// unset outside.
+    [[nodiscard]] std::optional<Vec<2>> inside(const Body& body, const BodyState& state,
+                                               const Vec<2>& position) const;
 
     std::vector<Body> bodies_;
     double spacing_ = 0.0;

@@ -6,20 +6,23 @@
 
 namespace riffle {
 
+/// Whether a wall particle belongs to a solid.
+template <int D>
+[[nodiscard]] bool is_solid(const WallParticles<D>& walls, std::size_t i) {
+    return !walls.body.empty() && walls.body[i] >= first_solid;
+}
+
 /// How the walls of a case act on the fluid.
 struct WallLaw {
     bool dynamic = false;  ///< density from the continuity equation (Dalrymple & Knio 2001), not extrapolated
     bool no_slip = false;  ///< viscous friction with the bed, end walls and lid
     std::vector<bool> solid_no_slip;  ///< and with each solid
 
-    /// Whether the water rests at a wall particle of a body (WallParticles::body).
-    [[nodiscard]] bool rests_at(std::int32_t body) const {
-        return body < first_solid ? no_slip : solid_no_slip[static_cast<std::size_t>(body - first_solid)];
-    }
-    /// The same of a particle of the walls.
+    /// Whether the water rests at a particle of the walls.
     template <int D>
     [[nodiscard]] bool rests_at(const WallParticles<D>& walls, std::size_t i) const {
-        return walls.body.empty() ? no_slip : rests_at(walls.body[i]);
+        return is_solid(walls, i) ? solid_no_slip[static_cast<std::size_t>(walls.body[i] - first_solid)]
+                                  : no_slip;
     }
 };
 [[nodiscard]] WallLaw wall_law(const Case& c);

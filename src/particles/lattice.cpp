@@ -53,21 +53,35 @@ double highest_part(const Case& c) {
     return top;
 }
 
-/// Whether the water starts at a place.
-bool starts_wet(const Case& c, double x, double z) {
-    if (!c.start.water_x.empty() && !contains({c.start.water_x, c.start.water_z}, x, z)) {
-        return false;
+/// Where the water starts in two dimensions.
+class WetPlaces {
+  public:
+    explicit WetPlaces(const Case& c) : case_(c), water_{c.start.water_x, c.start.water_z} {
+        for (const Solid& solid : c.solids) {
+            solids_.push_back({solid.x, solid.z});
+        }
     }
-    const double clearance = 0.25 * c.numerics.spacing;
-    const double length = c.channel.length;
-    return std::none_of(c.solids.begin(), c.solids.end(), [&](const Solid& solid) {
-        const Outline outline{solid.x, solid.z};
-        const auto covers = [&](double at) {
-            return contains(outline, at, z) || distance_from_outline(outline, at, z) < clearance;
-        };
-        return covers(x) || (c.channel.ends == Ends::periodic && (covers(x - length) || covers(x + length)));
-    });
-}
+
+    [[nodiscard]] bool contain(double x, double z) const {
+        if (water_.size() > 0 && !contains(water_, x, z)) {
+            return false;
+        }
+        const double clearance = 0.25 * case_.numerics.spacing;
+        const double length = case_.channel.length;
+        const bool periodic = case_.channel.ends == Ends::periodic;
+        return std::none_of(solids_.begin(), solids_.end(), [&](const Outline& outline) {
+            const auto covers = [&](double at) {
+                return contains(outline, at, z) || distance_from_outline(outline, at, z) < clearance;
+            };
+            return covers(x) || (periodic && (covers(x - length) || covers(x + length)));
+        });
+    }
+
+  private:
+    const Case& case_;
+    Outline water_;
+    std::vector<Outline> solids_;
+};
 
 }  // namespace
 
@@ -101,10 +115,11 @@ Particles<D> lattice_particles(const Case& c) {
         rows = std::max(rows, static_cast<int>(std::ceil(z / lattice.dz)));
     }
     const bool everywhere = c.start.water_x.empty() && c.solids.empty();
+    const WetPlaces wet(c);
     const std::vector<SolidMesh> meshes = D == 3 ? meshes_of(c) : std::vector<SolidMesh>();
     const auto is_wet = [&](int column, int file, int row) {
         if constexpr (D == 2) {
-            return starts_wet(c, lattice.x(column, row), lattice.z(row));
+            return wet.contain(lattice.x(column, row), lattice.z(row));
         } else {
             const Point3 p{lattice.x(column, row), lattice.y(file, row), lattice.z(row)};
             return std::none_of(meshes.begin(), meshes.end(),

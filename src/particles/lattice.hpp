@@ -34,6 +34,12 @@ struct Lattice {
     [[nodiscard]] double volume() const {
         return D == 2 ? dx * dz : dx * dy * dz;
     }
+    /// Places of the lattice in the water at its depth.
+    template <int D>
+    [[nodiscard]] std::size_t places() const {
+        return static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows) *
+               static_cast<std::size_t>(D == 3 ? files : 1);
+    }
 
   private:
     static constexpr double shift(int row) { return row % 2 == 0 ? -0.25 : 0.25; }

@@ -176,15 +176,14 @@ class Continuation {
     Continuation(const Case& c, const Scheme& scheme, const WallParticles<D>& walls)
         : c_(c), h_(scheme.smoothing_length), walls_(walls), domain_(domain_of<D>(c)) {
         for (std::size_t i = 0; i < walls.body.size(); ++i) {
-            if (walls.body[i] >= first_solid) {
+            if (is_solid(walls, i)) {
                 solids_.push_back(i);
             }
         }
     }
 
     [[nodiscard]] double operator()(std::size_t i) const {
-        const bool solid = !walls_.body.empty() && walls_.body[i] >= first_solid;
-        if (solid || walls_.normal[D - 1][i] == 0.0) {
+        if (is_solid(walls_, i) || walls_.normal[D - 1][i] == 0.0) {
             return 1.0;
         }
         return std::max(beside_walls(i), beside_solids(i));

@@ -75,10 +75,8 @@ void RunSession<D>::start() {
         simulation_->particles().size(), simulation_->walls().size(), 1e3 * scheme.spacing,
         1e3 * scheme.smoothing_length, scheme.state.sound_speed, scheme.acoustic_step));
     if (!case_.solids.empty() && case_.start.water_x.empty()) {
-        Case free = case_;
-        free.solids.clear();
         log_.info(fmt::format("{} particles of the water's lattice are left out, in or too close to solids",
-                              lattice_particles<D>(free).size() - simulation_->particles().size()));
+                              lattice_of(case_).places<D>() - simulation_->particles().size()));
     }
     Content content = run_head(case_, twins_);
     content.compression = case_.output.compression;

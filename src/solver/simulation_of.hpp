@@ -104,9 +104,6 @@ class SimulationOf final : public SimulationIn<D> {
     void check_solids() const;
     /// wet_wall() of all wall particles, by their density deviation.
     void wet_walls();
-    [[nodiscard]] bool is_solid(std::size_t wall_particle) const {
-        return !walls_.body.empty() && walls_.body[wall_particle] >= first_solid;
-    }
     void wet_wall(std::size_t slot, std::size_t particle, double pressure);
     void update_wall(std::size_t slot, std::size_t particle, const WallResult<D, Real>& sums,
                      std::size_t lane, double step);

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "base/error.hpp"
-#include "case/outline.hpp"
 #include "solver/pair_setup.hpp"
 #include "solver/simulation_of.hpp"
 
@@ -90,7 +89,7 @@ void SimulationOf<D, Real>::move_walls() {
         data_.wall_drift.assign(data_.wall_force.size(), {});
         for (std::size_t slot = 0; slot < wall_clusters_.slots(); ++slot) {
             const std::int32_t particle = wall_clusters_.particle_of(slot);
-            if (particle < 0 || walls_.body[static_cast<std::size_t>(particle)] < first_solid) {
+            if (particle < 0 || !is_solid(walls_, static_cast<std::size_t>(particle))) {
                 continue;
             }
             const auto i = static_cast<std::size_t>(particle);
@@ -117,10 +116,9 @@ void SimulationOf<D, Real>::add_wall_motion(double step, Vec<D>& slowest, Vec<D>
         if (!motion_.displaces() || step <= 0.0) {
             return;
         }
-        const std::vector<BodyState> after = motion_.at(clock_.time + step);
-        for (std::size_t b = first_solid; b < after.size(); ++b) {
+        for (std::size_t b = first_solid; b < bodies_after_.size(); ++b) {
             for (std::size_t k = 0; k < axes; ++k) {
-                const double speed = (after[b].displacement[k] - bodies_[b].displacement[k]) / step;
+                const double speed = (bodies_after_[b].displacement[k] - bodies_[b].displacement[k]) / step;
                 slowest[k] = std::min(slowest[k], speed);
                 fastest[k] = std::max(fastest[k], speed);
             }
@@ -158,21 +156,11 @@ void SimulationOf<D, Real>::check_solids() const {
     const double spacing = case_.numerics.spacing;
     const std::vector<BodyState> bodies = motion_.at(clock_.time);
     for (std::size_t k = 0; k < case_.solids.size(); ++k) {
-        const Solid& solid = case_.solids[k];
-        const Outline outline{solid.x, solid.z};
-        const Vec<2>& moved = bodies[first_solid + k].displacement;
         const auto is_deep = [&](const Vec<D>& place) {
             if constexpr (D == 3) {
                 return meshes_[k].contains(place) && meshes_[k].nearest(place).distance > spacing;
             } else {
-                const auto [left, right] = std::minmax_element(solid.x.begin(), solid.x.end());
-                const double length = domain_.periodic[0] ? domain_.extent(0) : 0.0;
-                double x = place[0] - moved[0];
-                const double z = place[1] - moved[1];
-                x += x < *left ? length : 0.0;
-                x -= x > *right ? length : 0.0;
-                return x > *left && x < *right && contains(outline, x, z) &&
-                       distance_from_outline(outline, x, z) > spacing;
+                return contact_.depth(k, bodies, place) > spacing;
             }
         };
         for (std::size_t i = 0; i < particles_.size(); ++i) {
@@ -185,8 +173,8 @@ void SimulationOf<D, Real>::check_solids() const {
                     "water has entered the solid \"{}\": particle {} at x = {:.6g} m, z = {:.6g} m, velocity "
                     "({:.4g}, {:.4g}) m/s, at t = {:.6g} s; take a smaller spacing, let the solid move more "
                     "slowly, or keep [numerics] density_diffusion = \"fourtakas\"",
-                    solid.name, particles_.id[i], place[0], place[vertical], particles_.velocity[0][i],
-                    particles_.velocity[vertical][i], clock_.time));
+                    case_.solids[k].name, particles_.id[i], place[0], place[vertical],
+                    particles_.velocity[0][i], particles_.velocity[vertical][i], clock_.time));
             }
         }
     }
@@ -228,7 +216,7 @@ void SimulationOf<D, Real>::update_wall(std::size_t slot, std::size_t i, const W
         // lies below them, and else the state that says how wet they are is that of one under water.
         const bool below =
             static_cast<double>(sums.offset[vertical][lane]) > 0.25 * weight * case_.numerics.spacing;
-        const double wetting = is_solid(i) && !below
+        const double wetting = is_solid(walls_, i) && !below
                                    ? std::max(pressure, scheme_.normal_gravity * case_.numerics.spacing)
                                    : pressure;
         wall_deviation_[i] = scheme_.state.deviation(wetting);
@@ -249,7 +237,7 @@ void SimulationOf<D, Real>::update_wall(std::size_t slot, std::size_t i, const W
         for (std::size_t k = 0; k < axes; ++k) {
             height -= walls_.normal[k][i] * static_cast<double>(sums.offset[k][lane]);
         }
-        if (is_solid(i) && height > 0.0) {
+        if (is_solid(walls_, i) && height > 0.0) {
             // Behind the corner of a solid the water may lie beside the face, its mean height above it nearly
             // 0.
             height = std::max(height, 0.25 * case_.numerics.spacing * weight);
@@ -270,7 +258,8 @@ void SimulationOf<D, Real>::update_wall(std::size_t slot, std::size_t i, const W
 // at the water below: their volume fades out over one spacing.
 template <int D, class Real>
 void SimulationOf<D, Real>::wet_wall(std::size_t slot, std::size_t particle, double pressure) {
-    if ((walls_.normal[vertical][particle] != 0.0 && !is_solid(particle)) || scheme_.normal_gravity <= 0.0) {
+    if ((walls_.normal[vertical][particle] != 0.0 && !is_solid(walls_, particle)) ||
+        scheme_.normal_gravity <= 0.0) {
         return;
     }
     const double wetness =

@@ -7,6 +7,7 @@
 // powers of h) multiply the sum, not each of its terms.
 
 #include <algorithm>
+#include <utility>
 
 #include "sph/correction.hpp"
 #include "sph/kernel.hpp"
@@ -227,14 +228,19 @@ template <int D, class Real, class Kernel, bool Gradients>
             data.fluid_wall->run_begin[cluster] < data.fluid_wall->run_begin[cluster + 1];
         if (data.fluid_wall != nullptr) {
             W wall_divergence(0);
+            // Distance of the pairs with two wall particles, and the weight of their motion.
+            const auto wall_pairs = [&](const WallGradientRecord<D, Real>& a,
+                                        const WallGradientRecord<D, Real>& b) {
+                const Components<W, D> r = self.distance(a, b, c);
+                return std::pair(r, W(kernel.gradient_shape(W(sqrt(dot<W, D>(r, r)))) *
+                                      halves<Real, Real>(a.volume, b.volume)));
+            };
             for_turns<Real>(*data.fluid_wall, cluster, work.slots.data(),
                             [&](std::size_t slot_a, std::size_t slot_b, const std::int32_t* ahead) {
                                 (void)ahead;
                                 const WallGradientRecord<D, Real>& a = data.wall_gradient[slot_a];
                                 const WallGradientRecord<D, Real>& b = data.wall_gradient[slot_b];
-                                const Components<W, D> r = self.distance(a, b, c);
-                                const W weight = kernel.gradient_shape(W(sqrt(dot<W, D>(r, r)))) *
-                                                 halves<Real, Real>(a.volume, b.volume);
+                                const auto [r, weight] = wall_pairs(a, b);
                                 Components<W, D> u{};
                                 for (std::size_t k = 0; k < D; ++k) {
                                     for (std::size_t l = 0; l < D; ++l) {
@@ -260,11 +266,8 @@ template <int D, class Real, class Kernel, bool Gradients>
                 for_turns<Real>(*data.fluid_wall, cluster, work.slots.data(),
                                 [&](std::size_t slot_a, std::size_t slot_b, const std::int32_t* ahead) {
                                     (void)ahead;
-                                    const WallGradientRecord<D, Real>& a = data.wall_gradient[slot_a];
-                                    const WallGradientRecord<D, Real>& b = data.wall_gradient[slot_b];
-                                    const Components<W, D> r = self.distance(a, b, c);
-                                    const W weight = kernel.gradient_shape(W(sqrt(dot<W, D>(r, r)))) *
-                                                     halves<Real, Real>(a.volume, b.volume);
+                                    const auto [r, weight] =
+                                        wall_pairs(data.wall_gradient[slot_a], data.wall_gradient[slot_b]);
                                     Components<W, D> u{};
                                     for (std::size_t k = 0; k < D; ++k) {
                                         u[k] = halves<Real, Real>(data.wall_drift[slot_a][k],

@@ -53,6 +53,22 @@ double largest_speed(const Particles<2>& particles) {
     return largest;
 }
 
+double hydrostatic_error(const CheckRun& run) {
+    const Scheme& scheme = run.simulation().scheme();
+    double sum = 0.0;
+    int count = 0;
+    for (std::size_t i = 0; i < run.particles().size(); ++i) {
+        const double z = run.particles().position[1][i];
+        if (z < scheme.depth - 2.0 * scheme.smoothing_length) {
+            const double exact = scheme.density * scheme.normal_gravity * (scheme.depth - z);
+            const double difference = run.simulation().fields().pressure[i] - exact;
+            sum += difference * difference;
+            ++count;
+        }
+    }
+    return std::sqrt(sum / count) / (scheme.density * scheme.normal_gravity * scheme.depth);
+}
+
 ProfileError profile_error(const CheckRun& run, const std::function<double(double)>& profile) {
     const Particles<2>& particles = run.particles();
     const double bin = run.parameters().numerics.spacing;

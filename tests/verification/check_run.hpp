@@ -34,6 +34,10 @@ class CheckRun {
 /// Largest speed of any particle, m/s.
 [[nodiscard]] double largest_speed(const Particles<2>& particles);
 
+/// Departure of the pressure from that of water at rest, rms over the particles more than 2h below the
+/// surface, over rho g H.
+[[nodiscard]] double hydrostatic_error(const CheckRun& run);
+
 /// Departure of the streamwise velocity from a profile u(z), m/s.
 struct ProfileError {
     double largest = 0.0;  ///< of any particle

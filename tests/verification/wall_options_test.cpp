@@ -32,24 +32,16 @@ StillWater still_tank(double time, const std::vector<Override>& overrides) {
     const Scheme& scheme = run.simulation().scheme();
     const ParticleFields& fields = run.simulation().fields();
     const double length = run.parameters().channel.length;
-    const double bed = scheme.density * scheme.normal_gravity * scheme.depth;
     StillWater water;
     water.speed = largest_speed(p) / std::sqrt(scheme.normal_gravity * scheme.depth);
     water.level = 2.0 * mass_mean(p, [&](std::size_t i) { return p.position[1][i]; }) / scheme.depth - 1.0;
     water.nearest = length;
-    double sum = 0.0;
-    int count = 0;
     for (std::size_t i = 0; i < p.size(); ++i) {
         const double x = p.position[0][i];
         const double z = p.position[1][i];
         water.nearest = std::min({water.nearest, z, x, length - x});
-        if (z < scheme.depth - 2.0 * scheme.smoothing_length) {
-            const double exact = scheme.density * scheme.normal_gravity * (scheme.depth - z);
-            sum += (fields.pressure[i] - exact) * (fields.pressure[i] - exact);
-            ++count;
-        }
     }
-    water.pressure = std::sqrt(sum / count) / bed;
+    water.pressure = hydrostatic_error(run);
     water.nearest /= run.parameters().numerics.spacing;
     const auto wall_force = [&](const std::vector<double>& acceleration) {
         return mass_mean(p, [&](std::size_t i) { return acceleration[i]; }) / scheme.normal_gravity;

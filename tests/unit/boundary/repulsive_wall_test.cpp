@@ -5,21 +5,15 @@
 #include <cmath>
 #include <numbers>
 
+#include "smooth_tank.hpp"
+
 namespace riffle {
 namespace {
 
 constexpr double sound_speed = 10.0;
 
 Case tank() {
-    Case c;
-    c.bed.kind = BedKind::slip;
-    c.bed.roughness_height = 0.0;
-    c.bed.datum_below_crest = 0.0;
-    c.channel.slope = 0.0;
-    c.channel.depth = 0.05;
-    c.channel.length = 0.1;
-    c.channel.ends = Ends::walls;
-    c.numerics.spacing = 0.002;
+    Case c = test::smooth_tank(0.05, 0.1);
     c.numerics.wall = WallKind::repulsive;
     return c;
 }

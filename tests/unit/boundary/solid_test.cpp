@@ -267,9 +267,11 @@ TEST(WallLawOfSolids, EachHasItsOwnSurface) {
     Case c = tank({solid({0.03, 0.04, 0.04, 0.03}, {0.0, 0.0, 0.05, 0.05}), {}});
     c.solids[1].surface = SolidSurface::slip;
     const WallLaw law = wall_law(c);
-    EXPECT_FALSE(law.rests_at(resting_body));
-    EXPECT_TRUE(law.rests_at(first_solid));
-    EXPECT_FALSE(law.rests_at(first_solid + 1));
+    WallParticles<2> walls;
+    walls.body = {resting_body, first_solid, first_solid + 1};
+    EXPECT_FALSE(law.rests_at(walls, 0));
+    EXPECT_TRUE(law.rests_at(walls, 1));
+    EXPECT_FALSE(law.rests_at(walls, 2));
 }
 
 // A particle in a solid comes back onto the nearest face that water touches, keeps its motion along the face,

@@ -6,6 +6,7 @@
 
 #include "boundary/wall.hpp"
 #include "particles/lattice.hpp"
+#include "smooth_tank.hpp"
 
 namespace riffle {
 namespace {
@@ -13,16 +14,8 @@ namespace {
 constexpr double column_width = 0.005;
 
 Case tank(Top top) {
-    Case c;
-    c.bed.kind = BedKind::slip;
-    c.bed.roughness_height = 0.0;
-    c.bed.datum_below_crest = 0.0;
-    c.channel.slope = 0.0;
-    c.channel.depth = 0.04;
-    c.channel.length = 0.05;
-    c.channel.ends = Ends::walls;
+    Case c = test::smooth_tank(0.04, 0.05);
     c.channel.top = top;
-    c.numerics.spacing = 0.002;
     c.numerics.wall = WallKind::modified_dynamic;
     c.start.kind = StartKind::rest;
     c.start.jitter = 0.2;
