@@ -107,6 +107,7 @@ void fill_cluster(Clusters<D>& clusters, std::size_t c, const FixedPoint<D>& fix
                   const PositionView<D>& position) {
     const auto first = static_cast<std::size_t>(clusters.begin[c]);
     const auto count = static_cast<std::size_t>(clusters.count(c));
+    clusters.present[c] = static_cast<std::uint8_t>((1U << count) - 1U);
     for (std::size_t k = 0; k < D; ++k) {
         std::int32_t* code = &clusters.slot_position[k][c * cluster_size];
         const std::int32_t reference = fixed_point.encode(position[k][first], k);
@@ -124,8 +125,8 @@ void fill_cluster(Clusters<D>& clusters, std::size_t c, const FixedPoint<D>& fix
                                                           static_cast<std::uint32_t>(middle));
         // Half a unit of rounding on each side is covered by the margin.
         const double half = (0.5 * (static_cast<double>(high) - low) + 2.0) * fixed_point.unit(k);
-        clusters.half_extent[k][c] =
-            std::nextafter(static_cast<float>(half), std::numeric_limits<float>::max());
+        // A hair more, so that rounding to single precision cuts nothing off.
+        clusters.half_extent[k][c] = static_cast<float>(half * (1.0 + 0x1p-23));
         if (k == D - 1 && !clusters.periodic[k]) {
             clusters.highest[c] = reference + high;
             clusters.lowest[c] = reference + low;
@@ -141,33 +142,39 @@ std::vector<std::int32_t> spatial_order(const Domain<D>& domain, const PositionV
     const ColumnGrid<D> grid(domain, column_width);
     const auto& height = position[D - 1];
     const double bottom = domain.lower[D - 1];
-    const auto bins = static_cast<std::size_t>(std::max(1.0, std::ceil(domain.extent(D - 1) / bin_height)));
+    const auto last_bin =
+        std::max(static_cast<std::int32_t>(std::ceil(domain.extent(D - 1) / bin_height)) - 1, 0);
     ColumnOrder sorted = sort_by_column(grid.columns_of(position), grid.total());
 
-    parallel_blocks(grid.total(), column_block(height.size(), grid.total()),
-                    [&](std::size_t begin, std::size_t end) {
-                        std::vector<std::size_t> place(bins + 1);
-                        std::vector<std::size_t> key;
-                        std::vector<std::int32_t> old;
-                        for (std::size_t column = begin; column < end; ++column) {
-                            const auto first = sorted.order.begin() + sorted.begin[column];
-                            const auto last = sorted.order.begin() + sorted.begin[column + 1];
-                            old.assign(first, last);
-                            key.resize(old.size());
-                            std::fill(place.begin(), place.end(), std::size_t{0});
-                            for (std::size_t i = 0; i < old.size(); ++i) {
-                                const double z = height[static_cast<std::size_t>(old[i])];
-                                const auto bin = static_cast<std::int64_t>((z - bottom) / bin_height);
-                                key[i] = static_cast<std::size_t>(
-                                    std::clamp(bin, std::int64_t{0}, static_cast<std::int64_t>(bins) - 1));
-                                ++place[key[i] + 1];
-                            }
-                            std::partial_sum(place.begin(), place.end(), place.begin());
-                            for (std::size_t i = 0; i < old.size(); ++i) {
-                                first[static_cast<std::ptrdiff_t>(place[key[i]]++)] = old[i];
-                            }
-                        }
-                    });
+    parallel_blocks(
+        grid.total(), column_block(height.size(), grid.total()), [&](std::size_t begin, std::size_t end) {
+            std::vector<std::int32_t> place;
+            std::vector<std::int32_t> key;
+            std::vector<std::int32_t> old;
+            for (std::size_t column = begin; column < end; ++column) {
+                const auto first = sorted.order.begin() + sorted.begin[column];
+                const auto last = sorted.order.begin() + sorted.begin[column + 1];
+                old.assign(first, last);
+                key.resize(old.size());
+                std::int32_t lowest = last_bin;
+                std::int32_t highest = 0;
+                for (std::size_t i = 0; i < old.size(); ++i) {
+                    const double z = height[static_cast<std::size_t>(old[i])];
+                    key[i] = static_cast<std::int32_t>(
+                        std::clamp((z - bottom) / bin_height, 0.0, static_cast<double>(last_bin)));
+                    lowest = std::min(lowest, key[i]);
+                    highest = std::max(highest, key[i]);
+                }
+                place.assign(static_cast<std::size_t>(std::max(highest - lowest, 0)) + 2, 0);
+                for (const std::int32_t k : key) {
+                    ++place[static_cast<std::size_t>(k - lowest) + 1];
+                }
+                std::partial_sum(place.begin(), place.end(), place.begin());
+                for (std::size_t i = 0; i < old.size(); ++i) {
+                    first[place[static_cast<std::size_t>(key[i] - lowest)]++] = old[i];
+                }
+            }
+        });
     return sorted.order;
 }
 
@@ -202,6 +209,7 @@ Clusters<D> build_clusters(const Domain<D>& domain, const FixedPoint<D>& fixed_p
     const auto size = static_cast<std::size_t>(total);
     clusters.begin.resize(size + 1);
     clusters.begin[size] = static_cast<std::int32_t>(n);
+    clusters.present.resize(size + cluster_size);
     clusters.highest.resize(size);
     clusters.lowest.resize(size);
     for (std::size_t k = 0; k < D; ++k) {
@@ -231,6 +239,12 @@ Clusters<D> build_clusters(const Domain<D>& domain, const FixedPoint<D>& fixed_p
             }
         }
     });
+    for (std::size_t col = 0; col < columns; ++col) {
+        if (clusters.column_begin[col] < clusters.column_begin[col + 1]) {
+            const auto last = static_cast<std::size_t>(clusters.column_begin[col + 1]) - 1;
+            clusters.top = std::max(clusters.top, clusters.highest[last]);
+        }
+    }
     return clusters;
 }
 

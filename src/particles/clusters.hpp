@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -29,10 +30,13 @@ struct Clusters {
     /// clusters, so that lanes may read past the last one.
     std::array<std::vector<std::int32_t>, static_cast<std::size_t>(D)> centre;
     std::array<std::vector<float>, static_cast<std::size_t>(D)> half_extent;
+    /// Bit l of a cluster: whether its slot l holds a particle. 8 more elements than clusters.
+    std::vector<std::uint8_t> present;
     /// Along a last axis that is not periodic, in integer units: no cluster of the column up to this one
     /// reaches higher than `highest`, and none from this one on lower than `lowest`.
     std::vector<std::int32_t> highest;
     std::vector<std::int32_t> lowest;
+    std::int32_t top = std::numeric_limits<std::int32_t>::min();  ///< the highest of all
 
     /// Positions in integer units by slot, 8 more than slots; empty ones repeat their cluster's last
     /// particle.
@@ -44,6 +48,7 @@ struct Clusters {
             std::vector<std::int32_t>().swap(centre[k]);
             std::vector<float>().swap(half_extent[k]);
         }
+        std::vector<std::uint8_t>().swap(present);
         std::vector<std::int32_t>().swap(highest);
         std::vector<std::int32_t>().swap(lowest);
     }

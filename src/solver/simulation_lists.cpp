@@ -108,6 +108,11 @@ void SimulationOf<D, Real>::allocate() {
             component.resize(static_cast<std::size_t>(lanes));
         }
     }
+    // State and records of a particle; most processors have a mebibyte of second-level cache or more.
+    constexpr std::size_t cache = std::size_t{1} << 20U;
+    asks_ahead_ = particles_.size() * ((2 * axes + 1) * sizeof(double) + sizeof(data_.motion[0]) +
+                                       (gradients ? sizeof(data_.stress[0]) : sizeof(data_.pressure[0]))) >
+                  cache;
     moved_.resize(clusters_.size());
     const std::size_t blocks = (clusters_.size() + block_clusters - 1) / block_clusters;
     block_advance_.assign(blocks, {});

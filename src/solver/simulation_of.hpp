@@ -235,6 +235,7 @@ class SimulationOf final : public SimulationIn<D> {
     std::vector<std::unique_ptr<PairSweep<D, Real>>> sweeps_;  ///< options beside the pair loops
     std::unique_ptr<GhostNodes<D>> ghosts_;  ///< of walls that look into the water at their mirror images
     SweepOrder order_;
+    bool asks_ahead_ = true;  ///< for memory: the particles do not fit into the second-level cache
     Displacement<D> moved_;
     bool moved_known_ = false;  ///< `moved_` is of the present positions
     double last_motion_ = 0.0;  ///< what the last step added to the bound of the displacements, m

@@ -72,6 +72,9 @@ void SimulationOf<D, Real>::evaluate(const StageSteps& steps) {
 
 template <int D, class Real>
 void SimulationOf<D, Real>::fetch_for_stress(std::size_t begin, std::size_t end) {
+    if (!asks_ahead_) {
+        return;
+    }
     // The sums of the blocks that follow begin with the positions of particles that none has read yet: those
     // some columns ahead.
     constexpr std::size_t ahead = 3 * block_clusters;
@@ -95,6 +98,9 @@ void SimulationOf<D, Real>::fetch_for_stress(std::size_t begin, std::size_t end)
 
 template <int D, class Real>
 void SimulationOf<D, Real>::fetch_for_motion(std::size_t begin, std::size_t end) {
+    if (!asks_ahead_) {
+        return;
+    }
     const auto first = static_cast<std::size_t>(clusters_.begin[begin]);
     const auto last = static_cast<std::size_t>(clusters_.begin[end]);
     for (std::size_t k = 0; k < axes; ++k) {

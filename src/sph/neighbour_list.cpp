@@ -20,14 +20,29 @@ struct BlockPlace {
 
 }  // namespace
 
-void NeighbourBlock::reserve(std::size_t runs, std::size_t masks) {
-    const auto grow = [](auto& values, std::size_t needed) {
-        if (values.size() < needed) {
-            values.resize(std::max(needed, 2 * values.size()));
-        }
-    };
-    grow(runs_, run_count_ + runs);
-    grow(masks_, mask_count_ + masks);
+void NeighbourBlock::grow(std::size_t runs, std::size_t masks) {
+    runs_.resize(std::max(run_count_ + runs, 2 * runs_.size()));
+    masks_.resize(std::max(mask_count_ + masks, 2 * masks_.size()));
+}
+
+void NeighbourBlock::clear() {
+    run_count_ = 0;
+    mask_count_ = 0;
+    largest = 0;
+    neighbours = 0;
+}
+
+NeighbourBlock NeighbourBlock::trimmed() const {
+    NeighbourBlock result;
+    result.cluster_runs = cluster_runs;
+    result.cluster_masks = cluster_masks;
+    result.largest = largest;
+    result.neighbours = neighbours;
+    result.runs_.assign(runs_.begin(), runs_.begin() + static_cast<std::ptrdiff_t>(run_count_));
+    result.masks_.assign(masks_.begin(), masks_.begin() + static_cast<std::ptrdiff_t>(mask_count_));
+    result.run_count_ = run_count_;
+    result.mask_count_ = mask_count_;
+    return result;
 }
 
 std::size_t NeighbourList::bytes() const {
@@ -50,7 +65,10 @@ NeighbourList build_neighbour_list(const Clusters<D>& i_clusters, const Clusters
     const std::size_t n = i_clusters.size();
     std::vector<NeighbourBlock> blocks((n + search_block - 1) / search_block);
     parallel_blocks(n, search_block, [&](std::size_t begin, std::size_t end) {
-        find(search, begin, end, blocks[begin / search_block]);
+        thread_local NeighbourBlock found;  // grows once, not with every block
+        found.clear();
+        find(search, begin, end, found);
+        blocks[begin / search_block] = found.trimmed();
     });
 
     NeighbourList list;

@@ -107,9 +107,22 @@ inline std::size_t NeighbourList::spell(std::size_t cluster, std::int32_t* slots
 class NeighbourBlock {
   public:
     /// Make room for `runs` more runs and `masks` more masks.
-    void reserve(std::size_t runs, std::size_t masks);
+    void reserve(std::size_t runs, std::size_t masks) {
+        if (runs_.size() < run_count_ + runs || masks_.size() < mask_count_ + masks) {
+            grow(runs, masks);
+        }
+    }
+    /// Empty, with the memory that it has.
+    void clear();
+    /// The same content in no more memory than it needs.
+    [[nodiscard]] NeighbourBlock trimmed() const;
     void add_run(ClusterRun run) { runs_[run_count_++] = run; }
     void add_mask(std::uint8_t mask) { masks_[mask_count_++] = mask; }
+    /// `count` masks, the first in the lowest bits; there must be room for 8.
+    void add_masks(std::uint64_t masks, std::size_t count) {
+        __builtin_memcpy(&masks_[mask_count_], &masks, sizeof(masks));
+        mask_count_ += count;
+    }
     [[nodiscard]] std::size_t run_count() const { return run_count_; }
     [[nodiscard]] std::size_t mask_count() const { return mask_count_; }
     [[nodiscard]] const std::vector<ClusterRun>& runs() const { return runs_; }
@@ -122,6 +135,8 @@ class NeighbourBlock {
     std::size_t neighbours = 0;
 
   private:
+    void grow(std::size_t runs, std::size_t masks);
+
     std::vector<ClusterRun> runs_;
     std::vector<std::uint8_t> masks_;
     std::size_t run_count_ = 0;

@@ -20,7 +20,13 @@ class ColumnRange {
         const int first = static_cast<int>(std::floor((low - j.lower[axis]) / j.column_width[axis]));
         const int last = static_cast<int>(std::floor((high - j.lower[axis]) / j.column_width[axis]));
         if (periodic_) {
-            first_ = (first % columns_ + columns_) % columns_;
+            first_ = first;
+            while (first_ < 0) {
+                first_ += columns_;
+            }
+            while (first_ >= columns_) {
+                first_ -= columns_;
+            }
             count_ = last - first + 1 < columns_ ? last - first + 1 : columns_;
         } else {
             first_ = first < 0 ? 0 : (first < columns_ ? first : columns_ - 1);
@@ -73,19 +79,15 @@ class BlockSearch {
     void search_cluster(std::size_t ci, std::size_t place) {
         const std::size_t runs_before = block_.run_count();
         const std::size_t masks_before = block_.mask_count();
-        take_positions(ci);
-        std::array<ColumnRange, 2> columns;
-        for (std::size_t k = 0; k + 1 < D; ++k) {
-            const double centre = fixed_point_.decode(i_.centre[k][ci], k);
-            const double reach = static_cast<double>(i_.half_extent[k][ci]) + range_;
-            columns[k] = ColumnRange(j_, k, centre - reach, centre + reach);
-        }
-        const int stride = D == 3 ? j_.columns[D - 2] : 1;
         neighbours_ = 0;
-        for (int x = 0; x < columns[0].count(); ++x) {
-            for (int y = 0; y < columns[1].count(); ++y) {
-                search_column(ci, static_cast<std::size_t>(columns[0][x] * stride + columns[1][y]));
-            }
+        const std::int64_t centre = i_.centre[D - 1][ci];
+        const auto half = static_cast<std::int64_t>(static_cast<double>(i_.half_extent[D - 1][ci]) /
+                                                    fixed_point_.unit(D - 1)) +
+                          2;
+        low_ = centre - half - reach_;
+        high_ = centre + half + reach_;
+        if (j_.periodic[D - 1] || low_ <= j_.top) {
+            search_columns(ci);
         }
         block_.cluster_runs[place] = static_cast<std::uint32_t>(block_.run_count() - runs_before);
         block_.cluster_masks[place] = static_cast<std::uint32_t>(block_.mask_count() - masks_before);
@@ -94,6 +96,22 @@ class BlockSearch {
     }
 
   private:
+    void search_columns(std::size_t ci) {
+        take_positions(ci);
+        std::array<ColumnRange, 2> columns;
+        for (std::size_t k = 0; k + 1 < D; ++k) {
+            const double centre = fixed_point_.decode(i_.centre[k][ci], k);
+            const double reach = static_cast<double>(i_.half_extent[k][ci]) + range_;
+            columns[k] = ColumnRange(j_, k, centre - reach, centre + reach);
+        }
+        const int stride = D == 3 ? j_.columns[D - 2] : 1;
+        for (int x = 0; x < columns[0].count(); ++x) {
+            for (int y = 0; y < columns[1].count(); ++y) {
+                search_column(ci, static_cast<std::size_t>(columns[0][x] * stride + columns[1][y]));
+            }
+        }
+    }
+
     /// The positions of the i-cluster.
     void take_positions(std::size_t ci) {
         image_ = true;
@@ -118,58 +136,50 @@ class BlockSearch {
     void search_column(std::size_t ci, std::size_t column) {
         auto first = static_cast<std::size_t>(j_.column_begin[column]);
         const auto last = static_cast<std::size_t>(j_.column_begin[column + 1]);
-        std::int64_t high = 0;
         const bool sorted = !j_.periodic[D - 1];
         if (sorted) {
-            const std::int64_t centre = i_.centre[D - 1][ci];
-            const auto half = static_cast<std::int64_t>(static_cast<double>(i_.half_extent[D - 1][ci]) /
-                                                        fixed_point_.unit(D - 1)) +
-                              2;
-            const std::int64_t low = centre - half - reach_;
-            high = centre + half + reach_;
-            if (first == last || j_.highest[last - 1] < low) {
+            if (first == last || j_.highest[last - 1] < low_) {
                 return;
             }
             // The first cluster that reaches up to `low`, by bisection in high columns.
             std::size_t count = last - first;
             while (count > 2 * cluster_size) {
                 const std::size_t half_count = count / 2;
-                const bool below = j_.highest[first + half_count] < low;
+                const bool below = j_.highest[first + half_count] < low_;
                 first = below ? first + half_count + 1 : first;
                 count = below ? count - half_count - 1 : half_count;
             }
         }
-        block_.reserve((last - first) / ClusterRun::longest + 1, last - first);
+        block_.reserve((last - first) / ClusterRun::longest + 1, last - first + cluster_size);
         std::size_t run_first = 0;
         std::size_t next = 0;  // the cluster that follows the run; 0: no run yet
-        for (std::size_t group = first; group < last && !(sorted && j_.lowest[group] > high);
+        for (std::size_t group = first; group < last && !(sorted && j_.lowest[group] > high_);
              group += cluster_size) {
             unsigned candidates = near(ci, group);
+            std::uint64_t present = read_bytes(&j_.present[group]);
             if (last - group < cluster_size) {
                 candidates &= (1U << (last - group)) - 1U;
+                present &= (std::uint64_t{1} << 8 * (last - group)) - 1U;
             }
             if (candidates == 0) {
                 continue;
             }
-            const std::array<std::uint8_t, cluster_size> masks = masks_of(ci, group, candidates);
-            for (; candidates != 0; candidates &= candidates - 1U) {
-                const auto c = static_cast<std::size_t>(__builtin_ctz(candidates));
-                const std::size_t cj = group + c;
-                const std::uint8_t mask = masks[c];
-                if (mask == 0) {
-                    continue;
-                }
-                if (next == 0) {
-                    run_first = cj;
-                    next = cj;
-                }
-                for (; next < cj; ++next) {
-                    block_.add_mask(0);
-                }
-                block_.add_mask(mask);
-                ++next;
-                neighbours_ += static_cast<std::size_t>(__builtin_popcount(mask));
+            const std::uint64_t masks = masks_of(ci, group, candidates) & present;
+            if (masks == 0) {
+                continue;
             }
+            const auto begin = static_cast<std::size_t>(__builtin_ctzll(masks)) / 8;
+            const auto end = 8 - static_cast<std::size_t>(__builtin_clzll(masks)) / 8;
+            if (next == 0) {
+                run_first = group + begin;
+                next = run_first;
+            }
+            for (; next < group + begin; ++next) {
+                block_.add_mask(0);
+            }
+            block_.add_masks(masks >> 8 * begin, end - begin);
+            next = group + end;
+            neighbours_ += static_cast<std::size_t>(__builtin_popcountll(masks));
         }
         for (; run_first < next; run_first += ClusterRun::longest) {
             const std::size_t count =
@@ -179,6 +189,13 @@ class BlockSearch {
             run.count = static_cast<std::uint32_t>(count) & ClusterRun::longest;
             block_.add_run(run);
         }
+    }
+
+    /// 8 bytes as one number, the first lowest.
+    static std::uint64_t read_bytes(const std::uint8_t* bytes) {
+        std::uint64_t value = 0;
+        __builtin_memcpy(&value, bytes, sizeof(value));
+        return value;
     }
 
     /// Bit l: whether the boxes of clusters ci and cj + l come within range. Clusters past the last one too.
@@ -196,21 +213,15 @@ class BlockSearch {
         return lanes_at_most(squared, range_squared_);
     }
 
-    /// For the candidates among clusters cj to cj + 7, the particles that are within range of any particle of
-    /// the i-cluster.
-    [[nodiscard]] std::array<std::uint8_t, cluster_size> masks_of(std::size_t ci, std::size_t cj,
-                                                                  unsigned candidates) const {
-        std::array<std::uint8_t, cluster_size> masks{};
+    /// For the candidates among clusters cj to cj + 7, a byte each, the slots that are within range of any
+    /// particle of the i-cluster; clusters beside a candidate may have bits too.
+    [[nodiscard]] std::uint64_t masks_of(std::size_t ci, std::size_t cj, unsigned candidates) const {
+        std::uint64_t masks = 0;
         for (std::size_t c = 0; c < cluster_size; c += neighbours_per_turn<float>) {
             constexpr unsigned both = (1U << neighbours_per_turn<float>)-1U;
-            if ((candidates >> c & both) == 0) {
-                continue;
-            }
-            const unsigned near = image_ ? near_image(ci, cj + c) : near_images(cj + c);
-            for (std::size_t n = 0; n < neighbours_per_turn<float> && cj + c + n < j_.size(); ++n) {
-                // Empty slots repeat a particle.
-                const unsigned present = (1U << static_cast<unsigned>(j_.count(cj + c + n))) - 1U;
-                masks[c + n] = static_cast<std::uint8_t>(near >> n * cluster_size & present);
+            if ((candidates >> c & both) != 0) {
+                const unsigned near = image_ ? near_image(ci, cj + c) : near_images(cj + c);
+                masks |= std::uint64_t{near} << 8 * c;
             }
         }
         return masks;
@@ -264,6 +275,8 @@ class BlockSearch {
     double range_;
     float range_squared_ = 0.0F;
     std::int64_t reach_ = 0;  ///< range in units of the last axis
+    std::int64_t low_ = 0;    ///< what the i-cluster and its range span along the last axis, units
+    std::int64_t high_ = 0;
     std::array<float, static_cast<std::size_t>(D)> unit_{};
     /// Of the i-cluster: whether one image decides, positions from its centre (m), in units where needed.
     bool image_ = true;
