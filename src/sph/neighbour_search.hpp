@@ -115,15 +115,21 @@ class BlockSearch {
     /// The positions of the i-cluster.
     void take_positions(std::size_t ci) {
         image_ = true;
+        Lanes<float> squared(0.0F);
         for (std::size_t k = 0; k < D; ++k) {
             const std::int32_t* code = &i_.slot_position[k][ci * cluster_size];
             const Lanes<std::int32_t> offset = load_lanes(code) - i_.centre[k][ci];
-            store_lanes(Lanes<float>(stdx::static_simd_cast<Lanes<float>>(offset) * unit_[k]),
-                        from_centre_[k].data());
+            const Lanes<float> x = stdx::static_simd_cast<Lanes<float>>(offset) * unit_[k];
+            squared += x * x;
+            store_lanes(Lanes<float>(-2.0F * x), minus_twice_[k].data());
             constexpr double half_period = 2147483648.0;  // units
             image_ = image_ && (!j_.periodic[k] || static_cast<double>(i_.half_extent[k][ci]) + range_ <
                                                        0.999 * half_period * fixed_point_.unit(k));
         }
+        store_lanes(squared, from_centre_squared_.data());
+        // Else GCC keeps them in registers and takes them apart with two shuffles for each lane and use,
+        // where a broadcast from memory is part of the multiplication.
+        asm volatile("" : : "r"(this) : "memory");
         if (!image_) {
             for (std::size_t k = 0; k < D; ++k) {
                 position_[k] = gather<float, std::int32_t>(&i_.slot_position[k][ci * cluster_size],
@@ -231,21 +237,23 @@ class BlockSearch {
     /// any particle of the i-cluster, where one image of each decides, that nearest to the cluster's centre.
     [[nodiscard]] unsigned near_image(std::size_t ci, std::size_t cj) const {
         std::array<Wide<float>, static_cast<std::size_t>(D)> x{};
+        Wide<float> own_squared(0.0F);
         for (std::size_t k = 0; k < D; ++k) {
             const WideInteger<float> code(&j_.slot_position[k][cj * cluster_size], stdx::element_aligned);
             x[k] =
                 stdx::static_simd_cast<Wide<float>>(WideInteger<float>(code - i_.centre[k][ci])) * unit_[k];
+            own_squared += x[k] * x[k];
         }
+        // |x_j - x_i|^2 - |x_j|^2, the least of all i.
         Wide<float> closest(std::numeric_limits<float>::max());
         for (std::size_t l = 0; l < cluster_size; ++l) {
-            Wide<float> squared(0.0F);
+            Wide<float> squared(from_centre_squared_[l]);
             for (std::size_t k = 0; k < D; ++k) {
-                const Wide<float> d = x[k] - from_centre_[k][l];
-                squared += d * d;
+                squared += minus_twice_[k][l] * x[k];
             }
             closest = stdx::min(closest, squared);
         }
-        return wide_at_most(closest, range_squared_);
+        return wide_at_most(Wide<float>(closest + own_squared), range_squared_);
     }
 
     /// The same by the nearest image of each pair, in a narrow periodic domain.
@@ -278,9 +286,11 @@ class BlockSearch {
     std::int64_t low_ = 0;    ///< what the i-cluster and its range span along the last axis, units
     std::int64_t high_ = 0;
     std::array<float, static_cast<std::size_t>(D)> unit_{};
-    /// Of the i-cluster: whether one image decides, positions from its centre (m), in units where needed.
+    /// Of the i-cluster: whether one image decides, minus twice the positions from its centre (m) and their
+    /// squared distances, positions in units where needed.
     bool image_ = true;
-    std::array<std::array<float, cluster_size>, static_cast<std::size_t>(D)> from_centre_{};
+    std::array<std::array<float, cluster_size>, static_cast<std::size_t>(D)> minus_twice_{};
+    std::array<float, cluster_size> from_centre_squared_{};
     std::array<WideInteger<float>, static_cast<std::size_t>(D)> position_{};
     std::size_t neighbours_ = 0;
 };
