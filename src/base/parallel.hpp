@@ -6,11 +6,14 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace riffle {
 
-/// Number of threads that the parallel loops use from now on; 0: all cores this process may run on.
+/// Number of threads that the parallel loops use from now on; 0: all processors that this process may run on
+/// and has computing time for (available_processors()). With several threads, memory taken later is spread
+/// over the nodes of a computer that has more than one (spread_memory_over_nodes()).
 void set_thread_count(int count);
 
 /// Whether set_thread_count() asked for one thread: the loops then need no scheduler.
@@ -18,6 +21,9 @@ void set_thread_count(int count);
 
 /// Number of threads in use.
 [[nodiscard]] int thread_count();
+
+/// "8 threads", or "8 threads, memory spread over 2 nodes".
+[[nodiscard]] std::string thread_description();
 
 /// Call f(begin, end) for consecutive blocks that cover [0, n). The blocks do not depend on the number of
 /// threads, so work that is independent between blocks gives the same bits for any thread count.

@@ -64,8 +64,8 @@ template <int D>
 void RunSession<D>::start() {
     make_simulation_of_case(true);
     const Scheme& scheme = simulation_->scheme();
-    log_.info(fmt::format("riffle {} ({}), {} instructions, {} threads", version(), build_description(),
-                          instruction_set_name(active_instruction_set()), thread_count()));
+    log_.info(fmt::format("riffle {} ({}), {} instructions, {}", version(), build_description(),
+                          instruction_set_name(active_instruction_set()), thread_description()));
     log_.info(fmt::format("case: {}", case_.title));
     for (const std::string& note : options_.notes) {
         log_.warning(note);

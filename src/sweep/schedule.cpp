@@ -13,6 +13,7 @@
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
+#include "base/processors.hpp"
 #include "solver/run.hpp"
 #include "sweep/child_process.hpp"
 #include "sweep/run_cost.hpp"
@@ -251,9 +252,7 @@ class Schedule {
 }  // namespace
 
 Shares shares_of(const ScheduleOptions& options, std::size_t runs) {
-    // Asked of the system, not of the scheduler of threads, which must not start here.
-    const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-    const int threads = options.threads > 0 ? options.threads : cores;
+    const int threads = options.threads > 0 ? options.threads : available_processors();
     const int most = std::max(1, static_cast<int>(runs));
     const int jobs =
         std::min(most, options.jobs > 0 ? options.jobs : std::max(1, threads / threads_of_a_run));

@@ -46,6 +46,13 @@ void check_clusters(const Cloud<D>& cloud) {
             }
         }
     }
+    for (std::size_t cluster = 0; cluster < c.size(); ++cluster) {
+        for (std::size_t lane = 0; lane < cluster_size; ++lane) {
+            const bool holds = c.particle_of(cluster * cluster_size + lane) >= 0;
+            RC_ASSERT((c.present[cluster] >> lane & 1U) == (holds ? 1U : 0U));
+        }
+        RC_ASSERT(c.periodic[D - 1] || c.highest[cluster] <= c.top);
+    }
     // Every particle lies in the box of its cluster.
     for (std::size_t slot = 0; slot < c.slots(); ++slot) {
         for (std::size_t k = 0; k < D; ++k) {

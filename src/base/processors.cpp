@@ -1,0 +1,162 @@
+#include "base/processors.hpp"
+
+#include <linux/mempolicy.h>
+#include <sched.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <optional>
+#include <sstream>
+
+namespace riffle {
+
+namespace {
+
+std::string first_line(const std::string& file) {
+    std::ifstream stream(file);
+    std::string line;
+    std::getline(stream, line);
+    return line;
+}
+
+/// A number at the start of a text; nothing where there is none ("max").
+std::optional<double> number_of(const std::string& text) {
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    return error == std::errc() && end != text.data() ? std::optional(value) : std::nullopt;
+}
+
+/// Processors worth of time that `quota` microseconds of each `period` are; infinite without a limit.
+double granted(const std::string& quota, const std::string& period) {
+    const auto q = number_of(quota);
+    const auto p = number_of(period);
+    return q && p && *q > 0.0 && *p > 0.0 ? *q / *p : std::numeric_limits<double>::infinity();
+}
+
+/// The least that a control group and those above it grant; `limit_of` looks at one folder.
+template <class F>
+double least_granted(const std::string& top, std::string group, const F& limit_of) {
+    double least = limit_of(top);
+    while (group.starts_with('/') && group.size() > 1) {
+        least = std::min(least, limit_of(top + group));
+        group.resize(group.rfind('/'));
+    }
+    return least;
+}
+
+/// Processors worth of time that the control group of the process has.
+double granted_by_control_group(const SystemFiles& files) {
+    std::ifstream groups(files.root + "/proc/self/cgroup");
+    const std::string mounted = files.root + "/sys/fs/cgroup";
+    double least = std::numeric_limits<double>::infinity();
+    for (std::string line; std::getline(groups, line);) {
+        // hierarchy:controllers:path; the second version is hierarchy 0 without controllers.
+        const std::size_t first = line.find(':');
+        const std::size_t second = line.find(':', first + 1);
+        if (first == std::string::npos || second == std::string::npos) {
+            continue;
+        }
+        const std::string controllers = "," + line.substr(first + 1, second - first - 1) + ",";
+        const std::string group = line.substr(second + 1);
+        if (controllers == ",,") {
+            least = std::min(least, least_granted(mounted, group, [](const std::string& folder) {
+                                 std::istringstream words(first_line(folder + "/cpu.max"));
+                                 std::string quota;
+                                 std::string period;
+                                 words >> quota >> period;
+                                 return granted(quota, period);
+                             }));
+        } else if (controllers.find(",cpu,") != std::string::npos) {
+            least = std::min(least, least_granted(mounted + "/cpu", group, [](const std::string& folder) {
+                                 return granted(first_line(folder + "/cpu.cfs_quota_us"),
+                                                first_line(folder + "/cpu.cfs_period_us"));
+                             }));
+        }
+    }
+    return least;
+}
+
+/// Processors that the process may run on.
+std::vector<std::size_t> processors_of_process() {
+    // Larger than any machine's; the call fails where the kernel's own set is larger.
+    constexpr std::size_t most = 16384;
+    std::vector<unsigned long> bits(most / (8 * sizeof(unsigned long)));
+    const long bytes = syscall(SYS_sched_getaffinity, 0, bits.size() * sizeof(bits[0]), bits.data());
+    std::vector<std::size_t> processors;
+    for (std::size_t p = 0; bytes > 0 && p < 8 * static_cast<std::size_t>(bytes); ++p) {
+        if ((bits[p / (8 * sizeof(bits[0]))] >> p % (8 * sizeof(bits[0])) & 1UL) != 0) {
+            processors.push_back(p);
+        }
+    }
+    return processors;
+}
+
+}  // namespace
+
+std::vector<std::size_t> numbers_of_list(const std::string& text) {
+    std::vector<std::size_t> numbers;
+    std::istringstream ranges(text);
+    for (std::string range; std::getline(ranges, range, ',');) {
+        std::size_t first = 0;
+        const char* const end = range.data() + range.size();
+        auto [next, error] = std::from_chars(range.data(), end, first);
+        if (error != std::errc()) {
+            return {};
+        }
+        std::size_t last = first;
+        if (next != end && *next == '-' && std::from_chars(next + 1, end, last).ec != std::errc()) {
+            return {};
+        }
+        for (std::size_t n = first; n <= last; ++n) {
+            numbers.push_back(n);
+        }
+    }
+    return numbers;
+}
+
+int available_processors(const SystemFiles& files) {
+    const auto allowed = static_cast<double>(std::max<std::size_t>(processors_of_process().size(), 1));
+    return static_cast<int>(std::min(allowed, std::max(1.0, std::ceil(granted_by_control_group(files)))));
+}
+
+std::vector<std::size_t> memory_nodes(const std::vector<std::size_t>& processors, const SystemFiles& files) {
+    const std::string folder = files.root + "/sys/devices/system/node";
+    std::vector<std::size_t> nodes;
+    for (const std::size_t node : numbers_of_list(first_line(folder + "/has_memory"))) {
+        const std::vector<std::size_t> of_node =
+            numbers_of_list(first_line(folder + "/node" + std::to_string(node) + "/cpulist"));
+        if (std::find_first_of(of_node.begin(), of_node.end(), processors.begin(), processors.end()) !=
+            of_node.end()) {
+            nodes.push_back(node);
+        }
+    }
+    return nodes;
+}
+
+std::size_t spread_memory_over_nodes() {
+    constexpr std::size_t word = 8 * sizeof(unsigned long);
+    std::array<unsigned long, 1024 / word> mask{};
+    std::size_t count = 0;
+    for (const std::size_t node : memory_nodes(processors_of_process())) {
+        if (node < mask.size() * word) {
+            mask[node / word] |= 1UL << node % word;
+            ++count;
+        }
+    }
+    // The answer of the first call: the next would meet the policy that it has set.
+    static const bool unchosen = [] {
+        int policy = MPOL_DEFAULT;
+        return syscall(SYS_get_mempolicy, &policy, nullptr, 0UL, nullptr, 0UL) == 0 && policy == MPOL_DEFAULT;
+    }();
+    const bool spread = count > 1 && unchosen &&
+                        syscall(SYS_set_mempolicy, MPOL_INTERLEAVE, mask.data(), mask.size() * word) == 0;
+    return spread ? count : 1;
+}
+
+}  // namespace riffle
