@@ -16,14 +16,6 @@ namespace {
 /// Clusters per task of a sweep without sums.
 constexpr std::size_t light_block = 128;
 
-/// Blocks of a wave (SweepOrder): few, so that what a wave reads and writes stays in the second-level cache;
-/// with several threads enough that waiting for each other at its end costs little.
-std::size_t wave_blocks() {
-    constexpr std::size_t alone = 8;
-    constexpr std::size_t each = 32;
-    return single_thread() ? alone : each * static_cast<std::size_t>(thread_count());
-}
-
 }  // namespace
 
 template <int D, class Real>
@@ -56,10 +48,14 @@ void SimulationOf<D, Real>::build_lists(bool sort) {
         ghosts_->build_list(clusters_, range);
     }
     const bool walled = walls_.size() > 0;
+    SweepPlan plan{.threads = static_cast<std::size_t>(thread_count())};
+    if (ghosts_) {  // they look at all of the water
+        plan = {.threads = 1, .wave_blocks = clusters_.size()};
+    }
     order_ = order_sweeps({.fluid_fluid = &fluid_fluid_,
                            .fluid_wall = walled ? &fluid_wall_ : nullptr,
                            .wall_fluid = walled ? &wall_fluid_ : nullptr},
-                          ghosts_ ? clusters_.size() : wave_blocks());
+                          plan);
     loose_ = has_loose_particles();
     clusters_.release_boxes();
     data_.fluid_fluid = &fluid_fluid_;
@@ -119,6 +115,7 @@ void SimulationOf<D, Real>::allocate() {
     if (block_seconds_.size() < blocks) {
         block_seconds_.resize(blocks);
     }
+    wall_seconds_.resize((wall_clusters_.size() + block_clusters - 1) / block_clusters);
     if (stepper_) {
         density_rate_.resize(particles_.size());
     }

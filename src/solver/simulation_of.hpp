@@ -116,6 +116,8 @@ class SimulationOf final : public SimulationIn<D> {
     void fetch_for_motion(std::size_t begin, std::size_t end);
     /// Mixing lengths at the particles of a block.
     void find_mixing_lengths(Task& task, std::size_t begin, std::size_t end) const;
+    /// The sweeps of one wave; `alone`: by this thread, beside others with other sections.
+    void evaluate_wave(std::size_t wave, const StageSteps& steps, Displacement<D>* moved, bool alone);
     void evaluate_gradients(Task& task, std::size_t begin, std::size_t end, double density_step);
     void evaluate_walls(Task& task, std::size_t begin, std::size_t end, double step);
     /// The same from the particles' ghost nodes (ghost_walls.cpp).
@@ -165,13 +167,22 @@ class SimulationOf final : public SimulationIn<D> {
               static_cast<std::size_t>(clusters_.begin[cluster + 1]), (cluster - begin) * cluster_size);
         }
     }
-    /// f(task, begin, end) for blocks of clusters, in parallel; each thread keeps its task from call to call.
+    /// f(task, begin, end) for blocks of clusters, in parallel or, where a thread is `alone` with its
+    /// section, one after the other; each thread keeps its task from call to call.
     template <class F>
-    void for_blocks(std::size_t clusters, std::span<const std::uint32_t> blocks, const F& f) const {
-        parallel_blocks(blocks.size(), 1, [&](std::size_t i, std::size_t) {
+    void for_blocks(std::size_t clusters, std::span<const std::uint32_t> blocks, const F& f,
+                    bool alone) const {
+        const auto one = [&](std::size_t i) {
             const std::size_t begin = block_clusters * blocks[i];
             f(this_task(), begin, std::min(begin + block_clusters, clusters));
-        });
+        };
+        if (alone) {
+            for (std::size_t i = 0; i < blocks.size(); ++i) {
+                one(i);
+            }
+        } else {
+            parallel_blocks(blocks.size(), 1, [&](std::size_t i, std::size_t) { one(i); });
+        }
     }
     /// The same for all blocks.
     template <class F>
@@ -253,6 +264,7 @@ class SimulationOf final : public SimulationIn<D> {
     double clock_seconds_ = 0.0;               ///< of a measurement of nothing, all in all, s
     double clock_seconds_inside_ = 0.0;        ///< what it measures, s
     std::vector<BlockSeconds> block_seconds_;  ///< by block
+    std::vector<double> wall_seconds_;         ///< by block of walls
 };
 
 /// Particles per edge of a cluster of 8 in the columns: columns of this many spacings.

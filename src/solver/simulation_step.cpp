@@ -189,6 +189,7 @@ void SimulationOf<D, Real>::measure_profile(bool on) {
     profiling_ = on;
     profile_ = {};
     std::fill(block_seconds_.begin(), block_seconds_.end(), BlockSeconds{});
+    std::fill(wall_seconds_.begin(), wall_seconds_.end(), 0.0);
     // Two measurements a block cost up to 2 % of a step, which is none of its parts. The least of some
     // trials: the machine may interrupt one.
     constexpr int trials = 20;
@@ -218,6 +219,9 @@ StepProfile SimulationOf<D, Real>::profile() const {
         result.gradients += (block.gradients - measurements * clock_seconds_inside_) / threads;
         result.forces += (block.forces - measurements * clock_seconds_inside_) / threads;
         result.total -= 2.0 * measurements * clock_seconds_ / threads;
+    }
+    for (const double seconds : wall_seconds_) {
+        result.walls += seconds / threads;
     }
     result.particles = result.total - result.lists - result.walls - result.gradients - result.forces;
     return result;

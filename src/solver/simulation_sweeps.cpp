@@ -39,35 +39,58 @@ void SimulationOf<D, Real>::evaluate(const StageSteps& steps) {
         sweep->begin(data_, clusters_);
     }
     Displacement<D>* const moved = displacements_due() ? &moved_ : nullptr;
-    for (std::size_t wave = 0; wave < order_.waves; ++wave) {
-        for_blocks(clusters_.size(), order_.gradients.blocks(wave),
-                   [&](Task& task, std::size_t begin, std::size_t end) {
-                       evaluate_gradients(task, begin, end, steps.density);
-                   });
-        timed(profile_.walls, [&] {
-            if (ghosts_) {  // all in one wave (build_lists)
-                ghosts_->interpolate(data_, clusters_, particles_.density_deviation);
+    if (order_.sections() == 1) {
+        for (std::size_t wave = 0; wave < order_.waves; ++wave) {
+            evaluate_wave(wave, steps, moved, false);
+        }
+    } else {
+        parallel_blocks(order_.sections(), 1, [&](std::size_t section, std::size_t) {
+            for (auto wave = order_.section_begin[section]; wave < order_.section_begin[section + 1];
+                 ++wave) {
+                evaluate_wave(wave, steps, moved, true);
             }
-            for_blocks(wall_clusters_.size(), order_.walls.blocks(wave),
-                       [&](Task& task, std::size_t begin, std::size_t end) {
-                           evaluate_walls(task, begin, end, steps.wall);
-                       });
         });
-        for_blocks(clusters_.size(), order_.forces.blocks(wave),
-                   [&](Task& task, std::size_t begin, std::size_t end) {
-                       evaluate_forces(task, begin, end, steps.motion);
-                   });
-        for_blocks(clusters_.size(), order_.packing.blocks(wave),
-                   [&](Task&, std::size_t begin, std::size_t end) {
-                       // A faulty position has no integer code; it is reported below.
-                       if (!block_advance_[begin / block_clusters].fault) {
-                           particle_loops_.pack(particle_data_, data_, moved, begin, end);
-                       }
-                   });
+        evaluate_wave(order_.waves - 1, steps, moved, false);
     }
     moved_known_ = moved != nullptr;
     gather_motion(steps.motion);
     fill_last_records();
+}
+
+template <int D, class Real>
+void SimulationOf<D, Real>::evaluate_wave(std::size_t wave, const StageSteps& steps, Displacement<D>* moved,
+                                          bool alone) {
+    for_blocks(
+        clusters_.size(), order_.gradients.blocks(wave),
+        [&](Task& task, std::size_t begin, std::size_t end) {
+            evaluate_gradients(task, begin, end, steps.density);
+        },
+        alone);
+    if (ghosts_) {  // all in one wave (build_lists)
+        timed(profile_.walls, [&] { ghosts_->interpolate(data_, clusters_, particles_.density_deviation); });
+    }
+    for_blocks(
+        wall_clusters_.size(), order_.walls.blocks(wave),
+        [&](Task& task, std::size_t begin, std::size_t end) {
+            timed(wall_seconds_[begin / block_clusters],
+                  [&] { evaluate_walls(task, begin, end, steps.wall); });
+        },
+        alone);
+    for_blocks(
+        clusters_.size(), order_.forces.blocks(wave),
+        [&](Task& task, std::size_t begin, std::size_t end) {
+            evaluate_forces(task, begin, end, steps.motion);
+        },
+        alone);
+    for_blocks(
+        clusters_.size(), order_.packing.blocks(wave),
+        [&](Task&, std::size_t begin, std::size_t end) {
+            // A faulty position has no integer code; it is reported below.
+            if (!block_advance_[begin / block_clusters].fault) {
+                particle_loops_.pack(particle_data_, data_, moved, begin, end);
+            }
+        },
+        alone);
 }
 
 template <int D, class Real>

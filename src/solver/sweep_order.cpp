@@ -1,6 +1,7 @@
 #include "solver/sweep_order.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "base/parallel.hpp"
 
@@ -47,9 +48,74 @@ std::vector<BlockPair> listed_blocks(const NeighbourList& list, std::size_t j_bl
     return all;
 }
 
-using Waves = std::vector<std::uint32_t>;
+/// How far apart, in blocks, the two of a pair stand, along the channel or through its period.
+std::size_t reach_of(const std::vector<BlockPair>& pairs, std::size_t blocks) {
+    std::size_t reach = 1;
+    for (const auto& [i, j] : pairs) {
+        const std::size_t apart = i < j ? j - i : i - j;
+        reach = std::max(reach, std::min(apart, blocks - apart));
+    }
+    return reach;
+}
 
-void raise(std::uint32_t& value, std::uint32_t least) { value = std::max(value, least); }
+/// Number of sections: some for each thread, so that a thread that is held up does not hold all up, but few
+/// blocks beside those that wait for two sections.
+std::size_t sections_of(std::size_t blocks, std::size_t reach, std::size_t threads) {
+    constexpr std::size_t most_per_thread = 4;
+    constexpr std::size_t good_length = 16;  // in reaches
+    constexpr std::size_t least_length = 6;
+    if (threads <= 1 || blocks < threads * least_length * reach) {
+        return 1;
+    }
+    return std::clamp(blocks / (good_length * reach), threads, most_per_thread * threads);
+}
+
+/// The waves of the blocks of all sweeps.
+class WavesOfBlocks {
+  public:
+    using Waves = std::vector<std::uint32_t>;
+
+    WavesOfBlocks(std::size_t blocks, std::size_t sections, std::size_t wave_blocks) : gradients_(blocks) {
+        std::uint32_t wave = 0;
+        for (std::size_t section = 0; section < sections; ++section) {
+            const std::size_t end = (section + 1) * blocks / sections;
+            for (std::size_t block = section * blocks / sections; block < end; block += wave_blocks, ++wave) {
+                std::fill(
+                    gradients_.begin() + static_cast<std::ptrdiff_t>(block),
+                    gradients_.begin() + static_cast<std::ptrdiff_t>(std::min(block + wave_blocks, end)),
+                    wave);
+                section_of_.push_back(section);
+            }
+            begin_.push_back(section_of_.size());
+        }
+        if (sections > 1 || section_of_.empty()) {
+            section_of_.push_back(sections);
+        }
+    }
+
+    [[nodiscard]] const Waves& gradients() const { return gradients_; }
+    [[nodiscard]] const std::vector<std::size_t>& section_begin() const { return begin_; }
+    [[nodiscard]] std::size_t count() const { return section_of_.size(); }
+
+    /// Let a block wait for another one.
+    void wait(std::uint32_t& wave, std::uint32_t for_wave) const {
+        if (wave == nothing) {
+            wave = for_wave;
+        } else if (section_of_[wave] == section_of_[for_wave]) {
+            wave = std::max(wave, for_wave);
+        } else {
+            wave = static_cast<std::uint32_t>(section_of_.size() - 1);
+        }
+    }
+
+    /// Wave of a block that waits for nothing yet.
+    static constexpr auto nothing = std::numeric_limits<std::uint32_t>::max();
+
+  private:
+    Waves gradients_;
+    std::vector<std::size_t> begin_{0};
+    std::vector<std::size_t> section_of_;  ///< by wave
+};
 
 }  // namespace
 
@@ -67,48 +133,48 @@ SweepStage::SweepStage(std::span<const std::uint32_t> wave_of_block, std::size_t
     }
 }
 
-SweepOrder order_sweeps(const SweepLists& lists, std::size_t wave_blocks) {
+SweepOrder order_sweeps(const SweepLists& lists, const SweepPlan& plan) {
     const std::size_t fluid_blocks = blocks_of(*lists.fluid_fluid);
     const std::size_t wall_blocks = lists.wall_fluid == nullptr ? 0 : blocks_of(*lists.wall_fluid);
-    const std::size_t waves = std::max<std::size_t>(1, (fluid_blocks + wave_blocks - 1) / wave_blocks);
-    Waves gradients(fluid_blocks);
-    for (std::size_t block = 0; block < fluid_blocks; ++block) {
-        gradients[block] = static_cast<std::uint32_t>(block / wave_blocks);
-    }
-    Waves walls(wall_blocks);
-    Waves forces = gradients;
-    Waves packing = gradients;
-    if (waves > 1) {
-        const std::vector<BlockPair> fluid_fluid = listed_blocks(*lists.fluid_fluid, fluid_blocks);
-        std::vector<BlockPair> wall_fluid;
-        if (wall_blocks > 0) {
-            wall_fluid = listed_blocks(*lists.wall_fluid, fluid_blocks);
-            const std::vector<BlockPair> fluid_wall = listed_blocks(*lists.fluid_wall, wall_blocks);
-            for (const auto& [wall, fluid] : wall_fluid) {
-                raise(walls[wall], gradients[fluid]);
-            }
-            for (const auto& [fluid, wall] : fluid_wall) {
-                raise(walls[wall], gradients[fluid]);
-            }
-            for (const auto& [fluid, wall] : fluid_wall) {
-                raise(forces[fluid], walls[wall]);
-            }
-        }
-        for (const auto& [i, j] : fluid_fluid) {
-            raise(forces[i], gradients[j]);
-        }
-        for (const auto& [i, j] : fluid_fluid) {
-            raise(packing[j], forces[i]);
-        }
+    const std::vector<BlockPair> fluid_fluid = listed_blocks(*lists.fluid_fluid, fluid_blocks);
+    const std::size_t sections = sections_of(fluid_blocks, reach_of(fluid_fluid, fluid_blocks), plan.threads);
+    const bool shared = plan.threads > 1 && sections == 1;
+    const WavesOfBlocks waves(fluid_blocks, sections,
+                              shared ? plan.shared_wave_blocks * plan.threads : plan.wave_blocks);
+    WavesOfBlocks::Waves walls(wall_blocks, WavesOfBlocks::nothing);
+    WavesOfBlocks::Waves forces = waves.gradients();
+    std::vector<BlockPair> wall_fluid;
+    if (wall_blocks > 0) {
+        wall_fluid = listed_blocks(*lists.wall_fluid, fluid_blocks);
+        const std::vector<BlockPair> fluid_wall = listed_blocks(*lists.fluid_wall, wall_blocks);
         for (const auto& [wall, fluid] : wall_fluid) {
-            raise(packing[fluid], walls[wall]);
+            waves.wait(walls[wall], waves.gradients()[fluid]);
+        }
+        for (const auto& [fluid, wall] : fluid_wall) {
+            waves.wait(walls[wall], waves.gradients()[fluid]);
+        }
+        std::replace(walls.begin(), walls.end(), WavesOfBlocks::nothing, std::uint32_t{0});
+        for (const auto& [fluid, wall] : fluid_wall) {
+            waves.wait(forces[fluid], walls[wall]);
         }
     }
-    return {.waves = waves,
-            .gradients = {gradients, waves},
-            .walls = {walls, waves},
-            .forces = {forces, waves},
-            .packing = {packing, waves}};
+    for (const auto& [i, j] : fluid_fluid) {
+        waves.wait(forces[i], waves.gradients()[j]);
+    }
+    WavesOfBlocks::Waves packing = waves.gradients();
+    for (const auto& [i, j] : fluid_fluid) {
+        waves.wait(packing[j], forces[i]);
+    }
+    for (const auto& [wall, fluid] : wall_fluid) {
+        waves.wait(packing[fluid], walls[wall]);
+    }
+    const std::size_t count = waves.count();
+    return {.waves = count,
+            .gradients = {waves.gradients(), count},
+            .walls = {walls, count},
+            .forces = {forces, count},
+            .packing = {packing, count},
+            .section_begin = waves.section_begin()};
 }
 
 }  // namespace riffle

@@ -43,13 +43,31 @@ struct SweepLists {
 /// - forces wait for the gradients and walls that they read;
 /// - packing, which overwrites the positions, waits for all forces and walls that read them.
 ///
+/// For several threads the waves are divided into sections of the channel that know nothing of each other,
+/// one after the other for a thread; what must wait for two sections runs in a last wave, when all are done.
+///
 /// The result does not depend on the order.
 struct SweepOrder {
     std::size_t waves = 1;
     SweepStage gradients, walls, forces, packing;
+    /// First wave of each section, and the end of the last one. With more than one section another wave
+    /// follows, which belongs to none.
+    std::vector<std::size_t> section_begin{0, 1};
+
+    [[nodiscard]] std::size_t sections() const { return section_begin.size() - 1; }
 };
 
-/// The order for lists of clusters, with the gradients of `wave_blocks` blocks in a wave.
-[[nodiscard]] SweepOrder order_sweeps(const SweepLists& lists, std::size_t wave_blocks);
+/// How finely to divide the sweeps.
+struct SweepPlan {
+    std::size_t threads = 1;
+    /// Blocks of a wave of one thread: few, so that what a wave reads and writes stays in the second-level
+    /// cache.
+    std::size_t wave_blocks = 8;
+    /// Blocks for each thread of a wave that the threads share, where the channel is too short for sections:
+    /// enough that waiting for each other at its end costs little.
+    std::size_t shared_wave_blocks = 32;
+};
+
+[[nodiscard]] SweepOrder order_sweeps(const SweepLists& lists, const SweepPlan& plan);
 
 }  // namespace riffle

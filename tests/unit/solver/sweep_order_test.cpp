@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 #include "../particles/cloud.hpp"
@@ -57,31 +58,56 @@ TEST(SweepOrder, NoBlockRunsBeforeWhatItReadsNorOverwritesWhatIsStillRead) {
         const std::size_t bed_blocks = (bed.clusters.size() + block_clusters - 1) / block_clusters;
         ASSERT_GT(blocks, 30U);
 
-        for (const std::size_t wave_blocks : {std::size_t{1}, std::size_t{4}, blocks}) {
+        for (const SweepPlan& plan :
+             {SweepPlan{.wave_blocks = 1}, SweepPlan{.wave_blocks = 4}, SweepPlan{.wave_blocks = blocks},
+              SweepPlan{.threads = 2, .wave_blocks = 1}, SweepPlan{.threads = 3, .wave_blocks = 2},
+              SweepPlan{.threads = 64, .shared_wave_blocks = 1}}) {
             const SweepOrder order = order_sweeps(
-                {.fluid_fluid = &water_water, .fluid_wall = &water_bed, .wall_fluid = &bed_water},
-                wave_blocks);
-            EXPECT_EQ(order.waves, (blocks + wave_blocks - 1) / wave_blocks);
+                {.fluid_fluid = &water_water, .fluid_wall = &water_bed, .wall_fluid = &bed_water}, plan);
             const auto gradients = waves_of(order.gradients, order.waves, blocks);
             const auto walls = waves_of(order.walls, order.waves, bed_blocks);
             const auto forces = waves_of(order.forces, order.waves, blocks);
             const auto packing = waves_of(order.packing, order.waves, blocks);
-            // Within a wave the sweeps run one after the other in this order.
+            // Within a wave the sweeps run one after the other in this order. Sections run at any time beside
+            // each other, so that nothing may wait for another one but in the last wave.
+            const auto section = [&](std::size_t wave) {
+                std::size_t s = 0;
+                while (s < order.sections() && wave >= order.section_begin[s + 1]) {
+                    ++s;
+                }
+                return s;
+            };
+            const auto in_order = [&](std::size_t before, std::size_t after) {
+                return before <= after &&
+                       (section(before) == section(after) || section(after) == order.sections());
+            };
             for (const auto& [i, j] : listed(water_water)) {
-                EXPECT_LE(gradients[j], forces[i]);
-                EXPECT_LE(forces[i], packing[j]);
-                EXPECT_LE(gradients[i], packing[j]);
+                EXPECT_TRUE(in_order(gradients[j], forces[i]));
+                EXPECT_TRUE(in_order(forces[i], packing[j]));
+                EXPECT_TRUE(in_order(gradients[i], packing[j]));
             }
             for (const auto& [i, wall] : listed(water_bed)) {
-                EXPECT_LE(gradients[i], walls[wall]);
-                EXPECT_LE(walls[wall], forces[i]);
+                EXPECT_TRUE(in_order(gradients[i], walls[wall]));
+                EXPECT_TRUE(in_order(walls[wall], forces[i]));
             }
             for (const auto& [wall, j] : listed(bed_water)) {
-                EXPECT_LE(gradients[j], walls[wall]);
-                EXPECT_LE(walls[wall], packing[j]);
+                EXPECT_TRUE(in_order(gradients[j], walls[wall]));
+                EXPECT_TRUE(in_order(walls[wall], packing[j]));
+            }
+            if (plan.threads == 1) {
+                EXPECT_EQ(order.sections(), 1U);
+                EXPECT_EQ(order.waves, (blocks + plan.wave_blocks - 1) / plan.wave_blocks);
+            } else if (plan.threads == 64) {
+                EXPECT_EQ(order.sections(), 1U) << "too short for as many sections";
+            } else {
+                EXPECT_GE(order.sections(), plan.threads);
+                const auto late =
+                    static_cast<std::size_t>(std::count(forces.begin(), forces.end(), order.waves - 1));
+                EXPECT_GT(late, 0U);
+                EXPECT_LT(2 * late, blocks) << "most of the work is within a section";
             }
             // Blocks far from the ends do not wait for the end of the channel.
-            if (wave_blocks == 1) {
+            if (plan.threads == 1 && plan.wave_blocks == 1) {
                 EXPECT_LT(packing[blocks / 2], blocks / 2 + 12);
             }
         }
@@ -90,7 +116,7 @@ TEST(SweepOrder, NoBlockRunsBeforeWhatItReadsNorOverwritesWhatIsStillRead) {
 
 TEST(SweepOrder, LongChannelsGiveTheSameBitsInManyWavesAsInOne) {
     Case c = test::small_channel();
-    c.channel.length = 2.0;  // 7000 particles: several waves of one thread, one of three
+    c.channel.length = 2.0;  // 7000 particles: several waves of one thread, or sections
     c.start.jitter = 0.2;
     const auto state_after = [&](int threads) {
         set_thread_count(threads);
@@ -101,6 +127,7 @@ TEST(SweepOrder, LongChannelsGiveTheSameBitsInManyWavesAsInOne) {
         set_thread_count(0);
         return channel.simulation->particles();
     };
+    test::expect_same_bits(state_after(1), state_after(2));
     test::expect_same_bits(state_after(1), state_after(3));
 }
 
