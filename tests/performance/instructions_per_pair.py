@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Count the instructions that the pair loops spend on a directed pair, and hold them against a bound.
+"""Count the instructions that the pair loops spend on a directed pair, the work beside them on a particle and the
+search for neighbours on a particle and build, and hold them against bounds.
 
 Unlike times, the count is the same on every machine: valgrind executes the AVX2 objects (it knows no AVX-512) of a
 small channel, on one thread.
@@ -15,14 +16,21 @@ import tempfile
 
 SKIPPED = 77  # exit status by which ctest knows a skipped test
 
-# Instructions per directed pair within the support when they were last looked at: GCC 12.2, -O3, x86-64-v3, lists with
-# the skins of workload_case (solver/benchmark.cpp): a thicker skin brings more pairs that do not count. A change
-# that needs more than MARGIN times as many has to be worth it; then, or after an improvement, write the new figures.
+# Instructions when they were last looked at: GCC 12.2, -O3, x86-64-v3, lists with the skins of workload_case
+# (solver/benchmark.cpp): a thicker skin brings more pairs that do not count. A change that needs more than MARGIN times
+# as many has to be worth it; then, or after an improvement, write the new figures.
 MEASURED = {
-    ("2", "plain"): {"gradient_loop": 13.86, "force_loop": 17.92},
-    ("2", "default"): {"gradient_loop": 18.80, "force_loop": 20.53},
-    ("3", "plain"): {"gradient_loop": 15.47, "force_loop": 19.41},
-    ("3", "default"): {"gradient_loop": 24.67, "force_loop": 29.48},
+    ("2", "plain"): {"gradient_loop": 13.86, "force_loop": 17.92, "particles": 104.1, "search": 396.8},
+    ("2", "default"): {"gradient_loop": 18.80, "force_loop": 20.53, "particles": 112.6, "search": 396.8},
+    ("3", "plain"): {"gradient_loop": 15.47, "force_loop": 19.41, "particles": 147.0, "search": 2119.3},
+    ("3", "default"): {"gradient_loop": 24.67, "force_loop": 29.48, "particles": 176.6, "search": 2119.3},
+}
+# What is counted: the functions, and per what.
+PARTS = {
+    "gradient_loop": (("gradient_loop",), "directed pair"),
+    "force_loop": (("force_loop",), "directed pair"),
+    "particles": (("stress_loop", "advance_loop", "pack_loop"), "particle and step"),
+    "search": (("search_neighbours",), "particle and build of the lists"),
 }
 MARGIN = 1.10
 
@@ -54,18 +62,23 @@ def run(*command):
 
 
 def count(program, dimensions, scheme):
-    """Loop -> instructions per directed pair."""
-    pairs = int(run(program, dimensions, scheme, "count"))
+    """Part -> instructions per what PARTS says."""
+    pairs, particle_steps, particle_builds = map(int, run(program, dimensions, scheme, "count").split())
+    per = {"directed pair": pairs, "particle and step": particle_steps,
+           "particle and build of the lists": particle_builds}
     with tempfile.TemporaryDirectory() as folder:
         profile = os.path.join(folder, "callgrind.out")
         run("valgrind", "--tool=callgrind", f"--callgrind-out-file={profile}", program, dimensions, scheme)
         of_function = instructions(profile)
     totals = {}
-    for loop in ("gradient_loop", "force_loop"):
-        found = [n for name, n in of_function.items() if name.startswith(f"void riffle::avx2::{loop}<")]
-        if len(found) != 1:
-            sys.exit(f"expected one function riffle::avx2::{loop}<...> to be executed, found {len(found)}")
-        totals[loop] = found[0] / pairs
+    for part, (functions, unit) in PARTS.items():
+        total = 0
+        for function in functions:
+            found = [n for name, n in of_function.items() if f" riffle::avx2::{function}<" in name.split("(")[0]]
+            if len(found) != 1:
+                sys.exit(f"expected one function riffle::avx2::{function}<...> to be executed, found {len(found)}")
+            total += found[0]
+        totals[part] = total / per[unit]
     return totals
 
 
@@ -75,12 +88,12 @@ def main():
         return SKIPPED
     too_many = False
     for (dimensions, scheme), measured in MEASURED.items():
-        for loop, now in count(sys.argv[1], dimensions, scheme).items():
-            bound = MARGIN * measured[loop]
-            print(f"{dimensions}D {scheme:<8} {loop:<14} {now:6.2f} instructions per directed pair, bound {bound:.2f}")
+        for part, now in count(sys.argv[1], dimensions, scheme).items():
+            bound = MARGIN * measured[part]
+            print(f"{dimensions}D {scheme:<8} {part:<14} {now:7.2f} instructions per {PARTS[part][1]}, bound {bound:.2f}")
             too_many = too_many or now > bound
     if too_many:
-        print("Find what made the loops longer (git bisect). If it is worth it, or the compiler is another one, write "
+        print("Find what made them longer (git bisect). If it is worth it, or the compiler is another one, write "
               "the new figures into MEASURED.")
     return 1 if too_many else 0
 

@@ -1,5 +1,6 @@
 // A few steps of a small channel on one thread, for counting instructions. With `count` it prints the
-// directed pairs within the support, summed over the steps.
+// directed pairs within the support and the particles, both summed over the steps, and the particles summed
+// over the builds of the lists.
 //
 // Usage: pair_workload 2|3 plain|default [count]
 
@@ -15,15 +16,18 @@ namespace {
 template <int D>
 void run(const riffle::Workload& workload, bool count) {
     const auto simulation = riffle::workload_simulation<D>(workload);
+    const auto particles = static_cast<double>(simulation->particles().size());
     double pairs = 0.0;
     for (int step = 0; step < 2; ++step) {
         if (count) {
-            pairs += simulation->count_neighbours() * static_cast<double>(simulation->particles().size());
+            pairs += simulation->count_neighbours() * particles;
         }
         simulation->step();
     }
     if (count) {
-        fmt::print("{:.0f}\n", pairs);
+        const riffle::SimulationClock clock = simulation->clock();
+        fmt::print("{:.0f} {:.0f} {:.0f}\n", pairs, particles * static_cast<double>(clock.steps),
+                   particles * static_cast<double>(clock.list_builds));
     }
 }
 
