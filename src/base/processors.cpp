@@ -62,9 +62,9 @@ double granted_by_control_group(const SystemFiles& files) {
         if (first == std::string::npos || second == std::string::npos) {
             continue;
         }
-        const std::string controllers = "," + line.substr(first + 1, second - first - 1) + ",";
+        const std::string controllers = line.substr(first + 1, second - first - 1);
         const std::string group = line.substr(second + 1);
-        if (controllers == ",,") {
+        if (controllers.empty()) {
             least = std::min(least, least_granted(mounted, group, [](const std::string& folder) {
                                  std::istringstream words(first_line(folder + "/cpu.max"));
                                  std::string quota;
@@ -72,11 +72,15 @@ double granted_by_control_group(const SystemFiles& files) {
                                  words >> quota >> period;
                                  return granted(quota, period);
                              }));
-        } else if (controllers.find(",cpu,") != std::string::npos) {
-            least = std::min(least, least_granted(mounted + "/cpu", group, [](const std::string& folder) {
-                                 return granted(first_line(folder + "/cpu.cfs_quota_us"),
-                                                first_line(folder + "/cpu.cfs_period_us"));
-                             }));
+        } else if (("," + controllers + ",").find(",cpu,") != std::string::npos) {
+            // Under its name, or under those of all controllers that it is mounted with.
+            for (const std::string& folder_name : {std::string("cpu"), controllers}) {
+                least = std::min(
+                    least, least_granted(mounted + "/" + folder_name, group, [](const std::string& folder) {
+                        return granted(first_line(folder + "/cpu.cfs_quota_us"),
+                                       first_line(folder + "/cpu.cfs_period_us"));
+                    }));
+            }
         }
     }
     return least;
@@ -105,12 +109,12 @@ std::vector<std::size_t> numbers_of_list(const std::string& text) {
     for (std::string range; std::getline(ranges, range, ',');) {
         std::size_t first = 0;
         const char* const end = range.data() + range.size();
-        auto [next, error] = std::from_chars(range.data(), end, first);
-        if (error != std::errc()) {
-            return {};
-        }
+        std::from_chars_result read = std::from_chars(range.data(), end, first);
         std::size_t last = first;
-        if (next != end && *next == '-' && std::from_chars(next + 1, end, last).ec != std::errc()) {
+        if (read.ec == std::errc() && read.ptr != end && *read.ptr == '-') {
+            read = std::from_chars(read.ptr + 1, end, last);
+        }
+        if (read.ec != std::errc() || read.ptr != end) {
             return {};
         }
         for (std::size_t n = first; n <= last; ++n) {
@@ -141,10 +145,17 @@ std::vector<std::size_t> memory_nodes(const std::vector<std::size_t>& processors
 
 std::size_t spread_memory_over_nodes() {
     constexpr std::size_t word = 8 * sizeof(unsigned long);
-    std::array<unsigned long, 1024 / word> mask{};
+    constexpr std::size_t most = 1024;
+    using NodeMask = std::array<unsigned long, most / word>;
+    NodeMask allowed{};
+    // The kernel takes one bit less than it is told of.
+    if (syscall(SYS_get_mempolicy, nullptr, allowed.data(), most + 1, nullptr, MPOL_F_MEMS_ALLOWED) != 0) {
+        return 1;
+    }
+    NodeMask mask{};
     std::size_t count = 0;
     for (const std::size_t node : memory_nodes(processors_of_process())) {
-        if (node < mask.size() * word) {
+        if (node < most && (allowed[node / word] >> node % word & 1UL) != 0) {
             mask[node / word] |= 1UL << node % word;
             ++count;
         }
@@ -154,8 +165,8 @@ std::size_t spread_memory_over_nodes() {
         int policy = MPOL_DEFAULT;
         return syscall(SYS_get_mempolicy, &policy, nullptr, 0UL, nullptr, 0UL) == 0 && policy == MPOL_DEFAULT;
     }();
-    const bool spread = count > 1 && unchosen &&
-                        syscall(SYS_set_mempolicy, MPOL_INTERLEAVE, mask.data(), mask.size() * word) == 0;
+    const bool spread =
+        count > 1 && unchosen && syscall(SYS_set_mempolicy, MPOL_INTERLEAVE, mask.data(), most + 1) == 0;
     return spread ? count : 1;
 }
 

@@ -26,7 +26,7 @@ struct SystemFiles {
 /// the process may run on, instead of where a page is written first. Tasks go to any thread, so no place is
 /// near to all uses of a page; spread out, all memory controllers work, instead of that one beside the thread
 /// that made the arrays. Returns over how many nodes: 1 where there is one, where somebody has chosen a
-/// policy already (numactl), or where the system refuses.
+/// policy already (numactl), or where the system refuses. It stays so for the life of the process.
 std::size_t spread_memory_over_nodes();
 
 }  // namespace riffle

@@ -9,7 +9,8 @@ CLI::Option* add_threads_option(CLI::App& verb, int& threads, const std::string&
 }
 
 void RunArguments::add_to(CLI::App& verb) {
-    add_threads_option(verb, threads, "Threads (default: all cores); the results do not depend on it");
+    add_threads_option(verb, threads,
+                       "Threads (default: all processors that may be used); the results do not depend on it");
     verb.add_flag("-q,--quiet", quiet, "No warnings, progress and summary on the terminal; errors only");
 }
 

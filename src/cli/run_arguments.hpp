@@ -5,7 +5,7 @@
 
 namespace riffle {
 
-/// Add the option `-j,--threads` to a verb; 0 stands for all cores.
+/// Add the option `-j,--threads` to a verb; 0 stands for available_processors().
 CLI::Option* add_threads_option(CLI::App& verb, int& threads, const std::string& meaning);
 
 /// The options that all verbs share that advance a simulation to its end.

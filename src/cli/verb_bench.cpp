@@ -181,7 +181,8 @@ void add_verb_bench(CLI::App& app) {
     command
         ->add_flag("--all", verb->all, "All workloads: half an hour, the largest holds 8 million particles")
         ->excludes(names);
-    add_threads_option(*command, verb->threads, "Threads (0: all cores)")->capture_default_str();
+    add_threads_option(*command, verb->threads, "Threads (0: all processors that may be used)")
+        ->capture_default_str();
     command->add_option("--repetitions", verb->repetitions, "Timed parts; the median counts")
         ->check(positive_number())
         ->capture_default_str();

@@ -132,7 +132,8 @@ void add_verb_check(CLI::App& app) {
     CLI::App* const command =
         app.add_subcommand("check", "Validate a case; particles, steps, time, memory and disk of its run");
     verb->argument.add_to(*command);
-    add_threads_option(*command, verb->threads, "Threads of the forecast (default: all cores)");
+    add_threads_option(*command, verb->threads,
+                       "Threads of the forecast (default: all processors that may be used)");
     command->add_flag("--json", verb->json, "Print the forecast as JSON (SI units)");
     command->callback([verb] { check(*verb); });
 }

@@ -22,7 +22,7 @@ void add_verb_bench(CLI::App& app);
 void add_verb_schema(CLI::App& app);
 void add_verb_version(CLI::App& app);
 
-/// Most threads that may be asked for; 0 stands for all cores.
+/// Most threads that may be asked for; 0 stands for available_processors().
 inline constexpr int maximum_threads = 4096;
 
 /// Exit status that a verb asks for after its callback (a run stopped by a signal); 0 unless set.

@@ -161,7 +161,7 @@ std::vector<std::int32_t> spatial_order(const Domain<D>& domain, const PositionV
                 for (std::size_t i = 0; i < old.size(); ++i) {
                     const double z = height[static_cast<std::size_t>(old[i])];
                     key[i] = static_cast<std::int32_t>(
-                        std::clamp((z - bottom) / bin_height, 0.0, static_cast<double>(last_bin)));
+                        std::min(std::max(0.0, (z - bottom) / bin_height), static_cast<double>(last_bin)));
                     lowest = std::min(lowest, key[i]);
                     highest = std::max(highest, key[i]);
                 }

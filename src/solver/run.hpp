@@ -43,7 +43,7 @@ struct RunProgress {
 struct RunOptions {
     std::filesystem::path folder;
     bool overwrite = false;          ///< replace results that the folder holds
-    int threads = 0;                 ///< 0: all cores
+    int threads = 0;                 ///< 0: available_processors()
     std::vector<std::string> notes;  ///< lines for the head of the log (warnings of the case)
     std::function<void(const RunProgress&)> progress;  ///< called about every output.progress_interval
     const std::atomic<int>* stop_signal = nullptr;     ///< non-zero: stop with a checkpoint

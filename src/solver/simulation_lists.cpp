@@ -115,7 +115,10 @@ void SimulationOf<D, Real>::allocate() {
     if (block_seconds_.size() < blocks) {
         block_seconds_.resize(blocks);
     }
-    wall_seconds_.resize((wall_clusters_.size() + block_clusters - 1) / block_clusters);
+    const std::size_t wall_blocks = (wall_clusters_.size() + block_clusters - 1) / block_clusters;
+    if (wall_seconds_.size() < wall_blocks) {
+        wall_seconds_.resize(wall_blocks);
+    }
     if (stepper_) {
         density_rate_.resize(particles_.size());
     }

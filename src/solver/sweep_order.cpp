@@ -21,8 +21,9 @@ std::size_t blocks_of(const NeighbourList& list) {
 
 /// All pairs of blocks of a list, each once, of `j_blocks` on the j side.
 std::vector<BlockPair> listed_blocks(const NeighbourList& list, std::size_t j_blocks) {
-    constexpr std::size_t task_blocks = 64;
     const std::size_t i_blocks = blocks_of(list);
+    // Each task looks at all j-blocks once, so not too many tasks.
+    const std::size_t task_blocks = std::max<std::size_t>(64, (i_blocks + 63) / 64);
     std::vector<std::vector<BlockPair>> parts((i_blocks + task_blocks - 1) / task_blocks);
     parallel_blocks(i_blocks, task_blocks, [&](std::size_t begin, std::size_t end) {
         std::vector<std::uint32_t> met_by(j_blocks, 0);  // the last i-block that has met it, from 1

@@ -43,8 +43,9 @@ struct SweepLists {
 /// - forces wait for the gradients and walls that they read;
 /// - packing, which overwrites the positions, waits for all forces and walls that read them.
 ///
-/// For several threads the waves are divided into sections of the channel that know nothing of each other,
-/// one after the other for a thread; what must wait for two sections runs in a last wave, when all are done.
+/// For several threads the channel is divided into sections of consecutive waves. A block waits for blocks of
+/// its own section alone, so that the sections can run beside each other, each in one thread; blocks that
+/// must wait for another section run in a last wave, when all are done.
 ///
 /// The result does not depend on the order.
 struct SweepOrder {

@@ -123,8 +123,13 @@ class BlockSearch {
             squared += x * x;
             store_lanes(Lanes<float>(-2.0F * x), minus_twice_[k].data());
             constexpr double half_period = 2147483648.0;  // units
-            image_ = image_ && (!j_.periodic[k] || static_cast<double>(i_.half_extent[k][ci]) + range_ <
-                                                       0.999 * half_period * fixed_point_.unit(k));
+            // The rounding of near_image() grows with the square of a cluster's extent, of 8 drops in the air
+            // say, and must stay below the margin of the range (build_neighbour_list).
+            constexpr double widest = 4.0;
+            const auto half = static_cast<double>(i_.half_extent[k][ci]);
+            image_ = image_ &&
+                     (!j_.periodic[k] || half + range_ < 0.999 * half_period * fixed_point_.unit(k)) &&
+                     half < widest * range_;
         }
         store_lanes(squared, from_centre_squared_.data());
         // Else GCC keeps them in registers and takes them apart with two shuffles for each lane and use,
@@ -147,7 +152,7 @@ class BlockSearch {
             if (first == last || j_.highest[last - 1] < low_) {
                 return;
             }
-            // The first cluster that reaches up to `low`, by bisection in high columns.
+            // The first cluster that reaches up to low_, by bisection in high columns.
             std::size_t count = last - first;
             while (count > 2 * cluster_size) {
                 const std::size_t half_count = count / 2;
@@ -234,7 +239,8 @@ class BlockSearch {
     }
 
     /// Bits of the slots of as many clusters from cj on as fill the lanes: whether they are within range of
-    /// any particle of the i-cluster, where one image of each decides, that nearest to the cluster's centre.
+    /// any particle of the i-cluster, where one image of each decides, that nearest to the cluster's centre,
+    /// and the cluster is not wide.
     [[nodiscard]] unsigned near_image(std::size_t ci, std::size_t cj) const {
         std::array<Wide<float>, static_cast<std::size_t>(D)> x{};
         Wide<float> own_squared(0.0F);

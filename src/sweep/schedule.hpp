@@ -43,7 +43,7 @@ struct SweepProgress {
 
 struct ScheduleOptions {
     int jobs = 0;                                   ///< runs at a time; 0: by the number of threads
-    int threads = 0;                                ///< in all; 0: all cores
+    int threads = 0;                                ///< in all; 0: available_processors()
     bool force = false;                             ///< begin failed runs, and folders of other cases, anew
     const std::atomic<int>* stop_signal = nullptr;  ///< non-zero: stop all runs with checkpoints
     std::function<void(const SweepProgress&)> progress;  ///< called a few times a second

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <sched.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -16,7 +17,9 @@ namespace fs = std::filesystem;
 /// A folder with what a system would say, gone at the end.
 class SystemFolder {
   public:
-    SystemFolder() : root_(fs::path(testing::TempDir()) / "riffle-system-files") { fs::remove_all(root_); }
+    SystemFolder() : root_(fs::path(testing::TempDir()) / ("riffle-system-" + std::to_string(getpid()))) {
+        fs::remove_all(root_);
+    }
     ~SystemFolder() { fs::remove_all(root_); }
     SystemFolder(const SystemFolder&) = delete;
     SystemFolder& operator=(const SystemFolder&) = delete;
@@ -48,6 +51,7 @@ TEST(NumbersOfList, ReadsRangesAndRefusesWhatIsNone) {
     EXPECT_TRUE(numbers_of_list("").empty());
     EXPECT_TRUE(numbers_of_list("none").empty());
     EXPECT_TRUE(numbers_of_list("0-x").empty());
+    EXPECT_TRUE(numbers_of_list("1x").empty());
 }
 
 TEST(AvailableProcessors, AreThoseOfTheAffinityWithoutALimit) {
@@ -75,7 +79,11 @@ TEST(AvailableProcessors, AreLimitedByAControlGroupOfTheFirstVersion) {
     system.write("sys/fs/cgroup/cpu/job/cpu.cfs_quota_us", "100000");
     system.write("sys/fs/cgroup/cpu/job/cpu.cfs_period_us", "100000");
     EXPECT_EQ(available_processors(system.files()), 1);
+    system.write("sys/fs/cgroup/cpu,cpuacct/job/cpu.cfs_quota_us", "100000");
+    system.write("sys/fs/cgroup/cpu,cpuacct/job/cpu.cfs_period_us", "100000");
     system.write("sys/fs/cgroup/cpu/job/cpu.cfs_quota_us", "-1");
+    EXPECT_EQ(available_processors(system.files()), 1) << "the folder's other name";
+    system.write("sys/fs/cgroup/cpu,cpuacct/job/cpu.cfs_quota_us", "-1");
     EXPECT_EQ(available_processors(system.files()), allowed());
 }
 

@@ -4,6 +4,8 @@
 
 #include <rapidcheck.h>
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <set>
 
 #include "../particles/cloud.hpp"
@@ -96,6 +98,23 @@ TEST(NeighbourList, IsCompleteInTheShortestPeriod) {
         const double range = 0.0066;
         const Domain<2> domain{.lower = {0.0, 0.0}, .upper = {2.0 * range, 0.05}, .periodic = {true, false}};
         check_list(random_cloud<2>(domain, n, 0.00534, seed), range);
+    }));
+}
+
+// Eight drops high in the air make one tall cluster, in which single precision resolves distances badly.
+TEST(NeighbourList, IsCompleteInSpray) {
+    EXPECT_TRUE(rc::check("the nearest two of few drops, just within range", [] {
+        const auto n = *rc::gen::inRange<std::size_t>(20, 80);
+        const auto seed = *rc::gen::arbitrary<std::uint64_t>();
+        const Domain<2> domain{.lower = {0.0, 0.0}, .upper = {1.0, 400.0}, .periodic = {true, false}};
+        const Cloud<2> cloud = random_cloud<2>(domain, n, 0.5, seed);
+        double nearest = std::numeric_limits<double>::max();
+        for (std::size_t i = 0; i < n; ++i) {
+            for (std::size_t j = 0; j < i; ++j) {
+                nearest = std::min(nearest, cloud.distance_squared(i, j));
+            }
+        }
+        check_list(cloud, std::sqrt(nearest) * (1.0 + 1e-6));
     }));
 }
 
