@@ -59,16 +59,19 @@ std::size_t reach_of(const std::vector<BlockPair>& pairs, std::size_t blocks) {
     return reach;
 }
 
-/// Number of sections: some for each thread, so that a thread that is held up does not hold all up, but few
-/// blocks beside those that wait for two sections.
+/// Number of sections: as many for each thread, some so that a thread that is held up does not hold up all,
+/// but long enough that most blocks wait for one section alone. One where the blocks between the first sweep
+/// and the last, twice the reach, are more than a second-level cache of a mebibyte holds (three dimensions):
+/// threads that go through the same blocks together then have more of them in the cache that they share.
 std::size_t sections_of(std::size_t blocks, std::size_t reach, std::size_t threads) {
     constexpr std::size_t most_per_thread = 4;
     constexpr std::size_t good_length = 16;  // in reaches
     constexpr std::size_t least_length = 6;
-    if (threads <= 1 || blocks < threads * least_length * reach) {
+    constexpr std::size_t longest_reach = 20;  // of 128 particles of some 200 bytes
+    if (threads <= 1 || reach > longest_reach || blocks < threads * least_length * reach) {
         return 1;
     }
-    return std::clamp(blocks / (good_length * reach), threads, most_per_thread * threads);
+    return threads * std::clamp<std::size_t>(blocks / (threads * good_length * reach), 1, most_per_thread);
 }
 
 /// The waves of the blocks of all sweeps.
