@@ -86,15 +86,22 @@ double granted_by_control_group(const SystemFiles& files) {
     return least;
 }
 
+/// Masks of the kernel: bit n of consecutive words.
+constexpr std::size_t word_bits = 8 * sizeof(unsigned long);
+template <class Words>
+bool has_bit(const Words& words, std::size_t n) {
+    return (words[n / word_bits] >> n % word_bits & 1UL) != 0;
+}
+
 /// Processors that the process may run on.
 std::vector<std::size_t> processors_of_process() {
     // Larger than any machine's; the call fails where the kernel's own set is larger.
     constexpr std::size_t most = 16384;
-    std::vector<unsigned long> bits(most / (8 * sizeof(unsigned long)));
+    std::vector<unsigned long> bits(most / word_bits);
     const long bytes = syscall(SYS_sched_getaffinity, 0, bits.size() * sizeof(bits[0]), bits.data());
     std::vector<std::size_t> processors;
     for (std::size_t p = 0; bytes > 0 && p < 8 * static_cast<std::size_t>(bytes); ++p) {
-        if ((bits[p / (8 * sizeof(bits[0]))] >> p % (8 * sizeof(bits[0])) & 1UL) != 0) {
+        if (has_bit(bits, p)) {
             processors.push_back(p);
         }
     }
@@ -144,9 +151,8 @@ std::vector<std::size_t> memory_nodes(const std::vector<std::size_t>& processors
 }
 
 std::size_t spread_memory_over_nodes() {
-    constexpr std::size_t word = 8 * sizeof(unsigned long);
     constexpr std::size_t most = 1024;
-    using NodeMask = std::array<unsigned long, most / word>;
+    using NodeMask = std::array<unsigned long, most / word_bits>;
     NodeMask allowed{};
     // The kernel takes one bit less than it is told of.
     if (syscall(SYS_get_mempolicy, nullptr, allowed.data(), most + 1, nullptr, MPOL_F_MEMS_ALLOWED) != 0) {
@@ -155,8 +161,8 @@ std::size_t spread_memory_over_nodes() {
     NodeMask mask{};
     std::size_t count = 0;
     for (const std::size_t node : memory_nodes(processors_of_process())) {
-        if (node < most && (allowed[node / word] >> node % word & 1UL) != 0) {
-            mask[node / word] |= 1UL << node % word;
+        if (node < most && has_bit(allowed, node)) {
+            mask[node / word_bits] |= 1UL << node % word_bits;
             ++count;
         }
     }

@@ -34,11 +34,10 @@ struct Lattice {
     [[nodiscard]] double volume() const {
         return D == 2 ? dx * dz : dx * dy * dz;
     }
-    /// Places of the lattice in the water at its depth.
-    template <int D>
-    [[nodiscard]] std::size_t places() const {
+    /// Places of the lattice in the water at its depth, in so many dimensions.
+    [[nodiscard]] std::size_t places(int dimensions) const {
         return static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows) *
-               static_cast<std::size_t>(D == 3 ? files : 1);
+               static_cast<std::size_t>(dimensions == 3 ? files : 1);
     }
 
   private:

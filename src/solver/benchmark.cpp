@@ -147,10 +147,7 @@ std::vector<Workload> standard_workloads() {
 }
 
 std::size_t workload_particles(const Workload& workload) {
-    const Lattice lattice = lattice_of(workload_case(workload));
-    const int files = workload.dimensions == 3 ? lattice.files : 1;
-    return static_cast<std::size_t>(lattice.columns) * static_cast<std::size_t>(files) *
-           static_cast<std::size_t>(lattice.rows);
+    return lattice_of(workload_case(workload)).places(workload.dimensions);
 }
 
 double workload_memory(const Workload& workload) {

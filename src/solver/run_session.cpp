@@ -76,7 +76,7 @@ void RunSession<D>::start() {
         1e3 * scheme.smoothing_length, scheme.state.sound_speed, scheme.acoustic_step));
     if (!case_.solids.empty() && case_.start.water_x.empty()) {
         log_.info(fmt::format("{} particles of the water's lattice are left out, in or too close to solids",
-                              lattice_of(case_).places<D>() - simulation_->particles().size()));
+                              lattice_of(case_).places(D) - simulation_->particles().size()));
     }
     Content content = run_head(case_, twins_);
     content.compression = case_.output.compression;

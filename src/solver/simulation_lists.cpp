@@ -110,12 +110,12 @@ void SimulationOf<D, Real>::allocate() {
                                        (gradients ? sizeof(data_.stress[0]) : sizeof(data_.pressure[0]))) >
                   cache;
     moved_.resize(clusters_.size());
-    const std::size_t blocks = (clusters_.size() + block_clusters - 1) / block_clusters;
+    const std::size_t blocks = blocks_of(clusters_.size());
     block_advance_.assign(blocks, {});
     if (block_seconds_.size() < blocks) {
         block_seconds_.resize(blocks);
     }
-    const std::size_t wall_blocks = (wall_clusters_.size() + block_clusters - 1) / block_clusters;
+    const std::size_t wall_blocks = blocks_of(wall_clusters_.size());
     if (wall_seconds_.size() < wall_blocks) {
         wall_seconds_.resize(wall_blocks);
     }

@@ -15,13 +15,9 @@ struct BlockPair {
     std::uint32_t j;
 };
 
-std::size_t blocks_of(const NeighbourList& list) {
-    return (list.size() + block_clusters - 1) / block_clusters;
-}
-
 /// All pairs of blocks of a list, each once, of `j_blocks` on the j side.
 std::vector<BlockPair> listed_blocks(const NeighbourList& list, std::size_t j_blocks) {
-    const std::size_t i_blocks = blocks_of(list);
+    const std::size_t i_blocks = blocks_of(list.size());
     // Each task looks at all j-blocks once, so not too many tasks.
     const std::size_t task_blocks = std::max<std::size_t>(64, (i_blocks + 63) / 64);
     std::vector<std::vector<BlockPair>> parts((i_blocks + task_blocks - 1) / task_blocks);
@@ -138,8 +134,8 @@ SweepStage::SweepStage(std::span<const std::uint32_t> wave_of_block, std::size_t
 }
 
 SweepOrder order_sweeps(const SweepLists& lists, const SweepPlan& plan) {
-    const std::size_t fluid_blocks = blocks_of(*lists.fluid_fluid);
-    const std::size_t wall_blocks = lists.wall_fluid == nullptr ? 0 : blocks_of(*lists.wall_fluid);
+    const std::size_t fluid_blocks = blocks_of(lists.fluid_fluid->size());
+    const std::size_t wall_blocks = lists.wall_fluid == nullptr ? 0 : blocks_of(lists.wall_fluid->size());
     const std::vector<BlockPair> fluid_fluid = listed_blocks(*lists.fluid_fluid, fluid_blocks);
     const std::size_t sections = sections_of(fluid_blocks, reach_of(fluid_fluid, fluid_blocks), plan.threads);
     const bool shared = plan.threads > 1 && sections == 1;

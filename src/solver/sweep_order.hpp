@@ -9,6 +9,11 @@
 
 namespace riffle {
 
+/// Number of blocks that so many clusters make.
+[[nodiscard]] constexpr std::size_t blocks_of(std::size_t clusters) {
+    return (clusters + block_clusters - 1) / block_clusters;
+}
+
 /// The blocks of a sweep by the wave in which they run.
 class SweepStage {
   public:

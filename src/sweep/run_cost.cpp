@@ -12,14 +12,13 @@ namespace riffle {
 RunCost estimate_cost(const Case& c) {
     const Twins twins = solve_twins(c);
     const Scheme scheme = make_scheme(c, twins.column_or_null());
-    const Lattice lattice = lattice_of(c);
     RunCost cost;
     cost.end_time = c.run.time;
     if (c.run.until == RunUntil::converged && twins.relaxation_time()) {
         // The convergence test needs three relaxation times and one more of record.
         cost.end_time = std::min(c.run.time, 4.0 * *twins.relaxation_time());
     }
-    const double particles = static_cast<double>(lattice.columns) * lattice.files * lattice.rows;
+    const auto particles = static_cast<double>(lattice_of(c).places(c.channel.dimensions));
     const double neighbours = std::pow(scheme.smoothing_length / scheme.spacing, c.channel.dimensions);
     cost.work = particles * neighbours * cost.end_time / largest_step(c, scheme);
     return cost;

@@ -25,7 +25,7 @@ def main():
     parser.add_argument("--riffle", type=pathlib.Path, help="the binary (default: the build of this checkout)")
     parser.add_argument("--keep", type=pathlib.Path, help="keep the results in this folder")
     parser.add_argument("--reuse", action="store_true", help="take complete results from --keep")
-    parser.add_argument("--threads", type=int, default=0, help="threads of each run (default: all cores)")
+    parser.add_argument("--threads", type=int, default=0, help="threads of each run (default: all processors that may be used)")
     parser.add_argument("--markdown", type=pathlib.Path, help="write the tables to this file")
     arguments = parser.parse_args()
     riffle = arguments.riffle or runs.default_riffle()

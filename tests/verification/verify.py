@@ -74,7 +74,7 @@ def main():
     parser.add_argument("--figures", type=pathlib.Path, help="write the figures as SVG into this folder")
     parser.add_argument("--keep", type=pathlib.Path, help="keep the results in this folder")
     parser.add_argument("--reuse", action="store_true", help="take complete results from --keep")
-    parser.add_argument("--threads", "-j", type=int, default=0, help="threads of each run (default: all cores)")
+    parser.add_argument("--threads", "-j", type=int, default=0, help="threads of each run (default: all processors that may be used)")
     parser.add_argument("--coarse", action="store_true", help="single names: as in the quick tier, without spacings and option sets")
     arguments = parser.parse_args()
     riffle = (arguments.riffle or runs.default_riffle()).resolve()
