@@ -5,50 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "case/options.hpp"
+
 namespace riffle {
 
-// The options of a case. Each enumerator has one word in the case file; the words, defaults, units and
-// meanings stand in the key table (key_table.cpp). All values are SI. Axes: x down the bed, z normal to
-// it, upward from the bed level z = 0.
-
-enum class Preset { riffle, thesis, paper };
-enum class Ends { periodic, walls };
-enum class Top { free_surface, wall, periodic };
-enum class Sides { periodic, walls, half };
-enum class SideDragForm { consistent, thesis, none };
-enum class BedKind { spheres, slip, no_slip };
-enum class Packing { hexagonal, square };
-enum class DragForm { consistent, thesis, paper, slice, plan_mean };
-enum class ClosureKind { none, ramp, nezu_rodi, nikuradse, sps, czernuszenko_rylov };
-enum class StressTerms { full, shear };
-enum class KernelKind {
-    wendland_c2,
-    cubic_spline,
-    gaussian,
-    quadratic,
-    quintic_spline,
-    wendland_c4,
-    wendland_c6
-};
-enum class EquationOfState { linear, tait };
-enum class PressureForm { corrected, symmetric, riemann, riemann_non_conservative };
-enum class VelocityGradient { corrected, plain };
-enum class KernelCorrection { kernel_gradient, kernel };
-enum class DensityDiffusion { fourtakas, none, molteni, antuono };
-enum class DensityFilter { none, shepard, mls };
-enum class ViscosityForm { morris, monaghan_gingold, lo_shao, artificial };
-enum class EddyStress { two_point, stress_divergence };
-enum class Stepping { semi_implicit_euler, predictor_corrector, verlet, symplectic, beeman };
-enum class StepRule { acoustic, monaghan_kos };
-enum class WallKind { dummy, dynamic, modified_dynamic, repulsive };
-enum class Precision { single_precision, double_precision };
-enum class StartKind { column, uniform, rest, power_law, results, standing_wave, taylor_green, section };
-enum class StartLattice { square, hexagonal, body_centred };
-enum class SurfaceDetection { volume_fraction, position_divergence, density_ratio, depth_sum };
-enum class SolidSurface { no_slip, slip };
-enum class SolidMotion { fixed, constant, oscillating };
-enum class RunUntil { time, converged };
-enum class ProbeKind { velocity, wave, surface_line, grid, flow_rate, force };
+// The keys of a case. Names, defaults, units and meanings stand in the key table (key_table.cpp). All values
+// are SI. Axes: x down the bed, z normal to it, upward from the bed level z = 0.
 
 /// [channel]
 struct Channel {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "case/case.hpp"
+#include "case/options.hpp"
 
 namespace riffle {
 

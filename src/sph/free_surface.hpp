@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "case/case.hpp"
+#include "case/options.hpp"
 #include "particles/domain.hpp"
 
 namespace riffle {

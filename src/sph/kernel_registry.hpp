@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "case/case.hpp"
+#include "case/options.hpp"
 #include "sph/further_kernels.hpp"
 #include "sph/kernel.hpp"
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <type_traits>
 
-#include "case/case.hpp"
+#include "case/options.hpp"
 
 namespace riffle {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "case/case.hpp"
+#include "case/options.hpp"
 #include "sph/pair_terms.hpp"
 
 namespace riffle {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "case/case.hpp"
+#include "case/options.hpp"
 #include "sph/kernel_table.hpp"
 #include "sph/neighbour_list.hpp"
 #include "sph/pair_form.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "case/case.hpp"
+#include "case/options.hpp"
 
 namespace riffle {
 
