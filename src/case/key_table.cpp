@@ -138,7 +138,12 @@ SectionKeys start() {
             "Largest random displacement of the particles from their lattice, in units of the spacing.")
             .at_least(0)
             .at_most(0.5));
-    s.keys.push_back(key("seed", &Start::seed, "Seed of the random displacement.")
+    s.keys.push_back(
+        key("perturbation", &Start::perturbation,
+            "Random velocity without divergence that is added to the start, root mean square of a component.")
+            .measured_in(velocity)
+            .at_least(0));
+    s.keys.push_back(key("seed", &Start::seed, "Seed of the random displacement and of the perturbation.")
                          .at_least(0)
                          .at_most(9007199254740991.0));
     return s;

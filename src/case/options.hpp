@@ -33,7 +33,7 @@ enum class DensityDiffusion { fourtakas, none, molteni, antuono };
 enum class DensityFilter { none, shepard, mls };
 enum class ViscosityForm { morris, monaghan_gingold, lo_shao, artificial };
 enum class EddyStress { two_point, stress_divergence };
-enum class Stepping { semi_implicit_euler, predictor_corrector, verlet, symplectic, beeman };
+enum class Stepping { semi_implicit_euler, leapfrog, predictor_corrector, verlet, symplectic, beeman };
 enum class StepRule { acoustic, monaghan_kos };
 enum class WallKind { dummy, dynamic, modified_dynamic, repulsive };
 enum class Precision { single_precision, double_precision };

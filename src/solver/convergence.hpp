@@ -10,20 +10,34 @@ namespace riffle {
 /// Outcome of the test whether a flow has become statistically steady.
 struct Convergence {
     bool converged = false;
-    double window_start = 0.0;     ///< of the averaging window, s
-    MeanEstimate mean;             ///< of the depth-mean velocity over the window
-    double remaining_drift = 0.0;  ///< bound of the drift still to come, over the mean
-    std::string reason;            ///< in words, for the log
+    double window_start = 0.0;        ///< of the averaging window, s
+    MeanEstimate mean;                ///< of the depth-mean velocity over the window
+    double remaining_drift = 0.0;     ///< bound of the drift still to come, over the mean
+    double fluctuation_growth = 0.0;  ///< logarithm of the velocity fluctuation's growth over the window
+    double fluctuation_growth_half_width = 0.0;  ///< of its 95 % interval
+    std::string reason;                          ///< in words, for the log
 };
 
-/// Test the record of the depth-mean velocity. The flow relaxes towards its steady state like exp(-t/T), T
-/// the relaxation time of the column twin. The averaging window starts at the first whole T, not before 3 T,
-/// from which on (a) the record is at least T long, (b) the trend, at the far end of its 95 % interval, times
-/// T (the drift still to come) is within `tolerance` of the mean, and (c) so is the half-width of the mean's
-/// 95 % interval, correlation taken into account. `time`, `velocity`: equally spaced record. `fixed_start` >=
-/// 0: the window starts there.
-[[nodiscard]] Convergence test_convergence(std::span<const double> time, std::span<const double> velocity,
-                                           double relaxation_time, double tolerance,
-                                           double fixed_start = -1.0);
+/// What the test looks at, equally spaced records.
+struct SteadinessRecord {
+    std::span<const double> time;                  ///< s
+    std::span<const double> depth_mean_velocity;   ///< m/s
+    std::span<const double> velocity_fluctuation;  ///< rms departure of the particles from their layers, m/s
+};
+
+/// Growth of the velocity fluctuation over the averaging window, above which the flow is not what it will be:
+/// a quarter.
+inline constexpr double largest_fluctuation_growth = 0.25;
+
+/// Test the record of a run. The flow relaxes towards its steady state like exp(-t/T), T the relaxation time
+/// of the column twin. The averaging window starts at the first whole T, not before 3 T, from which on (a)
+/// the record is at least T long, (b) the trend of the depth-mean velocity, at the far end of its 95 %
+/// interval, times T (the drift still to come) is within `tolerance` of the mean, (c) the mean rests on
+/// enough independent samples for an interval (fewest_effective_samples), (d) its half-width is within
+/// `tolerance` too, correlation taken into account, and (e) the velocity fluctuation has not grown by more
+/// than largest_fluctuation_growth, as far as its 95 % interval tells: a growing one says that the order of
+/// the start is about to break. `fixed_start` >= 0: the window starts there.
+[[nodiscard]] Convergence test_convergence(const SteadinessRecord& record, double relaxation_time,
+                                           double tolerance, double fixed_start = -1.0);
 
 }  // namespace riffle

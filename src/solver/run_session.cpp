@@ -194,7 +194,9 @@ void RunSession<D>::update_convergence(bool final_test) {
         convergence_.reason = no_steady_flow;
         return;
     }
-    convergence_ = test_convergence(series.column("time"), series.column("depth_mean_velocity"),
+    convergence_ = test_convergence({.time = series.column("time"),
+                                     .depth_mean_velocity = series.column("depth_mean_velocity"),
+                                     .velocity_fluctuation = series.column("velocity_fluctuation")},
                                     twins_.relaxation_time().value_or(0.0), case_.run.tolerance,
                                     case_.run.average_from.value_or(-1.0));
     if (final_test && !convergence_.converged && !case_.run.average_from) {

@@ -64,6 +64,7 @@ class SimulationOf final : public SimulationIn<D> {
         double density = 0.0;
         double wall = 0.0;  ///< density of dynamic walls
         double motion = 0.0;
+        double kick = -1.0;  ///< of the velocities, where it is another than that of the motion
     };
     /// Time of the pair sums of a block, s, and how often both were measured.
     struct BlockSeconds {
@@ -122,7 +123,7 @@ class SimulationOf final : public SimulationIn<D> {
     void evaluate_walls(Task& task, std::size_t begin, std::size_t end, double step);
     /// The same from the particles' ghost nodes (ghost_walls.cpp).
     void update_walls_by_ghosts(std::size_t begin, std::size_t end);
-    void evaluate_forces(Task& task, std::size_t begin, std::size_t end, double step);
+    void evaluate_forces(Task& task, std::size_t begin, std::size_t end, const StageSteps& steps);
     void gather_motion(double step);
     /// An evaluation of the stepper: the particles of a block by their rates.
     void advance_by_rates(Task& task, std::size_t begin, std::size_t end);

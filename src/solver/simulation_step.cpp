@@ -154,6 +154,12 @@ void SimulationOf<D, Real>::take_step(double fields_due) {
     }
     if (stepper_) {
         take_step_by_rates(dt, filtered);
+    } else if (numerics.stepping == Stepping::leapfrog) {
+        // Velocities stand half a step before the positions: those that brought the particles here say how
+        // the density has changed on the way (midway_continuity), over the step that has been taken.
+        data_.constants.half_way = static_cast<Real>(0.5 * clock_.time_step / scheme_.smoothing_length);
+        const double before = clock_.time_step;
+        evaluate({.density = before, .wall = dt, .motion = dt, .kick = 0.5 * (before + dt)});
     } else {
         // Density, pressure, walls, forces, velocity, position, each with the newest of the others (numerics
         // of the default scheme, docs/theory.md). The drag is implicit: u1 + dt beta u1|u1| = u*.

@@ -78,9 +78,7 @@ void SimulationOf<D, Real>::evaluate_wave(std::size_t wave, const StageSteps& st
         alone);
     for_blocks(
         clusters_.size(), order_.forces.blocks(wave),
-        [&](Task& task, std::size_t begin, std::size_t end) {
-            evaluate_forces(task, begin, end, steps.motion);
-        },
+        [&](Task& task, std::size_t begin, std::size_t end) { evaluate_forces(task, begin, end, steps); },
         alone);
     for_blocks(
         clusters_.size(), order_.packing.blocks(wave),
@@ -214,7 +212,8 @@ void SimulationOf<D, Real>::evaluate_walls(Task& task, std::size_t begin, std::s
 }
 
 template <int D, class Real>
-void SimulationOf<D, Real>::evaluate_forces(Task& task, std::size_t begin, std::size_t end, double step) {
+void SimulationOf<D, Real>::evaluate_forces(Task& task, std::size_t begin, std::size_t end,
+                                            const StageSteps& steps) {
     const std::size_t block = begin / block_clusters;
     fetch_for_motion(begin, end);
     timed(block_seconds_[block].forces, [&] { loops_.force(data_, begin, end, task.sums); });
@@ -246,7 +245,8 @@ void SimulationOf<D, Real>::evaluate_forces(Task& task, std::size_t begin, std::
         advance_by_rates(task, begin, end);
     } else {
         block_advance_[block] = particle_loops_.advance(particle_data_, task.sums, task.particles,
-                                                        {.step = step,
+                                                        {.step = steps.motion,
+                                                         .kick = steps.kick,
                                                          .drag = drag_ != nullptr,
                                                          .acceleration = has_accelerations(),
                                                          .transport = smoothed,

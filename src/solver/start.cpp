@@ -5,6 +5,7 @@
 
 #include "base/error.hpp"
 #include "particles/lattice.hpp"
+#include "solver/start_perturbation.hpp"
 
 namespace riffle {
 
@@ -136,6 +137,7 @@ Particles<D> initial_particles(const Case& c, const Scheme& scheme, const Column
             }
         }
     }
+    perturb_velocity(c, particles);
     return particles;
 }
 

@@ -6,6 +6,7 @@ template <int D>
 std::unique_ptr<Stepper<D>> make_stepper(Stepping stepping) {
     switch (stepping) {
         case Stepping::semi_implicit_euler:
+        case Stepping::leapfrog:
             return nullptr;
         case Stepping::predictor_corrector:
             return make_predictor_corrector<D>();

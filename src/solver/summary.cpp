@@ -171,11 +171,18 @@ RunSummary summarise(const Case& c, const Twins& twins, const TimeSeries& series
     const auto estimate =
         mean_with_confidence(std::span(series.column("depth_mean_velocity")).subspan(first));
     summary.set("depth_mean_velocity", estimate.mean);
-    summary.set("depth_mean_velocity_half_width", estimate.half_width);
+    summary.set("depth_mean_velocity_effective_samples", estimate.effective_samples);
+    // A mean from too few independent samples has no interval.
+    if (estimate.effective_samples >= fewest_effective_samples) {
+        summary.set("depth_mean_velocity_half_width", estimate.half_width);
+    }
     summary.set("depth_mean_velocity_integral_time",
                 estimate.integral_time * (to - time[first]) /
                     std::max<double>(1.0, static_cast<double>(time.size() - first - 1)));
     summary.set("remaining_drift", convergence.remaining_drift);
+    summary.set("velocity_fluctuation_growth", std::expm1(convergence.fluctuation_growth));
+    summary.set("velocity_fluctuation_growth_least",
+                std::expm1(convergence.fluctuation_growth - convergence.fluctuation_growth_half_width));
     for (const char* name : {"total_mean_velocity", "drag_over_gravity", "wall_over_gravity", "mean_level",
                              "velocity_fluctuation", "particle_order", "density_deviation_minimum",
                              "density_deviation_maximum"}) {
@@ -185,7 +192,9 @@ RunSummary summarise(const Case& c, const Twins& twins, const TimeSeries& series
         const auto centreline =
             mean_with_confidence(std::span(series.column("centreline_velocity")).subspan(first));
         summary.set("centreline_velocity", centreline.mean);
-        summary.set("centreline_velocity_half_width", centreline.half_width);
+        if (centreline.effective_samples >= fewest_effective_samples) {
+            summary.set("centreline_velocity_half_width", centreline.half_width);
+        }
         for (const char* name : {"side_wall_over_gravity", "secondary_velocity"}) {
             summary.set(name, window_mean(series, name, from, to));
         }

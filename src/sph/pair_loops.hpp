@@ -91,7 +91,10 @@ struct PairConstants {
     Real gradient_scale;                                 ///< h^-(D+2)
     Real diffusion;                                      ///< delta h c0; 0: no density diffusion
     Real hydrostatic_gradient;                           ///< g_z/c0^2, 1/m
-    bool correct_pressure;                               ///< B = M^-1 near full support, else the identity
+    /// Half of the last step over h: the continuity sum is taken where the pair was half a step ago
+    /// (LoopOptions::midway), s/m.
+    Real half_way = Real(0);
+    bool correct_pressure;  ///< B = M^-1 near full support, else the identity
     bool correct_gradient;
     bool correct_along = false;  ///< walls that continue the fluid do so along the channel too: with solids
     DirectionalViscosity<Real> directional;  ///< where LoopOptions ask for it
@@ -192,6 +195,8 @@ struct LoopOptions {
     bool gradients = true;
     /// Morris' viscosity with a weight of the pair's direction (three dimensions).
     bool directional = false;
+    /// The continuity sum is taken at the middle of the last step's way.
+    bool midway = false;
     /// Pressures of the pair beside p_i + p_j: of a Riemann problem, or against clumping.
     bool pair_pressure = false;
 };

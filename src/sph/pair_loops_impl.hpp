@@ -163,7 +163,22 @@ RIFFLE_INLINE Kernel kernel_of(const PairConstants<D, Real>& c) {
     }
 }
 
-template <int D, class Real, class Kernel, bool Gradients>
+/// What a pair adds to the continuity sum, at the middle of the straight way that the last step moved it: its
+/// change of density over that step is then exact to the second order, where at the end of the way disorder
+/// adds volume (docs/theory.md). `volume` is V_j.
+template <int D, class Real, class Kernel>
+RIFFLE_INLINE Wide<Real> midway_continuity(const Kernel& kernel, const Wide<Real>& volume,
+                                           const Components<Wide<Real>, D>& u, Components<Wide<Real>, D> r,
+                                           Real half_way) {
+    using stdx::sqrt;
+    for (std::size_t k = 0; k < D; ++k) {
+        r[k] -= half_way * u[k];
+    }
+    const Wide<Real> distance = sqrt(dot<Wide<Real>, D>(r, r));
+    return continuity<Wide<Real>, D>(kernel.gradient_shape(distance) * volume, u, r);
+}
+
+template <int D, class Real, class Kernel, bool Gradients, bool Midway>
 [[gnu::flatten]] void gradient_loop(PairData<D, Real>& data, std::size_t begin, std::size_t end,
                                     BlockWork<D, Real>& work) {
     using W = Wide<Real>;
@@ -188,8 +203,8 @@ template <int D, class Real, class Kernel, bool Gradients>
                 const MotionRecord<D, Real>& a = data.motion[slot_a];
                 const MotionRecord<D, Real>& b = data.motion[slot_b];
                 const Components<W, D> r = self.distance(a, b, c);
-                const W weight =
-                    kernel.gradient_shape(W(sqrt(dot<W, D>(r, r)))) * halves<Real, Real>(a.volume, b.volume);
+                const W volume = halves<Real, Real>(a.volume, b.volume);
+                const W weight = kernel.gradient_shape(W(sqrt(dot<W, D>(r, r)))) * volume;
                 const Components<W, D> u = self.velocity(a, b);
                 wide_diffusion += density_diffusion(weight, W(s - halves<Real, Real>(a.s, b.s)), r[D - 1],
                                                     hydrostatic_gradient);
@@ -204,7 +219,10 @@ template <int D, class Real, class Kernel, bool Gradients>
                                 r[k] * gradient_l;
                         }
                     }
-                } else {
+                }
+                if constexpr (Midway) {
+                    wide_divergence += midway_continuity<D, Real>(kernel, volume, u, r, c.half_way);
+                } else if constexpr (!Gradients) {
                     wide_divergence += continuity<W, D>(weight, u, r);
                 }
             });
@@ -213,7 +231,7 @@ template <int D, class Real, class Kernel, bool Gradients>
         T divergence(0);
         const Components<T, D* D> gradient = fold_all<Real>(wide_gradient, -scale * c.h);
         Symmetric<T, D> m_fluid = fold_all<Real>(wide_m, -scale * c.h * c.h);
-        if constexpr (Gradients) {
+        if constexpr (Gradients && !Midway) {
             for (std::size_t k = 0; k < D; ++k) {
                 divergence -= gradient[k * D + k];
             }
@@ -231,50 +249,62 @@ template <int D, class Real, class Kernel, bool Gradients>
             // Distance of the pairs with two wall particles, and the weight of their motion.
             const auto wall_pairs = [&](const WallGradientRecord<D, Real>& a,
                                         const WallGradientRecord<D, Real>& b) {
-                const Components<W, D> r = self.distance(a, b, c);
-                return std::pair(r, W(kernel.gradient_shape(W(sqrt(dot<W, D>(r, r)))) *
-                                      halves<Real, Real>(a.volume, b.volume)));
+                struct {
+                    Components<W, D> r;
+                    W volume;
+                    W weight;
+                } pairs{self.distance(a, b, c), halves<Real, Real>(a.volume, b.volume), W(0)};
+                pairs.weight = kernel.gradient_shape(W(sqrt(dot<W, D>(pairs.r, pairs.r)))) * pairs.volume;
+                return pairs;
             };
-            for_turns<Real>(*data.fluid_wall, cluster, work.slots.data(),
-                            [&](std::size_t slot_a, std::size_t slot_b, const std::int32_t* ahead) {
-                                (void)ahead;
-                                const WallGradientRecord<D, Real>& a = data.wall_gradient[slot_a];
-                                const WallGradientRecord<D, Real>& b = data.wall_gradient[slot_b];
-                                const auto [r, weight] = wall_pairs(a, b);
-                                Components<W, D> u{};
-                                for (std::size_t k = 0; k < D; ++k) {
-                                    for (std::size_t l = 0; l < D; ++l) {
-                                        u[k] += self.u[l] * halves<Real, Real>(a.projector[k * D + l],
-                                                                               b.projector[k * D + l]);
-                                    }
-                                }
-                                wall_divergence += continuity<W, D>(weight, u, r);
-                                if constexpr (Gradients) {
-                                    const W continued =
-                                        weight * halves<Real, Real>(a.continuation, b.continuation);
-                                    for (std::size_t l = 0; l < D; ++l) {
-                                        for (std::size_t k = 0; k <= l; ++k) {
-                                            const std::size_t kl =
-                                                symmetric_index<D>(static_cast<int>(k), static_cast<int>(l));
-                                            wide_m_continued[kl] += continued * r[k] * r[l];
-                                            wide_m_wall[kl] += (weight - continued) * r[k] * r[l];
-                                        }
-                                    }
-                                }
-                            });
+            for_turns<Real>(
+                *data.fluid_wall, cluster, work.slots.data(),
+                [&](std::size_t slot_a, std::size_t slot_b, const std::int32_t* ahead) {
+                    (void)ahead;
+                    const WallGradientRecord<D, Real>& a = data.wall_gradient[slot_a];
+                    const WallGradientRecord<D, Real>& b = data.wall_gradient[slot_b];
+                    const auto [r, volume, weight] = wall_pairs(a, b);
+                    Components<W, D> u{};
+                    for (std::size_t k = 0; k < D; ++k) {
+                        for (std::size_t l = 0; l < D; ++l) {
+                            u[k] += self.u[l] *
+                                    halves<Real, Real>(a.projector[k * D + l], b.projector[k * D + l]);
+                        }
+                    }
+                    if constexpr (Midway) {
+                        wall_divergence += midway_continuity<D, Real>(kernel, volume, u, r, c.half_way);
+                    } else {
+                        wall_divergence += continuity<W, D>(weight, u, r);
+                    }
+                    if constexpr (Gradients) {
+                        const W continued = weight * halves<Real, Real>(a.continuation, b.continuation);
+                        for (std::size_t l = 0; l < D; ++l) {
+                            for (std::size_t k = 0; k <= l; ++k) {
+                                const std::size_t kl =
+                                    symmetric_index<D>(static_cast<int>(k), static_cast<int>(l));
+                                wide_m_continued[kl] += continued * r[k] * r[l];
+                                wide_m_wall[kl] += (weight - continued) * r[k] * r[l];
+                            }
+                        }
+                    }
+                });
             if (!data.wall_drift.empty()) {
-                for_turns<Real>(*data.fluid_wall, cluster, work.slots.data(),
-                                [&](std::size_t slot_a, std::size_t slot_b, const std::int32_t* ahead) {
-                                    (void)ahead;
-                                    const auto [r, weight] =
-                                        wall_pairs(data.wall_gradient[slot_a], data.wall_gradient[slot_b]);
-                                    Components<W, D> u{};
-                                    for (std::size_t k = 0; k < D; ++k) {
-                                        u[k] = halves<Real, Real>(data.wall_drift[slot_a][k],
-                                                                  data.wall_drift[slot_b][k]);
-                                    }
-                                    wall_divergence -= continuity<W, D>(weight, u, r);
-                                });
+                for_turns<Real>(
+                    *data.fluid_wall, cluster, work.slots.data(),
+                    [&](std::size_t slot_a, std::size_t slot_b, const std::int32_t* ahead) {
+                        (void)ahead;
+                        const auto [r, volume, weight] =
+                            wall_pairs(data.wall_gradient[slot_a], data.wall_gradient[slot_b]);
+                        Components<W, D> u{};
+                        for (std::size_t k = 0; k < D; ++k) {
+                            u[k] = halves<Real, Real>(data.wall_drift[slot_a][k], data.wall_drift[slot_b][k]);
+                        }
+                        if constexpr (Midway) {
+                            wall_divergence -= midway_continuity<D, Real>(kernel, volume, u, r, c.half_way);
+                        } else {
+                            wall_divergence -= continuity<W, D>(weight, u, r);
+                        }
+                    });
             }
             divergence += fold<Real>(wall_divergence) * (scale * c.h);
         }
@@ -601,7 +631,8 @@ template <int D, class Real, class Kernel, class Record>
 PairLoops<D, Real> loops_of(const LoopOptions& options) {
     constexpr bool gradients = std::is_same_v<Record, StressRecord<D, Real>>;
     PairLoops<D, Real> loops{};
-    loops.gradient = &gradient_loop<D, Real, Kernel, gradients>;
+    loops.gradient = options.midway ? &gradient_loop<D, Real, Kernel, gradients, true>
+                                    : &gradient_loop<D, Real, Kernel, gradients, false>;
     loops.force = &force_loop<D, Real, Kernel, PairForm<Real>, Record>;
     if constexpr (!std::is_same_v<Kernel, TabulatedKernel<Real>>) {
         if (!needs_pair_form(options)) {

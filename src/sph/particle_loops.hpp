@@ -79,7 +79,8 @@ struct Displacement {
 
 /// Which of the inputs of advance() are set.
 struct AdvanceOptions {
-    double step = 0.0;  ///< dt, s
+    double step = 0.0;   ///< dt of the positions, s
+    double kick = -1.0;  ///< dt of the velocities, s; below zero: the same
     bool drag = false;
     bool acceleration = false;
     bool transport = false;

@@ -299,6 +299,11 @@ template <int D, class Real>
     }
 }
 
+/// dt of the velocities.
+RIFFLE_INLINE double kick_of(const AdvanceOptions& options) {
+    return options.kick < 0.0 ? options.step : options.kick;
+}
+
 /// One implicit step of a drag, u1 + dt beta u1|u1| = u; its acceleration.
 RIFFLE_INLINE Doubles drag_step(const Doubles& beta, double dt, Doubles& u) {
     using stdx::abs;
@@ -320,19 +325,20 @@ RIFFLE_INLINE void drag_in_space(const ParticleData<3>& p, const AdvanceOptions&
                                  const Doubles& bed, ParticleWork<3, Real>& own, Doubles& bed_drag,
                                  Doubles& side_layer) {
     using stdx::abs;
+    const double kick = kick_of(options);
     Doubles inside(0.0);
     stdx::where(y < p.layer_below || y > p.layer_above, inside) = Doubles(1.0);
     const Doubles side = options.side_drag * inside;
     const Doubles both = bed + side;
     // Bed and side wall act on the same velocity along x, and share the step in proportion.
-    const Doubles along = drag_step(both, options.step, u[0]);
+    const Doubles along = drag_step(both, kick, u[0]);
     Doubles share = side;
     stdx::where(both > 0.0, share) = side / both;
     const Doubles by_side = share * along;
     store_lanes(Doubles(along - by_side), &own.drag_force[lane]);
     store_lanes(by_side, &own.side_force[lane]);
-    store_lanes(drag_step(bed, options.step, u[1]), &own.drag_force_across[lane]);
-    store_lanes(drag_step(side, options.step, u[2]), &own.side_force_vertical[lane]);
+    store_lanes(drag_step(bed, kick, u[1]), &own.drag_force_across[lane]);
+    store_lanes(drag_step(side, kick, u[2]), &own.side_force_vertical[lane]);
     if (options.sum_of_drags) {
         const Doubles square = mass * u[0] * abs(u[0]);
         bed_drag += bed * square;
@@ -351,6 +357,7 @@ template <int D, class Real>
     const ParticleData<D> p = particles;  // which no store of the loop can change
     const AdvanceOptions options = wanted;
     const double dt = options.step;
+    const double kick = kick_of(options);
     const auto block_first = static_cast<std::size_t>(p.clusters->begin[begin]);
     Doubles largest(0.0);
     Components<Doubles, D> slowest{};
@@ -377,14 +384,14 @@ template <int D, class Real>
                     a += load_lanes(&own.acceleration[k][lane]);
                 }
                 squared += a * a;
-                u[k] = members.step(members.load(p.velocity[k]), dt, a);
+                u[k] = members.step(members.load(p.velocity[k]), kick, a);
             }
             largest = stdx::max(largest, squared);
             const bool dragged = options.drag && (own.drag_clusters >> (cluster - begin) & 1U) != 0;
             const Doubles bed = dragged ? of_block(members, block_first, own.drag) : Doubles(0.0);
             if constexpr (D == 2) {
                 if (dragged) {
-                    store_lanes(drag_step(bed, dt, u[0]), &own.drag_force[lane]);
+                    store_lanes(drag_step(bed, kick, u[0]), &own.drag_force[lane]);
                 } else if (options.drag) {
                     store_lanes(Doubles(0.0), &own.drag_force[lane]);
                 }

@@ -13,6 +13,10 @@ struct MeanEstimate {
     double effective_samples = 0;
 };
 
+/// Fewer independent samples than these make no interval that can be trusted: the autocorrelation itself is
+/// not known from a record so short.
+inline constexpr double fewest_effective_samples = 10.0;
+
 /// Mean of an equally spaced record with its 95 % interval: the variance of the mean is inflated by the
 /// integrated autocorrelation time (Sokal's self-consistent window), Student's t on the effective samples.
 /// Gaps (not-a-number) are left out, of the mean and of the lagged products; the effective samples are then

@@ -133,7 +133,7 @@ std::string noise_of(const Triple& v) {
 
 }  // namespace
 
-GridConvergence grid_convergence(std::span<const RefinedValue> values) {
+GridConvergence grid_convergence(std::span<const RefinedValue> values, const RefinementBounds& bounds) {
     const Triple v = finest_three(values);
     const double fine = v[1].value - v[0].value;
     const double coarse = v[2].value - v[1].value;
@@ -153,6 +153,19 @@ GridConvergence grid_convergence(std::span<const RefinedValue> values) {
         result.refinement = Refinement::diverging;
         result.finding = "not converging: the differences do not diminish";
         return result;
+    }
+    const auto refuse = [&](const std::string& why) {
+        result = {};
+        result.refinement = Refinement::not_asymptotic;
+        result.finding = "not in the asymptotic range: " + why;
+        return result;
+    };
+    if (*result.order < bounds.lowest_order || *result.order > bounds.highest_order) {
+        return refuse(fmt::format(
+            "the differences would have an order of {:.2g}, which the method does not have", *result.order));
+    }
+    if (bounds.magnitude && fine * coarse > 0.0 && limit_of(v, *result.order) < 0.0) {
+        return refuse("the limit of a magnitude would be negative");
     }
     result.order_half_width = propagated(v, order_of);
     const std::string order = "order " + with_half_width(*result.order, result.order_half_width, "{:.2f}");
@@ -217,6 +230,8 @@ const char* word(Refinement refinement) {
             return "oscillating";
         case Refinement::diverging:
             return "diverging";
+        case Refinement::not_asymptotic:
+            return "not-asymptotic";
         case Refinement::within_noise:
             return "within-noise";
         case Refinement::unchanged:

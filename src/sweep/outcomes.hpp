@@ -23,7 +23,8 @@ struct Outcome {
     std::string shown_unit;
     double factor = 1.0;  ///< from SI to the unit shown
     OutcomeKind kind = OutcomeKind::value;
-    bool usual = false;  ///< shown without being asked for
+    bool usual = false;      ///< shown without being asked for
+    bool magnitude = false;  ///< never negative: a root mean square, a largest magnitude, a length
 };
 
 /// All of them, in the order of tables.

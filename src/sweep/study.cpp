@@ -54,10 +54,28 @@ std::string power_law_finding(const Outcome& outcome, const PowerLaw& law) {
            exponent;
 }
 
+/// Orders from half to twice the formal ones of the method. In space those are 1, at the surface and where
+/// the drag ends, and 2 inside; in time that of the stepping.
+RefinementBounds bounds_of(const std::string& key, const Outcome& outcome, Stepping stepping) {
+    double lowest = 1.0;
+    double highest = 2.0;
+    if (key != "numerics.spacing") {
+        lowest = stepping == Stepping::semi_implicit_euler ? 1.0 : stepping == Stepping::beeman ? 3.0 : 2.0;
+        highest = lowest;
+    }
+    return {0.5 * lowest, 2.0 * highest, outcome.magnitude};
+}
+
 /// What a refinement shows, from its values.
-void conclude(RefinementStudy& study, const Outcome& outcome) {
+void conclude(RefinementStudy& study, const Outcome& outcome, Stepping stepping) {
     if (outcome.kind != OutcomeKind::value) {
         study.power_law = fit_power_law(study.values);
+        // A departure that changes its sign, or scatters, follows no power of the size.
+        constexpr double widest = 1.0;
+        if (outcome.kind == OutcomeKind::departure && study.power_law &&
+            study.power_law->half_width.value_or(0.0) > widest) {
+            study.power_law.reset();
+        }
     }
     if (outcome.kind == OutcomeKind::cost) {
         study.finding = study.power_law ? power_law_finding(outcome, *study.power_law) : "";
@@ -67,7 +85,7 @@ void conclude(RefinementStudy& study, const Outcome& outcome) {
         study.finding = fmt::format("{} complete run{}: an order of convergence needs three",
                                     study.values.size(), study.values.size() == 1 ? "" : "s");
     } else {
-        study.convergence = grid_convergence(study.values);
+        study.convergence = grid_convergence(study.values, bounds_of(study.key, outcome, stepping));
         const GridConvergence& found = *study.convergence;
         study.finding = found.finding;
         const auto or_nan = [](const std::optional<double>& value) { return value.value_or(std::nan("")); };
@@ -115,7 +133,7 @@ void add_refinements(SweepStudy& sweep, std::size_t key, const Outcome& outcome)
             const OutcomeValue found = sweep.runs[run].outcome(outcome.key);
             study.values.push_back({sizes[run], found.value, found.half_width});
         }
-        conclude(study, outcome);
+        conclude(study, outcome, sweep.runs[study.runs.front()].run.flow.numerics.stepping);
         sweep.refinements.push_back(std::move(study));
     }
 }

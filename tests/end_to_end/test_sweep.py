@@ -60,7 +60,7 @@ class Sweep(CommandLineTest):
         studies = [study for study in found["refinements"] if study["outcome"] == "depth_mean_velocity"]
         self.assertEqual([(study["others"], len(study["sizes"])) for study in studies], [("lambda=0.09", 3), ("lambda=0.1", 3)])
         for study in studies:
-            self.assertIn(study["refinement"], ("monotone", "oscillating", "diverging", "within-noise", "unchanged"))
+            self.assertIn(study["refinement"], ("monotone", "oscillating", "diverging", "not-asymptotic", "within-noise", "unchanged"))
             self.assertTrue(study["finding"])
 
     def test_the_same_command_again_changes_no_run(self):

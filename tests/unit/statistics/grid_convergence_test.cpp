@@ -82,6 +82,32 @@ TEST(GridConvergence, SaysThatDifferencesDoNotDiminish) {
               Refinement::diverging);
 }
 
+RC_GTEST_PROP(GridConvergence, RefusesOrdersThatTheMethodDoesNotHave, ()) {
+    const double order = in(0.1, 12.0, *rc::gen::inRange(0, 1001));
+    RC_PRE(std::abs(order - 0.5) > 1e-3 && std::abs(order - 4.0) > 1e-3);
+    const bool negative = *rc::gen::arbitrary<bool>();  // differences of both signs
+    const auto found = grid_convergence(power_sequence(1.0, negative ? -0.2 : 0.2, order, {1.0, 1.5, 2.0}),
+                                        {0.5, 4.0, false});
+    if (order > 0.5 && order < 4.0) {
+        RC_ASSERT(found.refinement == Refinement::monotone);
+        RC_ASSERT(found.limit.has_value());
+    } else {
+        RC_ASSERT(found.refinement == Refinement::not_asymptotic);
+        RC_ASSERT(!found.order && !found.limit && !found.fine_grid_index && !found.finest_uncertainty);
+        RC_ASSERT(found.finding.find("not in the asymptotic range") != std::string::npos);
+    }
+}
+
+RC_GTEST_PROP(GridConvergence, GivesAMagnitudeNoNegativeLimit, ()) {
+    const double limit = in(-0.5, 0.5, *rc::gen::inRange(0, 1001));
+    RC_PRE(std::abs(limit) > 1e-6);
+    // An rms that falls through a value that is still positive at the finest size.
+    const auto values = power_sequence(limit, 0.6, 1.0, {1.0, 1.5, 2.0});
+    const auto found = grid_convergence(values, {0.5, 4.0, true});
+    RC_ASSERT(found.limit.has_value() == (limit > 0.0));
+    RC_ASSERT(grid_convergence(values, {0.5, 4.0, false}).limit.has_value());
+}
+
 TEST(GridConvergence, ConcludesNothingFromDifferencesWithinTheSamplingError) {
     std::vector<RefinedValue> values =
         power_sequence(1.0, 0.01, 1.0, {1.0, 2.0, 4.0});  // differ by 0.01, 0.02

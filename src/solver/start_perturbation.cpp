@@ -1,0 +1,146 @@
+#include "solver/start_perturbation.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <random>
+#include <vector>
+
+namespace riffle {
+
+namespace {
+
+using Vector3 = std::array<double, 3>;
+
+/// One mode of the potential, amplitude times cos(wave . x + phase).
+struct Mode {
+    Vector3 wave{};
+    Vector3 amplitude{};
+    double phase = 0.0;
+};
+
+/// sin^2(pi x / extent) and its derivative: no motion through an end, and none along it.
+struct Envelope {
+    double value = 1.0;
+    double slope = 0.0;
+};
+
+Envelope envelope(double x, double extent) {
+    const double angle = std::numbers::pi * std::clamp(x / extent, 0.0, 1.0);
+    const double sine = std::sin(angle);
+    return {sine * sine, std::numbers::pi / extent * std::sin(2.0 * angle)};
+}
+
+/// Random modes; a wave number along a periodic axis is a multiple of that of its period.
+class Modes {
+  public:
+    Modes(const Case& c, double thickest, double thinnest) : space_(c.channel.dimensions == 3) {
+        // As the jitter's, but another sequence of numbers.
+        std::mt19937_64 generator(static_cast<std::uint64_t>(c.start.seed) ^ 0x9e3779b97f4a7c15ULL);
+        const auto unit = [&] { return static_cast<double>(generator() >> 11U) * 0x1.0p-53; };
+        const bool round = c.channel.ends == Ends::periodic;
+        const bool round_across = c.channel.sides == Sides::periodic;
+        constexpr int number = 96;
+        modes_.resize(number);
+        for (int m = 0; m < number; ++m) {
+            // Spread evenly over the logarithm of the wave length.
+            const double length = thickest * std::pow(thinnest / thickest, (m + unit()) / number);
+            const double size = 2.0 * std::numbers::pi / length;
+            const double rise = space_ ? 2.0 * unit() - 1.0 : std::sin(2.0 * std::numbers::pi * unit());
+            const double flat = std::sqrt(1.0 - rise * rise);
+            const double angle = space_ ? 2.0 * std::numbers::pi * unit() : 0.0;
+            Mode& mode = modes_[static_cast<std::size_t>(m)];
+            mode.wave = {size * flat * std::cos(angle), space_ ? size * flat * std::sin(angle) : 0.0,
+                         size * rise};
+            const auto whole = [](double wave, double period) {
+                const double lowest = 2.0 * std::numbers::pi / period;
+                return lowest * std::round(wave / lowest);
+            };
+            if (round) mode.wave[0] = whole(mode.wave[0], c.channel.length);
+            if (space_ && round_across) mode.wave[1] = whole(mode.wave[1], c.channel.width);
+            mode.phase = 2.0 * std::numbers::pi * unit();
+            // The velocity of each mode is as large as that of the others.
+            for (std::size_t k = 0; k < 3; ++k) {
+                mode.amplitude[k] = (space_ || k == 1) ? (2.0 * unit() - 1.0) / size : 0.0;
+            }
+        }
+    }
+
+    /// Curl of the potential under an envelope of given gradient.
+    [[nodiscard]] Vector3 curl(const Vector3& x, double envelope, const Vector3& slope) const {
+        Vector3 result{};
+        for (const Mode& mode : modes_) {
+            const double angle = mode.wave[0] * x[0] + mode.wave[1] * x[1] + mode.wave[2] * x[2] + mode.phase;
+            const double cosine = std::cos(angle);
+            const double sine = std::sin(angle);
+            Vector3 gradient{};
+            for (std::size_t k = 0; k < 3; ++k)
+                gradient[k] = slope[k] * cosine - envelope * mode.wave[k] * sine;
+            const Vector3& a = mode.amplitude;
+            result[0] += gradient[1] * a[2] - gradient[2] * a[1];
+            result[1] += gradient[2] * a[0] - gradient[0] * a[2];
+            result[2] += gradient[0] * a[1] - gradient[1] * a[0];
+        }
+        if (!space_) result[1] = 0.0;
+        return result;
+    }
+
+  private:
+    bool space_;
+    std::vector<Mode> modes_;
+};
+
+}  // namespace
+
+template <int D>
+void perturb_velocity(const Case& c, Particles<D>& particles) {
+    const std::size_t n = particles.size();
+    if (c.start.perturbation == 0.0 || n == 0) {
+        return;
+    }
+    const double depth = c.total_depth();
+    const double width = c.channel.simulated_width();
+    const double thickest = std::min({depth, c.channel.length, D == 3 ? width : depth});
+    const double thinnest = std::min(8.0 * c.numerics.spacing, thickest);
+    const Modes modes(c, thickest, thinnest);
+    std::vector<Vec<D>> velocity(n);
+    Vec<D> momentum{};
+    double mass = 0.0;
+    for (std::size_t i = 0; i < n; ++i) {
+        const auto place = [&](std::size_t k) { return particles.position[k][i]; };
+        const Vector3 x{place(0), D == 3 ? place(1) : 0.0, place(D - 1)};
+        const Envelope up = envelope(x[2], depth);
+        const Envelope along = c.channel.ends == Ends::walls ? envelope(x[0], c.channel.length) : Envelope{};
+        Envelope across;
+        if (D == 3 && c.channel.sides == Sides::walls) across = envelope(x[1], width);
+        // The middle of a half channel is the other end of an envelope twice as wide.
+        if (D == 3 && c.channel.sides == Sides::half) across = envelope(x[1], width);
+        const Vector3 u =
+            modes.curl(x, up.value * along.value * across.value,
+                       {along.slope * up.value * across.value, across.slope * up.value * along.value,
+                        up.slope * along.value * across.value});
+        for (std::size_t k = 0; k < D; ++k) {
+            velocity[i][k] = u[D == 2 && k == 1 ? 2 : k];
+            momentum[k] += particles.mass[i] * velocity[i][k];
+        }
+        mass += particles.mass[i];
+    }
+    double squares = 0.0;
+    for (Vec<D>& u : velocity) {
+        for (std::size_t k = 0; k < D; ++k) {
+            u[k] -= momentum[k] / mass;
+            squares += u[k] * u[k] / D;
+        }
+    }
+    const double scale = c.start.perturbation / std::sqrt(squares / static_cast<double>(n));
+    for (std::size_t i = 0; i < n; ++i) {
+        for (std::size_t k = 0; k < D; ++k) particles.velocity[k][i] += scale * velocity[i][k];
+    }
+}
+
+template void perturb_velocity<2>(const Case&, Particles<2>&);
+template void perturb_velocity<3>(const Case&, Particles<3>&);
+
+}  // namespace riffle
