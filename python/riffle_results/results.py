@@ -2,8 +2,12 @@
 import tomllib
 from pathlib import Path
 
-import h5py
 import xarray
+
+try:
+    import h5py
+except ImportError as error:
+    raise ImportError("riffle_results needs h5py: apt-get install python3-h5py, or pip install h5py") from error
 
 from . import layout
 from .errors import ResultsError

@@ -18,13 +18,6 @@ namespace riffle {
 
 namespace {
 
-std::string first_line(const std::string& file) {
-    std::ifstream stream(file);
-    std::string line;
-    std::getline(stream, line);
-    return line;
-}
-
 /// A number at the start of a text; nothing where there is none ("max").
 std::optional<double> number_of(const std::string& text) {
     double value = 0.0;
@@ -39,49 +32,17 @@ double granted(const std::string& quota, const std::string& period) {
     return q && p && *q > 0.0 && *p > 0.0 ? *q / *p : std::numeric_limits<double>::infinity();
 }
 
-/// The least that a control group and those above it grant; `limit_of` looks at one folder.
-template <class F>
-double least_granted(const std::string& top, std::string group, const F& limit_of) {
-    double least = limit_of(top);
-    while (group.starts_with('/') && group.size() > 1) {
-        least = std::min(least, limit_of(top + group));
-        group.resize(group.rfind('/'));
-    }
-    return least;
-}
-
 /// Processors worth of time that the control group of the process has.
 double granted_by_control_group(const SystemFiles& files) {
-    std::ifstream groups(files.root + "/proc/self/cgroup");
-    const std::string mounted = files.root + "/sys/fs/cgroup";
     double least = std::numeric_limits<double>::infinity();
-    for (std::string line; std::getline(groups, line);) {
-        // hierarchy:controllers:path; the second version is hierarchy 0 without controllers.
-        const std::size_t first = line.find(':');
-        const std::size_t second = line.find(':', first + 1);
-        if (first == std::string::npos || second == std::string::npos) {
-            continue;
+    for (const ControlGroupFolder& folder : control_group_folders(files, "cpu")) {
+        std::string quota = first_line(folder.path + "/cpu.cfs_quota_us");
+        std::string period = first_line(folder.path + "/cpu.cfs_period_us");
+        if (folder.version == 2) {
+            std::istringstream words(first_line(folder.path + "/cpu.max"));
+            words >> quota >> period;
         }
-        const std::string controllers = line.substr(first + 1, second - first - 1);
-        const std::string group = line.substr(second + 1);
-        if (controllers.empty()) {
-            least = std::min(least, least_granted(mounted, group, [](const std::string& folder) {
-                                 std::istringstream words(first_line(folder + "/cpu.max"));
-                                 std::string quota;
-                                 std::string period;
-                                 words >> quota >> period;
-                                 return granted(quota, period);
-                             }));
-        } else if (("," + controllers + ",").find(",cpu,") != std::string::npos) {
-            // Under its name, or under those of all controllers that it is mounted with.
-            for (const std::string& folder_name : {std::string("cpu"), controllers}) {
-                least = std::min(
-                    least, least_granted(mounted + "/" + folder_name, group, [](const std::string& folder) {
-                        return granted(first_line(folder + "/cpu.cfs_quota_us"),
-                                       first_line(folder + "/cpu.cfs_period_us"));
-                    }));
-            }
-        }
+        least = std::min(least, granted(quota, period));
     }
     return least;
 }

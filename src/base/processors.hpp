@@ -4,12 +4,9 @@
 #include <string>
 #include <vector>
 
-namespace riffle {
+#include "base/control_group.hpp"
 
-/// Where the system says what the process may use; another root for tests.
-struct SystemFiles {
-    std::string root;  ///< before "/sys" and "/proc"; empty: the system's own
-};
+namespace riffle {
 
 /// Numbers of a list such as "0-3,8"; empty where the text is none.
 [[nodiscard]] std::vector<std::size_t> numbers_of_list(const std::string& text);

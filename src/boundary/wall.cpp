@@ -38,31 +38,31 @@ int end_wall_rows(const Case& c, const Lattice& lattice) {
 /// gap, whatever the surface. Each particle takes the normal and the depth of the nearest place of the
 /// surface.
 void add_meshes(const Case& c, const Lattice& lattice, int rows, WallParticles<3>& wall) {
-    const std::vector<SolidMesh> meshes = meshes_of(c);
+    const auto meshes = meshes_of(c);
     const double reach = c.numerics.wall_layers * c.numerics.spacing;
-    for (int column = 0; column < lattice.columns && !meshes.empty(); ++column) {
+    for (int column = 0; column < lattice.columns && !meshes->empty(); ++column) {
         for (int file = 0; file < lattice.files; ++file) {
             for (int row = 0; row < rows; ++row) {
                 const Vec<3> p{lattice.x(column, row), lattice.y(file, row), lattice.z(row)};
-                const auto mesh = std::find_if(meshes.begin(), meshes.end(),
+                const auto mesh = std::find_if(meshes->begin(), meshes->end(),
                                                [&](const SolidMesh& m) { return m.contains(p); });
-                if (mesh == meshes.end()) {
+                if (mesh == meshes->end()) {
                     continue;
                 }
-                const SolidMesh::Foot foot = mesh->nearest(p);
-                if (foot.distance > reach) {
+                const auto foot = mesh->nearest(p, reach);
+                if (!foot) {
                     continue;
                 }
                 for (std::size_t k = 0; k < 3; ++k) {
                     wall.position[k].push_back(p[k]);
-                    wall.normal[k].push_back(foot.direction[k]);
+                    wall.normal[k].push_back(foot->direction[k]);
                     for (std::size_t l = 0; l < 3; ++l) {
                         wall.projector[3 * k + l].push_back(k == l ? 1.0 : 0.0);
                     }
                 }
                 wall.volume.push_back(lattice.volume<3>());
-                wall.depth.push_back(foot.distance);
-                wall.body.push_back(first_solid + static_cast<std::int32_t>(mesh - meshes.begin()));
+                wall.depth.push_back(foot->distance);
+                wall.body.push_back(first_solid + static_cast<std::int32_t>(mesh - meshes->begin()));
             }
         }
     }

@@ -8,6 +8,20 @@ double Case::streamwise_gravity() const { return fluid.gravity * std::sin(std::a
 
 double Case::normal_gravity() const { return fluid.gravity * std::cos(std::atan(channel.slope)); }
 
+double usual_surface_threshold(SurfaceDetection detection, int dimensions) {
+    switch (detection) {
+        case SurfaceDetection::volume_fraction:
+            return 0.5;
+        case SurfaceDetection::position_divergence:
+            return 0.5 * dimensions;
+        case SurfaceDetection::density_ratio:
+            return 0.9;
+        case SurfaceDetection::depth_sum:
+            break;
+    }
+    return 0.0;
+}
+
 bool Case::same_parameters(const Case& other) const {
     return title == other.title && description == other.description && channel == other.channel &&
            bed == other.bed && side_walls == other.side_walls && turbulence == other.turbulence &&

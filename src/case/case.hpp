@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,6 +9,8 @@
 #include "case/options.hpp"
 
 namespace riffle {
+
+class SolidMesh;
 
 // The keys of a case. Names, defaults, units and meanings stand in the key table (key_table.cpp). All values
 // are SI. Axes: x down the bed, z normal to it, upward from the bed level z = 0.
@@ -170,11 +173,12 @@ struct Output {
     double series_interval = 0.02;   ///< s
     double surface_interval = 0.01;  ///< s; 100 Hz: waves of 20 Hz are sampled five times a period
     SurfaceDetection surface_detection = SurfaceDetection::volume_fraction;
-    double profile_interval = 0.01;     ///< s between samples of the time averages
-    double snapshot_interval = 1.0;     ///< s; 0: none
-    double checkpoint_interval = 60.0;  ///< s of wall-clock time
-    double progress_interval = 1.0;     ///< s of wall-clock time
-    bool standard_probes = true;        ///< whether the instruments of the case's kind record without asking
+    std::optional<double> surface_threshold;  ///< of the detection; unset: usual_surface_threshold()
+    double profile_interval = 0.01;           ///< s between samples of the time averages
+    double snapshot_interval = 1.0;           ///< s; 0: none
+    double checkpoint_interval = 60.0;        ///< s of wall-clock time
+    double progress_interval = 1.0;           ///< s of wall-clock time
+    bool standard_probes = true;  ///< whether the instruments of the case's kind record without asking
     // Three dimensions.
     double mean_field_interval = 5.0;  ///< s, length of the averaging windows of the mean field; 0: none
     std::optional<double> mean_field_spacing;  ///< m, cells of the mean field; unset: the particle spacing
@@ -245,6 +249,11 @@ struct Solid {
     bool operator==(const Solid&) const = default;
 };
 
+/// The value at which a way of finding the surface sees it, unless the case says otherwise: half of what the
+/// volume fraction (1) and the divergence of the position (the number of dimensions) are in the water, and a
+/// density ratio of 0.9. Of the depth sum, which has none, 0.
+[[nodiscard]] double usual_surface_threshold(SurfaceDetection detection, int dimensions);
+
 /// First letters of the names of the instruments that record without asking; no other may begin so.
 inline constexpr const char* standard_probe_prefix = "standard_";
 
@@ -270,6 +279,9 @@ struct Case {
     /// the folder of its file, and are made absolute when it is read.
     std::filesystem::path path;
     std::string text;  ///< complete TOML text of the case, overrides applied: reading it gives this case
+
+    /// The surfaces of the solids in three dimensions, where they were read with the case; see meshes_of().
+    std::shared_ptr<const std::vector<SolidMesh>> meshes;
 
     std::vector<std::string> probe_places;  ///< where each probe stands, for messages: "case.toml:12:1"
 

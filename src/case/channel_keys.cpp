@@ -13,7 +13,8 @@ using enum Dimension;
 SectionKeys heading() {
     SectionKeys s{"", "Before the first section.", {}};
     s.keys.push_back(make_key("title", &Case::title, "Title of the run, for reports."));
-    s.keys.push_back(make_key("description", &Case::description, "What the case is about, in any length."));
+    s.keys.push_back(make_key("description", &Case::description, "What the case is about, in any length.")
+                         .may_have_several_lines());
     return s;
 }
 
@@ -25,6 +26,7 @@ SectionKeys channel() {
     s.keys.push_back(key("slope", &Channel::slope, "Bed slope S0 = tan(theta).")
                          .at_least(0)
                          .at_most(1)
+                         .because("steeper than 45 degrees the water leaves the bed")
                          .is_required()
                          .with_example("0.004"));
     s.keys.push_back(key("depth", &Channel::depth,
@@ -92,6 +94,7 @@ SectionKeys bed() {
     s.keys.push_back(key("drag_coefficient", &Bed::drag_coefficient, "Drag coefficient C_d of the spheres.")
                          .at_least(0)
                          .at_most(10)
+                         .because("bluff bodies have 0.3 to 2")
                          .applies_with("bed.kind", {"spheres"}));
     s.keys.push_back(key("drag_form", &Bed::drag_form, "How the drag enters the momentum equation.")
                          .applies_with("bed.kind", {"spheres"}));
@@ -127,16 +130,19 @@ SectionKeys turbulence() {
     const std::string closure = "turbulence.closure";
     s.keys.push_back(key("closure", &Turbulence::closure, "Where the eddy viscosity comes from."));
     s.keys.push_back(key("kappa", &Turbulence::kappa, "Von Karman's constant.")
-                         .greater_than(0)
+                         .at_least(0.1)
                          .at_most(1)
+                         .because("measured: 0.35 to 0.45")
                          .applies_with(closure, {"ramp", "nezu-rodi", "czernuszenko-rylov"}));
     s.keys.push_back(key("lambda", &Turbulence::lambda, "Plateau of the ramp: l_m = lambda H.")
-                         .greater_than(0)
+                         .at_least(0.001)
                          .at_most(1)
+                         .because("measured: 0.07 to 0.14")
                          .applies_with(closure, {"ramp"}));
     s.keys.push_back(key("wake_strength", &Turbulence::wake_strength, "Coles' wake strength Pi.")
                          .at_least(0)
                          .at_most(2)
+                         .because("measured: 0 to 0.6")
                          .unset_by("auto", "0.2 for czernuszenko-rylov, 0 for nezu-rodi")
                          .applies_with(closure, {"nezu-rodi", "czernuszenko-rylov"}));
     s.keys.push_back(key("zero", &Turbulence::zero,
@@ -145,8 +151,9 @@ SectionKeys turbulence() {
                          .at_least(0)
                          .applies_with(closure, {"ramp", "nezu-rodi", "nikuradse", "czernuszenko-rylov"}));
     s.keys.push_back(key("smagorinsky_constant", &Turbulence::smagorinsky_constant, "Constant C_s.")
-                         .greater_than(0)
+                         .at_least(0.001)
                          .at_most(1)
+                         .because("used: 0.06 to 0.2")
                          .applies_with(closure, {"sps"}));
     s.keys.push_back(key("filter_width", &Turbulence::filter_width, "Filter width Delta.")
                          .measured_in(length)
@@ -158,13 +165,15 @@ SectionKeys turbulence() {
             .applies_with(closure, {"ramp", "nezu-rodi", "nikuradse", "sps"}));
     s.keys.push_back(key("edge_zone", &Turbulence::edge_zone,
                          "gamma: beside each wall the mixing lengths grow over a zone of gamma H / 2.")
-                         .greater_than(0)
+                         .at_least(0.01)
                          .at_most(10)
+                         .because("its source has 0.25 to 1")
                          .applies_with(closure, {"czernuszenko-rylov"}));
     s.keys.push_back(key("spanwise_ratio", &Turbulence::spanwise_ratio,
                          "Ratio of the mixing lengths across and along the channel, l_y / l_x.")
-                         .greater_than(0)
+                         .at_least(0.01)
                          .at_most(1)
+                         .because("its source has 0.5")
                          .applies_with(closure, {"czernuszenko-rylov"}));
     return s;
 }

@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <utility>
 
+#include "base/visible_text.hpp"
 #include "case/nearest.hpp"
 
 namespace riffle {
@@ -17,7 +20,10 @@ std::string raw_text(const RawValue& raw) {
         std::string operator()(bool value) const { return value ? "true" : "false"; }
         std::string operator()(long long value) const { return std::to_string(value); }
         std::string operator()(double value) const { return fmt::format("{}", value); }
-        std::string operator()(const std::string& value) const { return toml_string(value); }
+        std::string operator()(const std::string& value) const {
+            constexpr std::size_t longest = 60;
+            return toml_string(value.size() <= longest ? value : value.substr(0, longest) + "...");
+        }
         std::string operator()(const OtherValue& value) const { return value.kind; }
         std::string operator()(const RawList&) const { return "an array"; }
     };
@@ -62,12 +68,25 @@ std::string wrong(const Key& key, const RawValue& raw, const std::string& advice
     return fmt::format("{} = {}: expected {}; {}", shown_name(key), raw_text(raw), expectation(key), advice);
 }
 
+std::string limit_text(double value, Dimension dimension) {
+    return fmt::format("{:g} {}", value, si_unit(dimension));
+}
+
 std::variant<Value, std::string> checked_number(const Key& key, const RawValue& raw, double number) {
     if (!std::isfinite(number)) {
         return wrong(key, raw, "a finite number is needed");
     }
     if (!key.range.contains(number)) {
         return wrong(key, raw, "correct the value");
+    }
+    const auto limits = key.limits();
+    const double size = std::abs(number);
+    if (limits && number != 0.0 && (size < limits->least || size > limits->most)) {
+        const bool small = size < limits->least;
+        return fmt::format("{} = {}: {} {}, {} than can be meant ({}); correct the value or its unit",
+                           shown_name(key), raw_text(raw), small ? "less than" : "more than",
+                           limit_text(small ? limits->least : limits->most, key.dimension),
+                           small ? "smaller" : "larger", limits->reason);
     }
     return Value(number);
 }
@@ -132,6 +151,21 @@ std::variant<Value, std::string> convert_number(const Key& key, const RawValue& 
     return wrong(key, raw, how_to_write(key));
 }
 
+/// A text goes to terminals, logs, pages and names of files: it must hold nothing that these would obey.
+std::variant<Value, std::string> convert_text(const Key& key, const std::string& text) {
+    if (const auto hidden = hidden_character(text, 0, key.several_lines ? "\n\t" : "")) {
+        return fmt::format("{} holds the control character {} after \"{}\": remove it{}", shown_name(key),
+                           hidden->name, text.substr(0, hidden->place),
+                           key.several_lines ? "; line breaks and tabs may stay" : "");
+    }
+    constexpr std::size_t longest_name = 4096;
+    if (key.type == ValueType::file && text.size() > longest_name) {
+        return fmt::format("{} is {} letters long: expected the name of a file, of at most {}",
+                           shown_name(key), text.size(), longest_name);
+    }
+    return Value(text);
+}
+
 /// The part of a raw value that is no list.
 struct Single {
     RawScalar operator()(const RawList&) const { return OtherValue{"an array"}; }
@@ -151,6 +185,12 @@ std::variant<Value, std::string> convert_list(const Key& key, const RawValue& ra
     }
     if (items.empty() && !key.accepts_empty) {
         return fmt::format("{} = []: expected {}; give at least one", shown_name(key), expectation(key));
+    }
+    if (items.size() > longest_list) {
+        return fmt::format(
+            "{} holds {} values: expected at most {}; leave out what is finer than the particle "
+            "spacing",
+            shown_name(key), items.size(), longest_list);
     }
     std::vector<double> numbers;
     for (const RawScalar& item : items) {
@@ -190,10 +230,13 @@ std::string range_text(const Key& key) {
     const bool integer = key.type == ValueType::integer;
     const auto bound = [&](double value) {
         const std::string number =
-            integer ? std::to_string(static_cast<long long>(value)) : fmt::format("{}", value);
+            integer ? std::to_string(static_cast<long long>(value)) : fmt::format("{:g}", value);
         const auto unit = si_unit(key.dimension);
         return value == 0.0 || unit.empty() ? number : fmt::format("{} {}", number, unit);
     };
+    if (integer && key.range.maximum == key.range.minimum + 1.0) {
+        return fmt::format("{} or {}", bound(key.range.minimum), bound(key.range.maximum));
+    }
     std::string text;
     if (std::isfinite(key.range.minimum)) {
         text = fmt::format("{} {}", key.range.open_minimum ? "greater than" : "at least",
@@ -230,6 +273,7 @@ std::string expectation(const Key& key) {
     }
     const std::string range = range_text(key);
     text += range.empty() ? "" : " " + range;
+    text += key.range.reason.empty() ? "" : fmt::format(" ({})", key.range.reason);
     text += key.list ? ", or a list of them" : "";
     if (!key.unset_word.empty()) {
         text += fmt::format(", or \"{}\"", key.unset_word);
@@ -266,8 +310,7 @@ std::variant<Value, std::string> convert(const Key& key, const RawValue& raw) {
             return text != nullptr ? convert_word(key, raw, *text) : wrong(key, raw, how_to_write(key));
         case ValueType::text:
         case ValueType::file:
-            return text != nullptr ? std::variant<Value, std::string>(Value(*text))
-                                   : wrong(key, raw, how_to_write(key));
+            return text != nullptr ? convert_text(key, *text) : wrong(key, raw, how_to_write(key));
     }
     return Value();
 }
@@ -296,7 +339,18 @@ std::string handy_value_text(const Key& key, const Value& value) {
         return key.dimension == Dimension::none ? text : toml_string(text);
     };
     if (const auto* const numbers = std::get_if<std::vector<double>>(&value)) {
-        return list_text(*numbers, handy);
+        // All in one unit, that of the largest, if it holds each of them exactly.
+        const double largest =
+            std::accumulate(numbers->begin(), numbers->end(), 0.0,
+                            [](double most, double number) { return std::max(most, std::abs(number)); });
+        const std::string_view unit = handy_unit(largest, key.dimension);
+        const bool one = std::none_of(numbers->begin(), numbers->end(), [&](double number) {
+            return quantity_in(number, unit, key.dimension).empty();
+        });
+        return list_text(*numbers, [&](double number) {
+            return one && !unit.empty() ? toml_string(quantity_in(number, unit, key.dimension))
+                                        : handy(number);
+        });
     }
     const auto* const number = std::get_if<double>(&value);
     return number != nullptr ? handy(*number) : value_text(key, value);

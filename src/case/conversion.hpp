@@ -8,6 +8,9 @@
 
 namespace riffle {
 
+/// Most values of a list. The checks of an outline compare each of its edges with each other one.
+inline constexpr std::size_t longest_list = 10000;
+
 /// The value of a key, or why it is none (what was expected and what to do).
 [[nodiscard]] std::variant<Value, std::string> convert(const Key& key, const RawValue& raw);
 

@@ -52,6 +52,19 @@ Key&& Key::at_most(double maximum) && {
     return std::move(*this);
 }
 
+Key&& Key::because(std::string reason) && {
+    range.reason = std::move(reason);
+    return std::move(*this);
+}
+
+std::optional<QuantityLimits> Key::limits() const {
+    auto limits = quantity_limits(dimension);
+    if (limits && !(range.minimum >= 0.0)) {
+        limits->least = 0.0;
+    }
+    return limits;
+}
+
 Key&& Key::unset_by(std::string word_for_unset, std::string what_then) && {
     unset_word = std::move(word_for_unset);
     unset_meaning = std::move(what_then);
@@ -80,6 +93,11 @@ Key&& Key::may_be_diameters() && {
 
 Key&& Key::may_be_empty() && {
     accepts_empty = true;
+    return std::move(*this);
+}
+
+Key&& Key::may_have_several_lines() && {
+    several_lines = true;
     return std::move(*this);
 }
 

@@ -39,6 +39,7 @@ struct Range {
     double minimum = -std::numeric_limits<double>::infinity();
     double maximum = std::numeric_limits<double>::infinity();
     bool open_minimum = false;  ///< the minimum itself is not allowed
+    std::string reason;         ///< why no further, where the meaning of the key does not say so
 
     [[nodiscard]] bool contains(double value) const {
         return (open_minimum ? value > minimum : value >= minimum) && value <= maximum;
@@ -71,6 +72,7 @@ struct Key {
     bool list = false;           ///< one number or a list of them; empty: not given
     bool accepts_empty = false;  ///< a list that may be written as []: not given
     bool repeated = false;       ///< of a section that may stand several times, [[section]]
+    bool several_lines = false;  ///< a text that may hold line breaks and tabs
     Applies applies;
     std::function<Value(const Case&, std::size_t item)> read;
     std::function<void(Case&, const Value&, std::size_t item)> write;
@@ -86,6 +88,10 @@ struct Key {
     /// The same for one of several sections of a name: "probe[2].name".
     [[nodiscard]] std::string id(std::size_t item) const;
 
+    /// The limits of its dimension, where they are narrower than its own range: for a key that takes no
+    /// negative numbers both, else the largest size alone (a place may be as near to zero as it likes).
+    [[nodiscard]] std::optional<QuantityLimits> limits() const;
+
     /// The number of `value`, for numbers and integers.
     [[nodiscard]] static std::optional<double> number_of(const Value& value);
 
@@ -94,12 +100,14 @@ struct Key {
     Key&& greater_than(double minimum) &&;
     Key&& at_least(double minimum) &&;
     Key&& at_most(double maximum) &&;
+    Key&& because(std::string reason) &&;
     Key&& unset_by(std::string word_for_unset, std::string what_then) &&;
     Key&& with_default_note(std::string note) &&;
     Key&& with_example(std::string text) &&;
     Key&& is_required() &&;
     Key&& may_be_diameters() &&;
     Key&& may_be_empty() &&;
+    Key&& may_have_several_lines() &&;
     Key&& applies_with(std::string other, std::vector<std::string> options, bool strictly = false) &&;
 };
 

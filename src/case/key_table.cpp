@@ -27,7 +27,8 @@ SectionKeys numerics() {
     s.keys.push_back(key("smoothing_ratio", &Numerics::smoothing_ratio,
                          "Smoothing length over spacing, h / dx; the kernel reaches 2 h.")
                          .at_least(1)
-                         .at_most(4));
+                         .at_most(4)
+                         .because("fewer neighbours do not sum up, more are not worth their time"));
     s.keys.push_back(key("sound_speed", &Numerics::sound_speed, "Artificial speed of sound c0.")
                          .measured_in(velocity)
                          .greater_than(0)
@@ -42,14 +43,16 @@ SectionKeys numerics() {
                          "Diffusion in the continuity equation, against noise in the pressure."));
     s.keys.push_back(key("density_diffusion_coefficient", &Numerics::density_diffusion_coefficient,
                          "Its coefficient delta.")
-                         .greater_than(0)
+                         .at_least(1e-4)
                          .at_most(1)
+                         .because("0.1 is usual")
                          .applies_with("numerics.density_diffusion", {"fourtakas", "molteni", "antuono"}));
     s.keys.push_back(key("density_filter", &Numerics::density_filter, "Renormalisation of the density."));
     s.keys.push_back(key("density_filter_interval", &Numerics::density_filter_interval,
                          "Steps from one density filter to the next.")
                          .at_least(1)
                          .at_most(1000000)
+                         .because("30 is usual; a run has some 1e5 steps")
                          .applies_with("numerics.density_filter", {"shepard", "mls"}));
     s.keys.push_back(key("viscosity", &Numerics::viscosity, "Form of the pair viscosity."));
     s.keys.push_back(key("eddy_stress", &Numerics::eddy_stress, "How the stress of the closure acts.")
@@ -57,23 +60,27 @@ SectionKeys numerics() {
                                        {"ramp", "nezu-rodi", "nikuradse", "sps", "czernuszenko-rylov"}));
     s.keys.push_back(
         key("artificial_viscosity", &Numerics::artificial_viscosity, "alpha of the artificial viscosity.")
-            .greater_than(0)
+            .at_least(1e-4)
             .at_most(2)
+            .because("used: 0.01 to 0.5")
             .applies_with("numerics.viscosity", {"artificial"}));
     s.keys.push_back(key("tensile_correction", &Numerics::tensile_correction,
                          "Monaghan's repulsion against clumping, its coefficient; 0: none.")
                          .at_least(0)
                          .at_most(1)
+                         .because("0.2 is usual")
                          .applies_with("numerics.kernel", {"cubic-spline"}));
     s.keys.push_back(key("xsph", &Numerics::xsph, "Smoothing of the particles' transport velocity; 0: none.")
                          .at_least(0)
-                         .at_most(1));
+                         .at_most(1)
+                         .because("1 is the mean over the neighbours"));
     s.keys.push_back(key("stepping", &Numerics::stepping, "Time stepping."));
     s.keys.push_back(key("step_rule", &Numerics::step_rule, "What the time step follows from.")
                          .applies_with("numerics.time_step", {"auto"}));
     s.keys.push_back(key("courant_number", &Numerics::courant_number, "Courant number, dt c0 / h.")
-                         .greater_than(0)
-                         .at_most(2));
+                         .at_least(1e-3)
+                         .at_most(2)
+                         .because("above 2 no scheme is stable"));
     s.keys.push_back(key("time_step", &Numerics::time_step, "Fixed time step.")
                          .measured_in(time)
                          .greater_than(0)
@@ -82,13 +89,15 @@ SectionKeys numerics() {
     s.keys.push_back(key("wall_layers", &Numerics::wall_layers, "Layers of wall particles.")
                          .at_least(1)
                          .at_most(10)
+                         .because("no kernel reaches farther")
                          .applies_with("numerics.wall", {"dummy", "dynamic", "modified-dynamic"}));
     s.keys.push_back(key("precision", &Numerics::precision, "Precision of the pair arithmetic."));
     s.keys.push_back(
         key("skin", &Numerics::skin, "Reach of the neighbour lists beyond the kernel, in units of h.")
-            .greater_than(0)
+            .at_least(0.01)
             .at_most(1)
-            .unset_by("auto", "0.3"));
+            .because("thinner, the lists are built anew at every step")
+            .unset_by("auto", "0.3; in three dimensions 0.1"));
     return s;
 }
 
@@ -109,8 +118,9 @@ SectionKeys start() {
                       "(taylor-green)")
             .applies_with(kind, {"uniform", "power-law", "standing-wave", "taylor-green"}));
     s.keys.push_back(key("exponent", &Start::exponent, "m of the power law.")
-                         .greater_than(0)
+                         .at_least(0.1)
                          .at_most(100)
+                         .because("measured: 3 to 10")
                          .applies_with(kind, {"power-law"}));
     s.keys.push_back(key("amplitude", &Start::amplitude, "Amplitude of the surface of the standing wave.")
                          .measured_in(length)
@@ -137,7 +147,8 @@ SectionKeys start() {
         key("jitter", &Start::jitter,
             "Largest random displacement of the particles from their lattice, in units of the spacing.")
             .at_least(0)
-            .at_most(0.5));
+            .at_most(0.5)
+            .because("farther, two particles may meet"));
     s.keys.push_back(
         key("perturbation", &Start::perturbation,
             "Random velocity without divergence that is added to the start, root mean square of a component.")
@@ -145,7 +156,8 @@ SectionKeys start() {
             .at_least(0));
     s.keys.push_back(key("seed", &Start::seed, "Seed of the random displacement and of the perturbation.")
                          .at_least(0)
-                         .at_most(9007199254740991.0));
+                         .at_most(9007199254740991.0)
+                         .because("whole numbers that every program keeps"));
     return s;
 }
 
@@ -161,7 +173,10 @@ SectionKeys stirring() {
     s.keys.push_back(key("acceleration", &Stirring::acceleration, "Amplitude F of the force; 0: none.")
                          .measured_in(acceleration)
                          .at_least(0));
-    s.keys.push_back(key("modes", &Stirring::modes, "Number of modes.").at_least(1).at_most(100));
+    s.keys.push_back(key("modes", &Stirring::modes, "Number of modes.")
+                         .at_least(1)
+                         .at_most(100)
+                         .because("waves of less than a hundredth of the channel are not resolved"));
     s.keys.push_back(key("celerity", &Stirring::celerity, "Speed at which the modes travel downstream.")
                          .measured_in(velocity)
                          .unset_by("auto",
@@ -178,7 +193,7 @@ Key until_key() {
     key.meaning = "When the run ends: at a simulated time, or when the mean flow is known well enough.";
     key.type = ValueType::number;
     key.dimension = time;
-    key.range = {0.0, 1e9, true};
+    key.range = {0.0, 1e9, true, ""};
     key.unset_word = word(RunUntil::converged);
     key.unset_meaning =
         "until the depth-mean velocity is known within `run.tolerance`, at most `run.maximum_time`";
@@ -209,8 +224,9 @@ SectionKeys run() {
     s.keys.push_back(
         key("tolerance", &Run::tolerance,
             "Relative half-width of the 95 % interval of the depth-mean velocity at which the run ends.")
-            .greater_than(0)
+            .at_least(1e-6)
             .at_most(1)
+            .because("a mean is never known to less than a millionth")
             .applies_with(until, {"converged"}));
     s.keys.push_back(key("average_from", &Run::average_from, "Simulated time at which the averages begin.")
                          .measured_in(time)
@@ -232,6 +248,17 @@ SectionKeys output() {
     s.keys.push_back(make_key("output", "surface_detection", &Case::output, &Output::surface_detection,
                               "How the surface is found for the records and the wave probes; compared in "
                               "docs/free-surface.md."));
+    s.keys.push_back(make_key("output", "surface_threshold", &Case::output, &Output::surface_threshold,
+                              "The value at which the detection sees the surface, scanned from above.")
+                         .greater_than(0)
+                         .at_most(3)
+                         .because("the detections' values in the water: 1, or the number of dimensions")
+                         .unset_by("auto",
+                                   "half of the value in the water (volume-fraction 0.5, "
+                                   "position-divergence 1 in two and 1.5 in three dimensions); "
+                                   "density-ratio 0.9")
+                         .applies_with("output.surface_detection",
+                                       {"volume-fraction", "position-divergence", "density-ratio"}, true));
     s.keys.push_back(
         key("profile_interval", &Output::profile_interval, "Between samples of the mean profiles.")
             .greater_than(0));
@@ -279,7 +306,8 @@ SectionKeys output() {
     s.keys.push_back(make_key("output", "compression", &Case::output, &Output::compression,
                               "Of the results file: 0 none, 9 smallest and slowest.")
                          .at_least(0)
-                         .at_most(9));
+                         .at_most(9)
+                         .because("the levels of deflate"));
     return s;
 }
 

@@ -29,6 +29,10 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }
 
 std::optional<std::string> nearest_name(std::string_view text, std::span<const std::string> known) {
+    constexpr std::size_t longest_name = 100;
+    if (text.size() > longest_name) {
+        return std::nullopt;  // like no name, and the comparison would take its square of time
+    }
     std::string asked(text);
     std::transform(asked.begin(), asked.end(), asked.begin(),
                    [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });

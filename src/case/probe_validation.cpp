@@ -15,8 +15,6 @@ namespace {
 /// Points of a grid at most: more than any display or disk makes sense of, and far below what memory holds.
 constexpr double most_points = 1e6;
 
-std::string length_text(double value) { return quantity_text(value, Dimension::length); }
-
 /// The checks of one probe; a failed one adds its message at the place of its keys.
 class ProbeValidation {
   public:
@@ -26,9 +24,10 @@ class ProbeValidation {
     void run(std::set<std::string>& names) {
         check_name(names);
         if (p_.start >= c_.run.time) {
-            add("start", fmt::format("start is {} s, not before the end of the run at {} s: it would record "
-                                     "nothing; make it smaller",
-                                     p_.start, c_.run.time));
+            add("start",
+                fmt::format("start is {:.6g} s, not before the end of the run at {:.6g} s: it would record "
+                            "nothing; make it smaller",
+                            p_.start, c_.run.time));
         }
         switch (p_.kind) {
             case ProbeKind::velocity:
@@ -98,12 +97,12 @@ class ProbeValidation {
     void check_positions() {
         if (p_.x.empty()) {
             add("x", fmt::format("x is missing: {} needs at least one position, for example x = \"{}\"",
-                                 kind(), length_text(0.5 * c_.channel.length)));
+                                 kind(), shown_length(0.5 * c_.channel.length)));
         }
         for (const double x : p_.x) {
             if (x < 0.0 || x > c_.channel.length) {
                 add("x", fmt::format("x = {} is outside of the channel: expected 0 to its length {}",
-                                     length_text(x), length_text(c_.channel.length)));
+                                     shown_length(x), shown_length(c_.channel.length)));
             }
         }
         check_across();
@@ -123,7 +122,7 @@ class ProbeValidation {
         for (const double y : p_.y) {
             if (y < 0.0 || y > c_.channel.simulated_width()) {
                 add("y", fmt::format("y = {} is outside of the simulated channel: expected 0 to {}",
-                                     length_text(y), length_text(c_.channel.simulated_width())));
+                                     shown_length(y), shown_length(c_.channel.simulated_width())));
             }
         }
     }
@@ -138,14 +137,14 @@ class ProbeValidation {
             add("z",
                 fmt::format("z is missing: {} needs at least one height above the bed level, for example z = "
                             "\"{}\"",
-                            kind(), length_text(0.5 * c_.total_depth())));
+                            kind(), shown_length(0.5 * c_.total_depth())));
         }
         for (const double z : p_.z) {
             if (z <= 0.0 || z > highest()) {
                 add("z",
                     fmt::format("z = {} is outside of the water: expected more than 0 (the bed level) and at "
                                 "most {}",
-                                length_text(z), fmt::format("{:.4g} m", highest())));
+                                shown_length(z), shown_length(highest())));
             }
         }
         if (p_.x.size() > 1 && p_.z.size() > 1 && p_.x.size() != p_.z.size()) {
@@ -157,7 +156,7 @@ class ProbeValidation {
         if (p_.sampling_length > c_.total_depth()) {
             add("sampling_length",
                 fmt::format("sampling_length is {}: expected at most the total depth {}",
-                            length_text(p_.sampling_length), length_text(c_.total_depth())));
+                            shown_length(p_.sampling_length), shown_length(c_.total_depth())));
         }
     }
 
@@ -167,18 +166,19 @@ class ProbeValidation {
             add("spacing",
                 fmt::format("spacing is {}, too fine: the particles are {} apart and carry nothing "
                             "finer; make it {} or more",
-                            length_text(*p_.spacing), length_text(c_.numerics.spacing), length_text(finest)));
+                            shown_length(*p_.spacing), shown_length(c_.numerics.spacing),
+                            shown_length(finest)));
         }
         if (p_.spacing && *p_.spacing > c_.channel.length) {
             add("spacing", fmt::format("spacing is {}: expected at most the length of the channel, {}",
-                                       length_text(*p_.spacing), length_text(c_.channel.length)));
+                                       shown_length(*p_.spacing), shown_length(c_.channel.length)));
         }
     }
 
     void check_edge(const char* key, const std::optional<double>& value, double highest_value) {
         if (value && (*value < 0.0 || *value > highest_value)) {
             add(key, fmt::format("{} = {} is outside of the water: expected 0 to {}", key,
-                                 length_text(*value), length_text(highest_value)));
+                                 shown_length(*value), shown_length(highest_value)));
         }
     }
 
@@ -207,14 +207,14 @@ class ProbeValidation {
         const double interval = 1.0 / p_.sampling_frequency;
         if (p_.averaging_time < 2.0 * interval * (1.0 - 1e-9)) {
             add("averaging_time",
-                fmt::format("averaging_time is {} s, less than two samples at {} Hz: make it "
+                fmt::format("averaging_time is {:.6g} s, less than two samples at {:.6g} Hz: make it "
                             "longer",
                             p_.averaging_time, p_.sampling_frequency));
         }
         if (p_.start + p_.averaging_time > c_.run.time * (1.0 + 1e-9)) {
             add("averaging_time",
-                fmt::format("averaging_time is {} s: no window would end before the run does, at "
-                            "{} s; make it shorter",
+                fmt::format("averaging_time is {:.6g} s: no window would end before the run does, at "
+                            "{:.6g} s; make it shorter",
                             p_.averaging_time, c_.run.time));
         }
     }
@@ -230,7 +230,7 @@ class ProbeValidation {
                 add("x",
                     fmt::format("x = {} is too near to an end wall for a flow rate: expected at least 2 h = "
                                 "{} from it",
-                                length_text(x), length_text(support)));
+                                shown_length(x), shown_length(support)));
             }
         }
     }

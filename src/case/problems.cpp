@@ -18,10 +18,14 @@ void Problems::raise() const {
         return std::tie(a.place.option, a.place.line, a.place.column) <
                std::tie(b.place.option, b.place.line, b.place.column);
     });
+    constexpr std::size_t most = 40;
     std::string text;
-    for (const Problem& problem : sorted) {
+    for (std::size_t i = 0; i < std::min(most, sorted.size()); ++i) {
         text += text.empty() ? "" : "\n";
-        text += problem.place.text() + ": " + problem.message;
+        text += sorted[i].place.text() + ": " + sorted[i].message;
+    }
+    if (sorted.size() > most) {
+        text += "\nand " + std::to_string(sorted.size() - most) + " more of the kind";
     }
     throw InputError(text);
 }

@@ -8,10 +8,12 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/visible_text.hpp"
 #include "case/case.hpp"
 #include "case/case_text.hpp"
 #include "case/conversion.hpp"
 #include "case/key_table.hpp"
+#include "case/mesh_validation.hpp"
 #include "case/nearest.hpp"
 #include "case/presets.hpp"
 #include "case/problems.hpp"
@@ -40,41 +42,81 @@ std::string joined(const std::vector<std::string>& names) {
     return list;
 }
 
-/// Other sections that know the key.
-std::optional<std::string> section_with(const std::string& name) {
+/// Other sections that know the key: "in [measured]".
+std::vector<std::string> sections_with(const std::string& name) {
+    std::vector<std::string> homes;
     for (const SectionKeys& section : key_table()) {
         if (find_key(section.name, name) != nullptr) {
-            return section.name;
+            homes.push_back(section.name.empty() ? "before the first section" : "in " + section.heading());
         }
     }
-    return std::nullopt;
+    return homes;
 }
 
 std::string unknown_section(const std::string& name) {
     const auto names = section_names();
     const auto meant = nearest_name(name, names);
-    return fmt::format("unknown section [{}]{}; the sections are {}", name,
+    return fmt::format("unknown section [{}]{}; the sections are {}", visible_text(name),
                        meant ? fmt::format(": did you mean [{}]?", *meant) : "", joined(names));
 }
 
+/// Keys that people look for and that are not there by that name, or for a reason.
+const char* key_hint(const std::string& section, const std::string& name) {
+    struct Hint {
+        const char* section;
+        const char* name;
+        const char* text;
+    };
+    static constexpr Hint hints[] = {
+        {"channel", "discharge",
+         "a periodic channel has no inflow: its discharge follows from slope, depth and roughness (`riffle "
+         "column` says which); to compare with a measured one, give it in [measured]"},
+        {"channel", "velocity",
+         "the velocity follows from slope, depth and roughness (`riffle column` says which); what a run "
+         "starts from is [start] velocity, what was measured [measured] depth_mean_velocity"},
+        {"channel", "height", "the height of the water is `depth`, that of the end walls `wall_height`"},
+        {"bed", "manning",
+         "a bed is given by its spheres: kind = \"spheres\" with sphere_diameter and roughness_height, "
+         "which `riffle calibrate` fits to measured values"},
+        {"bed", "equivalent_roughness",
+         "k_s is measured, in [measured]; the bed itself is given by sphere_diameter and roughness_height, "
+         "which `riffle calibrate` fits to it"},
+        {"numerics", "dx", "the particle spacing is `spacing`"},
+        {"numerics", "h", "the smoothing length is given over the spacing, by `smoothing_ratio`"},
+        {"numerics", "cfl", "it is `courant_number`"},
+        {"numerics", "dt", "a fixed time step is `time_step`"},
+        {"turbulence", "model", "it is `closure`"},
+        {"run", "end_time", "it is `until`, for example until = \"60 s\""},
+        {"run", "time", "it is `until`, for example until = \"60 s\""},
+    };
+    for (const Hint& hint : hints) {
+        if (section == hint.section && name == hint.name) {
+            return hint.text;
+        }
+    }
+    return nullptr;
+}
+
 std::string unknown_key(const std::string& section, const std::string& name) {
+    const std::string shown = visible_text(name);
+    const SectionKeys& here = *find_section(section);
+    if (const char* const hint = key_hint(section, name)) {
+        return fmt::format("unknown key `{}` in {}: {}", shown, here.heading(), hint);
+    }
     std::vector<std::string> names;
-    for (const Key& key : find_section(section)->keys) {
+    for (const Key& key : here.keys) {
         names.push_back(key.name);
     }
-    const std::string heading = find_section(section)->heading();
-    const std::string where = section.empty() ? "before the first section" : "in " + heading;
+    const std::string where = section.empty() ? "before the first section" : "in " + here.heading();
     const auto meant = nearest_name(name, names);
-    const auto home = section_with(name);
+    const std::vector<std::string> homes = sections_with(name);
     std::string advice;
-    if (home && home->empty()) {
-        advice = ": it stands before the first section";
-    } else if (home) {
-        advice = ": it belongs in " + find_section(*home)->heading();
+    if (!homes.empty()) {
+        advice = fmt::format(": it belongs {}", fmt::join(homes, " or "));
     } else if (meant) {
         advice = fmt::format(": did you mean `{}`?", *meant);
     }
-    return fmt::format("unknown key `{}` {}{}; the keys there are {}", name, where, advice, joined(names));
+    return fmt::format("unknown key `{}` {}{}; the keys there are {}", shown, where, advice, joined(names));
 }
 
 /// Replace or add the entries that the options give.
@@ -107,6 +149,9 @@ void apply_overrides(Document& document, const std::vector<Override>& overrides,
     }
 }
 
+/// Most sections of a repeated kind.
+constexpr std::size_t most_sections = 1000;
+
 /// A key, and in which of the sections of its name.
 using KeyItem = std::pair<const Key*, std::size_t>;
 using Values = std::map<KeyItem, Value>;
@@ -124,6 +169,9 @@ void check_sections(const Document& document, Places& places, Problems& problems
             problems.add(section.place, unknown_section(section.name));
         } else if (known->repeated() != section.repeated) {
             problems.add(section.place, not_as_section(*known));
+        } else if (section.item == most_sections) {
+            problems.add(places.of(""), fmt::format("more than {} sections {}: leave some out", most_sections,
+                                                    known->heading()));
         } else if (section.repeated) {
             places.set(fmt::format("{}[{}]", section.name, section.item), section.place);
         }
@@ -136,7 +184,7 @@ Values collect_values(const Document& document, Places& places, Problems& proble
     Values values;
     for (const Entry& entry : document.entries) {
         const SectionKeys* const section = find_section(entry.section);
-        if (section == nullptr || section->repeated() != entry.repeated) {
+        if (section == nullptr || section->repeated() != entry.repeated || entry.item >= most_sections) {
             continue;  // reported with its section
         }
         if (entry.section.empty() && find_section(entry.key) != nullptr && !entry.key.empty()) {
@@ -173,7 +221,7 @@ std::size_t items_of(const Document& document, const SectionKeys& section) {
     std::size_t items = section.repeated() ? 0 : 1;
     for (const SectionMention& mention : document.sections) {
         if (section.repeated() && mention.repeated && mention.name == section.name) {
-            items = std::max(items, mention.item + 1);
+            items = std::min(std::max(items, mention.item + 1), most_sections);
         }
     }
     return items;
@@ -277,6 +325,9 @@ Case parse_case(const std::string& text, const std::string& name, const std::fil
     c.measured.velocity_profile = resolved(c.measured.velocity_profile, path);
     // What the keys demand of each other can only be judged when each of them is right.
     if (problems.empty()) {
+        if (!path.empty()) {
+            read_meshes(c, places, problems);
+        }
         validate(c, places, !path.empty(), problems);
     }
     if (!problems.empty()) {
@@ -294,6 +345,13 @@ Case read_case(const std::filesystem::path& path, const std::vector<Override>& o
     }
     if (!std::filesystem::is_regular_file(path, error)) {
         throw FileError(fmt::format("{}: not a file; give the name of a case file (TOML)", path.string()));
+    }
+    constexpr std::uintmax_t largest = 4U << 20U;
+    if (std::filesystem::file_size(path, error) > largest && !error) {
+        throw InputError(
+            fmt::format("{}: a case file of more than 4 MB is none: a solid of many corners goes "
+                        "into an STL file, measured values into a CSV file",
+                        path.string()));
     }
     std::ifstream stream(path, std::ios::binary);
     std::ostringstream text;

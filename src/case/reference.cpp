@@ -69,14 +69,19 @@ std::string meaning_text(const Key& key) {
     return cell(text);
 }
 
+std::string range_cell(const Key& key) {
+    return range_text(key) + (key.range.reason.empty() ? "" : "<br>" + key.range.reason);
+}
+
 std::string section_page(const SectionKeys& section) {
     std::string page =
         section.name.empty() ? "\n## Heading\n\n" : fmt::format("\n## {}\n\n", section.heading());
     page += section.meaning +
             "\n\n| key | type | unit | default | range | meaning |\n|---|---|---|---|---|---|\n";
     for (const Key& key : section.keys) {
-        page += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", key.name, type_text(key),
-                            si_unit(key.dimension), default_text(key), range_text(key), meaning_text(key));
+        page +=
+            fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", key.name, type_text(key),
+                        si_unit(key.dimension), default_text(key), cell(range_cell(key)), meaning_text(key));
     }
     return page;
 }
@@ -142,11 +147,18 @@ std::string unit_page() {
     std::string page =
         "\n## Units\n\nA number without quotes is in the SI unit of its key. A text in quotes is a number "
         "and a unit: "
-        "`\"50 mm\"`, `\"2.5cm\"`, `\"1e-6 m2/s\"`.\n\n| | units |\n|---|---|\n";
+        "`\"50 mm\"`, `\"2.5cm\"`, `\"1e-6 m2/s\"`. Beyond the ranges of the keys themselves, quantities of "
+        "a size "
+        "that cannot be meant are refused: below the least one other than zero, of keys that take no "
+        "negative "
+        "numbers, and above the largest one, in SI units.\n\n"
+        "| | units | least | largest | for |\n|---|---|---|---|---|\n";
     for (const Dimension dimension :
          {Dimension::length, Dimension::time, Dimension::velocity, Dimension::acceleration,
           Dimension::kinematic_viscosity, Dimension::density, Dimension::discharge, Dimension::frequency}) {
-        page += fmt::format("| {} | {} |\n", dimension_name(dimension), unit_list(dimension));
+        const QuantityLimits limits = *quantity_limits(dimension);
+        page += fmt::format("| {} | {} | {:g} | {:g} | {} |\n", dimension_name(dimension),
+                            unit_list(dimension), limits.least, limits.most, limits.reason);
     }
     return page;
 }

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "case/case_documents.hpp"
@@ -40,11 +42,14 @@ std::string quantity_pattern(const Key& key) {
 
 Json number_schema(const Key& key) {
     Json schema{{"type", key.type == ValueType::integer ? "integer" : "number"}};
-    if (std::isfinite(key.range.minimum)) {
-        schema[key.range.open_minimum ? "exclusiveMinimum" : "minimum"] = key.range.minimum;
+    const double most = key.limits() ? key.limits()->most : std::numeric_limits<double>::infinity();
+    const double minimum = std::max(key.range.minimum, -most);
+    const double maximum = std::min(key.range.maximum, most);
+    if (std::isfinite(minimum)) {
+        schema[key.range.open_minimum ? "exclusiveMinimum" : "minimum"] = minimum;
     }
-    if (std::isfinite(key.range.maximum)) {
-        schema["maximum"] = key.range.maximum;
+    if (std::isfinite(maximum)) {
+        schema["maximum"] = maximum;
     }
     return schema;
 }

@@ -1,36 +1,28 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
-#include <filesystem>
-#include <string>
+#include <limits>
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include "case/case.hpp"
+#include "case/closed_surface.hpp"
+#include "case/triangle_tree.hpp"
 
 namespace riffle {
 
-/// A point in space, m.
-using Point3 = std::array<double, 3>;
-
-/// Triangles of an STL file, in its unit, the corners against the clock as seen from outside.
-using Triangles = std::vector<std::array<Point3, 3>>;
-
-/// Read an STL file, binary or text. FileError names file and triangle: a file that is cut short, a number
-/// that is none, a triangle without area, an edge without exactly one neighbour (the surface is not closed),
-/// or a triangle turned against its neighbour. A surface that is turned inside out as a whole is turned.
-[[nodiscard]] Triangles read_stl(const std::filesystem::path& file);
-
-/// The closed surface of a solid in three dimensions, placed in the channel.
+/// The closed surface of a solid in three dimensions, placed in the channel. Where several shells overlap,
+/// the solid is what lies in any of them.
 class SolidMesh {
   public:
-    /// Of [[solid]] `file`, `scale` and `place`; errors as read_stl().
+    /// Of [[solid]] `file`, `scale` and `place`; errors as read_stl() and closed_surface().
     explicit SolidMesh(const Solid& solid);
-    explicit SolidMesh(Triangles triangles);
+    explicit SolidMesh(ClosedSurface surface);
 
-    [[nodiscard]] const Point3& lower() const { return lower_; }
-    [[nodiscard]] const Point3& upper() const { return upper_; }
-    /// Enclosed volume, m3.
+    [[nodiscard]] const Point3& lower() const { return tree_.lower(); }
+    [[nodiscard]] const Point3& upper() const { return tree_.upper(); }
+    /// Enclosed volume, m3; what lies in two shells counts twice.
     [[nodiscard]] double volume() const;
     [[nodiscard]] bool contains(const Point3& p) const;
 
@@ -38,16 +30,23 @@ class SolidMesh {
         double distance = 0.0;  ///< m
         Point3 direction{};     ///< from the point to the surface, of length 1; of a point on it the normal
     };
-    /// The nearest place of the surface.
-    [[nodiscard]] Foot nearest(const Point3& p) const;
+    /// The nearest place of the surface that water can touch: of overlapping shells no place in another one.
+    /// Nothing where none is nearer than `limit`, m.
+    [[nodiscard]] std::optional<Foot> nearest(const Point3& p,
+                                              double limit = std::numeric_limits<double>::infinity()) const;
+
+    /// Its triangles, for questions of other kinds.
+    [[nodiscard]] const TriangleTree& tree() const { return tree_; }
 
   private:
-    Triangles triangles_;
-    Point3 lower_{};
-    Point3 upper_{};
+    [[nodiscard]] bool is_exposed(std::size_t triangle, const Point3& place) const;
+
+    TriangleTree tree_;
+    bool several_shells_ = false;
 };
 
-/// The surfaces of the solids of a case in three dimensions.
-[[nodiscard]] std::vector<SolidMesh> meshes_of(const Case& c);
+/// The surfaces of the solids of a case in three dimensions, those that were read with it or else read now.
+/// Errors as SolidMesh().
+[[nodiscard]] std::shared_ptr<const std::vector<SolidMesh>> meshes_of(const Case& c);
 
 }  // namespace riffle

@@ -5,9 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/error.hpp"
+#include "case/mesh_validation.hpp"
 #include "case/outline.hpp"
-#include "case/solid_mesh.hpp"
 #include "case/units.hpp"
 #include "case/words.hpp"
 
@@ -16,11 +15,10 @@ namespace riffle {
 namespace {
 
 constexpr std::size_t fewest_corners = 3;
-
-std::string length_text(double value) { return quantity_text(value, Dimension::length); }
+constexpr std::size_t most_corners = 20000;  ///< of all outlines
 
 std::string corner_text(const Outline& outline, std::size_t i) {
-    return fmt::format("({}, {})", length_text(outline.x[i]), length_text(outline.z[i]));
+    return fmt::format("({}, {})", shown_length(outline.x[i]), shown_length(outline.z[i]));
 }
 
 /// What is wrong with an outline by itself, or nothing.
@@ -54,6 +52,18 @@ class SolidValidation {
     void run() {
         check_wall_height();
         check_lid();
+        std::size_t corners = c_.start.water_x.size();
+        for (const Solid& solid : c_.solids) {
+            corners += solid.x.size();
+        }
+        if (corners > most_corners) {
+            add({"solid[0]", "start.water_x"},
+                fmt::format(
+                    "the outlines have {} corners in all: expected at most {}; leave out what is finer "
+                    "than the particle spacing",
+                    corners, most_corners));
+            return;  // each edge is compared with each other one below
+        }
         const bool water = !c_.start.water_x.empty() || !c_.start.water_z.empty();
         if (water) {
             check_water();
@@ -80,7 +90,7 @@ class SolidValidation {
         } else if (*c_.channel.wall_height < c_.total_depth() && c_.start.water_x.empty()) {
             add({"channel.wall_height", "channel.depth"},
                 fmt::format("[channel] wall_height is {}, lower than the water, {}: make it higher",
-                            length_text(*c_.channel.wall_height), length_text(c_.total_depth())));
+                            shown_length(*c_.channel.wall_height), shown_length(c_.total_depth())));
         }
     }
 
@@ -141,21 +151,21 @@ class SolidValidation {
             add({key},
                 fmt::format("[start] water_x, water_z: the water lies outside of the channel: expected x "
                             "from 0 to its length {} and z from 0, the bed level",
-                            length_text(c_.channel.length)));
+                            shown_length(c_.channel.length)));
         }
         const double top = c_.channel.wall_height.value_or(1.5 * c_.total_depth());
         if (c_.channel.ends == Ends::walls && *high > top * (1 + 1e-9)) {
             add({"start.water_z", "channel.wall_height"},
                 fmt::format("[start] water_z: the water stands {} high, and the end walls {}; give [channel] "
                             "wall_height",
-                            length_text(*high), length_text(top)));
+                            shown_length(*high), shown_length(top)));
         }
         const double support = 2.0 * c_.numerics.smoothing_ratio * c_.numerics.spacing;
         if (*high - *low < support || *right - *left < support) {
             add({key, "numerics.spacing"},
                 fmt::format("[start] water_x, water_z: the water is {} by {}, less than one kernel support "
                             "({}) of particles; make the spacing smaller",
-                            length_text(*right - *left), length_text(*high - *low), length_text(support)));
+                            shown_length(*right - *left), shown_length(*high - *low), shown_length(support)));
         }
         for (const Solid& solid : c_.solids) {
             check_water_against(water, solid, key);
@@ -194,7 +204,7 @@ class SolidValidation {
         }
         check_dummy(place, "[[solid]]");
         if (c_.channel.dimensions == 3) {
-            check_mesh(solid, say);
+            validate_mesh(c_, item, say);
             return;
         }
         if (c_.channel.top == Top::periodic) {
@@ -218,7 +228,7 @@ class SolidValidation {
         if (*right <= 0.0 || *left >= c_.channel.length || *high <= 0.0) {
             say("x", fmt::format("lies outside of the channel: expected a part of x from 0 to {} and z above "
                                  "0",
-                                 length_text(c_.channel.length)));
+                                 shown_length(c_.channel.length)));
         }
         check_room(solid, *right - *left, say);
         check_thickness(outline, say);
@@ -228,77 +238,12 @@ class SolidValidation {
     }
 
     template <class Say>
-    void check_mesh(const Solid& solid, const Say& say) {
-        if (solid.motion != SolidMotion::fixed) {
-            say("motion", "goes with [channel] dimensions = 2: in three dimensions solids stand still");
-        }
-        if (solid.file.empty()) {
-            say("file",
-                "file is missing: give the STL file of its closed surface, for example file = \"stone.stl\"");
-            return;
-        }
-        if (!solid.place.empty() && solid.place.size() != 3) {
-            say("place", fmt::format("holds {} lengths; expected three: x, y and z", solid.place.size()));
-            return;
-        }
-        if (c_.path.empty()) {
-            return;  // a text without a folder
-        }
-        try {
-            const SolidMesh mesh(solid);
-            const auto& low = mesh.lower();
-            const auto& high = mesh.upper();
-            const auto range = [&](std::size_t k) {
-                return fmt::format("{} to {}", length_text(low[k]), length_text(high[k]));
-            };
-            const double width = c_.channel.simulated_width();
-            const bool open_sides = c_.channel.sides == Sides::periodic;
-            const auto crosses = [&](std::size_t k, double extent) {
-                const bool goes_through = low[k] <= 0.0 && high[k] >= extent;
-                return !goes_through && (low[k] < 0.0 || high[k] > extent);
-            };
-            if (crosses(0, c_.channel.length) || (open_sides && crosses(1, width)) || low[1] >= width ||
-                high[1] <= 0.0 || high[2] <= 0.0 || low[2] >= c_.total_depth()) {
-                say("place",
-                    fmt::format("lies outside of the channel, or across its periodic ends: x {}, y {}, z "
-                                "{}; expected x from 0 to {}, y from 0 to {} (or all of it) and a part of z "
-                                "from 0 to "
-                                "{}; see `place` and `scale` (the length of the file's unit)",
-                                range(0), range(1), range(2), length_text(c_.channel.length),
-                                length_text(width), length_text(c_.total_depth())));
-            }
-            const auto covers = [&](double share) {
-                return mesh.contains({share * c_.channel.length, share * width, share * c_.total_depth()});
-            };
-            if (covers(1e-3) && covers(0.5) && covers(0.999)) {
-                say("scale",
-                    fmt::format("fills the whole channel: no water is left; x {}, y {}, z {}: see `scale`, "
-                                "the length of the file's unit",
-                                range(0), range(1), range(2)));
-            }
-            for (std::size_t k = 0; k < 3; ++k) {
-                const double needed = c_.numerics.wall_layers * c_.numerics.spacing;
-                if (high[k] - low[k] < needed) {
-                    say("file",
-                        fmt::format("is only {} wide, less than {} layers of wall particles ({}); make it "
-                                    "larger or the spacing smaller",
-                                    length_text(high[k] - low[k]), c_.numerics.wall_layers,
-                                    length_text(needed)));
-                    break;
-                }
-            }
-        } catch (const Error& e) {
-            say("file", e.what());
-        }
-    }
-
-    template <class Say>
     void check_room(const Solid& solid, double width, const Say& say) {
         const double support = 2.0 * c_.numerics.smoothing_ratio * c_.numerics.spacing;
         if (c_.channel.ends == Ends::periodic && width > c_.channel.length - support) {
             say("x", fmt::format("is {} long: in a periodic channel of {} its ends would meet; make it "
                                  "shorter or the channel longer",
-                                 length_text(width), length_text(c_.channel.length)));
+                                 shown_length(width), shown_length(c_.channel.length)));
         }
         const auto in_solid = [&](double x, double z) { return contains({solid.x, solid.z}, x, z); };
         if (in_solid(0.5 * c_.channel.length, 0.5 * c_.total_depth()) &&
@@ -318,9 +263,9 @@ class SolidValidation {
                 say("x", fmt::format("is {} thick behind the middle of its edge from {} to {}, thinner than "
                                      "{} layers of wall particles ({}); make it thicker or the spacing "
                                      "smaller",
-                                     length_text(thickness), corner_text(outline, i),
+                                     shown_length(thickness), corner_text(outline, i),
                                      corner_text(outline, outline.next(i)), c_.numerics.wall_layers,
-                                     length_text(needed)));
+                                     shown_length(needed)));
                 return;
             }
         }
@@ -338,14 +283,16 @@ class SolidValidation {
                 "\"fixed\"");
         }
         if (solid.start >= c_.run.time) {
-            say("start", fmt::format("starts to move at {} s, not before the end of the run at {} s; make it "
-                                     "smaller",
-                                     solid.start, c_.run.time));
+            say("start",
+                fmt::format("starts to move at {:.6g} s, not before the end of the run at {:.6g} s; make it "
+                            "smaller",
+                            solid.start, c_.run.time));
         }
         if (solid.stop && *solid.stop <= solid.start) {
-            say("stop", fmt::format("stops at {} s, not after its start at {} s; make it larger, or motion = "
-                                    "\"fixed\"",
-                                    *solid.stop, solid.start));
+            say("stop",
+                fmt::format("stops at {:.6g} s, not after its start at {:.6g} s; make it larger, or motion = "
+                            "\"fixed\"",
+                            *solid.stop, solid.start));
         }
         const double moving =
             std::max(0.0, std::min(solid.stop.value_or(c_.run.time), c_.run.time) - solid.start);
@@ -361,7 +308,7 @@ class SolidValidation {
             say("motion",
                 fmt::format("moves through the bed or an end wall: expected room for it, x from 0 to "
                             "{} and z from 0",
-                            length_text(c_.channel.length)));
+                            shown_length(c_.channel.length)));
         }
         if (constant && solid.velocity_z < 0.0 && low + solid.velocity_z * moving < -slack) {
             say("velocity_z",

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 #include <sstream>
 
 #include "case/sphere_tiling.hpp"
@@ -14,8 +15,6 @@
 namespace riffle {
 
 namespace {
-
-std::string length_text(double value) { return quantity_text(value, Dimension::length); }
 
 std::string rounded_length_text(double value) { return fmt::format("{:.4f} mm", 1e3 * value); }
 
@@ -108,7 +107,7 @@ class SpaceValidation {
                 fmt::format(
                     "[channel] width: the simulated width is {}, at least {} ({}) is needed; make the "
                     "channel wider or the spacing smaller",
-                    length_text(c_.channel.simulated_width()), rounded_length_text(needed),
+                    shown_length(c_.channel.simulated_width()), rounded_length_text(needed),
                     periodic ? "two kernel supports of 2 h with their skin" : "one kernel support, 2 h"));
         }
     }
@@ -120,7 +119,7 @@ class SpaceValidation {
                 fmt::format(
                     "[bed] sphere_diameter is {}, wider than the channel ({}): make the spheres smaller "
                     "or the channel wider",
-                    length_text(d), length_text(c_.channel.width)));
+                    shown_length(d), shown_length(c_.channel.width)));
             return;
         }
         const LatticePeriods periods = lattice_periods(c_.bed);
@@ -135,13 +134,13 @@ class SpaceValidation {
             add({"numerics.spacing", "bed.sphere_diameter"},
                 fmt::format("[numerics] spacing is {}: less than {:.0f} particles over a sphere of {} do not "
                             "resolve its drag; make the spacing {} or less",
-                            length_text(c_.numerics.spacing), particles_over_sphere, length_text(d),
-                            length_text(d / particles_over_sphere)));
+                            shown_length(c_.numerics.spacing), particles_over_sphere, shown_length(d),
+                            shown_length(d / particles_over_sphere)));
         }
         if (c_.sphere_ramp() > d) {
             add({"bed.sphere_ramp"},
                 fmt::format("[bed] sphere_ramp is {}: expected at most the sphere diameter {}",
-                            length_text(c_.sphere_ramp()), length_text(d)));
+                            shown_length(c_.sphere_ramp()), shown_length(d)));
         }
     }
 
@@ -157,7 +156,7 @@ class SpaceValidation {
             fmt::format(
                 "[channel] {} is {}: the spheres do not tile it, as their lattice repeats every {} = {}; "
                 "take {} or {}",
-                name, length_text(extent), period_text, rounded_length_text(period),
+                name, shown_length(extent), period_text, rounded_length_text(period),
                 rounded_length_text(below), rounded_length_text(above)));
     }
 
@@ -181,21 +180,21 @@ class SpaceValidation {
                 fmt::format(
                     "[side_walls] layer is {}, thinner than the spacing {}: hardly a particle would feel "
                     "the drag of the wall; make it thicker or the spacing smaller",
-                    length_text(layer), length_text(c_.numerics.spacing)));
+                    shown_length(layer), shown_length(c_.numerics.spacing)));
         }
         const double edge_zone = c_.turbulence.edge_zone * 0.5 * c_.total_depth();
         if (c_.turbulence.closure == ClosureKind::czernuszenko_rylov && layer > edge_zone) {
             add({"side_walls.layer", "turbulence.edge_zone"},
                 fmt::format("[side_walls] layer is {}, thicker than the edge zone of the mixing lengths, "
                             "edge_zone H / 2 = {}: make it thinner, or edge_zone larger",
-                            length_text(layer), rounded_length_text(edge_zone)));
+                            shown_length(layer), rounded_length_text(edge_zone)));
         }
         if (layer > 0.25 * c_.channel.width) {
             add({"side_walls.layer", "channel.width"},
                 fmt::format(
                     "[side_walls] layer is {}: the layers of both walls would fill more than half of the "
                     "channel ({}); make it thinner",
-                    length_text(layer), length_text(c_.channel.width)));
+                    shown_length(layer), shown_length(c_.channel.width)));
         }
     }
 
@@ -213,7 +212,13 @@ void validate_space(const Case& c, const Places& places, Problems& problems) {
 void validate_snapshots(const Case& c, const Places& places, Problems& problems) {
     constexpr std::array<const char*, 4> known = {"velocity", "pressure", "density", "eddy_viscosity"};
     std::istringstream fields(c.output.snapshot_fields);
+    std::set<std::string> given;
     for (std::string field; fields >> field;) {
+        if (!given.insert(field).second) {
+            problems.add(places.of_first({"output.snapshot_fields"}),
+                         fmt::format("[output] snapshot_fields: \"{}\" is named twice: remove one", field));
+            break;
+        }
         if (std::find(known.begin(), known.end(), field) == known.end()) {
             problems.add(
                 places.of_first({"output.snapshot_fields"}),
@@ -241,7 +246,7 @@ void validate_snapshots(const Case& c, const Places& places, Problems& problems)
             problems.add(
                 places.of_first({fmt::format("output.{}", name)}),
                 fmt::format("[output] {}: there is no water from {} to {}; expected a part of 0 to {}", name,
-                            length_text(range[0]), length_text(range[1]), length_text(extent)));
+                            shown_length(range[0]), shown_length(range[1]), shown_length(extent)));
         }
     }
 }

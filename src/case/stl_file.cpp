@@ -1,20 +1,22 @@
 // STL files: triangles without a unit. Binary: 80 bytes, a count, 50 bytes for each triangle (normal, three
-// corners, two spare bytes). Text: "solid", then "facet ... vertex x y z" three times ... "endfacet".
+// corners, two spare bytes). Text: "solid", then "facet ... vertex x y z" three times ... "endfacet", and so
+// on until "endsolid"; several of these may follow each other.
+
+#include "case/stl_file.hpp"
 
 #include <fmt/format.h>
 
+#include <array>
 #include <bit>
-#include <cmath>
+#include <charconv>
 #include <cstdint>
 #include <cstring>
 #include <fstream>
-#include <map>
-#include <sstream>
-#include <string>
-#include <utility>
+#include <system_error>
 
 #include "base/error.hpp"
-#include "case/solid_mesh.hpp"
+#include "base/machine.hpp"
+#include "base/notice.hpp"
 
 namespace riffle {
 
@@ -22,168 +24,207 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "binary STL files are little-endian");
 
-std::string text_of(const Point3& p) { return fmt::format("({:g}, {:g}, {:g})", p[0], p[1], p[2]); }
+constexpr std::size_t header = 84;
+constexpr std::size_t record = 50;
 
-class StlReader {
+/// Words of a text, with the line that each stands on.
+class Words {
   public:
-    explicit StlReader(const std::filesystem::path& file) : name_(file.string()) {
-        std::ifstream stream(file, std::ios::binary);
-        std::ostringstream content;
-        content << stream.rdbuf();
-        if (!stream) {
-            throw FileError(fmt::format("{}: there is no such STL file, or it cannot be read", name_));
+    explicit Words(std::string_view text) : rest_(text) {}
+
+    /// The next word; empty at the end.
+    std::string_view next() {
+        std::size_t begin = 0;
+        for (; begin < rest_.size() && is_blank(rest_[begin]); ++begin) {
+            line_ += rest_[begin] == '\n' ? 1U : 0U;
         }
-        content_ = content.str();
+        std::size_t end = begin;
+        while (end < rest_.size() && !is_blank(rest_[end])) {
+            ++end;
+        }
+        const std::string_view word = rest_.substr(begin, end - begin);
+        rest_.remove_prefix(end);
+        return word;
     }
+    void skip_line() { rest_.remove_prefix(std::min(rest_.find('\n'), rest_.size())); }
+    [[nodiscard]] std::size_t line() const { return line_; }
+
+  private:
+    static bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+
+    std::string_view rest_;
+    std::size_t line_ = 1;
+};
+
+class TextReader {
+  public:
+    TextReader(std::string_view content, const std::string& name) : words_(content), name_(name) {}
 
     Triangles read() {
-        // Some programs begin binary files with "solid" too: the size decides.
-        std::uint32_t count = 0;
-        if (content_.size() >= header) {
-            std::memcpy(&count, content_.data() + 80, sizeof count);
+        bool in_solid = false;
+        for (std::string_view word = words_.next(); !word.empty(); word = words_.next()) {
+            if (!in_solid) {
+                if (word != "solid") {
+                    fault(fmt::format("expected `solid` or the end of the file, found `{}`", shown(word)));
+                }
+                words_.skip_line();  // a name of any words
+                in_solid = true;
+            } else if (word == "facet") {
+                read_facet();
+            } else if (word == "endsolid") {
+                words_.skip_line();
+                in_solid = false;
+            } else {
+                fault(fmt::format("expected `facet` or `endsolid`, found `{}`", shown(word)));
+            }
         }
-        const bool binary = content_.size() == header + record * static_cast<std::size_t>(count);
-        const bool text = content_.compare(0, 5, "solid") == 0;
-        if (!binary && !text) {
-            throw FileError(
-                content_.size() < header
-                    ? fmt::format("{}: not an STL file: shorter than the head of one and without \"solid\"",
-                                  name_)
-                    : fmt::format(
-                          "{}: not an STL file, or cut short: it announces {} triangles, {} bytes, and "
-                          "has {}",
-                          name_, count, header + record * static_cast<std::size_t>(count), content_.size()));
+        if (in_solid) {
+            fault("cut short: `endsolid` is missing");
         }
-        Triangles triangles = binary ? read_binary(count) : read_text();
-        if (triangles.empty()) {
-            throw FileError(fmt::format("{}: holds no triangle", name_));
-        }
-        check(triangles);
-        turn_outward(triangles);
-        return triangles;
+        return std::move(triangles_);
     }
 
   private:
-    static constexpr std::size_t header = 84;
-    static constexpr std::size_t record = 50;
-
-    [[noreturn]] void fault(std::size_t triangle, const std::string& what) const {
-        throw FileError(fmt::format("{}: triangle {}: {}", name_, triangle + 1, what));
+    [[noreturn]] void fault(const std::string& what) const {
+        throw FileError(fmt::format("{}:{}: {}", name_, words_.line(), what));
+    }
+    [[noreturn]] void facet_fault(const std::string& what) const {
+        fault(fmt::format("triangle {}: {}", triangles_.size() + 1, what));
     }
 
-    [[nodiscard]] Triangles read_binary(std::size_t count) const {
-        Triangles triangles(count);
-        for (std::size_t i = 0; i < count; ++i) {
-            std::array<float, 9> numbers{};
-            std::memcpy(numbers.data(), content_.data() + header + record * i + 12, sizeof numbers);
-            for (std::size_t k = 0; k < 9; ++k) {
-                triangles[i][k / 3][k % 3] = static_cast<double>(numbers[k]);
-            }
-        }
-        return triangles;
+    static std::string shown(std::string_view word) {
+        constexpr std::size_t longest = 40;
+        return std::string(word.substr(0, longest)) + (word.size() > longest ? "..." : "");
     }
 
-    [[nodiscard]] Triangles read_text() const {
-        std::istringstream stream(content_);
-        Triangles triangles;
-        std::string word;
+    void read_facet() {
+        Triangle t{};
         std::size_t corners = 0;
-        bool ended = false;
-        std::getline(stream, word);  // "solid" and a name of any words
-        while (stream >> word) {
-            if (word == "facet") {
-                triangles.emplace_back();
-                corners = 0;
-            } else if (word == "vertex") {
-                if (triangles.empty() || corners == 3) {
-                    fault(triangles.empty() ? 0 : triangles.size() - 1,
-                          "expected three lines `vertex x y z`");
-                }
-                for (double& x : triangles.back()[corners]) {
-                    if (!(stream >> x)) {
-                        fault(triangles.size() - 1, "expected `vertex` and three numbers");
-                    }
-                }
-                ++corners;
-            } else if (word == "endfacet" && corners != 3) {
-                fault(triangles.empty() ? 0 : triangles.size() - 1,
-                      fmt::format("has {} corners instead of 3", corners));
-            } else if (word == "endsolid") {
-                ended = true;
-                break;
+        for (std::string_view word = words_.next(); word != "endfacet"; word = words_.next()) {
+            if (word.empty()) {
+                facet_fault("cut short: `endfacet` is missing");
             }
+            if (word == "facet" || word == "endsolid") {
+                facet_fault(fmt::format("expected `endfacet`, found `{}`", word));
+            }
+            if (word != "vertex") {
+                continue;  // "normal", its numbers, "outer loop", "endloop"
+            }
+            if (corners == 3) {
+                facet_fault("expected three lines `vertex x y z`, found more");
+            }
+            for (double& x : t[corners]) {
+                x = number(words_.next());
+            }
+            ++corners;
         }
-        if (!ended) {
-            throw FileError(fmt::format("{}: cut short: `endsolid` is missing", name_));
+        if (corners != 3) {
+            facet_fault(fmt::format("has {} corners instead of 3", corners));
         }
-        return triangles;
+        triangles_.push_back(t);
     }
 
-    void check(const Triangles& triangles) const {
-        std::map<std::pair<Point3, Point3>, std::size_t> edges;
-        for (std::size_t i = 0; i < triangles.size(); ++i) {
-            const auto& t = triangles[i];
-            for (const Point3& corner : t) {
-                for (const double x : corner) {
-                    if (!std::isfinite(x)) {
-                        fault(i, "a coordinate is not a finite number");
-                    }
-                }
-            }
-            for (std::size_t k = 0; k < 3; ++k) {
-                const Point3& a = t[k];
-                const Point3& b = t[(k + 1) % 3];
-                if (a == b) {
-                    fault(i, fmt::format("two of its corners are the same, {}: it has no area", text_of(a)));
-                }
-                const auto [other, fresh] = edges.emplace(std::pair(a, b), i);
-                if (!fresh) {
-                    fault(i, fmt::format(
-                                 "its edge from {} to {} is passed in the same sense by triangle {}: one "
-                                 "of the two is turned over, or the surface meets itself there",
-                                 text_of(a), text_of(b), other->second + 1));
-                }
-            }
-            if (has_no_area(t)) {
-                fault(i, "its corners lie on a line: it has no area");
-            }
+    [[nodiscard]] double number(std::string_view word) const {
+        std::string_view digits = word;
+        if (digits.size() > 1 && digits.front() == '+' && digits[1] != '-') {
+            digits.remove_prefix(1);
         }
-        for (const auto& [edge, i] : edges) {
-            if (!edges.contains({edge.second, edge.first})) {
-                fault(i,
-                      fmt::format("its edge from {} to {} has no neighbour: the surface is not closed; close "
-                                  "it in the program that made it (its corners must agree to the last digit)",
-                                  text_of(edge.first), text_of(edge.second)));
-            }
+        double value = 0.0;
+        const auto [end, status] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+        if (end != digits.data() + digits.size() || status == std::errc::invalid_argument || digits.empty()) {
+            facet_fault(fmt::format("expected `vertex` and three numbers, found `{}`", shown(word)));
         }
+        if (status == std::errc::result_out_of_range) {
+            facet_fault(fmt::format("the number {} is too large or too small", shown(word)));
+        }
+        return value;
     }
 
-    static bool has_no_area(const std::array<Point3, 3>& t) {
-        Point3 a{};
-        Point3 b{};
-        for (std::size_t k = 0; k < 3; ++k) {
-            a[k] = t[1][k] - t[0][k];
-            b[k] = t[2][k] - t[0][k];
-        }
-        const double area =
-            std::hypot(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]);
-        return area <= 1e-12 * std::hypot(a[0], a[1], a[2]) * std::hypot(b[0], b[1], b[2]);
-    }
-
-    static void turn_outward(Triangles& triangles) {
-        if (SolidMesh(triangles).volume() < 0.0) {
-            for (auto& t : triangles) {
-                std::swap(t[1], t[2]);
-            }
-        }
-    }
-
-    std::string name_;
-    std::string content_;
+    Words words_;
+    const std::string& name_;
+    Triangles triangles_;
 };
+
+Triangles read_binary(std::string_view content, std::size_t count) {
+    Triangles triangles(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        std::array<float, 9> numbers{};
+        std::memcpy(numbers.data(), content.data() + header + record * i + 12, sizeof numbers);
+        for (std::size_t k = 0; k < 9; ++k) {
+            triangles[i][k / 3][k % 3] = static_cast<double>(numbers[k]);
+        }
+    }
+    return triangles;
+}
+
+/// Whether a file that begins with "solid" is a text: some programs begin binary files so, too.
+bool is_text(std::string_view content) {
+    return content.starts_with("solid") && content.find('\0') == std::string_view::npos;
+}
 
 }  // namespace
 
-Triangles read_stl(const std::filesystem::path& file) { return StlReader(file).read(); }
+Triangles parse_stl(std::string_view content, const std::string& name) {
+    std::uint32_t count = 0;
+    if (content.size() >= header) {
+        std::memcpy(&count, content.data() + 80, sizeof count);
+    }
+    const std::size_t announced = header + record * static_cast<std::size_t>(count);
+    const bool binary = content.size() == announced;
+    if (!binary && is_text(content)) {
+        Triangles triangles = TextReader(content, name).read();
+        if (triangles.empty()) {
+            throw FileError(fmt::format("{}: holds no triangle: give the closed surface of a body", name));
+        }
+        return triangles;
+    }
+    if (content.size() < header) {
+        throw FileError(
+            fmt::format("{}: not an STL file: shorter than the head of one and without \"solid\"", name));
+    }
+    if (!binary) {
+        throw FileError(
+            fmt::format("{}: not an STL file, or {}: it announces {} triangles, {} bytes, and "
+                        "has {}; write it anew",
+                        name, content.size() < announced ? "cut short" : "with something behind it", count,
+                        announced, content.size()));
+    }
+    if (count == 0) {
+        throw FileError(fmt::format("{}: holds no triangle: give the closed surface of a body", name));
+    }
+    return read_binary(content, count);
+}
+
+Triangles read_stl(const std::filesystem::path& file) {
+    const std::string name = file.string();
+    std::error_code error;
+    const std::uintmax_t size = std::filesystem::is_regular_file(file, error)
+                                    ? std::filesystem::file_size(file, error)
+                                    : static_cast<std::uintmax_t>(-1);
+    std::ifstream stream(file, std::ios::binary);
+    if (error || !stream || size == static_cast<std::uintmax_t>(-1)) {
+        throw FileError(fmt::format("{}: there is no such STL file, or it cannot be read", name));
+    }
+    // Beside the file: its triangles, their edges and corners, and the tree that finds them again.
+    constexpr std::uintmax_t memory_per_byte = 7;
+    const auto available = available_memory();
+    if (available && size > *available / memory_per_byte) {
+        throw FileError(fmt::format(
+            "{}: has {:.3g} GB, for which {:.3g} GB of memory are needed, and {:.3g} GB "
+            "are free: give the surface with fewer triangles",
+            name, 1e-9 * static_cast<double>(size), 1e-9 * static_cast<double>(memory_per_byte * size),
+            1e-9 * static_cast<double>(*available)));
+    }
+    constexpr std::uintmax_t takes_a_while = 20000000;
+    if (size > takes_a_while) {
+        notice(fmt::format("reading {}, {:.0f} MB", name, 1e-6 * static_cast<double>(size)));
+    }
+    std::string content(size, '\0');
+    stream.read(content.data(), static_cast<std::streamsize>(content.size()));
+    if (stream.gcount() != static_cast<std::streamsize>(content.size())) {
+        throw FileError(fmt::format("{}: cannot be read to its end", name));
+    }
+    return parse_stl(content, name);
+}
 
 }  // namespace riffle

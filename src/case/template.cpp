@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <sstream>
 #include <vector>
 
@@ -72,6 +73,30 @@ Case defaults_of(const Case& c) {
     return defaults;
 }
 
+/// When a key applies: `kind = "wave"`, of a key in another section with that section's name.
+std::string condition_text(const Key& key) {
+    const Key& other = *find_key(key.applies.id);
+    const std::string name = other.section == key.section ? other.name : key.applies.id;
+    return other.type == ValueType::integer
+               ? fmt::format("{} = {}", name, fmt::join(key.applies.words, " or "))
+               : fmt::format("{} = \"{}\"", name, fmt::join(key.applies.words, "\" or \""));
+}
+
+/// The keys of a section that a case may not give now, with what they take.
+std::string further_keys(const SectionKeys& section, const Case& c) {
+    std::map<std::string, std::vector<std::string>> keys;
+    for (const Key& key : section.keys) {
+        if (key.applies.strictly && !key_applies(key, c)) {
+            keys[condition_text(key)].push_back(key.name);
+        }
+    }
+    std::string text;
+    for (const auto& [condition, names] : keys) {
+        text += comment(fmt::format("With {} also: {}.", condition, fmt::join(names, ", ")));
+    }
+    return text;
+}
+
 /// What a repeated section looks like, all of it as comments.
 std::string section_example(const SectionKeys& section) {
     std::string text =
@@ -82,10 +107,7 @@ std::string section_example(const SectionKeys& section) {
             text += "#   " + line + "\n";
         }
         if (!key.applies.id.empty()) {
-            text +=
-                comment(fmt::format("only with {} = \"{}\"", key.applies.id.substr(section.name.size() + 1),
-                                    fmt::join(key.applies.words, "\", \"")),
-                        "  # ");
+            text += comment(fmt::format("only with {}", condition_text(key)), "  # ");
         }
         text += fmt::format("#   {} = {}\n", key.name,
                             key.example.empty() ? handy_value_text(key, key.get(Case{})) : key.example);
@@ -138,6 +160,7 @@ std::string case_template(const Case& c) {
             text += fmt::format("{}{} = {}\n", key.required || differs ? "" : "#", key.name,
                                 handy_value_text(key, value));
         }
+        text += further_keys(section, c);
     }
     return text;
 }

@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "base/error.hpp"
+#include "case/toml_nesting.hpp"
 #include "case/units.hpp"
 
 namespace riffle {
@@ -98,6 +99,7 @@ std::optional<double> bare_number(const std::string& text) {
 std::string Place::text() const { return line == 0 ? name : fmt::format("{}:{}:{}", name, line, column); }
 
 Document read_toml(const std::string& text, const std::string& name) {
+    refuse_deep_nesting(text, name);
     toml::table root;
     try {
         root = toml::parse(text);
@@ -147,11 +149,13 @@ RawValue read_option_text(const std::string& text) {
 
 RawValue read_option_value(const std::string& text) {
     try {
+        refuse_deep_nesting(text, "");
         const toml::table table = toml::parse("value = " + text);
         if (table.size() == 1 && table.contains("value")) {
             return raw_value(*table.get("value"));
         }
     } catch (const toml::parse_error&) {  // not TOML: a bare word or quantity
+    } catch (const InputError&) {         // nested too deep for any value
     }
     if (const auto number = bare_number(text)) {
         return *number;

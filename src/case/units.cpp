@@ -1,5 +1,7 @@
 #include "case/units.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -103,6 +105,30 @@ std::string unit_list(Dimension dimension) {
     return list;
 }
 
+std::optional<QuantityLimits> quantity_limits(Dimension dimension) {
+    switch (dimension) {
+        case Dimension::none:
+            break;
+        case Dimension::length:
+            return {{1e-9, 1e5, "molecules are larger, and no reach of 100 km is made of particles"}};
+        case Dimension::time:
+            return {{1e-9, 1e9, "no step is shorter, and 1e9 s are thirty years"}};
+        case Dimension::velocity:
+            return {{1e-9, 1e4, "sound in water has 1.5e3 m/s"}};
+        case Dimension::acceleration:
+            return {{1e-9, 1e4, "centrifuges for models reach a few hundred times gravity, 3e3 m/s2"}};
+        case Dimension::kinematic_viscosity:
+            return {{1e-12, 1e4, "water has 1e-6 m2/s, honey 1e-2 m2/s, lava up to 1e2 m2/s"}};
+        case Dimension::density:
+            return {{1e-3, 1e5, "air has 1.2 kg/m3, water 1e3 kg/m3, osmium 2.3e4 kg/m3"}};
+        case Dimension::discharge:
+            return {{1e-12, 1e7, "the Amazon carries 2e5 m3/s"}};
+        case Dimension::frequency:
+            return {{1e-9, 1e9, "no step is shorter, and 1e9 s are thirty years"}};
+    }
+    return std::nullopt;
+}
+
 std::optional<Dimension> dimension_of_unit(std::string_view symbol) {
     for (const Dimension dimension : dimensions) {
         for (const Unit& unit : units_of(dimension)) {
@@ -155,28 +181,49 @@ std::string number_text(double value) {
     return text;
 }
 
-std::string quantity_text(double value, Dimension dimension) {
-    std::string_view symbol = si_unit(dimension);
+std::string quantity_in(double value, std::string_view unit, Dimension dimension) {
     double scaled = value;
-    const bool small_length = dimension == Dimension::length && value != 0.0 && std::abs(value) < 1.0;
-    if (small_length) {
-        const std::string_view handy = std::abs(value) < 1e-4 ? "um" : "mm";
-        const double factor = handy == "um" ? 1e6 : 1e3;
-        // Round away the noise of the multiplication, but only when the exact value survives.
-        const double rounded = std::round(value * factor * 1e6) / 1e6;
-        if (rounded / factor == value) {
-            scaled = rounded;
-            symbol = handy;
+    for (const Unit& known : units_of(dimension)) {
+        if (known.symbol == unit && known.divisor != known.multiplier) {
+            // Round away the noise of the multiplication, but only when the exact value survives.
+            scaled = std::round(value * known.divisor / known.multiplier * 1e6) / 1e6;
+            if (scaled * known.multiplier / known.divisor != value) {
+                return "";
+            }
         }
     }
     std::array<char, 40> buffer{};
     const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), scaled).ptr;
     std::string text(buffer.data(), end);
-    if (!symbol.empty()) {
+    if (!unit.empty()) {
         text += " ";
-        text += symbol;
+        text += unit;
     }
     return text;
+}
+
+std::string_view handy_unit(double value, Dimension dimension) {
+    const double size = std::abs(value);
+    const std::string_view handy = dimension != Dimension::length || value == 0.0 || size >= 1.0 ? ""
+                                   : size < 1e-4                                                 ? "um"
+                                                                                                 : "mm";
+    return handy.empty() || quantity_in(value, handy, dimension).empty() ? si_unit(dimension) : handy;
+}
+
+std::string quantity_text(double value, Dimension dimension) {
+    return quantity_in(value, handy_unit(value, dimension), dimension);
+}
+
+std::string shown_quantity(double value, Dimension dimension) {
+    if (dimension != Dimension::length || value == 0.0) {
+        const std::string_view unit = si_unit(dimension);
+        return fmt::format("{:.6g}{}{}", value, unit.empty() ? "" : " ", unit);
+    }
+    const double size = std::abs(value);
+    const auto text = [&](double factor, const char* unit) {
+        return fmt::format("{:.6g} {}", factor * value, unit);
+    };
+    return size < 9.999995e-5 ? text(1e6, "um") : size < 0.9999995 ? text(1e3, "mm") : text(1.0, "m");
 }
 
 }  // namespace riffle

@@ -39,6 +39,16 @@ struct Unit {
 /// The accepted units as text: "m, dm, cm, mm, um, km".
 [[nodiscard]] std::string unit_list(Dimension dimension);
 
+/// Sizes beyond which a quantity cannot be meant: a wrong unit or a slip of the pen.
+struct QuantityLimits {
+    double least = 0.0;  ///< other than zero, SI
+    double most = 0.0;
+    std::string_view reason;  ///< what it is compared with
+};
+
+/// The limits of a dimension; nothing for Dimension::none.
+[[nodiscard]] std::optional<QuantityLimits> quantity_limits(Dimension dimension);
+
 /// The dimension that a unit symbol belongs to, if it is known at all.
 [[nodiscard]] std::optional<Dimension> dimension_of_unit(std::string_view symbol);
 
@@ -57,7 +67,19 @@ struct Quantity {
 /// Shortest TOML float that reads back as the same double.
 [[nodiscard]] std::string number_text(double value);
 
-/// A quantity for people, with a handy unit: "50 mm". Reads back as the same double.
+/// A quantity for case files, with a handy unit: "50 mm". Reads back as the same double.
 [[nodiscard]] std::string quantity_text(double value, Dimension dimension);
+
+/// The handy unit of a quantity of this size that reads back as the same double in it, else the SI unit.
+[[nodiscard]] std::string_view handy_unit(double value, Dimension dimension);
+
+/// A quantity in a given unit of its dimension, which must hold it exactly; empty where it does not.
+[[nodiscard]] std::string quantity_in(double value, std::string_view unit, Dimension dimension);
+
+/// A quantity for messages, in six digits with a handy unit: 0.05600000000000001 m as "56 mm".
+[[nodiscard]] std::string shown_quantity(double value, Dimension dimension);
+[[nodiscard]] inline std::string shown_length(double value) {
+    return shown_quantity(value, Dimension::length);
+}
 
 }  // namespace riffle

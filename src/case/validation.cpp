@@ -10,17 +10,11 @@
 #include "case/solid_validation.hpp"
 #include "case/space_validation.hpp"
 #include "case/units.hpp"
+#include "case/words.hpp"
 
 namespace riffle {
 
 namespace {
-
-std::string length_text(double value) { return quantity_text(value, Dimension::length); }
-
-/// A computed length: four digits are enough to choose one.
-std::string rounded_length_text(double value) {
-    return value < 1.0 ? fmt::format("{:.4g} mm", 1e3 * value) : fmt::format("{:.4g} m", value);
-}
 
 /// The checks, each a small function over the case; a failed one adds its message at the place of its keys.
 class Validation {
@@ -39,6 +33,7 @@ class Validation {
         check_turbulence();
         check_start();
         check_run();
+        check_surface_threshold();
         if (check_files) {
             check_file("start.file", c_.start.file);
             check_file("measured.velocity_profile", c_.measured.velocity_profile);
@@ -65,21 +60,21 @@ class Validation {
                 fmt::format(
                     "[bed] roughness_height is {}, more than the sphere diameter {}: expected at most one "
                     "diameter (\"1 D\"), since the drag needs the chord of the sphere at each height",
-                    length_text(height), length_text(bed.sphere_diameter)));
+                    shown_length(height), shown_length(bed.sphere_diameter)));
         }
         if (bed.datum_below_crest > height) {
             add({"bed.datum_below_crest", "bed.roughness_height"},
                 fmt::format(
                     "[bed] datum_below_crest is {}, below the bed level: expected at most the roughness "
                     "height {}",
-                    length_text(bed.datum_below_crest), length_text(height)));
+                    shown_length(bed.datum_below_crest), shown_length(height)));
         }
         if (c_.numerics.spacing > height) {
             add({"numerics.spacing", "bed.roughness_height"},
                 fmt::format(
                     "[numerics] spacing is {}, larger than the roughness height {}: no particle would "
                     "resolve the roughness zone; make the spacing {} or less",
-                    length_text(c_.numerics.spacing), length_text(height), length_text(height / 4)));
+                    shown_length(c_.numerics.spacing), shown_length(height), shown_length(height / 4)));
         }
     }
 
@@ -93,7 +88,7 @@ class Validation {
                     fmt::format(
                         "[bed] {} is {}, but a smooth bed (kind = \"{}\") has no roughness zone: remove the "
                         "key, set it to 0, or choose kind = \"spheres\"",
-                        name, length_text(value), kind));
+                        name, shown_length(value), kind));
             }
         }
     }
@@ -109,7 +104,7 @@ class Validation {
                     "[channel] length is {}: periodic ends need at least {}, two kernel supports of 2 h with "
                     "their skin, so that no particle meets its own image; make the reach longer or the "
                     "spacing smaller",
-                    length_text(c_.channel.length), rounded_length_text(2 * reach)));
+                    shown_length(c_.channel.length), shown_length(2 * reach)));
         }
         // Positions are 32-bit fractions of the length: a unit of 1e-5 spacings costs 1e-4 g in the
         // accelerations.
@@ -119,14 +114,14 @@ class Validation {
                 fmt::format(
                     "[channel] length is {}: at a spacing of {} the positions, 32-bit integers, resolve "
                     "channels of up to {}; make the channel shorter or the spacing larger",
-                    length_text(c_.channel.length), length_text(n.spacing), rounded_length_text(longest)));
+                    shown_length(c_.channel.length), shown_length(n.spacing), shown_length(longest)));
         }
         const double needed = c_.channel.top == Top::periodic ? 2 * reach : support;
         if (c_.total_depth() < needed) {
             add({"channel.depth", "numerics.spacing"},
                 fmt::format(
                     "[channel] the total depth is {}: at least {} ({}) is needed; make the spacing smaller",
-                    length_text(c_.total_depth()), rounded_length_text(needed),
+                    shown_length(c_.total_depth()), shown_length(needed),
                     c_.channel.top == Top::periodic ? "two kernel supports of 2 h with their skin"
                                                     : "one kernel support, 2 h"));
         }
@@ -173,7 +168,7 @@ class Validation {
             add({"turbulence.zero"},
                 fmt::format(
                     "[turbulence] zero is {}, not below the surface: expected less than the total depth {}",
-                    length_text(t.zero), length_text(c_.total_depth())));
+                    shown_length(t.zero), shown_length(c_.total_depth())));
         }
     }
 
@@ -201,7 +196,7 @@ class Validation {
                 if (s.amplitude >= c_.total_depth()) {
                     add({"start.amplitude"},
                         fmt::format("[start] amplitude is {}: expected less than the depth {}",
-                                    length_text(s.amplitude), length_text(c_.total_depth())));
+                                    shown_length(s.amplitude), shown_length(c_.total_depth())));
                 }
                 break;
             case StartKind::taylor_green:
@@ -259,17 +254,29 @@ class Validation {
 
     void check_run() {
         if (c_.run.average_from && *c_.run.average_from >= c_.run.time) {
-            add({"run.average_from"},
-                fmt::format(
-                    "[run] average_from is {} s, not before the end of the run at {} s: nothing would be "
-                    "averaged; make it smaller or the run longer",
-                    *c_.run.average_from, c_.run.time));
+            add({"run.average_from"}, fmt::format("[run] average_from is {:.6g} s, not before the end of the "
+                                                  "run at {:.6g} s: nothing would be "
+                                                  "averaged; make it smaller or the run longer",
+                                                  *c_.run.average_from, c_.run.time));
         }
         if (c_.run.until == RunUntil::converged && c_.channel.slope == 0 && c_.stirring.acceleration == 0) {
             add({"run.until", "channel.slope"},
                 "[run] until = \"converged\" needs a flow that becomes steady: with slope = 0 give a time, "
                 "for "
                 "example until = \"5 s\"");
+        }
+    }
+
+    void check_surface_threshold() {
+        const Output& output = c_.output;
+        const bool divergence = output.surface_detection == SurfaceDetection::position_divergence;
+        const double in_water = divergence ? c_.channel.dimensions : 1.0;
+        if (output.surface_threshold && *output.surface_threshold >= in_water) {
+            add({"output.surface_threshold", "output.surface_detection"},
+                fmt::format("[output] surface_threshold is {:.6g}, what surface_detection = \"{}\" is in the "
+                            "water or more: no surface would be found; expected less than {:g}, half of it "
+                            "on the surface itself",
+                            *output.surface_threshold, word(output.surface_detection), in_water));
         }
     }
 

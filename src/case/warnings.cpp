@@ -24,8 +24,6 @@ constexpr double velocity_to_maximum =
     1.4;                        ///< surface velocity over depth mean, at most, in the verified cases
 constexpr double small = 1e-9;  ///< for the comparison of ratios given as decimals
 
-std::string length_text(double value) { return quantity_text(value, Dimension::length); }
-
 bool near(double a, double b) { return std::abs(a - b) < small; }
 
 /// One list of warnings over a valid case. The measurements behind each bound stand in docs/theory.md.
@@ -64,13 +62,14 @@ class Warnings {
             add("numerics.spacing: {} leaves only {:.1f} rows in the roughness zone of {}; verified with "
                 "{:.0f} "
                 "and more ({} here)",
-                length_text(spacing), c_.bed.roughness_height / spacing, length_text(c_.bed.roughness_height),
-                in_roughness, length_text(c_.bed.roughness_height / in_roughness));
+                shown_length(spacing), c_.bed.roughness_height / spacing,
+                shown_length(c_.bed.roughness_height), in_roughness,
+                shown_length(c_.bed.roughness_height / in_roughness));
         }
         if (spacing > c_.total_depth() / over_depth * (1 + small)) {
             add("numerics.spacing: {} leaves only {:.0f} rows over the depth; verified with more than "
                 "{:.0f}{}",
-                length_text(spacing), c_.total_depth() / spacing, over_depth,
+                shown_length(spacing), c_.total_depth() / spacing, over_depth,
                 space ? ""
                       : " (2 mm at depths from 40 mm), at 3 mm and 50 mm the layers of the flow broke up");
         }

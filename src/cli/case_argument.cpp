@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "base/machine.hpp"
+#include "column/velocity_measurements.hpp"
+#include "particles/case_size.hpp"
 
 namespace riffle {
 
@@ -26,6 +29,18 @@ std::vector<Override> CaseArgument::overrides() const {
     return result;
 }
 
-Case CaseArgument::read() const { return read_case(file, overrides()); }
+Case CaseArgument::read() const {
+    Case c = read_case(file, overrides());
+    check_velocity_measurements(c);
+    return c;
+}
+
+void CaseArgument::add_large_to(CLI::App& verb) {
+    verb.add_flag("--large", large,
+                  "Build the case although it is larger than the free memory, or a length looks like a slip "
+                  "of units");
+}
+
+void CaseArgument::check_size_of(const Case& c) const { check_size(c, large, available_memory()); }
 
 }  // namespace riffle

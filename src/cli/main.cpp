@@ -7,7 +7,6 @@
 
 #include "base/error.hpp"
 #include "base/version.hpp"
-#include "case/nearest.hpp"
 #include "cli/terminal.hpp"
 #include "cli/verbs.hpp"
 
@@ -32,6 +31,7 @@ constexpr const char* examples = R"(Examples:
                                                     runs of all combinations, with orders of convergence
   riffle report results/my-flume                    one HTML page with figures and numbers
   riffle analyse results/my-flume                   profiles, fitted laws, surface, spectra as numbers
+  riffle help run                                   what a verb does, its options and examples
 
 Exit status: 0 success, 1 the simulation failed, 2 wrong command line or case, 3 a file cannot be
 read or written, 128 + n stopped by signal n with a checkpoint.)";
@@ -42,15 +42,8 @@ void print_usage_error(const CLI::App& app, const CLI::ParseError& error, int ar
     const std::string first = argc > 1 ? argv[1] : "";
     std::string message = error.what();
     if (used.empty() && (first.empty() || first.front() != '-')) {
-        std::vector<std::string> verbs;
-        for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; })) {
-            verbs.push_back(verb->get_name());
-        }
-        const auto meant = nearest_name(first, verbs);
-        message =
-            fmt::format("{}{}; the verbs are {}",
-                        first.empty() ? "a verb is missing" : fmt::format("unknown verb `{}`", first),
-                        meant ? fmt::format(": did you mean `{}`?", *meant) : "", fmt::join(verbs, ", "));
+        message = (first.empty() ? "a verb is missing" : fmt::format("unknown verb `{}`", first)) +
+                  verb_list(app, first);
     }
     print_error(fmt::format("{}\nriffle {}--help explains the command line.", message,
                             used.empty() ? "" : used.front()->get_name() + " "));
@@ -59,7 +52,6 @@ void print_usage_error(const CLI::App& app, const CLI::ParseError& error, int ar
 int parse_and_run(int argc, char** argv) {
     CLI::App app{
         "Riffle simulates turbulent flow in rivers and flumes over rough beds, with its free surface"};
-    app.footer(examples);
     app.require_subcommand(1);
     app.set_version_flag("--version", version());
     add_verb_new(app);
@@ -76,6 +68,8 @@ int parse_and_run(int argc, char** argv) {
     add_verb_bench(app);
     add_verb_schema(app);
     add_verb_version(app);
+    add_verb_help(app);
+    app.footer(examples);  // behind the verbs, which would take it over for themselves
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& e) {

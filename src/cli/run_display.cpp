@@ -18,14 +18,18 @@ static_assert(std::atomic<int>::is_always_lock_free, "set from a signal handler"
 
 extern "C" void riffle_note_signal(int number) { stop_signal.store(number); }
 
-std::string progress_text(const RunProgress& p) {
-    return fmt::format(
-        "t = {:.2f} of {:.4g} s | {:.0f} steps/s | {:.2f} M updates/s | {} left | U {:.4f} m/s | "
-        "drag/gravity "
-        "{:.3f} | order {:.2f} | u' {:.1f} mm/s | level {:.2f} mm",
-        p.time, p.end_time, p.steps_per_second, p.updates_per_second * 1e-6, duration_text(p.seconds_left),
-        p.depth_mean_velocity, p.drag_over_gravity, p.particle_order, 1e3 * p.velocity_fluctuation,
-        1e3 * p.mean_level);
+/// The most important first: a narrow terminal shows no more than fits.
+std::vector<std::string> progress_parts(const RunProgress& p) {
+    const bool certain = p.expected_end == p.end_time;
+    return {fmt::format("t = {:.2f} of {}{:.4g} s", p.time, certain ? "" : "about ", p.expected_end),
+            fmt::format("{}{} left", certain ? "" : "about ", duration_text(p.seconds_left)),
+            fmt::format("U {:.4f} m/s", p.depth_mean_velocity),
+            fmt::format("drag/gravity {:.3f}", p.drag_over_gravity),
+            fmt::format("level {:.2f} mm", 1e3 * p.mean_level),
+            fmt::format("u' {:.1f} mm/s", 1e3 * p.velocity_fluctuation),
+            fmt::format("order {:.2f}", p.particle_order),
+            fmt::format("{:.0f} steps/s", p.steps_per_second),
+            fmt::format("{:.2f} M updates/s", p.updates_per_second * 1e-6)};
 }
 
 void print_value(const char* label, double value, double half_width, std::optional<double> measured) {
@@ -44,31 +48,15 @@ void print_value(const char* label, double value, double half_width, std::option
 
 }  // namespace
 
-RunDisplay::RunDisplay(bool quiet) : quiet_(quiet), terminal_(error_stream_is_terminal()) {}
+RunDisplay::RunDisplay(bool quiet) : quiet_(quiet) {}
 
 void RunDisplay::show(const RunProgress& progress) {
-    if (quiet_) {
-        return;
-    }
-    if (terminal_) {
-        fmt::print(stderr, "\r\x1b[K{}", progress_text(progress));
-        std::fflush(stderr);
-        open_line_ = true;
-        return;
-    }
-    const auto now = std::chrono::steady_clock::now();
-    if (now - last_line_ >= std::chrono::seconds(10)) {
-        last_line_ = now;
-        fmt::print(stderr, "{}\n", progress_text(progress));
+    if (!quiet_) {
+        line_.show(progress_parts(progress));
     }
 }
 
-void RunDisplay::finish() {
-    if (open_line_) {
-        fmt::print(stderr, "\n");
-        open_line_ = false;
-    }
-}
+void RunDisplay::finish() { line_.finish(); }
 
 const std::atomic<int>& catch_stop_signals() {
     // The default action comes back after the first signal: a second Ctrl-C ends the program at once.

@@ -1,14 +1,13 @@
 #pragma once
 
 #include <atomic>
-#include <chrono>
 
+#include "cli/status_line.hpp"
 #include "solver/run.hpp"
 
 namespace riffle {
 
-/// The progress line of a run on standard error: rewritten in place on a terminal, a line every 10 s
-/// elsewhere.
+/// The progress line of a run on standard error.
 class RunDisplay {
   public:
     explicit RunDisplay(bool quiet);
@@ -18,9 +17,7 @@ class RunDisplay {
 
   private:
     bool quiet_;
-    bool terminal_;
-    bool open_line_ = false;
-    std::chrono::steady_clock::time_point last_line_{};
+    StatusLine line_;
 };
 
 /// Turn SIGINT and SIGTERM into a flag; the returned flag holds the signal's number once one has come.

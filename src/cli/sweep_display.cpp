@@ -13,22 +13,19 @@ namespace riffle {
 
 namespace {
 
-std::string progress_text(const SweepProgress& p) {
-    std::string text = fmt::format("{} of {} runs done", p.complete, p.runs);
+std::vector<std::string> progress_parts(const SweepProgress& p) {
+    std::vector<std::string> parts{fmt::format("{} of {} runs done", p.complete, p.runs)};
     if (p.failed > 0) {
-        text += fmt::format(", {} failed", p.failed);
+        parts.front() += fmt::format(", {} failed", p.failed);
     }
-    text += fmt::format(" | {} running", p.running.size());
-    constexpr std::size_t most = 3;
-    for (std::size_t i = 0; i < std::min(most, p.running.size()); ++i) {
-        text +=
-            fmt::format("{} {} {:.0f} %", i == 0 ? ":" : ",", p.running[i].name, 100.0 * p.running[i].share);
+    if (std::isfinite(p.seconds_left)) {
+        parts.push_back(fmt::format("about {} left", duration_text(p.seconds_left)));
     }
-    if (p.running.size() > most) {
-        text += " ...";
+    parts.push_back(fmt::format("{} running", p.running.size()));
+    for (const auto& run : p.running) {
+        parts.push_back(fmt::format("{} {:.0f} %", run.name, 100.0 * run.share));
     }
-    return text +
-           (std::isfinite(p.seconds_left) ? fmt::format(" | {} left", duration_text(p.seconds_left)) : "");
+    return parts;
 }
 
 /// The first line of a message; the rest is in the log of the run.
@@ -36,24 +33,15 @@ std::string first_line(const std::string& message) { return message.substr(0, me
 
 }  // namespace
 
-SweepDisplay::SweepDisplay(bool quiet) : quiet_(quiet), terminal_(error_stream_is_terminal()) {}
+SweepDisplay::SweepDisplay(bool quiet) : quiet_(quiet) {}
 
 void SweepDisplay::show(const SweepProgress& progress) {
-    if (quiet_) {
-        return;
-    }
+    // It is called far more often than anybody reads.
+    constexpr auto pause = std::chrono::milliseconds(200);
     const auto now = std::chrono::steady_clock::now();
-    const auto pause = terminal_ ? std::chrono::milliseconds(200) : std::chrono::milliseconds(10'000);
-    if (now - last_line_ < pause) {
-        return;
-    }
-    last_line_ = now;
-    if (terminal_) {
-        fmt::print(stderr, "\r\x1b[K{}", progress_text(progress));
-        std::fflush(stderr);
-        open_line_ = true;
-    } else {
-        fmt::print(stderr, "{}\n", progress_text(progress));
+    if (!quiet_ && now - last_ >= pause) {
+        last_ = now;
+        line_.show(progress_parts(progress));
     }
 }
 
@@ -68,13 +56,7 @@ void SweepDisplay::show_end(const SweepRun& run, const RunReport& report, bool r
     }
 }
 
-void SweepDisplay::clear() {
-    if (open_line_) {
-        fmt::print(stderr, "\r\x1b[K");
-        std::fflush(stderr);
-        open_line_ = false;
-    }
-}
+void SweepDisplay::clear() { line_.clear(); }
 
 void print_matrix(const std::vector<SweepRun>& runs, const std::vector<FolderStanding>& standings,
                   const std::vector<std::optional<Forecast>>& forecasts, const Shares& shares) {

@@ -3,13 +3,13 @@
 #include <chrono>
 #include <vector>
 
+#include "cli/status_line.hpp"
 #include "solver/forecast.hpp"
 #include "sweep/schedule.hpp"
 
 namespace riffle {
 
-/// The progress line of a sweep on standard error: rewritten in place on a terminal, a line every 10 s
-/// elsewhere; and a line on standard output for each run that ends.
+/// The progress line of a sweep on standard error, and a line on standard output for each run that ends.
 class SweepDisplay {
   public:
     explicit SweepDisplay(bool quiet);
@@ -20,9 +20,8 @@ class SweepDisplay {
 
   private:
     bool quiet_;
-    bool terminal_;
-    bool open_line_ = false;
-    std::chrono::steady_clock::time_point last_line_ = std::chrono::steady_clock::now();
+    StatusLine line_;
+    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
 /// The matrix of a sweep with what each run will take; nothing is forecast of those that are not to be run.

@@ -2,17 +2,23 @@
 
 #include <fmt/color.h>
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <cstdio>
 #include <cstdlib>
 #include <string_view>
 
+#include "base/notice.hpp"
+#include "base/visible_text.hpp"
+
 namespace riffle {
 
 namespace {
 
-void print_labelled(const char* label, fmt::color colour, const std::string& message) {
+void print_labelled(const char* label, fmt::color colour, const std::string& text) {
+    // It may quote file names, keys or words of a file, with whatever they hold.
+    const std::string message = visible_text(text, "\n\t");
     if (error_stream_has_colours()) {
         fmt::print(stderr, "riffle: {}: {}\n", fmt::styled(label, fmt::emphasis::bold | fmt::fg(colour)),
                    message);
@@ -33,10 +39,23 @@ bool error_stream_has_colours() {
     return error_stream_is_terminal() && !dumb && (no_colour == nullptr || *no_colour == '\0');
 }
 
+std::size_t terminal_columns() {
+    winsize size{};
+    constexpr std::size_t usual = 80;
+    return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1 ? size.ws_col : usual;
+}
+
 void print_error(const std::string& message) { print_labelled("error", fmt::color::crimson, message); }
 
 void print_warning(const std::string& message) {
     print_labelled("warning", fmt::color::dark_orange, message);
+}
+
+void show_notices() {
+    set_notices([](const std::string& what) {
+        fmt::print(stderr, "riffle: {} ...\n", visible_text(what));
+        std::fflush(stderr);
+    });
 }
 
 std::string duration_text(double seconds) {

@@ -97,6 +97,12 @@ void add_verb_analyse(CLI::App& app) {
         ->type_name("DIR");
     verb->add_option("--chapter", options->records.chapter, "Only this chapter")->type_name("NAME");
     add_record_options(*verb, options->records);
+    verb->footer(
+        "Examples:\n"
+        "  riffle analyse results/my-flume\n"
+        "  riffle analyse results/my-flume --window 20,60 --measured profile.csv\n"
+        "  riffle analyse results/my-flume --chapter surface --csv figures\n"
+        "  riffle analyse wave-probes.csv --case my-flume.toml");
     verb->callback([options] { run_analyse(*options); });
 }
 

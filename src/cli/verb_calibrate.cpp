@@ -165,6 +165,11 @@ void add_verb_calibrate(CLI::App& app) {
     verb->add_option("--write", options->write, "Write the case with the fitted values to this file");
     verb->add_flag("--force", options->force, "Let --write overwrite an existing file");
     verb->add_flag("--json", options->json, "Print everything as JSON, SI units");
+    verb->footer(
+        "Examples:\n"
+        "  riffle calibrate cases/rough-bed-2d/condition-2.toml\n"
+        "  riffle calibrate my-flume.toml --fit drag_coefficient,lambda\n"
+        "  riffle calibrate my-flume.toml --write calibrated.toml");
     verb->callback([options] { run_calibrate(*options); });
 }
 

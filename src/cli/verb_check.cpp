@@ -71,8 +71,11 @@ void print_forecast(const Case& c, const Forecast& f) {
     fmt::print("{}\nvalid\n", c.title.empty() ? c.path.string() : c.title);
     row("particles", fmt::format("{} fluid, {} wall", f.particles, f.wall_particles));
     row("spacing, h", fmt::format("{:.4g} mm, {:.4g} mm", 1e3 * f.spacing, 1e3 * f.smoothing_length));
-    row("sound speed", fmt::format("{:.4g} m/s ({:.3g} times the largest velocity)", f.sound_speed,
-                                   f.sound_speed / std::max(1e-12, f.maximum_velocity)));
+    row("sound speed",
+        fmt::format("{:.4g} m/s{}", f.sound_speed,
+                    f.maximum_velocity > 0.0 ? fmt::format(" ({:.3g} times the largest velocity)",
+                                                           f.sound_speed / f.maximum_velocity)
+                                             : ""));
     row("time step", fmt::format("{:.3g} s", f.time_step));
     if (f.relaxation_time) {
         row("relaxation time", fmt::format("{:.3g} s", *f.relaxation_time));
@@ -112,7 +115,9 @@ void print_json(const Forecast& f, const std::vector<std::string>& warnings) {
 }
 
 void check(const CheckVerb& verb) {
+    show_notices();
     const Case c = verb.argument.read();
+    verb.argument.check_size_of(c);
     const std::vector<std::string> warnings = case_warnings(c);
     for (const std::string& warning : warnings) {
         print_warning(warning);
@@ -132,9 +137,15 @@ void add_verb_check(CLI::App& app) {
     CLI::App* const command =
         app.add_subcommand("check", "Validate a case; particles, steps, time, memory and disk of its run");
     verb->argument.add_to(*command);
+    verb->argument.add_large_to(*command);
     add_threads_option(*command, verb->threads,
                        "Threads of the forecast (default: all processors that may be used)");
     command->add_flag("--json", verb->json, "Print the forecast as JSON (SI units)");
+    command->footer(
+        "Examples:\n"
+        "  riffle check my-flume.toml\n"
+        "  riffle check my-flume.toml --set numerics.spacing=1mm   what would a finer one cost?\n"
+        "  riffle check my-flume.toml --json > forecast.json");
     command->callback([verb] { check(*verb); });
 }
 

@@ -172,6 +172,11 @@ void add_verb_column(CLI::App& app) {
     options->argument.add_to(*verb);
     auto* const json = verb->add_flag("--json", options->json, "Print everything as JSON, SI units");
     verb->add_flag("--csv", options->csv, "Print the profile as CSV, SI units")->excludes(json);
+    verb->footer(
+        "Examples:\n"
+        "  riffle column my-flume.toml\n"
+        "  riffle column my-flume.toml --set turbulence.closure=nezu-rodi\n"
+        "  riffle column my-flume.toml --csv > profile.csv");
     verb->callback([options] { run_column(*options); });
 }
 

@@ -53,6 +53,11 @@ void add_verb_new(CLI::App& app) {
             "paper-2016")
         ->capture_default_str();
     verb->add_flag("--force", options->force, "Overwrite an existing file");
+    verb->footer(
+        "Examples:\n"
+        "  riffle new my-flume.toml\n"
+        "  riffle new my-flume.toml --from condition-2\n"
+        "  riffle new other.toml --from my-flume.toml   its values, with the comments of all keys");
     verb->callback([options] { write_new_case(*options); });
 }
 

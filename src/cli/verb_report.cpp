@@ -155,6 +155,11 @@ void add_verb_report(CLI::App& app) {
                    "The figures of the thesis' 2D chapter and of the paper, from the runs found in the given "
                    "folders (tools/thesis-chapter.sh makes them)");
     add_record_options(*verb, options->records);
+    verb->footer(
+        "Examples:\n"
+        "  riffle report results/my-flume\n"
+        "  riffle report results/coarse results/fine -o comparison.html\n"
+        "  riffle report results/my-flume --measured profile.csv");
     verb->callback([options] { run_report(*options); });
 }
 

@@ -23,7 +23,11 @@ struct RunVerb {
 };
 
 void run(const RunVerb& verb) {
+    if (!verb.options.quiet) {
+        show_notices();
+    }
     const Case c = verb.argument.read();
+    verb.argument.check_size_of(c);
     RunOptions options;
     options.folder = verb.folder.empty()
                          ? std::filesystem::path("results") / std::filesystem::path(verb.argument.file).stem()
@@ -51,6 +55,7 @@ void add_verb_run(CLI::App& app) {
     CLI::App* const command =
         app.add_subcommand("run", "Simulate a case; results, checkpoints and log go to one folder");
     verb->argument.add_to(*command);
+    verb->argument.add_large_to(*command);
     command
         ->add_option("-o,--output", verb->folder,
                      "Folder of the results (default: results/<name of the case>)")

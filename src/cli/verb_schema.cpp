@@ -41,6 +41,10 @@ void add_verb_schema(CLI::App& app) {
     verb->add_flag("--markdown", options->markdown,
                    "Print the reference page (docs/case-reference.md) instead");
     verb->add_option("-o,--output", options->file, "File to write to (default: the terminal)");
+    verb->footer(
+        "Examples:\n"
+        "  riffle schema -o case.schema.json\n"
+        "  riffle schema --markdown -o case-reference.md");
     verb->callback([options] { write_schema(*options); });
 }
 

@@ -285,6 +285,11 @@ void add_verb_section(CLI::App& app) {
         ->check(CLI::IsMember(starts))
         ->needs(time)
         ->capture_default_str();
+    verb->footer(
+        "Examples:\n"
+        "  riffle section cases/rough-bed-3d/condition-2.toml\n"
+        "  riffle section cases/rough-bed-3d/condition-2.toml --figure section.svg\n"
+        "  riffle section cases/rough-bed-3d/condition-2.toml --time 6 --from power-law");
     verb->callback([a] { run_section(*a); });
 }
 

@@ -115,6 +115,9 @@ void sweep(const SweepVerb& verb) {
     const std::vector<Outcome> outcomes = chosen_outcomes(verb.outcomes);
     const SweepInput input = input_of(verb);
     const std::vector<SweepRun> runs = read_matrix(input);
+    for (const SweepRun& run : runs) {
+        verb.argument.check_size_of(run.flow);
+    }
     ScheduleOptions options;
     options.jobs = verb.jobs;
     options.threads = verb.options.threads;
@@ -156,6 +159,7 @@ void add_verb_sweep(CLI::App& app) {
     CLI::App* const command = app.add_subcommand(
         "sweep", "Run a case for all combinations of some values; outcomes, orders of convergence, figures");
     verb->argument.add_to(*command);
+    verb->argument.add_large_to(*command);
     command
         ->add_option("--vary", verb->variations,
                      "A key and the values it takes; may be given several times, for all combinations")

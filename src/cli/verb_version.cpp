@@ -10,7 +10,12 @@
 namespace riffle {
 
 void add_verb_version(CLI::App& app) {
-    app.add_subcommand("version", "Version, build, instruction set and threads")->callback([] {
+    auto* const verb = app.add_subcommand("version", "Version, build, instruction set and threads");
+    verb->footer(
+        "Examples:\n"
+        "  riffle version\n"
+        "  RIFFLE_INSTRUCTION_SET=avx2 riffle version");
+    verb->callback([] {
         set_thread_count(0);
         fmt::print(
             "riffle {}\nbuild: {}\ninstruction set: {} (RIFFLE_INSTRUCTION_SET=baseline|avx2|avx512 forces "

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <string>
 
 namespace riffle {
 
@@ -21,6 +22,10 @@ void add_verb_watch(CLI::App& app);
 void add_verb_bench(CLI::App& app);
 void add_verb_schema(CLI::App& app);
 void add_verb_version(CLI::App& app);
+void add_verb_help(CLI::App& app);
+
+/// The verbs for a message about one that is none: ": did you mean `run`?; the verbs are new, check ...".
+[[nodiscard]] std::string verb_list(const CLI::App& app, const std::string& asked);
 
 /// Most threads that may be asked for; 0 stands for available_processors().
 inline constexpr int maximum_threads = 4096;

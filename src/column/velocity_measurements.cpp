@@ -46,6 +46,12 @@ VelocityMeasurements read_velocity_measurements(const Case& c) {
     return result;
 }
 
+void check_velocity_measurements(const Case& c) {
+    if (!c.measured.velocity_profile.empty()) {
+        static_cast<void>(read_velocity_measurements(c));
+    }
+}
+
 VelocityMeasurements measured_log_law(const Case& c, int points) {
     VelocityMeasurements result;
     if (!c.measured.friction_velocity || !c.measured.equivalent_roughness) return result;

@@ -19,6 +19,9 @@ struct VelocityMeasurements {
 /// line if it cannot be read, has no u or misses one, or has a point outside the water.
 [[nodiscard]] VelocityMeasurements read_velocity_measurements(const Case& c);
 
+/// Read that file, if the case names one, only to see that it is right: before a run, not after it.
+void check_velocity_measurements(const Case& c);
+
 /// The measured rough log law (thesis 2.3) with the case's measured u_* and k_s, at `points` evenly spaced
 /// heights between crest and surface: the measured profile to within its fit. Empty unless both are given.
 [[nodiscard]] VelocityMeasurements measured_log_law(const Case& c, int points = 10);

@@ -170,6 +170,7 @@ FluidViewIn<D>::FluidViewIn(const Case& c, const Particles<D>& particles, double
       h_(h),
       width_(D == 2 ? 1.0 : c.channel.simulated_width()),
       detection_(c.output.surface_detection),
+      surface_threshold_(c.output.surface_threshold.value_or(usual_surface_threshold(detection_, D))),
       mirrored_(mirror(c, particles, 2.0 * h)),
       volume_(particles.size() + mirrored_.of.size()),
       cells_(domain_, positions(), 2.0 * h) {
@@ -234,7 +235,8 @@ std::vector<double> FluidViewIn<D>::surface_at(std::span<const Vec<2>> at) const
     for (std::size_t i = 0; i < at.size(); ++i) {
         std::copy_n(at[i].begin(), D - 1, places[i].begin());
     }
-    return find_surface<D>(detection_, {domain_, positions(), volume_, kernel_, h_}, places);
+    return find_surface<D>(detection_, surface_threshold_, {domain_, positions(), volume_, kernel_, h_},
+                           places);
 }
 
 template <int D>

@@ -72,6 +72,7 @@ class FluidViewIn final : public FluidView {
     double h_;
     double width_;  ///< of a section: 1 in two dimensions
     SurfaceDetection detection_;
+    double surface_threshold_;
     Mirrored mirrored_;
     std::vector<double> volume_;  ///< of each particle, m2 or m3; then of each image
     ParticleCells<D> cells_;

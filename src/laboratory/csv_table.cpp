@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/visible_text.hpp"
 #include "laboratory/unit.hpp"
 
 namespace riffle {
@@ -137,6 +138,12 @@ class Reader {
         table_.header_line = line_;
         for (const std::string& field : fields) {
             CsvColumn column = heading(field);
+            if (const auto hidden = hidden_character(field)) {
+                fail(
+                    fmt::format("the heading of column {} holds the control character {}: remove it; is the "
+                                "file a text?",
+                                table_.columns.size() + 1, hidden->name));
+            }
             if (column.name.empty()) {
                 fail(fmt::format("expected a name for column {} in the header", table_.columns.size() + 1));
             }

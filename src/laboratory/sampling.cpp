@@ -12,6 +12,9 @@ namespace riffle {
 
 namespace {
 
+/// Most samples of an even record over the times that there are: bursts of two minutes each hour are 30.
+constexpr double largest_stretch = 50.0;
+
 double median_difference(std::span<const double> times) {
     std::vector<double> differences;
     for (std::size_t i = 1; i < times.size(); ++i) differences.push_back(times[i] - times[i - 1]);
@@ -36,6 +39,19 @@ EvenSampling find_even_sampling(std::span<const double> times, double tolerance,
     // Sums for the line through times over places, both counted from the first: small numbers.
     double slot_sum = 0;
     double time_sum = 0;
+    // Gaps become missing samples: one wrong time must not ask for more of them than fit the memory.
+    const double most = largest_stretch * static_cast<double>(times.size());
+    if (!((times.back() - times.front()) / interval <= most)) {
+        std::size_t widest = 1;
+        for (std::size_t i = 1; i < times.size(); ++i) {
+            widest = times[i] - times[i - 1] > times[widest] - times[widest - 1] ? i : widest;
+        }
+        throw FileError(fmt::format(
+            "{}: the time goes from {:.6g} s to {:.6g} s here, while half of the intervals are {:.6g} s or "
+            "less: on an even record more than {:.0f} of 100 samples would be missing; correct the time, or "
+            "give the stretches as files of their own",
+            row_name(widest), times[widest - 1], times[widest], interval, 100.0 - 100.0 / largest_stretch));
+    }
     for (std::size_t i = 1; i < times.size(); ++i) {
         const double steps = std::max(1.0, std::round((times[i] - times[i - 1]) / interval));
         sampling.slots[i] = sampling.slots[i - 1] + static_cast<std::size_t>(steps);

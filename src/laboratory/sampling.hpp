@@ -21,8 +21,9 @@ struct EvenSampling {
 /// Find the even grid of times (s): the interval is the median of the differences, each difference counts as
 /// the nearest whole number of intervals, and a least-squares line then gives start and interval. Throws
 /// FileError, which `row_name` tells the place of a row for ("PATH:LINE"), if there are fewer than two times,
-/// if they do not rise, or if a time is more than `tolerance` intervals from its place: the record was
-/// sampled unevenly, and a spectrum or correlation of it would be wrong.
+/// if they do not rise, if fifty times as many samples would be needed to fill the gaps, or if a time is more
+/// than `tolerance` intervals from its place: the record was sampled unevenly, and a spectrum or correlation
+/// of it would be wrong.
 [[nodiscard]] EvenSampling find_even_sampling(std::span<const double> times, double tolerance,
                                               const std::function<std::string(std::size_t)>& row_name);
 

@@ -1,9 +1,12 @@
 #include "particles/lattice.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <random>
 
+#include "base/notice.hpp"
 #include "case/outline.hpp"
 #include "case/solid_mesh.hpp"
 
@@ -116,16 +119,21 @@ Particles<D> lattice_particles(const Case& c) {
     }
     const bool everywhere = c.start.water_x.empty() && c.solids.empty();
     const WetPlaces wet(c);
-    const std::vector<SolidMesh> meshes = D == 3 ? meshes_of(c) : std::vector<SolidMesh>();
+    const auto meshes = D == 3 ? meshes_of(c) : nullptr;
     const auto is_wet = [&](int column, int file, int row) {
         if constexpr (D == 2) {
             return wet.contain(lattice.x(column, row), lattice.z(row));
         } else {
             const Point3 p{lattice.x(column, row), lattice.y(file, row), lattice.z(row)};
-            return std::none_of(meshes.begin(), meshes.end(),
+            return std::none_of(meshes->begin(), meshes->end(),
                                 [&](const auto& mesh) { return mesh.contains(p); });
         }
     };
+    constexpr double takes_a_while = 2e6;
+    const double places = 1.0 * lattice.columns * files * rows;
+    if (places > takes_a_while) {
+        notice(fmt::format("placing {:.3g} particles", places));
+    }
     Particles<D> particles;
     particles.resize(static_cast<std::size_t>(lattice.columns) * static_cast<std::size_t>(files) *
                      static_cast<std::size_t>(rows));

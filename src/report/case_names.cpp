@@ -20,7 +20,8 @@ namespace {
 
 /// Sections that do not define the flow that is simulated, but for the surface that its measurements take.
 constexpr std::array<std::string_view, 3> aside = {"", "measured", "output"};
-constexpr std::string_view measured_surface = "output.surface_detection";
+constexpr std::array<std::string_view, 2> measured_surface = {"output.surface_detection",
+                                                              "output.surface_threshold"};
 
 std::string shown_value(const Key& key, const Case& c) {
     std::string text = handy_value_text(key, key.get(c));
@@ -82,7 +83,10 @@ std::vector<CaseDifference> case_differences(const std::vector<const Case*>& cas
     for (const SectionKeys& section : key_table()) {
         const bool is_aside = std::find(aside.begin(), aside.end(), section.name) != aside.end();
         for (const Key& key : section.keys) {
-            if (is_aside && key.id() != measured_surface) continue;
+            if (is_aside && std::find(measured_surface.begin(), measured_surface.end(), key.id()) ==
+                                measured_surface.end()) {
+                continue;
+            }
             CaseDifference difference{key.id(), words(key.name), {}};
             for (const Case* c : cases) {
                 difference.values.push_back(key_applies(key, *c) ? shown_value(key, *c) : "–");

@@ -111,4 +111,24 @@ Convergence test_convergence(const SteadinessRecord& record, double relaxation_t
     return last;
 }
 
+double expected_end(const Convergence& test, double time, double relaxation_time, double tolerance,
+                    double latest) {
+    if (test.converged) {
+        return std::min(time, latest);
+    }
+    double end = std::max(time, std::max(test.window_start, 3.0 * relaxation_time) + relaxation_time);
+    const double mean = std::abs(test.mean.mean);
+    const double window = time - test.window_start;
+    if (mean > 0.0 && window > 0.0) {
+        if (test.remaining_drift > tolerance) {
+            end = std::max(end, time + relaxation_time * std::log(test.remaining_drift / tolerance));
+        }
+        const double width = test.mean.half_width / mean;
+        if (width > tolerance) {
+            end = std::max(end, test.window_start + window * (width / tolerance) * (width / tolerance));
+        }
+    }
+    return std::min(end, latest);
+}
+
 }  // namespace riffle

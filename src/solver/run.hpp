@@ -26,10 +26,12 @@ struct RunFiles {
 struct RunProgress {
     double time = 0.0;      ///< simulated, s
     double end_time = 0.0;  ///< latest end, s
+    /// Where the run will end, s: the latest end, or where convergence is expected from what it lacks now.
+    double expected_end = 0.0;
     std::int64_t steps = 0;
     double steps_per_second = 0.0;
     double updates_per_second = 0.0;  ///< particle force evaluations per second
-    double seconds_left = 0.0;        ///< wall clock, to the latest end
+    double seconds_left = 0.0;        ///< wall clock, to the expected end
     double depth_mean_velocity = 0.0;
     double drag_over_gravity = 0.0;
     double particle_order = 0.0;

@@ -4,6 +4,7 @@
 #include <spdlog/sinks/basic_file_sink.h>
 
 #include "base/error.hpp"
+#include "base/visible_text.hpp"
 
 namespace riffle {
 
@@ -29,8 +30,8 @@ RunLog::~RunLog() = default;
 RunLog::RunLog(RunLog&&) noexcept = default;
 RunLog& RunLog::operator=(RunLog&&) noexcept = default;
 
-void RunLog::info(const std::string& line) { impl_->logger.info("{}", line); }
-void RunLog::warning(const std::string& line) { impl_->logger.warn("{}", line); }
-void RunLog::error(const std::string& line) { impl_->logger.error("{}", line); }
+void RunLog::info(const std::string& line) { impl_->logger.info("{}", visible_text(line, "\n\t")); }
+void RunLog::warning(const std::string& line) { impl_->logger.warn("{}", visible_text(line, "\n\t")); }
+void RunLog::error(const std::string& line) { impl_->logger.error("{}", visible_text(line, "\n\t")); }
 
 }  // namespace riffle

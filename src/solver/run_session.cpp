@@ -276,13 +276,18 @@ void RunSession<D>::report_progress() {
     RunProgress progress;
     progress.time = clock.time;
     progress.end_time = case_.run.time;
+    progress.expected_end =
+        case_.run.until == RunUntil::converged && twins_.column
+            ? expected_end(convergence_, clock.time, twins_.relaxation_time().value_or(0.0),
+                           case_.run.tolerance, case_.run.time)
+            : case_.run.time;
     progress.steps = clock.steps;
     progress.steps_per_second = static_cast<double>(clock.steps - first_step_) / seconds;
     progress.updates_per_second = progress.steps_per_second * simulation_->evaluations_per_step() *
                                   static_cast<double>(simulation_->particles().size());
     progress.seconds_left =
         progress.steps_per_second > 0.0 && clock.time_step > 0.0
-            ? std::max(0.0, case_.run.time - clock.time) / clock.time_step / progress.steps_per_second
+            ? std::max(0.0, progress.expected_end - clock.time) / clock.time_step / progress.steps_per_second
             : 0.0;
     progress.depth_mean_velocity = series.last("depth_mean_velocity");
     progress.drag_over_gravity = series.last("drag_over_gravity");

@@ -217,10 +217,10 @@ class SimulationOf final : public SimulationIn<D> {
     WallLaw wall_law_;
     WallMotion motion_;
     SolidContact contact_;
-    std::vector<SolidMesh> meshes_;        ///< of the solids, in three dimensions
-    std::vector<BodyState> bodies_after_;  ///< at the end of the step; empty without solids
-    std::vector<double> contact_depth_;    ///< by block, the largest of the step, m
-    std::vector<BodyState> bodies_;        ///< at the begin of the step; empty where no wall moves
+    std::shared_ptr<const std::vector<SolidMesh>> meshes_;  ///< of the solids, in three dimensions
+    std::vector<BodyState> bodies_after_;                   ///< at the end of the step; empty without solids
+    std::vector<double> contact_depth_;                     ///< by block, the largest of the step, m
+    std::vector<BodyState> bodies_;  ///< at the begin of the step; empty where no wall moves
     std::unique_ptr<const Closure> closure_;
     std::unique_ptr<const BedDrag> drag_;
     bool side_drag_ = false;      ///< side walls with drag

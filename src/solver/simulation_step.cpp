@@ -29,7 +29,7 @@ SimulationOf<D, Real>::SimulationOf(const Case& c, const ColumnResult* column, P
       wall_law_(wall_law(c)),
       motion_(c),
       contact_(D == 2 ? SolidContact(c) : SolidContact()),
-      meshes_(D == 3 ? meshes_of(c) : std::vector<SolidMesh>()),
+      meshes_(D == 3 ? meshes_of(c) : nullptr),
       closure_(make_closure(c)),
       drag_(make_bed_drag(c)),
       stirring_(c, c.stirring.celerity.value_or(column != nullptr ? column->total_mean_velocity : 0.0)),

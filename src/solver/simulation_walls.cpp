@@ -158,7 +158,8 @@ void SimulationOf<D, Real>::check_solids() const {
     for (std::size_t k = 0; k < case_.solids.size(); ++k) {
         const auto is_deep = [&](const Vec<D>& place) {
             if constexpr (D == 3) {
-                return meshes_[k].contains(place) && meshes_[k].nearest(place).distance > spacing;
+                const SolidMesh& mesh = (*meshes_)[k];
+                return mesh.contains(place) && !mesh.nearest(place, spacing);
             } else {
                 return contact_.depth(k, bodies, place) > spacing;
             }

@@ -321,24 +321,24 @@ template std::vector<double> surface_by_depth_sum<3>(const FluidParticles<3>&, s
                                                      double);
 
 template <int D>
-std::vector<double> find_surface(SurfaceDetection detection, const FluidParticles<D>& fluid,
+std::vector<double> find_surface(SurfaceDetection detection, double threshold, const FluidParticles<D>& fluid,
                                  std::span<const Vec<D - 1>> at) {
     switch (detection) {
         case SurfaceDetection::volume_fraction:
-            return surface_by_volume_fraction<D>(fluid, at);
+            return surface_by_volume_fraction<D>(fluid, at, threshold);
         case SurfaceDetection::position_divergence:
-            return surface_by_position_divergence<D>(fluid, at);
+            return surface_by_position_divergence<D>(fluid, at, threshold);
         case SurfaceDetection::density_ratio:
-            return surface_by_density_ratio<D>(fluid, at);
+            return surface_by_density_ratio<D>(fluid, at, threshold);
         case SurfaceDetection::depth_sum:
             return surface_by_depth_sum<D>(fluid, at);
     }
     return {};
 }
 
-template std::vector<double> find_surface<2>(SurfaceDetection, const FluidParticles<2>&,
+template std::vector<double> find_surface<2>(SurfaceDetection, double, const FluidParticles<2>&,
                                              std::span<const Vec<1>>);
-template std::vector<double> find_surface<3>(SurfaceDetection, const FluidParticles<3>&,
+template std::vector<double> find_surface<3>(SurfaceDetection, double, const FluidParticles<3>&,
                                              std::span<const Vec<2>>);
 
 }  // namespace riffle

@@ -28,14 +28,14 @@ struct FluidParticles {
 template <int D>
 [[nodiscard]] std::vector<double> surface_by_position_divergence(const FluidParticles<D>& fluid,
                                                                  std::span<const Vec<D - 1>> at,
-                                                                 double threshold = 0.5 * D);
+                                                                 double threshold);
 
 /// By the contour of the volume fraction sum V_j W(r - r_j), 1 inside the water, 1/2 on its surface. Scanned
 /// from above to `threshold`.
 template <int D>
 [[nodiscard]] std::vector<double> surface_by_volume_fraction(const FluidParticles<D>& fluid,
                                                              std::span<const Vec<D - 1>> at,
-                                                             double threshold = 0.5);
+                                                             double threshold);
 
 /// By the density ratio of the particles (Koshizuka, Nobe & Oka 1998, with the kernel's sum for the number
 /// density): those with rho_a/rho0 = sum V_b W_ab < `ratio` (0.8-0.99 in the literature) are of the surface.
@@ -43,8 +43,7 @@ template <int D>
 /// surface.
 template <int D>
 [[nodiscard]] std::vector<double> surface_by_density_ratio(const FluidParticles<D>& fluid,
-                                                           std::span<const Vec<D - 1>> at,
-                                                           double ratio = 0.9);
+                                                           std::span<const Vec<D - 1>> at, double ratio);
 
 /// By the depth of the water column (Tis Isat; thesis chapter 2, its printed form mended): sum V_j W(|x -
 /// x_j|) with the kernel of D - 1 dimensions, above `bed_level`. It has the water's volume exactly; it knows
@@ -55,9 +54,10 @@ template <int D>
                                                        std::span<const Vec<D - 1>> at,
                                                        double bed_level = 0.0);
 
-/// The surface by one of these ways, with its usual threshold.
+/// The surface by one of these ways; the depth sum has no threshold.
 template <int D>
-[[nodiscard]] std::vector<double> find_surface(SurfaceDetection detection, const FluidParticles<D>& fluid,
+[[nodiscard]] std::vector<double> find_surface(SurfaceDetection detection, double threshold,
+                                               const FluidParticles<D>& fluid,
                                                std::span<const Vec<D - 1>> at);
 
 }  // namespace riffle

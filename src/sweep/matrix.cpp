@@ -8,6 +8,7 @@
 #include <set>
 
 #include "base/error.hpp"
+#include "column/velocity_measurements.hpp"
 #include "solver/run.hpp"
 
 namespace riffle {
@@ -237,6 +238,7 @@ std::vector<SweepRun> read_matrix(const SweepInput& input) {
     for (const Combination& combination : combinations) {
         try {
             Case c = read_case(input.case_file, overrides_of(input, combination));
+            check_velocity_measurements(c);
             check_runnable(c);
             runs.push_back({combination, std::move(c), input.folder / combination.name});
         } catch (const InputError& error) {

@@ -1,5 +1,7 @@
 """Input that is wrong: every message says what, where, what was expected; nothing is left behind."""
-from riffle_cli import CASE, SMALL, CommandLineTest, main, riffle, until
+import subprocess
+
+from riffle_cli import CASE, RIFFLE, SMALL, CommandLineTest, main, riffle, until
 
 
 class BadInput(CommandLineTest):
@@ -33,6 +35,50 @@ class BadInput(CommandLineTest):
         refuse(text.replace("[channel]", "[chanel]"), "chanel", "did you mean")
         refuse("slope 0.004\n", "flume.toml:1", "key = value")
         refuse("", "[channel]")
+
+    def test_lengths_in_metres_that_mean_millimetres(self):
+        for setting, length in (("channel.depth=50", "depth is 50 m"), ("numerics.spacing=20um", "spacing is 20 um")):
+            self.refuse(setting, length, "meant?", "--large", "particles")
+            self.fail_with(2, "check", CASE, "--set", setting, says=[length, "--large"])
+
+    def test_a_case_larger_than_the_memory(self):
+        def limited(*arguments):
+            return subprocess.run(["bash", "-c", 'ulimit -v 1500000 && exec "$@"', "bash", RIFFLE, *map(str, arguments)],
+                                  capture_output=True, text=True, timeout=240)
+
+        if limited("version").returncode != 0:
+            self.skipTest("this build needs more than 1.5 GB of address space for itself")
+        setting = ["--set", "channel.length=30", "--set", "channel.depth=0.7"]  # 5 million particles, nothing odd
+        result = limited("run", CASE, "-o", self.folder / "run", *setting)
+        self.assertEqual(result.returncode, 2, result.stderr)
+        for words in ("particles of water", "GB are free", "--large"):
+            self.assertIn(words, result.stderr)
+        self.assertFalse((self.folder / "run").exists())
+
+    def test_the_measured_profile_is_read_with_the_case(self):
+        profile = self.folder / "profile.csv"
+        setting = f'measured.velocity_profile="{profile}"'
+        self.refuse(setting, "there is no such file")
+        profile.write_text("z [mm], u [m/s]\n10, 0.2\n20, what\n")
+        self.fail_with(3, "run", CASE, "-o", self.folder / "run", "--set", setting, says=["profile.csv:3", "what"])
+        self.fail_with(3, "check", CASE, "--set", setting, says=["profile.csv:3"])
+        profile.write_text("z [mm], u [m/s]\n10, 0.2\n200, 0.3\n")
+        self.fail_with(3, "column", CASE, "--set", setting, says=["profile.csv:3", "within the water"])
+        profile.write_text("z [mm], u [m/s]\n10, 0.2\n20, 0.3\n")
+        self.succeed("check", CASE, "--set", setting)
+
+    def test_what_a_file_holds_does_not_reach_the_terminal(self):
+        case = self.folder / "flume.toml"
+        case.write_text(CASE.read_text() + '\n["\\u001b[2J"]\nx = 1\n')
+        self.fail_with(2, "check", case, says=["<U+001B>[2J"])
+        self.fail_with(2, "check", CASE, "--set", "title=\x1b[2J", says=["U+001B"])
+        self.fail_with(3, "check", "no\x1b[2Jsuch", says=["<U+001B>"])
+
+    def test_nesting_without_end(self):
+        case = self.folder / "flume.toml"
+        case.write_text(CASE.read_text() + "a" + 50000 * ".a" + " = 1\n")
+        line = case.read_text().count("\n")
+        self.fail_with(2, "check", case, says=[f"flume.toml:{line}:", "parts"])
 
     def test_instruments(self):
         case = self.folder / "flume.toml"

@@ -1,27 +1,38 @@
 """The command line itself: help, unknown words, silence, colours, and what each verb prints."""
 import json
+import fcntl
 import os
 import pty
+import re
+import struct
 import subprocess
+import termios
+import threading
 import tomllib
 import xml.etree.ElementTree
 
-from riffle_cli import CASE, RIFFLE, SMALL, SOURCE, CommandLineTest, main, until
+from riffle_cli import CASE, RIFFLE, SMALL, SOURCE, CommandLineTest, every, main, until
 
-VERBS = ["new", "check", "column", "section", "calibrate", "run", "resume", "report", "watch", "bench", "schema",
-         "version"]
+VERBS = ["new", "check", "column", "section", "calibrate", "run", "resume", "sweep", "report", "analyse", "watch", "bench",
+         "schema", "version", "help"]
 
 
 class CommandLine(CommandLineTest):
-    def test_every_verb_has_help_with_options_and_examples(self):
+    def test_every_verb_has_help_with_options_and_examples_of_its_own(self):
         overview = self.succeed("--help").stdout
+        self.assertEqual(overview, self.succeed("help").stdout)
         for verb in VERBS:
             with self.subTest(verb=verb):
                 self.assertRegex(overview, rf"(?m)^\s+{verb}\s")
                 text = self.succeed(verb, "--help").stdout
+                self.assertEqual(text, self.succeed("help", verb).stdout)
                 self.assertIn("--help", text)
-                self.assertIn(f"riffle {verb}", text.split("Examples:")[-1] if verb in ("run", "resume") else text)
-                self.assertIn("Examples:", text)
+                examples = re.findall(r"(?m)^  (?:\w+=\w+ )?riffle (\w+)", text.split("Examples:")[1])
+                self.assertGreaterEqual(len(examples), 2)
+                self.assertEqual(set(examples), {verb})
+
+    def test_help_of_an_unknown_verb_names_the_nearest(self):
+        self.fail_with(2, "help", "swep", says=["unknown verb `swep`", "did you mean `sweep`?"])
 
     def test_unknown_verb_names_the_nearest(self):
         self.fail_with(2, "rnu", says=["unknown verb `rnu`", "did you mean `run`?", "resume"])
@@ -66,6 +77,67 @@ class CommandLine(CommandLineTest):
         self.assertNotIn("\x1b", on_terminal(NO_COLOR="1"))
         self.assertNotIn("\x1b", on_terminal(NO_COLOR="", TERM="dumb"))
 
+    def progress_on_terminal(self, columns, *arguments, then=None):
+        """What a run writes to a terminal so many columns wide; `then`: as wide later."""
+        leader, follower = pty.openpty()
+
+        def widen(width):
+            fcntl.ioctl(leader, termios.TIOCSWINSZ, struct.pack("HHHH", 24, width, 0, 0))
+
+        widen(columns)
+        if then:
+            threading.Timer(1.0, widen, [then]).start()
+        run = subprocess.Popen([RIFFLE, "run", *map(str, arguments)], stdout=subprocess.DEVNULL, stderr=follower,
+                               env={**os.environ, "TERM": "xterm", "NO_COLOR": "1"})
+        os.close(follower)
+        written = b""
+        while True:
+            try:
+                part = os.read(leader, 65536)
+            except OSError:  # the run has ended and closed its side
+                break
+            if not part:
+                break
+            written += part
+        run.wait()
+        os.close(leader)
+        return [re.sub(r"\x1b\[\d*[A-Za-z]", "", line).strip("\n\r")
+                for line in written.decode().split("\r") if line.strip()]
+
+    def test_progress_fits_the_terminal(self):
+        run = [CASE, "-j", "1", *SMALL, *until(1), *every(progress=0.05)]
+        shown = {}
+        for columns in (40, 80, 200):
+            lines = [line for line in self.progress_on_terminal(columns, *run, "-o", self.folder / str(columns))
+                     if line.startswith("t = ")]
+            self.assertGreater(len(lines), 2)
+            self.assertLess(max(map(len, lines)), columns)
+            shown[columns] = max(map(len, lines))
+        self.assertLess(shown[40], shown[80])
+        self.assertGreater(shown[200], 100, "a wide terminal shows all there is")
+
+    def test_progress_follows_the_terminal_that_becomes_narrower(self):
+        run = [CASE, "-j", "1", *until(60), *every(progress=0.05), "-o", self.folder / "run"]
+        lines = [line for line in self.progress_on_terminal(
+            150, *run, "--set", "numerics.spacing=2.5mm", "--set", "channel.length=0.06", *until(3), then=60)
+            if line.startswith("t = ")]
+        self.assertGreater(max(map(len, lines)), 100)
+        self.assertLess(len(lines[-1]), 60)
+
+    def test_progress_in_a_file_is_whole_lines(self):
+        result = self.succeed("run", CASE, "-o", self.folder / "run", *SMALL, *until(0.5), *every(progress=0.01))
+        lines = [line for line in result.stderr.splitlines() if line.startswith("t = ")]
+        self.assertEqual(len(lines), 1, "one line at first, the next after 10 s")
+        self.assertIn("M updates/s", lines[0])
+
+    def test_a_run_until_converged_counts_to_where_that_is_expected(self):
+        result = self.succeed("run", CASE, "-o", self.folder / "run", *SMALL, *every(progress=0.01), "--set",
+                              "run.maximum_time=0.2", "--set", "numerics.spacing=2.5mm")
+        self.assertRegex(result.stderr, r"t = [\d.]+ of 0.2 s")  # the latest end comes before
+        result = self.succeed("run", CASE, "-o", self.folder / "other", *SMALL, *every(progress=0.01), "-j", "1", "--set",
+                              "run.maximum_time=1000", "--set", "run.tolerance=0.5")
+        self.assertRegex(result.stderr, r"t = [\d.]+ of about 1\d\.?\d* s")  # four relaxation times of 4.5 s or less
+
     def test_new_writes_a_case_that_is_valid_and_is_not_overwritten(self):
         case = self.folder / "my flume.toml"
         self.succeed("new", case)
@@ -73,6 +145,19 @@ class CommandLine(CommandLineTest):
         self.fail_with(2, "new", case, says=[str(case), "--force"])
         self.succeed("new", case, "--force", "--from", "condition-3")
         self.assertIn("condition 3", case.read_text())
+
+    def test_the_template_shows_what_each_key_goes_with(self):
+        case = self.folder / "flume.toml"
+        self.succeed("new", case)
+        text = case.read_text()
+        self.assertIn("only with channel.dimensions = 2", text)
+        self.assertIn('only with kind = "velocity" or "wave"', text)
+        self.assertIn("With channel.dimensions = 3 also: sides.", text)
+        self.assertNotIn("l.dimensions =", text.replace("channel.dimensions", ""))
+        # Each default, its # removed, may stand there.
+        keys = [line[1:] if re.match(r"#\w+ = ", line) else line for line in text.splitlines()]
+        case.write_text("\n".join(keys) + "\n")
+        self.succeed("check", case)
 
     def test_check_forecasts_the_run(self):
         forecast = json.loads(self.succeed("check", CASE, "--json", *SMALL, *until(1)).stdout)

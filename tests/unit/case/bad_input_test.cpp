@@ -37,7 +37,7 @@ TEST(BadInput, KeyInTheWrongSectionIsSentHome) {
     EXPECT_THAT(error_of("slope = 0.1\n" + smallest),
                 HasSubstr("case.toml:1:1: unknown key `slope` before the first "
                           "section: it belongs in [channel]"));
-    EXPECT_THAT(error_of(smallest + "title = \"x\"\n"), HasSubstr("it stands before the first section"));
+    EXPECT_THAT(error_of(smallest + "title = \"x\"\n"), HasSubstr("it belongs before the first section"));
 }
 
 TEST(BadInput, UnknownSection) {
@@ -169,7 +169,7 @@ TEST(BadInput, SpacingLargerThanTheRoughness) {
 TEST(BadInput, ChannelTooLongForThePositions) {
     EXPECT_THAT(error_of(smallest, {{"channel.length", "100 m"}}),
                 HasSubstr("[channel] length is 100 m: at a spacing of 2 mm the positions, 32-bit integers, "
-                          "resolve channels of up to 85.9 m"));
+                          "resolve channels of up to 85.8993 m"));
     EXPECT_EQ(error_of(smallest, {{"channel.length", "85 m"}}), "");
 }
 

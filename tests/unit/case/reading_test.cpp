@@ -184,8 +184,8 @@ Value any_value(const Key& key) {
             return std::string(key.words[*rc::gen::inRange<std::size_t>(0, key.words.size())].name);
         case ValueType::text:
         case ValueType::file:
-            return *rc::gen::container<std::string>(
-                rc::gen::map(rc::gen::inRange(1, 127), [](int letter) { return static_cast<char>(letter); }));
+            return *rc::gen::container<std::string>(rc::gen::map(
+                rc::gen::inRange(0x20, 0x7f), [](int letter) { return static_cast<char>(letter); }));
     }
     return {};
 }
@@ -319,6 +319,9 @@ Case any_case() {
     }
     if (c.channel.dimensions == 3 && n.viscosity != ViscosityForm::morris) {
         c.turbulence.spanwise_ratio = 1.0;
+    }
+    if (c.output.surface_threshold) {
+        c.output.surface_threshold = *number_between(0.1, 0.9);
     }
     if (n.stepping == Stepping::verlet) {
         n.density_diffusion = DensityDiffusion::none;

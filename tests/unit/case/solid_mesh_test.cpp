@@ -13,6 +13,7 @@
 #include <string>
 
 #include "base/error.hpp"
+#include "case/stl_file.hpp"
 #include "case_test.hpp"
 
 namespace riffle {
@@ -35,6 +36,18 @@ Triangles box(const Point3& a, const Point3& b) {
         triangles.push_back({corner(f[0]), corner(f[2]), corner(f[3])});
     }
     return triangles;
+}
+
+Triangles turned(Triangles triangles) {
+    for (Triangle& t : triangles) {
+        std::swap(t[1], t[2]);
+    }
+    return triangles;
+}
+
+Triangles joined(Triangles a, const Triangles& b) {
+    a.insert(a.end(), b.begin(), b.end());
+    return a;
 }
 
 std::string text_of(const Triangles& triangles) {
@@ -75,29 +88,71 @@ std::filesystem::path file_of(const std::string& content) {
     return file;
 }
 
+ClosedSurface surface_of(const std::string& content) {
+    const auto file = file_of(content);
+    return closed_surface(read_stl(file), file.string());
+}
+
 std::string fault_of(const std::string& content) {
     try {
-        static_cast<void>(read_stl(file_of(content)));
+        static_cast<void>(surface_of(content));
     } catch (const FileError& e) {
         return e.what();
     }
     return "";
 }
 
+SolidMesh mesh_of(const Triangles& triangles) { return SolidMesh(closed_surface(triangles, "mesh.stl")); }
+
 TEST(StlFile, TextAndBinaryAreTheSame) {
     const Triangles triangles = box({0.0, 0.0, 0.0}, {2.0, 1.0, 0.5});
-    const Triangles text = read_stl(file_of(text_of(triangles)));
-    EXPECT_EQ(text, triangles);
-    EXPECT_EQ(read_stl(file_of(binary_of(triangles))), triangles);
+    const ClosedSurface text = surface_of(text_of(triangles));
+    EXPECT_EQ(text.triangles, triangles);
+    EXPECT_EQ(text.shells, 1U);
+    EXPECT_EQ(surface_of(binary_of(triangles)).triangles, triangles);
     EXPECT_NEAR(SolidMesh(text).volume(), 1.0, 1e-12);
 }
 
 TEST(StlFile, ASurfaceInsideOutIsTurned) {
+    EXPECT_NEAR(SolidMesh(surface_of(text_of(turned(box({0.0, 0.0, 0.0}, {2.0, 1.0, 0.5}))))).volume(), 1.0,
+                1e-12);
+}
+
+TEST(StlFile, AllSolidsOfATextAreRead) {
+    const auto small = text_of(box({0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}));
+    const auto other = text_of(box({2.0, 0.0, 0.0}, {3.0, 1.0, 1.0}));
+    const ClosedSurface both = surface_of(small + other);
+    EXPECT_EQ(both.shells, 2U);
+    EXPECT_NEAR(SolidMesh(both).volume(), 2.0, 1e-12);
+    EXPECT_THAT(fault_of(small + "something else\n"), HasSubstr("expected `solid` or the end of the file"));
+}
+
+// Programs round a corner that several triangles share in each of them.
+TEST(StlFile, CornersThatNearlyAgreeAreOne) {
     Triangles triangles = box({0.0, 0.0, 0.0}, {2.0, 1.0, 0.5});
-    for (auto& t : triangles) {
-        std::swap(t[1], t[2]);
+    double shift = 1e-15;
+    for (Triangle& t : triangles) {
+        for (Point3& corner : t) {
+            for (double& x : corner) {
+                x += shift = -shift * 1.1;  // up to 3e-14
+            }
+        }
     }
-    EXPECT_NEAR(SolidMesh(read_stl(file_of(text_of(triangles)))).volume(), 1.0, 1e-12);
+    EXPECT_NEAR(SolidMesh(closed_surface(triangles, "box.stl")).volume(), 1.0, 1e-9);
+    // A triangle whose corners fall together goes, and the surface stays closed.
+    Triangles with_sliver = box({0.0, 0.0, 0.0}, {2.0, 1.0, 0.5});
+    const Triangle first = with_sliver[0];
+    Point3 beside = first[1];
+    beside[0] += 1e-9;
+    with_sliver[0][1] = beside;
+    with_sliver.push_back({first[0], first[1], beside});
+    const ClosedSurface mended = closed_surface(with_sliver, "box.stl");
+    EXPECT_EQ(mended.triangles.size(), 12U);
+    EXPECT_NEAR(SolidMesh(mended).volume(), 1.0, 1e-9);
+    // What lies farther apart than the tolerance is a gap.
+    Triangles open = box({0.0, 0.0, 0.0}, {2.0, 1.0, 0.5});
+    open[0][0][0] += 3.0 * weld_tolerance * std::sqrt(4.0 + 1.0 + 0.25);
+    EXPECT_THROW(static_cast<void>(closed_surface(open, "box.stl")), FileError);
 }
 
 TEST(StlFile, FaultsNameFileAndTriangle) {
@@ -106,19 +161,24 @@ TEST(StlFile, FaultsNameFileAndTriangle) {
     open.erase(open.begin() + 4);
     EXPECT_THAT(fault_of(text_of(open)), HasSubstr("the surface is not closed"));
     EXPECT_THAT(fault_of(text_of(open)), HasSubstr("riffle_FaultsNameFileAndTriangle.stl: triangle "));
-    Triangles turned = whole;
-    std::swap(turned[6][0], turned[6][1]);
-    EXPECT_THAT(fault_of(text_of(turned)), HasSubstr("turned over"));
+    Triangles one_turned = whole;
+    std::swap(one_turned[6][0], one_turned[6][1]);
+    EXPECT_THAT(fault_of(text_of(one_turned)), HasSubstr("turned over"));
     Triangles flat = whole;
     flat[3][2] = flat[3][1];
-    EXPECT_THAT(fault_of(text_of(flat)), HasSubstr("triangle 4: two of its corners are the same"));
+    EXPECT_THAT(fault_of(text_of(flat)), HasSubstr("the surface is not closed"));
+    EXPECT_THAT(fault_of(text_of(Triangles(4, flat[3]))), HasSubstr("holds no triangle with an area"));
     std::string wrong = text_of(whole);
     wrong.replace(wrong.find("vertex") + 7, 1, "x");
-    EXPECT_THAT(fault_of(wrong), HasSubstr("triangle 1: expected `vertex` and three numbers"));
+    EXPECT_THAT(fault_of(wrong),
+                HasSubstr(".stl:4: triangle 1: expected `vertex` and three numbers, found `x"));
     const std::string binary = binary_of(whole);
-    EXPECT_THAT(fault_of(binary.substr(1, binary.size() - 11)), HasSubstr("cut short"));
+    EXPECT_THAT(fault_of(binary.substr(0, binary.size() - 10)), HasSubstr("cut short"));
     EXPECT_THAT(fault_of("solid x\nendsolid\n"), HasSubstr("holds no triangle"));
-    EXPECT_THAT(fault_of(text_of(whole).substr(0, 300)), HasSubstr("cut short: `endsolid` is missing"));
+    const std::string text = text_of(whole);
+    EXPECT_THAT(fault_of(text.substr(0, 300)), HasSubstr("cut short: `endfacet` is missing"));
+    EXPECT_THAT(fault_of(text.substr(0, text.find("endsolid"))),
+                HasSubstr("cut short: `endsolid` is missing"));
     std::string infinite = binary;
     const float nan = std::nanf("");
     std::memcpy(infinite.data() + 84 + 50 * 2 + 12, &nan, 4);
@@ -126,7 +186,7 @@ TEST(StlFile, FaultsNameFileAndTriangle) {
 }
 
 TEST(SolidMesh, KnowsInsideAndTheNearestPlace) {
-    const SolidMesh mesh(box({0.0, 0.0, 0.0}, {2.0, 1.0, 0.5}));
+    const SolidMesh mesh = mesh_of(box({0.0, 0.0, 0.0}, {2.0, 1.0, 0.5}));
     for (const double x : {-0.1, 0.1, 1.0, 1.9, 2.1}) {
         for (const double y : {-0.1, 0.25, 0.5, 0.9, 1.1}) {
             for (const double z : {-0.1, 0.1, 0.25, 0.4, 0.6}) {
@@ -137,12 +197,39 @@ TEST(SolidMesh, KnowsInsideAndTheNearestPlace) {
                 const double dz = std::max({-z, z - 0.5, 0.0});
                 const double exact = inside ? std::min({x, 2.0 - x, y, 1.0 - y, z, 0.5 - z})
                                             : std::sqrt(dx * dx + dy * dy + dz * dz);
-                EXPECT_NEAR(mesh.nearest({x, y, z}).distance, exact, 1e-12);
+                EXPECT_NEAR(mesh.nearest({x, y, z})->distance, exact, 1e-12);
             }
         }
     }
     const auto foot = mesh.nearest({1.0, 0.5, 0.4});
-    EXPECT_NEAR(foot.direction[2], 1.0, 1e-12);
+    EXPECT_NEAR(foot->direction[2], 1.0, 1e-12);
+    EXPECT_FALSE(mesh.nearest({1.0, 0.5, 0.4}, 0.09).has_value());
+}
+
+// A point in two shells is as much in the solid as one in a single one.
+TEST(SolidMesh, ShellsThatOverlapAreOneSolid) {
+    const Triangles a = box({0.0, 0.0, 0.0}, {2.0, 1.0, 1.0});
+    const Triangles b = box({1.0, 0.25, 0.25}, {3.0, 0.75, 2.0});
+    for (const Triangles& shells : {joined(a, b), joined(turned(a), b), joined(a, turned(b))}) {
+        const SolidMesh mesh = mesh_of(shells);
+        EXPECT_TRUE(mesh.contains({0.5, 0.5, 0.5}));
+        EXPECT_TRUE(mesh.contains({1.5, 0.5, 0.5}));  // in both
+        EXPECT_TRUE(mesh.contains({2.5, 0.5, 0.5}));
+        EXPECT_FALSE(mesh.contains({2.5, 0.1, 0.5}));
+        // The face of b at x = 1 lies in a, where no water is.
+        EXPECT_NEAR(mesh.nearest({1.05, 0.5, 0.5})->distance, 0.5, 1e-12);
+    }
+}
+
+TEST(SolidMesh, AShellInAnotherIsSolidOrAHollowByItsSense) {
+    const Triangles outer = box({0.0, 0.0, 0.0}, {3.0, 3.0, 3.0});
+    const Triangles inner = box({1.0, 1.0, 1.0}, {2.0, 2.0, 2.0});
+    EXPECT_TRUE(mesh_of(joined(outer, inner)).contains({1.5, 1.5, 1.5}));
+    const SolidMesh hollow = mesh_of(joined(outer, turned(inner)));
+    EXPECT_FALSE(hollow.contains({1.5, 1.5, 1.5}));
+    EXPECT_TRUE(hollow.contains({0.5, 1.5, 1.5}));
+    EXPECT_NEAR(hollow.volume(), 26.0, 1e-12);
+    EXPECT_NEAR(hollow.nearest({0.9, 1.5, 1.5})->distance, 0.1, 1e-12);  // the wall of the hollow
 }
 
 TEST(SolidsInSpace, NeedAFileAndAPlaceInTheChannel) {

@@ -42,6 +42,32 @@ TEST(Convergence, WaitsForFourRelaxationTimesEvenOfASteadyRecord) {
     EXPECT_NEAR(c.mean.mean, 1.0, 1e-4);
 }
 
+// While the record grows, the expected end must be about where the test will be passed.
+TEST(Convergence, TellsAboutWhereItWillEnd) {
+    for (const double noise : {1e-4, 0.03}) {
+        const Record whole = relaxing(0.9, noise, 200.0);
+        const auto test_at = [&](double end) {
+            const auto n = static_cast<std::size_t>(std::lround(end / 0.02));
+            return test_convergence(std::span(whole.time).first(n), std::span(whole.velocity).first(n), 5.0,
+                                    0.002);
+        };
+        double end = 1.0;
+        while (!test_at(end).converged && end < 200.0) {
+            end += 1.0;
+        }
+        ASSERT_LT(end, 200.0);
+        for (const double now : {1.0, 10.0, 0.6 * end, 0.9 * end}) {
+            const double expected = expected_end(test_at(now), now, 5.0, 0.002, 1000.0);
+            EXPECT_GE(expected, now);
+            EXPECT_LT(expected, 2.5 * end) << "at " << now << " of " << end;
+            // Before the first test can be passed, no more is known than where that is: four relaxation
+            // times.
+            EXPECT_GE(expected, now < 20.0 ? 20.0 : 0.5 * end) << "at " << now << " of " << end;
+        }
+        EXPECT_EQ(expected_end(test_at(1.0), 1.0, 5.0, 0.002, 12.0), 12.0);
+    }
+}
+
 TEST(Convergence, SeesTheDriftStillToComeOfAStartFromRest) {
     // At 20 s the flow from rest lacks 1.8 % of its velocity; a fixed waiting time would not know.
     const Record from_rest = relaxing(0.0, 1e-4, 20.1);
