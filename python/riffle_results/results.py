@@ -1,4 +1,5 @@
 """Results files."""
+import time
 import tomllib
 from pathlib import Path
 
@@ -14,13 +15,14 @@ from .errors import ResultsError
 from .lazy import lazy_variable, plain
 
 FORMAT = "riffle-results"
+PATIENCE = 5.0  # with a run that is changing the file, s
 VERSION = 1  # results_format_version of src/output/results_file.hpp
 
 
 def open_results(path):
     """Open a results file: `path` names it, or the folder of a run that holds it as results.h5. A file of any size opens
-    at once; arrays are read when they are used. Of a run in progress it is the state at this moment: Riffle replaces the
-    file as a whole, so open it again for newer results. Raises ResultsError."""
+    at once; arrays are read when they are used. Of a run in progress it is the state at this moment: Riffle leaves a
+    file that somebody reads as it is, so open it again for newer results. Raises ResultsError."""
     path = Path(path)
     if path.is_dir():
         folder, path = path, path / "results.h5"
@@ -31,7 +33,7 @@ def open_results(path):
     if not h5py.is_hdf5(path):
         raise ResultsError(f"{path}: is not an HDF5 file, or its beginning is damaged; expected the results.h5 of a run")
     try:
-        file = h5py.File(path, "r")
+        file = _open(path)
     except OSError as error:
         raise ResultsError(f"{path}: cannot be opened: {error}. It is truncated or damaged, or may not be read; restore it "
                            "from a copy, or run the case again") from error
@@ -41,6 +43,18 @@ def open_results(path):
         file.close()
         raise
     return Results(path, file)
+
+
+def _open(path):
+    """The file as h5py opens it. A run that changes a large file has it locked for some milliseconds."""
+    deadline = time.monotonic() + PATIENCE
+    while True:
+        try:
+            return h5py.File(path, "r")
+        except OSError as error:
+            if "lock" not in str(error) or time.monotonic() > deadline:
+                raise
+            time.sleep(0.05)
 
 
 def _check_format(path, attributes):

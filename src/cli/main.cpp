@@ -1,11 +1,15 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cerrno>
+#include <cstdio>
 #include <exception>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "base/error.hpp"
+#include "base/memory.hpp"
 #include "base/version.hpp"
 #include "cli/terminal.hpp"
 #include "cli/verbs.hpp"
@@ -64,6 +68,7 @@ int parse_and_run(int argc, char** argv) {
     add_verb_sweep(app);
     add_verb_report(app);
     add_verb_analyse(app);
+    add_verb_verify(app);
     add_verb_watch(app);
     add_verb_bench(app);
     add_verb_schema(app);
@@ -88,14 +93,32 @@ int parse_and_run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
     using riffle::ExitCode;
+    const auto fail = [](ExitCode code, const std::string& message) {
+        riffle::print_error(message);
+        return static_cast<int>(code);
+    };
     try {
-        return riffle::parse_and_run(argc, argv);
+        const riffle::OutOfMemoryEnd guard;
+        const int status = riffle::parse_and_run(argc, argv);
+        // What has been printed counts only once it has arrived.
+        if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+            return fail(
+                ExitCode::file_error,
+                fmt::format("standard output cannot be written: {}. What it should hold is incomplete.",
+                            std::generic_category().message(errno)));
+        }
+        return status;
     } catch (const riffle::Error& e) {
-        riffle::print_error(e.what());
-        return static_cast<int>(e.code());
+        return fail(e.code(), e.what());
+    } catch (const std::bad_alloc&) {
+        return fail(
+            ExitCode::run_failed,
+            "out of memory: this takes more than the system gives. `riffle check CASE` says what a run "
+            "needs; take a larger spacing or fewer records, or a computer with more memory.");
+    } catch (const std::system_error& e) {
+        return fail(ExitCode::file_error, fmt::format("the system refuses: {}", e.what()));
     } catch (const std::exception& e) {
-        riffle::print_error(std::string("unexpected fault: ") + e.what() +
-                            "\nThis is a defect of Riffle: please report it.");
-        return static_cast<int>(ExitCode::run_failed);
+        return fail(ExitCode::run_failed, std::string("unexpected fault: ") + e.what() +
+                                              "\nThis is a defect of Riffle: please report it.");
     }
 }

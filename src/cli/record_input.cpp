@@ -1,5 +1,7 @@
 #include "cli/record_input.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "analysis/chapters.hpp"
@@ -7,6 +9,9 @@
 #include "analysis/run_record.hpp"
 #include "base/error.hpp"
 #include "cli/positive_number.hpp"
+#include "cli/terminal.hpp"
+#include "output/folder_lock.hpp"
+#include "output/results_file.hpp"
 #include "report/report.hpp"
 
 namespace riffle {
@@ -25,10 +30,19 @@ Analysis analyse_input(const RecordInput& options, const std::string& input) {
         if (options.frequency > 0.0) how.sampling_frequency = options.frequency;
         return analyse(LaboratoryRecord(input, how), options.chapter);
     }
+    const std::filesystem::path results = find_results_file(input);
+    // All of it before any of it: damage must not turn into numbers.
+    ResultsReader(results).verify();
+    if (const auto lock = FolderLock::standing(folder_of(results), FolderLock::Work::run);
+        lock.holder && results.filename() == "results.h5") {
+        print_warning(
+            fmt::format("{}: a run is still at work on it (process {}); this is what it has written so far",
+                        results.string(), lock.holder->process));
+    }
     RunRecordOptions how;
     how.window = options.window;
     how.measured = options.measured;
-    return analyse(RunRecord(find_results_file(input), how), options.chapter);
+    return analyse(RunRecord(results, how), options.chapter);
 }
 
 void check_record_options(const RecordInput& options) {

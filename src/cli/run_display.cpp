@@ -5,6 +5,7 @@
 #include <cmath>
 #include <csignal>
 #include <cstdio>
+#include <system_error>
 
 #include "cli/terminal.hpp"
 #include "cli/verbs.hpp"
@@ -51,8 +52,13 @@ void print_value(const char* label, double value, double half_width, std::option
 RunDisplay::RunDisplay(bool quiet) : quiet_(quiet) {}
 
 void RunDisplay::show(const RunProgress& progress) {
-    if (!quiet_) {
+    if (quiet_) {
+        return;
+    }
+    try {
         line_.show(progress_parts(progress));
+    } catch (const std::system_error&) {
+        quiet_ = true;  // nobody listens any more, which must not end the run
     }
 }
 
@@ -60,11 +66,20 @@ void RunDisplay::finish() { line_.finish(); }
 
 const std::atomic<int>& catch_stop_signals() {
     // The default action comes back after the first signal: a second Ctrl-C ends the program at once.
-    struct sigaction action {};
-    action.sa_handler = riffle_note_signal;
-    action.sa_flags = static_cast<int>(SA_RESETHAND);
-    sigaction(SIGINT, &action, nullptr);
-    sigaction(SIGTERM, &action, nullptr);
+    struct sigaction stop {};
+    stop.sa_handler = riffle_note_signal;
+    stop.sa_flags = static_cast<int>(SA_RESETHAND);
+    // SIGXCPU, SIGUSR1 and SIGUSR2 are how batch systems tell that the time is nearly over.
+    for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGXCPU, SIGUSR1, SIGUSR2}) {
+        struct sigaction before {};
+        sigaction(number, nullptr, &before);
+        if (before.sa_handler != SIG_IGN) {  // as nohup asks for
+            sigaction(number, &stop, nullptr);
+        }
+    }
+    // A file that may not grow further, and a terminal that is gone, are told by the failing write.
+    (void)std::signal(SIGXFSZ, SIG_IGN);
+    (void)std::signal(SIGPIPE, SIG_IGN);
     return stop_signal;
 }
 

@@ -20,7 +20,10 @@ class RunDisplay {
     StatusLine line_;
 };
 
-/// Turn SIGINT and SIGTERM into a flag; the returned flag holds the signal's number once one has come.
+/// Turn the signals by which a person or a batch system ends a run (SIGINT, SIGTERM, SIGHUP, SIGXCPU,
+/// SIGUSR1, SIGUSR2) into a flag, which holds the signal's number once one has come; leave alone those that
+/// are ignored, as with nohup. A second signal of the kind ends the program at once. A terminal that is gone
+/// (SIGPIPE) and the limit of a file's size (SIGXFSZ) end nothing by themselves any more: the write fails.
 [[nodiscard]] const std::atomic<int>& catch_stop_signals();
 
 /// Print what came out of a run and what to do next; sets the exit status after a stop by a signal.

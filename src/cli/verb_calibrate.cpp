@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -16,6 +15,7 @@
 #include "cli/positive_number.hpp"
 #include "cli/verbs.hpp"
 #include "column/calibration.hpp"
+#include "output/atomic_file.hpp"
 
 namespace riffle {
 
@@ -114,13 +114,7 @@ void write_fitted_case(const CalibrateOptions& options, const CalibrationResult&
     std::vector<Override> overrides = options.argument.overrides();
     for (const Override& fitted : fitted_overrides(result)) overrides.push_back(fitted);
     const Case fitted = read_case(options.argument.file, overrides);
-    std::ofstream stream(options.write);
-    stream << fitted.text;
-    stream.close();
-    if (!stream) {
-        throw FileError(fmt::format(
-            "{}: cannot be written; check the folder, its permissions and the space left", options.write));
-    }
+    write_text_atomically(options.write, fitted.text);
 }
 
 void run_calibrate(const CalibrateOptions& options) {

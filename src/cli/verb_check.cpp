@@ -87,8 +87,9 @@ void print_forecast(const Case& c, const Forecast& f) {
     row("steps", fmt::format("{:.3g}", f.steps));
     row("time", fmt::format("about {} here ({:.2f} M particle updates/s measured)",
                             duration_text(f.wall_seconds), f.updates_per_second * 1e-6));
-    row("memory", size_text(f.memory_bytes));
-    row("disk", fmt::format("at most {}", size_text(f.disk_bytes)));
+    row("memory", fmt::format("{} at the peak", size_text(f.memory_bytes)));
+    row("disk", fmt::format("at most {}, and {} more while files are replaced", size_text(f.disk_bytes),
+                            size_text(f.replacing_bytes)));
     for (const RecordForecast& part : f.parts) {
         fmt::print("    {:<20} {}\n", part.name, size_text(part.bytes));
     }
@@ -107,6 +108,7 @@ void print_json(const Forecast& f, const std::vector<std::string>& warnings) {
                                          {"wall_seconds", f.wall_seconds},
                                          {"memory_bytes", f.memory_bytes},
                                          {"disk_bytes", f.disk_bytes},
+                                         {"replacing_bytes", f.replacing_bytes},
                                          {"disk_parts", parts_json(f)},
                                          {"probes", probes_json(f)},
                                          {"probe_notes", f.probe_notes},

@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <string>
 
@@ -11,6 +10,7 @@
 #include "case/case_documents.hpp"
 #include "case/flow_conditions.hpp"
 #include "cli/verbs.hpp"
+#include "output/atomic_file.hpp"
 
 namespace riffle {
 
@@ -30,13 +30,7 @@ void write_new_case(const NewOptions& options) {
     }
     const bool from_file = std::filesystem::is_regular_file(options.from);
     const Case c = from_file ? read_case(options.from) : builtin_case(options.from);
-    std::ofstream stream(file);
-    stream << case_template(c);
-    stream.close();
-    if (!stream) {
-        throw FileError(fmt::format(
-            "{}: cannot be written; check the folder, its permissions and the space left", options.file));
-    }
+    write_text_atomically(file, case_template(c));
     fmt::print("{} written; `riffle check {}` says what it will cost, `riffle run {}` runs it\n",
                options.file, options.file, options.file);
 }

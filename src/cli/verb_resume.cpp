@@ -5,6 +5,7 @@
 #include "cli/case_argument.hpp"
 #include "cli/run_arguments.hpp"
 #include "cli/run_display.hpp"
+#include "cli/terminal.hpp"
 #include "cli/verbs.hpp"
 #include "output/results_file.hpp"
 #include "solver/run.hpp"
@@ -27,6 +28,9 @@ void resume(const ResumeVerb& verb) {
     RunDisplay display(verb.options.quiet);
     options.progress = [&](const RunProgress& progress) { display.show(progress); };
     options.stop_signal = &catch_stop_signals();
+    if (!verb.options.quiet) {
+        options.warn = print_warning;
+    }
     std::filesystem::path checkpoint = verb.checkpoint;
     if (!checkpoint.empty() && checkpoint.is_relative() && !std::filesystem::exists(checkpoint)) {
         checkpoint = options.folder / checkpoint;

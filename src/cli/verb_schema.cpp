@@ -1,13 +1,13 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <fstream>
 #include <memory>
 #include <string>
 
 #include "base/error.hpp"
 #include "case/case_documents.hpp"
 #include "cli/verbs.hpp"
+#include "output/atomic_file.hpp"
 
 namespace riffle {
 
@@ -24,13 +24,7 @@ void write_schema(const SchemaOptions& options) {
         fmt::print("{}", text);
         return;
     }
-    std::ofstream stream(options.file);
-    stream << text;
-    stream.close();
-    if (!stream) {
-        throw FileError(fmt::format(
-            "{}: cannot be written; check the folder, its permissions and the space left", options.file));
-    }
+    write_text_atomically(options.file, text);
 }
 
 }  // namespace

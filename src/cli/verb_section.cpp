@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -20,6 +19,7 @@
 #include "cli/section_figure.hpp"
 #include "cli/verbs.hpp"
 #include "column/section.hpp"
+#include "output/atomic_file.hpp"
 
 namespace riffle {
 
@@ -229,13 +229,7 @@ void write_text(const std::string& file, const std::string& text) {
         fmt::print("{}", text);
         return;
     }
-    std::ofstream stream(file);
-    stream << text;
-    stream.close();
-    if (!stream) {
-        throw FileError(
-            fmt::format("{}: cannot be written; check the folder, its permissions and the space left", file));
-    }
+    write_text_atomically(file, text);
 }
 
 void run_section(const SectionArguments& a) {

@@ -13,7 +13,7 @@
 #include "cli/sweep_display.hpp"
 #include "cli/terminal.hpp"
 #include "cli/verbs.hpp"
-#include "sweep/folder_lock.hpp"
+#include "output/folder_lock.hpp"
 #include "sweep/study_files.hpp"
 
 namespace riffle {
@@ -134,7 +134,7 @@ void sweep(const SweepVerb& verb) {
     if (!verb.options.quiet) {
         print_warnings(runs);
     }
-    const FolderLock lock(input.folder);
+    const FolderLock lock(input.folder, FolderLock::Work::sweep);
     SweepDisplay display(verb.options.quiet);
     options.stop_signal = &catch_stop_signals();
     options.progress = [&](const SweepProgress& progress) { display.show(progress); };

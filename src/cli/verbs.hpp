@@ -18,6 +18,7 @@ void add_verb_resume(CLI::App& app);
 void add_verb_sweep(CLI::App& app);
 void add_verb_report(CLI::App& app);
 void add_verb_analyse(CLI::App& app);
+void add_verb_verify(CLI::App& app);
 void add_verb_watch(CLI::App& app);
 void add_verb_bench(CLI::App& app);
 void add_verb_schema(CLI::App& app);

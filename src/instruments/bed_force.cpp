@@ -31,12 +31,12 @@ class BedForce final : public Instrument {
         double sides = 0.0;
         for (std::size_t i = 0; i < mass.size(); ++i) {
             total += mass[i];
-            drag -= mass[i] * state.drag_x[i];
-            wall -= mass[i] * state.wall_x[i];
-            normal += mass[i] * state.wall_z[i];  // what pushes the water up presses on the bed
+            drag -= mass[i] * (*state.drag_x)[i];
+            wall -= mass[i] * (*state.wall_x)[i];
+            normal += mass[i] * (*state.wall_z)[i];  // what pushes the water up presses on the bed
         }
         for (std::size_t i = 0; space_ && i < mass.size(); ++i) {
-            sides -= mass[i] * state.side_wall_x[i];
+            sides -= mass[i] * (*state.side_wall_x)[i];
         }
         const double row[] = {state.time, drag, wall, normal, total * state.streamwise_gravity, sides};
         for (std::size_t k = 0; k < records().size(); ++k) {

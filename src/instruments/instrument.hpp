@@ -9,6 +9,7 @@
 
 #include "case/case.hpp"
 #include "instruments/fluid_view.hpp"
+#include "particles/sparse_values.hpp"
 
 namespace riffle {
 
@@ -20,7 +21,10 @@ struct FlowState {
     const FluidView* fluid = nullptr;   ///< where an instrument `looks_at_fluid`
     /// Accelerations by particle, m/s2, where an instrument `needs_forces`; of the side walls' drag in three
     /// dimensions only.
-    std::span<const double> drag_x = {}, wall_x = {}, wall_z = {}, side_wall_x = {};
+    const SparseValues* drag_x = nullptr;
+    const SparseValues* wall_x = nullptr;
+    const SparseValues* wall_z = nullptr;
+    const SparseValues* side_wall_x = nullptr;
 };
 
 /// An array that an instrument fills: one row per sample, or per averaging window.

@@ -104,10 +104,6 @@ ProbeSet::ProbeSet(const Case& c, double largest_step) {
     notes_ = std::move(standard.notes);
 }
 
-bool ProbeSet::due(double time) const {
-    return std::any_of(members_.begin(), members_.end(), [&](const Member& m) { return time >= m.due; });
-}
-
 bool ProbeSet::due_for_fluid(double time) const {
     return std::any_of(members_.begin(), members_.end(),
                        [&](const Member& m) { return time >= m.due && m.instrument->looks_at_fluid(); });
@@ -121,9 +117,9 @@ double ProbeSet::forces_due() const {
     return due;
 }
 
-void ProbeSet::record(const FlowState& state) {
+void ProbeSet::record(const FlowState& state, bool looks_at_fluid) {
     for (Member& m : members_) {
-        if (state.time >= m.due) {
+        if (state.time >= m.due && m.instrument->looks_at_fluid() == looks_at_fluid) {
             m.instrument->sample(state);
             m.due = due_after(state.time, m.instrument->probe().sampling_frequency);
         }
@@ -176,22 +172,19 @@ void ProbeSet::save(Content& checkpoint) const {
     }
 }
 
-void ProbeSet::restore(const Content& checkpoint) {
+void ProbeSet::restore(const CheckpointReader& checkpoint) {
     for (Member& m : members_) {
-        const auto found =
-            std::find_if(checkpoint.datasets.begin(), checkpoint.datasets.end(),
-                         [&](const Dataset& d) { return d.path == saved_path(*m.instrument); });
-        const auto* const saved =
-            found != checkpoint.datasets.end() ? std::get_if<std::vector<double>>(&found->values) : nullptr;
-        if (saved == nullptr || saved->size() != 2 + m.instrument->unfinished().size()) {
+        const std::string path = saved_path(*m.instrument);
+        if (!checkpoint.has(path)) {
             throw FileError(
                 fmt::format("the checkpoint lacks the probe \"{}\": the run was begun without it; "
                             "start the run again, or resume with the probes that it began with",
                             m.instrument->probe().name));
         }
-        m.due = (*saved)[0];
-        m.taken = static_cast<std::size_t>((*saved)[1]);
-        m.instrument->restore_unfinished({saved->begin() + 2, saved->end()});
+        const std::vector<double> saved = checkpoint.doubles(path, 2 + m.instrument->unfinished().size());
+        m.due = saved[0];
+        m.taken = static_cast<std::size_t>(saved[1]);
+        m.instrument->restore_unfinished({saved.begin() + 2, saved.end()});
     }
 }
 

@@ -8,6 +8,7 @@
 
 #include "case/case.hpp"
 #include "instruments/instrument.hpp"
+#include "output/checkpoint_file.hpp"
 #include "output/dataset.hpp"
 
 namespace riffle {
@@ -21,14 +22,13 @@ class ProbeSet {
     /// an instrument samples faster than every second step.
     ProbeSet(const Case& c, double largest_step);
 
-    /// Whether anything is due at `time`; whether something due looks at the fluid.
-    [[nodiscard]] bool due(double time) const;
+    /// Whether something that is due at `time` looks at the fluid.
     [[nodiscard]] bool due_for_fluid(double time) const;
     /// Time from which something is due that needs the forces on the particles.
     [[nodiscard]] double forces_due() const;
 
-    /// Sample what is due at the state's time. `state.fluid` may be null unless due_for_fluid().
-    void record(const FlowState& state);
+    /// Sample what is due at the state's time, of the instruments that look at the fluid or of the others.
+    void record(const FlowState& state, bool looks_at_fluid);
 
     /// Bytes recorded since the last take_new_rows().
     [[nodiscard]] std::size_t pending_bytes() const;
@@ -40,7 +40,7 @@ class ProbeSet {
     /// State for the checkpoint: due times, rows, windows being averaged.
     void save(Content& checkpoint) const;
     /// Put it back. Throws FileError where the checkpoint lacks it.
-    void restore(const Content& checkpoint);
+    void restore(const CheckpointReader& checkpoint);
 
     struct Member {
         std::unique_ptr<Instrument> instrument;

@@ -35,8 +35,8 @@ static_assert(std::endian::native == std::endian::little,
 
 }  // namespace
 
-std::uint64_t crc64(std::span<const std::byte> bytes) {
-    std::uint64_t remainder = ~std::uint64_t{0};
+std::uint64_t crc64(std::span<const std::byte> bytes, std::uint64_t before) {
+    std::uint64_t remainder = ~before;
     while (bytes.size() >= 8) {
         std::uint64_t word = 0;
         std::memcpy(&word, bytes.data(), 8);

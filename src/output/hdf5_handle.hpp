@@ -50,9 +50,9 @@ class Hdf5Handle {
     Hdf5Handle& operator=(const Hdf5Handle&) = delete;
 
     [[nodiscard]] hid_t get() const { return id_; }
-    void reset() {
-        if (id_ >= 0) close_(std::exchange(id_, H5I_INVALID_HID));
-    }
+    void reset() { (void)close_now(); }
+    /// Close, and say whether it went well: negative where not.
+    herr_t close_now() { return id_ >= 0 ? close_(std::exchange(id_, H5I_INVALID_HID)) : 0; }
 
   private:
     hid_t id_ = H5I_INVALID_HID;

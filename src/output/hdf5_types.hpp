@@ -29,14 +29,17 @@ hid_t hdf5_file_type() {
     if constexpr (std::is_same_v<T, std::uint8_t>) return H5T_STD_U8LE;
 }
 
-/// UTF-8 text of any length.
-Hdf5Handle hdf5_text_type();
+/// UTF-8 text of so many bytes. Texts of variable length lie apart in the file, where damage can lead the
+/// library astray.
+Hdf5Handle hdf5_text_type(std::size_t bytes);
+/// UTF-8 text of variable length, as earlier files have it.
+Hdf5Handle hdf5_variable_text_type();
 
 /// Read a text of fixed or variable length by `read(memory type, buffer)`. Throws Hdf5Failure.
 template <class Read>
 std::string read_hdf5_text(const Hdf5Handle& type, const Hdf5Handle& space, const Read& read) {
     if (H5Tis_variable_str(type.get()) > 0) {
-        const Hdf5Handle memory = hdf5_text_type();
+        const Hdf5Handle memory = hdf5_variable_text_type();
         char* text = nullptr;
         hdf5_check(read(memory.get(), &text), "read a text");
         std::string result = text == nullptr ? "" : text;

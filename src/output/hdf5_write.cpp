@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "output/hdf5_objects.hpp"
+#include "output/hdf5_transfer.hpp"
 #include "output/hdf5_types.hpp"
 
 namespace riffle {
@@ -90,6 +91,18 @@ std::vector<std::size_t> shape_in_file(const Hdf5Handle& dataset) {
     return {shape.begin(), shape.end()};
 }
 
+/// The type of the values of a vector or stream.
+template <class Values>
+struct ElementOf;
+template <class T>
+struct ElementOf<std::vector<T>> {
+    using Type = T;
+};
+template <class T>
+struct ElementOf<StreamedValues<T>> {
+    using Type = T;
+};
+
 template <class T>
 bool has_type(const Hdf5Handle& dataset) {
     const Hdf5Handle type(H5Dget_type(dataset.get()), H5Tclose, "read the type");
@@ -106,8 +119,8 @@ Hdf5Handle create_dataset(const Hdf5Handle& file, const Dataset& dataset, Hdf5St
             H5Dclose, "create the dataset " + dataset.path};
 }
 
-template <class T>
-void append_rows(const Hdf5Handle& file, const Dataset& dataset, const std::vector<T>& values) {
+template <class T, class Values>
+void append_rows(const Hdf5Handle& file, const Dataset& dataset, const Values& values) {
     const Hdf5Handle target = open_dataset(file, dataset.path);
     std::vector<std::size_t> shape = shape_in_file(target);
     const bool rows_match = shape.size() == dataset.shape.size() && !shape.empty() &&
@@ -117,34 +130,24 @@ void append_rows(const Hdf5Handle& file, const Dataset& dataset, const std::vect
             "{}: rows of shape [{}] cannot be added to a dataset of shape [{}] of another width or type",
             dataset.path, fmt::join(dataset.shape, ", "), fmt::join(shape, ", ")));
     }
-    if (values.empty()) return;
-    std::vector<hsize_t> start(shape.size(), 0);
-    start[0] = shape[0];
+    if (count_of(values) == 0) return;
+    const std::size_t first = shape[0];
     shape[0] += dataset.shape[0];
-    const std::vector<hsize_t> grown = extents(shape);
-    const std::vector<hsize_t> added = extents(dataset.shape);
-    hdf5_check(H5Dset_extent(target.get(), grown.data()), "lengthen the dataset " + dataset.path);
-    const Hdf5Handle space(H5Dget_space(target.get()), H5Sclose, "read the shape");
-    hdf5_check(H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, start.data(), nullptr, added.data(), nullptr),
-               "choose the new rows");
-    const Hdf5Handle memory(H5Screate_simple(static_cast<int>(added.size()), added.data(), nullptr), H5Sclose,
-                            "make the shape");
-    hdf5_check(
-        H5Dwrite(target.get(), hdf5_memory_type<T>(), memory.get(), space.get(), H5P_DEFAULT, values.data()),
-        "add rows to the dataset " + dataset.path);
+    hdf5_check(H5Dset_extent(target.get(), extents(shape).data()), "lengthen the dataset " + dataset.path);
+    write_rows(target, first, dataset.shape, values, dataset.path);
 }
 
-template <class T>
-void write_values(const Hdf5Handle& file, const Dataset& dataset, const std::vector<T>& values,
-                  Hdf5Storage storage) {
-    if (count(dataset.shape) != values.size() || (dataset.append && dataset.shape.empty())) {
+/// `Values`: a vector or a stream of T.
+template <class T, class Values>
+void write_values(const Hdf5Handle& file, const Dataset& dataset, const Values& values, Hdf5Storage storage) {
+    if (count(dataset.shape) != count_of(values) || (dataset.append && dataset.shape.empty())) {
         throw std::invalid_argument(fmt::format("{}: {} values do not make the shape [{}]{}", dataset.path,
-                                                values.size(), fmt::join(dataset.shape, ", "),
+                                                count_of(values), fmt::join(dataset.shape, ", "),
                                                 dataset.append ? " of rows" : ""));
     }
     Hdf5Handle target;
     if (hdf5_has(file, dataset.path)) {
-        if (dataset.append) return append_rows(file, dataset, values);
+        if (dataset.append) return append_rows<T>(file, dataset, values);
         if (!hdf5_is_group(file, dataset.path)) {
             Hdf5Handle present = open_dataset(file, dataset.path);
             if (has_type<T>(present) && shape_in_file(present) == dataset.shape) target = std::move(present);
@@ -152,43 +155,62 @@ void write_values(const Hdf5Handle& file, const Dataset& dataset, const std::vec
         if (target.get() < 0) remove_hdf5_object(file, dataset.path);
     }
     if (target.get() < 0) target = create_dataset<T>(file, dataset, storage);
-    if (values.empty()) return;
-    hdf5_check(H5Dwrite(target.get(), hdf5_memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
+    if (count_of(values) == 0) return;
+    if (!dataset.shape.empty()) return write_rows(target, 0, dataset.shape, values, dataset.path);
+    const T value = first_of(values);
+    hdf5_check(H5Dwrite(target.get(), hdf5_memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, &value),
                "write the dataset " + dataset.path);
 }
 
-const char* checked_text(const std::string& text, const std::string& where) {
+/// The number of bytes of a text; an HDF5 text has one at least.
+std::size_t text_bytes(const std::string& text, const std::string& where) {
     if (text.find('\0') != std::string::npos) {
         throw std::invalid_argument(where + ": a text must not contain a zero byte");
     }
-    return text.c_str();
+    return std::max<std::size_t>(text.size(), 1);
 }
 
 void write_text(const Hdf5Handle& file, const Dataset& dataset, const std::string& text) {
     if (dataset.append) throw std::invalid_argument(dataset.path + ": a text cannot be appended to");
-    const char* value = checked_text(text, dataset.path);
+    const Hdf5Handle type = hdf5_text_type(text_bytes(text, dataset.path));
     if (hdf5_has(file, dataset.path)) remove_hdf5_object(file, dataset.path);
-    const Hdf5Handle type = hdf5_text_type();
     const Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose, "make a scalar");
     const Hdf5Handle links = make_groups_on_the_way();
     const Hdf5Handle properties = creation_properties(Dataset(), 1, {});
     const Hdf5Handle target(H5Dcreate2(file.get(), dataset.path.c_str(), type.get(), space.get(), links.get(),
                                        properties.get(), H5P_DEFAULT),
                             H5Dclose, "create the text " + dataset.path);
-    hdf5_check(H5Dwrite(target.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, &value),
+    hdf5_check(H5Dwrite(target.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, text.c_str()),
                "write the text " + dataset.path);
+}
+
+/// The attribute of an object if it is one value of this type, to be written anew in its place.
+Hdf5Handle present_attribute(const Hdf5Handle& object, const std::string& name, hid_t file_type) {
+    Hdf5Handle present(H5Aopen(object.get(), name.c_str(), H5P_DEFAULT), H5Aclose,
+                       "open the attribute " + name);
+    const Hdf5Handle type(H5Aget_type(present.get()), H5Tclose, "read the type of " + name);
+    const Hdf5Handle space(H5Aget_space(present.get()), H5Sclose, "read the shape of " + name);
+    const bool same =
+        H5Tequal(type.get(), file_type) > 0 && H5Sget_simple_extent_type(space.get()) == H5S_SCALAR;
+    return same ? std::move(present) : Hdf5Handle();
 }
 
 void put_attribute(const Hdf5Handle& object, const Attribute& attribute, hid_t file_type, hid_t memory_type,
                    const void* value) {
     const std::string where = attribute.name + " of " + attribute.path;
+    Hdf5Handle target;
     if (hdf5_check(H5Aexists(object.get(), attribute.name.c_str()), "look for the attribute " + where) > 0) {
-        hdf5_check(H5Adelete(object.get(), attribute.name.c_str()), "replace the attribute " + where);
+        target = present_attribute(object, attribute.name, file_type);
+        if (target.get() < 0) {
+            hdf5_check(H5Adelete(object.get(), attribute.name.c_str()), "replace the attribute " + where);
+        }
     }
-    const Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose, "make a scalar");
-    const Hdf5Handle target(
-        H5Acreate2(object.get(), attribute.name.c_str(), file_type, space.get(), H5P_DEFAULT, H5P_DEFAULT),
-        H5Aclose, "create the attribute " + where);
+    if (target.get() < 0) {
+        const Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose, "make a scalar");
+        target = {H5Acreate2(object.get(), attribute.name.c_str(), file_type, space.get(), H5P_DEFAULT,
+                             H5P_DEFAULT),
+                  H5Aclose, "create the attribute " + where};
+    }
     hdf5_check(H5Awrite(target.get(), memory_type, value), "write the attribute " + where);
 }
 
@@ -207,20 +229,24 @@ void copy_attributes(const Hdf5Handle& from, const Hdf5Handle& to, const std::st
 
 }  // namespace
 
-Hdf5Handle hdf5_text_type() {
+Hdf5Handle hdf5_text_type(std::size_t bytes) {
     Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "make the text type");
-    hdf5_check(H5Tset_size(type.get(), H5T_VARIABLE), "set the text length");
+    hdf5_check(H5Tset_size(type.get(), bytes), "set the text length");
+    if (bytes != H5T_VARIABLE) hdf5_check(H5Tset_strpad(type.get(), H5T_STR_NULLPAD), "set the text's end");
     hdf5_check(H5Tset_cset(type.get(), H5T_CSET_UTF8), "set UTF-8");
     return type;
 }
 
+Hdf5Handle hdf5_variable_text_type() { return hdf5_text_type(H5T_VARIABLE); }
+
 void write_hdf5_dataset(const Hdf5Handle& file, const Dataset& dataset, Hdf5Storage storage) {
     std::visit(
         [&](const auto& values) {
-            if constexpr (std::is_same_v<std::decay_t<decltype(values)>, std::string>) {
+            using Values = std::decay_t<decltype(values)>;
+            if constexpr (std::is_same_v<Values, std::string>) {
                 write_text(file, dataset, values);
             } else {
-                write_values(file, dataset, values, storage);
+                write_values<typename ElementOf<Values>::Type>(file, dataset, values, storage);
             }
         },
         dataset.values);
@@ -244,9 +270,9 @@ void write_hdf5_attribute(const Hdf5Handle& file, const Attribute& attribute) {
         put_attribute(object, attribute, H5T_STD_I64LE, H5T_NATIVE_INT64, whole);
     } else {
         const std::string where = attribute.path + ", attribute " + attribute.name;
-        const char* text = checked_text(std::get<std::string>(attribute.value), where);
-        const Hdf5Handle type = hdf5_text_type();
-        put_attribute(object, attribute, type.get(), type.get(), static_cast<const void*>(&text));
+        const std::string& text = std::get<std::string>(attribute.value);
+        const Hdf5Handle type = hdf5_text_type(text_bytes(text, where));
+        put_attribute(object, attribute, type.get(), type.get(), text.c_str());
     }
 }
 

@@ -8,20 +8,22 @@
 
 #include "base/error.hpp"
 #include "output/file_replace.hpp"
-#include "output/hdf5_image.hpp"
+#include "output/hdf5_driver.hpp"
 #include "output/hdf5_objects.hpp"
 #include "output/results_file.hpp"
+#include "output/sealed_reader.hpp"
 
 namespace riffle {
 namespace {
 
-bool starts_like_hdf5(const std::filesystem::path& path) {
-    constexpr std::array<char, 8> signature = {'\x89', 'H', 'D', 'F', '\r', '\n', '\x1a', '\n'};
-    std::array<char, 8> start = {};
-    std::ifstream file(path, std::ios::binary);
-    file.read(start.data(), start.size());
-    return file && start == signature;
+template <class T>
+std::optional<T> root_attribute(const Hdf5Handle& file, const char* name) {
+    const std::optional<AttributeValue> value = read_hdf5_attribute(file, "/", name);
+    if (!value || !std::holds_alternative<T>(*value)) return {};
+    return std::get<T>(*value);
 }
+
+}  // namespace
 
 void require_readable(const std::filesystem::path& path) {
     std::error_code code;
@@ -43,14 +45,7 @@ void require_readable(const std::filesystem::path& path) {
     }
 }
 
-template <class T>
-std::optional<T> root_attribute(const Hdf5Handle& file, const char* name) {
-    const std::optional<AttributeValue> value = read_hdf5_attribute(file, "/", name);
-    if (!value || !std::holds_alternative<T>(*value)) return {};
-    return std::get<T>(*value);
-}
-
-void require_format(const Hdf5Handle& file, const std::filesystem::path& path) {
+void require_results_format(const Hdf5Handle& file, const std::filesystem::path& path) {
     const auto format = root_attribute<std::string>(file, "format");
     if (format != "riffle-results") {
         throw FileError(fmt::format(
@@ -73,30 +68,25 @@ void require_format(const Hdf5Handle& file, const std::filesystem::path& path) {
                     version.value_or(0) > results_format_version ? newer : older));
 }
 
-}  // namespace
-
-Hdf5Handle open_results(const std::filesystem::path& path, ResultsAccess access) {
+std::unique_ptr<ContentReader::Impl> open_results(const std::filesystem::path& path) {
     require_readable(path);
-    Hdf5Handle file;
+    auto open = std::make_unique<ContentReader::Impl>();
+    open->path = path;
+    open->way_on = [] { return std::string(after_damage); };
     try {
-        file = access == ResultsAccess::read ? open_hdf5_for_reading(path) : load_hdf5_into_memory(path);
-    } catch (const Hdf5Failure& failure) {
-        if (!starts_like_hdf5(path)) {
-            throw FileError(fmt::format(
-                "{}: is not an HDF5 file (or its beginning is damaged). Give the results.h5 of a run.",
-                path.string()));
-        }
-        throw FileError(
-            fmt::format("{}: is truncated or damaged: {}. Restore it from a copy, or run the case again.",
-                        path.string(), failure.what()));
+        open->store = open_for_reading(path, results_seal);
+    } catch (const NotSealed&) {
+        throw FileError(fmt::format(
+            "{}: is not an HDF5 file of results (or its beginning is damaged). Give the results.h5 of a run.",
+            path.string()));
+    } catch (const NotWhole& not_whole) {
+        throw FileError(fmt::format("{}: {}. {}", path.string(), not_whole.what(), after_damage));
+    } catch (const std::system_error& error) {
+        throw FileError(fmt::format("{}: cannot be read: {}", path.string(), explain(error.code(), path)));
     }
-    try {
-        require_format(file, path);
-    } catch (const Hdf5Failure& failure) {
-        throw FileError(fmt::format("{}: is damaged: {}. Restore it from a copy, or run the case again.",
-                                    path.string(), failure.what()));
-    }
-    return file;
+    open->told([&] { open->file = open_hdf5(*open->store, false); });
+    open->told([&] { require_results_format(open->file, path); });
+    return open;
 }
 
 }  // namespace riffle

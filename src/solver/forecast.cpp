@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <utility>
 
+#include "base/memory.hpp"
 #include "base/parallel.hpp"
 #include "case/words.hpp"
 #include "instruments/probe_set.hpp"
+#include "output/file_update.hpp"
 #include "output/results_file.hpp"
 #include "particles/lattice.hpp"
 #include "solver/profile_blocks.hpp"
@@ -22,13 +25,13 @@ namespace riffle {
 
 namespace {
 
-/// Resident memory of a run beside its particles and records: the program and its libraries (Debian 12,
-/// x86-64).
-constexpr double process_bytes = 24e6;
+/// Memory that writing takes for a while, bytes: the HDF5 library with the chunks that it compresses, and the
+/// program for it.
+constexpr double writing_bytes = 8e6;
 
 /// Bytes per particle while the particles are sorted and their lists built: order, keys, one array being
-/// moved, the lists of the blocks before they are put together.
-constexpr double sorting_bytes = 60.0;
+/// moved, the lists of the blocks before they are put together; less what is freed before.
+constexpr double sorting_bytes = 40.0;
 
 /// Bytes of what a run records, before compression.
 struct RecordedBytes {
@@ -39,10 +42,13 @@ struct RecordedBytes {
     double snapshots = 0.0;
     double probes = 0.0;
     double state = 0.0;            ///< the last state
-    double mean_field_sums = 0.0;  ///< of its window: in memory and in the checkpoints
-    double sampling = 0.0;         ///< what finds the mean field's cell of each particle
+    double mean_field_sums = 0.0;  ///< of its window, in the checkpoints
 
-    [[nodiscard]] double written() const { return surface + surface_map + mean_field + snapshots + probes; }
+    /// What waits in memory until it is written, at its end.
+    [[nodiscard]] double waiting(double share) const {
+        return std::min(share * (surface + surface_map + snapshots + probes),
+                        static_cast<double>(pending_limit));
+    }
 };
 
 /// Share of the lattice's particles that the snapshots' region holds.
@@ -75,22 +81,13 @@ RecordedBytes recorded_bytes(const Case& c, double particles, double time) {
     const MeanField field(c);
     bytes.mean_field =
         std::floor(count(c.output.mean_field_interval) + 1e-9) * static_cast<double>(field.row_bytes());
-    bytes.mean_field_sums = static_cast<double>(field.sums().size() * sizeof(double));
-    bytes.sampling = field.on() ? 8.0 * particles : 0.0;
+    bytes.mean_field_sums = static_cast<double>(field.cells() * cell_quantities * sizeof(double));
     if (c.output.snapshot_interval > 0.0) {
         bytes.snapshots = (count(c.output.snapshot_interval) + 1.0) * particles * snapshot_share(c) *
                           static_cast<double>(SnapshotRecorder(c).bytes_per_particle());
     }
     bytes.state = particles * 3.0 * (1.0 + dimensions) * sizeof(double);
     return bytes;
-}
-
-/// Resident memory at the end of a run. `simulation`: bytes of its arrays.
-double memory_bytes(const Case& c, const Forecast& f, const RecordedBytes& recorded, double simulation) {
-    const double share = std::min(1.0, c.output.checkpoint_interval / f.wall_seconds);
-    const double waiting = std::min(share * recorded.written(), static_cast<double>(pending_limit));
-    return process_bytes + simulation + static_cast<double>(f.particles) * sorting_bytes + recorded.state +
-           recorded.kept + recorded.mean_field_sums + recorded.sampling + waiting;
 }
 
 using Clock = std::chrono::steady_clock;
@@ -155,6 +152,21 @@ void forecast_probes(const Case& c, const SimulationIn<D>& simulation, double st
     }
 }
 
+/// Memory at the begin of a run, bytes, from a rehearsal: everything that is due at a sample is recorded
+/// once.
+template <int D>
+double rehearse_memory(const Case& c, const Twins& twins, SimulationIn<D>& simulation) {
+    reset_peak_memory();
+    Recorder recorder(c, twins);
+    simulation.step(0.0);  // the fields too
+    recorder.record(simulation);
+    (void)recorder.take_new_rows();
+    const auto particles = static_cast<double>(simulation.particles().size());
+    const double sampling = static_cast<double>(peak_memory().value_or(0));
+    const double between = static_cast<double>(resident_memory().value_or(0));
+    return std::max({sampling, between + sorting_bytes * particles, between + writing_bytes});
+}
+
 template <int D>
 Forecast forecast_in(const Case& c) {
     const Twins twins = solve_twins(c);
@@ -183,15 +195,17 @@ Forecast forecast_in(const Case& c) {
         }
     }
 
-    // A few steps of the case itself, the first (cold) ones left out.
+    // A few steps of the case itself, the first (cold) ones left out, and without the fields of samples.
+    constexpr double later = std::numeric_limits<double>::infinity();
+    const double started = static_cast<double>(peak_memory().value_or(0));
     for (int i = 0; i < 5; ++i) {
-        simulation->step();
+        simulation->step(later);
     }
     int steps = 0;
     const auto start = Clock::now();
     double seconds = 0.0;
     while (seconds < 0.2 && steps < 400) {
-        simulation->step();
+        simulation->step(later);
         ++steps;
         seconds = std::chrono::duration<double>(Clock::now() - start).count();
     }
@@ -200,12 +214,15 @@ Forecast forecast_in(const Case& c) {
     f.updates_per_second =
         static_cast<double>(f.particles) * simulation->evaluations_per_step() * steps / seconds;
     f.wall_seconds = f.steps * seconds / steps;
+    const double at_the_begin = std::max(started, rehearse_memory(c, twins, *simulation));
+    simulation->step(0.0);
     forecast_probes(c, *simulation, seconds / steps, f);
     RecordedBytes recorded = recorded_bytes(c, static_cast<double>(f.particles), f.end_time);
     for (const ProbeForecast& probe : f.probes) {
         recorded.probes += probe.bytes;
     }
-    f.memory_bytes = memory_bytes(c, f, recorded, static_cast<double>(simulation->bytes()));
+    f.memory_bytes = at_the_begin + recorded.kept +
+                     recorded.waiting(std::min(1.0, c.output.checkpoint_interval / f.wall_seconds));
     f.parts = {{"series and profiles", recorded.kept},
                {"surface", recorded.surface},
                {"surface map", recorded.surface_map},
@@ -218,6 +235,9 @@ Forecast forecast_in(const Case& c) {
     for (const RecordForecast& part : f.parts) {
         f.disk_bytes += part.bytes;
     }
+    const double checkpoint = recorded.state + recorded.mean_field_sums;
+    const double results = std::max(0.0, f.disk_bytes - 2.0 * checkpoint);
+    f.replacing_bytes = std::max(checkpoint, std::min(results, static_cast<double>(change_in_place_from)));
     return f;
 }
 

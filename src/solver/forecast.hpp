@@ -41,10 +41,11 @@ struct Forecast {
     double steps = 0.0;             ///< to end_time
     double updates_per_second = 0.0;  ///< measured, all threads
     double wall_seconds = 0.0;        ///< to end_time
-    /// Resident memory at end_time, as `ps` shows it between two writes; while the files are replaced, the
-    /// results file and what is new in it, then the checkpoint twice, come on top for a moment.
+    /// Largest resident memory of the whole run (VmHWM), to end_time; found by a rehearsal of what a run does
+    /// at its samples.
     double memory_bytes = 0.0;
     double disk_bytes = 0.0;            ///< results and two checkpoints, before compression
+    double replacing_bytes = 0.0;       ///< on top of it, while a file is written anew beside the old one
     std::vector<RecordForecast> parts;  ///< of disk_bytes
     std::optional<double> relaxation_time;
     std::vector<ProbeForecast> probes;

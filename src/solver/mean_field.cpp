@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <span>
 #include <utility>
 
 #include "base/parallel.hpp"
@@ -14,8 +15,6 @@
 namespace riffle {
 
 namespace {
-
-constexpr std::size_t index(CellQuantity q) { return static_cast<std::size_t>(q); }
 
 /// A field of the file: how it follows from the sums of a cell.
 struct Field {
@@ -56,9 +55,10 @@ constexpr std::array<Field, 17> fields = [] {
     }};
 }();
 
-/// The value of a field in a cell. `sums`: of the cell; `volume`: of the cell, m3.
-double value_of(const Field& field, const double* sums, double samples, double volume) {
-    const auto sum = [&](CellQuantity q) { return sums[index(q)]; };
+/// The value of a field in a cell. `volume`: of the cell, m3.
+double value_of(const Field& field, const CellSums& sums, const CellPlace& cell, double samples,
+                double volume) {
+    const auto sum = [&](CellQuantity q) { return sums.get(cell, q); };
     const double n = sum(CellQuantity::count);
     const double mean_of_none = std::numeric_limits<double>::quiet_NaN();
     switch (field.kind) {
@@ -96,7 +96,7 @@ MeanField::MeanField(const Case& c) {
     }
     count_[2] = static_cast<std::size_t>(lattice.rows);
     edge_[2] = lattice.dz;
-    sums_.assign(cells() * cell_quantities, 0.0);
+    sums_ = CellSums(count_);
     window_end_ = window_after(0.0);
     new_fields_.resize(fields.size());
 }
@@ -121,97 +121,87 @@ std::vector<double> MeanField::edges(std::size_t axis) const {
     return edges;
 }
 
+CellPlace MeanField::cell_of(const Particles<3>& particles, std::size_t particle) const {
+    CellPlace cell{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        cell[k] = static_cast<std::size_t>(std::clamp(particles.position[k][particle] / edge_[k], 0.0,
+                                                      static_cast<double>(count_[k]) - 0.5));
+    }
+    return cell;
+}
+
 void MeanField::sample(const SimulationIn<3>& simulation) {
+    if (closed_) {
+        open_window();
+    }
     const Particles<3>& p = simulation.particles();
     const ParticleFields& f = simulation.fields();
     const std::size_t n = p.size();
-    constexpr std::size_t block = std::size_t{1} << 14U;
-    cell_.resize(n);
-    parallel_blocks(n, block, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            std::size_t cell = 0;
-            for (std::size_t k = 0; k < 3; ++k) {
-                const double place =
-                    std::clamp(p.position[k][i] / edge_[k], 0.0, static_cast<double>(count_[k]) - 0.5);
-                cell = cell * count_[k] + static_cast<std::size_t>(place);
-            }
-            cell_[i] = static_cast<std::uint32_t>(cell);
-        }
-    });
     // Sorted by slices across the channel, each of which has its own cells: the slices can be summed in
     // parallel, and each sum has its order from that of the particles.
-    const std::size_t slice_cells = count_[1] * count_[2];
     std::vector<std::size_t> begin_of(count_[0] + 1, 0);
     for (std::size_t i = 0; i < n; ++i) {
-        ++begin_of[cell_[i] / slice_cells + 1];
+        ++begin_of[cell_of(p, i)[0] + 1];
     }
     std::partial_sum(begin_of.begin(), begin_of.end(), begin_of.begin());
     order_.resize(n);
     std::vector<std::size_t> next(begin_of.begin(), begin_of.end() - 1);
     for (std::size_t i = 0; i < n; ++i) {
-        order_[next[cell_[i] / slice_cells]++] = static_cast<std::uint32_t>(i);
+        order_[next[cell_of(p, i)[0]]++] = static_cast<std::uint32_t>(i);
     }
     parallel_blocks(count_[0], 1, [&](std::size_t slice, std::size_t) {
         for (std::size_t k = begin_of[slice]; k < begin_of[slice + 1]; ++k) {
             const std::size_t i = order_[k];
-            double* const sums = &sums_[cell_[i] * cell_quantities];
             const double u = p.velocity[0][i];
             const double v = p.velocity[1][i];
             const double w = p.velocity[2][i];
             const double mass = p.mass[i];
-            const double added[] = {1.0,
-                                    u,
-                                    v,
-                                    w,
-                                    u * u,
-                                    v * v,
-                                    w * w,
-                                    u * w,
-                                    u * v,
-                                    v * w,
-                                    f.shear_stress[i],
-                                    f.lateral_shear_stress[i],
-                                    f.pressure[i],
-                                    f.eddy_viscosity[i],
-                                    mass * f.drag_acceleration_x[i],
-                                    mass * f.drag_acceleration_y[i],
-                                    mass * f.side_wall_acceleration_x[i]};
-            static_assert(std::size(added) == cell_quantities);
-            for (std::size_t q = 0; q < cell_quantities; ++q) {
-                sums[q] += added[q];
-            }
+            sums_.add(cell_of(p, i), {1.0, u, v, w, u * u, v * v, w * w, u * w, u * v, v * w,
+                                      f.shear_stress[i], f.lateral_shear_stress[i], f.pressure[i],
+                                      f.eddy_viscosity[i], mass * f.drag_acceleration_x[i],
+                                      mass * f.drag_acceleration_y[i], mass * f.side_wall_acceleration_x[i]});
         }
     });
+    std::vector<std::uint32_t>().swap(order_);
     samples_ += 1.0;
     if (simulation.clock().time >= window_end_) {
-        finish_window();
+        ends_.push_back(window_end_);
+        closed_ = true;
+        closed_taken_ = false;
         window_end_ = window_after(simulation.clock().time);
     }
 }
 
-void MeanField::finish_window() {
-    const double volume = edge_[0] * edge_[1] * edge_[2];
-    const auto [nx, ny, nz] = count_;
-    for (std::vector<float>& values : new_fields_) {
-        values.resize(values.size() + cells());
+void MeanField::open_window() {
+    if (!closed_taken_) {
+        keep_closed_window();
     }
-    parallel_blocks(nz, 1, [&](std::size_t iz, std::size_t) {
-        for (std::size_t iy = 0; iy < ny; ++iy) {
-            for (std::size_t ix = 0; ix < nx; ++ix) {
-                const double* const sums = &sums_[((ix * ny + iy) * nz + iz) * cell_quantities];
-                const std::size_t place = (iz * ny + iy) * nx + ix;
-                for (std::size_t k = 0; k < fields.size(); ++k) {
-                    std::vector<float>& values = new_fields_[k];
-                    values[values.size() - cells() + place] =
-                        static_cast<float>(value_of(fields[k], sums, samples_, volume));
-                }
-            }
+    closed_ = false;
+    samples_ = 0.0;
+    sums_.clear();
+}
+
+void MeanField::keep_closed_window() {
+    for (std::size_t k = 0; k < fields.size(); ++k) {
+        std::vector<float>& values = new_fields_[k];
+        values.resize(values.size() + cells());
+        fill(k, 0, std::span(values).last(cells()));
+    }
+    new_samples_.push_back(samples_);
+    closed_taken_ = true;
+}
+
+void MeanField::fill(std::size_t field, std::size_t first, std::span<float> values) const {
+    constexpr std::size_t block = std::size_t{1} << 13U;
+    const double volume = edge_[0] * edge_[1] * edge_[2];
+    parallel_blocks(values.size(), block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) {
+            const std::size_t place = first + k;  // along x first, then y, then z
+            const CellPlace cell = {place % count_[0], place / count_[0] % count_[1],
+                                    place / (count_[0] * count_[1])};
+            values[k] = static_cast<float>(value_of(fields[field], sums_, cell, samples_, volume));
         }
     });
-    ends_.push_back(window_end_);
-    new_samples_.push_back(samples_);
-    samples_ = 0.0;
-    std::fill(sums_.begin(), sums_.end(), 0.0);
 }
 
 std::size_t MeanField::row_bytes() const { return on() ? cells() * fields.size() * sizeof(float) + 16 : 0; }
@@ -223,8 +213,16 @@ Content MeanField::take_new_rows() {
     if (!on()) {
         return content;
     }
+    const bool streamed = has_closed_window() && new_samples_.empty();
+    if (has_closed_window() && !streamed) {
+        keep_closed_window();
+    }
+    if (streamed) {
+        new_samples_.push_back(samples_);
+        closed_taken_ = true;
+    }
     const std::size_t rows = new_samples_.size();
-    const auto add = [&](const std::string& name, std::vector<std::size_t> shape, auto values,
+    const auto add = [&](const std::string& name, std::vector<std::size_t> shape, Dataset::Values values,
                          const char* unit, const char* long_name) {
         content.datasets.push_back({.path = "/mean_field/" + name,
                                     .shape = std::move(shape),
@@ -237,8 +235,13 @@ Content MeanField::take_new_rows() {
     add("time", {rows}, std::vector<double>(first_new, ends_.end()), "s", "end of the averaging window");
     add("samples", {rows}, std::exchange(new_samples_, {}), "1", "samples in the window");
     for (std::size_t k = 0; k < fields.size(); ++k) {
-        add(fields[k].name, {rows, count_[2], count_[1], count_[0]}, std::exchange(new_fields_[k], {}),
-            fields[k].unit, fields[k].long_name);
+        Dataset::Values values = std::exchange(new_fields_[k], {});
+        if (streamed) {
+            values = StreamedValues<float>{
+                cells(), [this, k](std::size_t first, std::span<float> block) { fill(k, first, block); }};
+        }
+        add(fields[k].name, {rows, count_[2], count_[1], count_[0]}, std::move(values), fields[k].unit,
+            fields[k].long_name);
     }
     if (taken_ == 0) {
         add_array(content, "/mean_field/x", centres(0), "m", "distance along the channel, cell centres");
@@ -260,26 +263,46 @@ void MeanField::add_rows(std::map<std::string, std::size_t>& rows) const {
 }
 
 void MeanField::save(Content& checkpoint) const {
-    if (on()) {
-        add_array(checkpoint, "/recorder/mean_field", {window_end_, samples_}, "1",
-                  "end and samples of the window that is being averaged");
-        add_array(checkpoint, "/recorder/mean_field_sums", sums_, "1", "its sums, by cell and quantity");
-        add_array(checkpoint, "/recorder/mean_field_ends", ends_, "s", "ends of the windows so far");
+    if (!on()) {
+        return;
     }
+    // A closed window is in the results; the sums of the next one are zero.
+    add_array(checkpoint, "/recorder/mean_field", {window_end_, closed_ ? 0.0 : samples_}, "1",
+              "end and samples of the window that is being averaged");
+    const auto add = [&](const char* path, std::size_t size, auto value, const char* long_name) {
+        const auto values = [this, value](std::size_t first, std::span<double> block) {
+            for (std::size_t i = 0; i < block.size(); ++i) {
+                block[i] = closed_ ? 0.0 : value(first + i);
+            }
+        };
+        checkpoint.datasets.push_back({.path = path,
+                                       .shape = {size},
+                                       .values = StreamedValues<double>{size, values},
+                                       .unit = "1",
+                                       .long_name = long_name});
+    };
+    add(
+        "/recorder/mean_field_sums", sums_.dense().size(), [this](std::size_t i) { return sums_.dense()[i]; },
+        "its sums, by cell and quantity");
+    add(
+        "/recorder/mean_field_forces", 3 * cells(), [this](std::size_t i) { return sums_.force(i); },
+        "its sums of the forces, by cell and quantity");
+    add_array(checkpoint, "/recorder/mean_field_ends", ends_, "s", "ends of the windows so far");
 }
 
-void MeanField::restore(const Content& checkpoint) {
-    if (on()) {
-        const auto doubles = [&](const char* path) {
-            return std::get<std::vector<double>>(checkpoint_dataset(checkpoint, path).values);
-        };
-        const std::vector<double> window = doubles("/recorder/mean_field");
-        window_end_ = window.at(0);
-        samples_ = window.at(1);
-        sums_ = doubles("/recorder/mean_field_sums");
-        ends_ = doubles("/recorder/mean_field_ends");
-        taken_ = ends_.size();
+void MeanField::restore(const CheckpointReader& checkpoint) {
+    if (!on()) {
+        return;
     }
+    const std::vector<double> window = checkpoint.doubles("/recorder/mean_field", 2);
+    window_end_ = window[0];
+    samples_ = window[1];
+    closed_ = false;
+    sums_.set_dense(checkpoint.doubles("/recorder/mean_field_sums", sums_.dense().size()));
+    sums_.set_forces(checkpoint.doubles("/recorder/mean_field_forces", 3 * cells()));
+    const std::vector<std::size_t> ends = checkpoint.shape("/recorder/mean_field_ends");
+    ends_ = checkpoint.doubles("/recorder/mean_field_ends", ends.empty() ? 0 : ends[0]);
+    taken_ = ends_.size();
 }
 
 std::vector<std::string> MeanField::field_names() {

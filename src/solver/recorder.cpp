@@ -6,7 +6,6 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <optional>
 #include <utility>
 
 #include "base/error.hpp"
@@ -38,6 +37,37 @@ Dataset rows_of(const std::string& path, std::vector<std::size_t> shape, std::ve
             .append = true};
 }
 
+/// The first rows of a dataset of results, each of this shape. Throws FileError where it has fewer, or
+/// others.
+std::vector<double> first_rows(const ResultsReader& results, const std::string& path, std::size_t rows,
+                               const std::vector<std::size_t>& row_shape) {
+    if (rows == 0) {
+        return {};
+    }
+    std::vector<std::size_t> shape = results.shape(path);
+    const std::size_t there = shape.empty() ? 0 : shape[0];
+    if (there < rows || !std::equal(shape.begin() + 1, shape.end(), row_shape.begin(), row_shape.end())) {
+        throw FileError(
+            fmt::format("{}: {} has {} rows, or such of another width; the checkpoint goes on from {}: they "
+                        "are not of one "
+                        "run, or the results are older than the checkpoint",
+                        results.path().string(), path, there, rows));
+    }
+    return results.read_rows(path, 0, rows);
+}
+
+/// The number of rows of a dataset at the time of a checkpoint. Throws FileError where the results have
+/// fewer.
+std::size_t saved_rows(const CheckpointReader& checkpoint, const char* name, const ResultsReader& results,
+                       const std::string& dataset) {
+    std::size_t there = 0;
+    if (results.has(dataset)) {
+        const std::vector<std::size_t> shape = results.shape(dataset);
+        there = shape.empty() ? 0 : shape[0];
+    }
+    return checkpoint.count("/", name, there);
+}
+
 }  // namespace
 
 template <int D>
@@ -47,10 +77,10 @@ FlowState flow_state(const SimulationIn<D>& simulation, const FluidView* fluid) 
             .streamwise_gravity = simulation.scheme().streamwise_gravity,
             .mass = simulation.particles().mass,
             .fluid = fluid,
-            .drag_x = fields.drag_acceleration_x,
-            .wall_x = fields.wall_acceleration_x,
-            .wall_z = fields.wall_acceleration_z,
-            .side_wall_x = fields.side_wall_acceleration_x};
+            .drag_x = &fields.drag_acceleration_x,
+            .wall_x = &fields.wall_acceleration_x,
+            .wall_z = &fields.wall_acceleration_z,
+            .side_wall_x = &fields.side_wall_acceleration_x};
 }
 
 template FlowState flow_state(const SimulationIn<2>&, const FluidView*);
@@ -102,33 +132,24 @@ double Recorder::fields_due() const {
 }
 
 template <int D>
-void Recorder::record(const SimulationIn<D>& simulation) {
+void Recorder::record(SimulationIn<D>& simulation) {
     const double time = simulation.clock().time;
     const Output& output = case_.output;
-    const bool series_due = is_due(time, output.series_interval, due_.series);
+    // Before the first evaluation there are no forces to average.
+    const bool started = simulation.clock().steps > 0;
+    const bool series_due = is_due(time, output.series_interval, due_.series) && started;
     const bool surface_due = is_due(time, output.surface_interval, due_.surface) && has_surface_;
     const bool map_due = has_maps() && is_due(time, map_interval_, due_.surface_map);
-    // One view of the fluid serves the surface and all instruments.
-    const bool started = simulation.clock().steps > 0;
-    std::optional<FluidViewIn<D>> fluid;
-    if (surface_due || map_due || (started && probes_.due_for_fluid(time))) {
-        fluid.emplace(case_, simulation.particles(), simulation.scheme().smoothing_length);
-    }
-    if (surface_due) {
-        mean_level_ = surface_.record(time, *fluid);
-    }
-    if (map_due) {
-        map_.record(time, *fluid);
-    }
-    // Before the first evaluation there are no forces to average.
+    const bool profile_due = started && is_due(time, output.profile_interval, due_.profile);
+    const bool fluid_due = surface_due || map_due || (started && probes_.due_for_fluid(time));
+    // First what looks at the fields of the particles, which are then freed: they and the view of the fluid
+    // are each as large as much of the state.
     if (started) {
-        if (probes_.due(time)) {
-            probes_.record(flow_state(simulation, fluid ? &*fluid : nullptr));
-        }
+        probes_.record(flow_state(simulation, nullptr), false);
         if (series_due) {
             series_.sample(simulation, mean_level_);
         }
-        if (is_due(time, output.profile_interval, due_.profile)) {
+        if (profile_due) {
             profiles_.sample(simulation);
             if constexpr (D == 3) {
                 if (mean_field_.on()) {
@@ -137,13 +158,35 @@ void Recorder::record(const SimulationIn<D>& simulation) {
             }
         }
     }
+    if constexpr (D == 3) {
+        simulation.drop_fields(false);
+    }
     if (is_due(time, output.snapshot_interval, due_.snapshot)) {
         snapshots_.record(simulation);
     }
+    if constexpr (D == 3) {
+        simulation.drop_fields();
+    }
+    if (fluid_due) {
+        // One view of the fluid serves the surface and all instruments.
+        const FluidViewIn<D> fluid(case_, simulation.particles(), simulation.scheme().smoothing_length);
+        if (surface_due) {
+            mean_level_ = surface_.record(time, fluid);
+        }
+        if (map_due) {
+            map_.record(time, fluid);
+        }
+        if (started) {
+            probes_.record(flow_state(simulation, &fluid), true);
+        }
+    }
+    if (series_due) {
+        series_.set_mean_level(mean_level_);
+    }
 }
 
-template void Recorder::record(const SimulationIn<2>&);
-template void Recorder::record(const SimulationIn<3>&);
+template void Recorder::record(SimulationIn<2>&);
+template void Recorder::record(SimulationIn<3>&);
 
 double Recorder::Elevations::record(double time_now, const FluidView& fluid) {
     double sum = 0.0;
@@ -264,29 +307,32 @@ void Recorder::save(Content& checkpoint) const {
     probes_.save(checkpoint);
 }
 
-void Recorder::restore(const Content& checkpoint, const ResultsReader& results) {
-    due_ = {.series = checkpoint_number(checkpoint, "due_series"),
-            .surface = checkpoint_number(checkpoint, "due_surface"),
-            .profile = checkpoint_number(checkpoint, "due_profile"),
-            .snapshot = checkpoint_number(checkpoint, "due_snapshot"),
-            .surface_map = checkpoint_number(checkpoint, "due_surface_map")};
-    mean_level_ = checkpoint_number(checkpoint, "mean_level");
-    taken_series_ = static_cast<std::size_t>(checkpoint_number(checkpoint, "series_rows"));
-    taken_blocks_ = static_cast<std::size_t>(checkpoint_number(checkpoint, "block_rows"));
-    surface_.taken = static_cast<std::size_t>(checkpoint_number(checkpoint, "surface_rows"));
-    map_.taken = static_cast<std::size_t>(checkpoint_number(checkpoint, "surface_map_rows"));
+void Recorder::restore(const CheckpointReader& checkpoint, const ResultsReader& results) {
+    const auto number = [&](const char* name) { return checkpoint.number("/", name); };
+    due_ = {.series = number("due_series"),
+            .surface = number("due_surface"),
+            .profile = number("due_profile"),
+            .snapshot = number("due_snapshot"),
+            .surface_map = number("due_surface_map")};
+    mean_level_ = number("mean_level");
+    const auto rows = [&](const char* name, const std::string& dataset) {
+        return saved_rows(checkpoint, name, results, dataset);
+    };
+    taken_series_ = rows("series_rows", "/time_series/time");
+    taken_blocks_ = rows("block_rows", "/profile_blocks/time");
+    surface_.taken = rows("surface_rows", "/surface/time");
+    map_.taken = rows("surface_map_rows", "/surface_map/time");
     snapshots_.restore(checkpoint);
     mean_field_.restore(checkpoint);
-
     probes_.restore(checkpoint);
     for (SeriesColumn& column : series_.columns()) {
-        column.values = results.read_doubles("/time_series/" + column.name);
-        column.values.resize(taken_series_);
+        column.values = first_rows(results, "/time_series/" + column.name, taken_series_, {});
     }
-    const std::vector<double> end = results.read_doubles("/profile_blocks/time");
-    const std::vector<double> samples = results.read_doubles("/profile_blocks/samples");
-    const std::vector<double> sums = results.read_doubles("/profile_blocks/sums");
     const std::size_t width = profiles_.layers() * profiles_.quantities();
+    const std::vector<double> end = first_rows(results, "/profile_blocks/time", taken_blocks_, {});
+    const std::vector<double> samples = first_rows(results, "/profile_blocks/samples", taken_blocks_, {});
+    const std::vector<double> sums = first_rows(results, "/profile_blocks/sums", taken_blocks_,
+                                                {profiles_.layers(), profiles_.quantities()});
     std::vector<ProfileBlock> blocks;
     for (std::size_t b = 0; b < taken_blocks_; ++b) {
         const auto first = sums.begin() + static_cast<std::ptrdiff_t>(b * width);
@@ -294,36 +340,10 @@ void Recorder::restore(const Content& checkpoint, const ResultsReader& results) 
                           .samples = samples[b],
                           .sums = std::vector<double>(first, first + static_cast<std::ptrdiff_t>(width))});
     }
-    ProfileBlock current{
-        .end = checkpoint_number(checkpoint, "block_end"),
-        .samples = checkpoint_number(checkpoint, "block_samples"),
-        .sums = std::get<std::vector<double>>(checkpoint_dataset(checkpoint, "/recorder/block_sums").values)};
+    ProfileBlock current{.end = number("block_end"),
+                         .samples = number("block_samples"),
+                         .sums = checkpoint.doubles("/recorder/block_sums", width)};
     profiles_.restore(std::move(blocks), std::move(current));
-}
-
-double checkpoint_number(const Content& content, const std::string& name) {
-    for (const Attribute& attribute : content.attributes) {
-        if (attribute.path == "/" && attribute.name == name) {
-            if (const auto* number = std::get_if<double>(&attribute.value)) {
-                return *number;
-            }
-            if (const auto* integer = std::get_if<std::int64_t>(&attribute.value)) {
-                return static_cast<double>(*integer);
-            }
-        }
-    }
-    throw FileError(
-        fmt::format("the checkpoint lacks `{}`: it was written by another build; start the run again", name));
-}
-
-const Dataset& checkpoint_dataset(const Content& content, const std::string& path) {
-    const auto found = std::find_if(content.datasets.begin(), content.datasets.end(),
-                                    [&](const Dataset& dataset) { return dataset.path == path; });
-    if (found == content.datasets.end()) {
-        throw FileError(fmt::format(
-            "the checkpoint lacks `{}`: it was written by another build; start the run again", path));
-    }
-    return *found;
 }
 
 }  // namespace riffle

@@ -7,6 +7,7 @@
 
 #include "case/case.hpp"
 #include "instruments/probe_set.hpp"
+#include "output/checkpoint_file.hpp"
 #include "output/dataset.hpp"
 #include "output/results_file.hpp"
 #include "solver/mean_field.hpp"
@@ -17,6 +18,9 @@
 #include "solver/twins.hpp"
 
 namespace riffle {
+
+/// Bytes of recorded data that may wait in memory before they are written out.
+inline constexpr std::size_t pending_limit = std::size_t{16} << 20U;
 
 /// Everything that a run records on the way: time series, surface, profile blocks, snapshots, the records of
 /// the instruments; in three dimensions the mean field and maps of the surface. What is due is decided by the
@@ -29,9 +33,16 @@ class Recorder {
     /// Time from which something is due that looks at the fields of the particles.
     [[nodiscard]] double fields_due() const;
 
-    /// Record what is due at the present state. Call after the start and after each step.
+    /// Record what is due at the present state. Call after the start and after each step. In three dimensions
+    /// the fields of the simulation are freed once they have been looked at.
     template <int D>
-    void record(const SimulationIn<D>& simulation);
+    void record(SimulationIn<D>& simulation);
+
+    /// Whether what waits should be written before the simulation goes on: it is much, or a window of the
+    /// mean field is complete, which is then read from its sums.
+    [[nodiscard]] bool should_be_written() const {
+        return pending_bytes() > pending_limit || mean_field_.has_closed_window();
+    }
 
     [[nodiscard]] const TimeSeries& series() const { return series_; }
     [[nodiscard]] const ProfileSampler& profiles() const { return profiles_; }
@@ -48,11 +59,13 @@ class Recorder {
     /// Number of rows of each appended dataset at the last take_new_rows(), for the checkpoint.
     [[nodiscard]] std::map<std::string, std::size_t> rows() const;
 
-    /// State for the checkpoint: next due times and the block that is being filled.
+    /// State for the checkpoint: next due times and the block that is being filled. Large arrays are read
+    /// from the recorder while they are written.
     void save(Content& checkpoint) const;
 
-    /// Put back the state of a checkpoint and the rows that the results file holds.
-    void restore(const Content& checkpoint, const ResultsReader& results);
+    /// Put back the state of a checkpoint and the rows that the results file holds. Throws FileError where
+    /// the checkpoint does not belong to this case, or the results do not reach as far as it.
+    void restore(const CheckpointReader& checkpoint, const ResultsReader& results);
 
   private:
     struct Due {
@@ -96,14 +109,5 @@ template <int D>
 
 /// Places of the map of the surface along an axis of the plan: two particle spacings apart, m.
 [[nodiscard]] std::vector<double> surface_map_places(const Case& c, double extent);
-
-/// Bytes of recorded data that may wait in memory before they are written out.
-inline constexpr std::size_t pending_limit = std::size_t{256} << 20U;
-
-/// Value of a scalar attribute of "/" in a checkpoint's content; throws FileError when it is missing.
-[[nodiscard]] double checkpoint_number(const Content& content, const std::string& name);
-
-/// A dataset of a checkpoint's content; throws FileError when it is missing.
-[[nodiscard]] const Dataset& checkpoint_dataset(const Content& content, const std::string& path);
 
 }  // namespace riffle

@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "instruments/probe_set.hpp"
 #include "output/checkpoint_file.hpp"
+#include "output/folder_lock.hpp"
 #include "solver/recorder.hpp"
 #include "solver/run_session.hpp"
 #include "solver/start.hpp"
@@ -18,13 +19,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void make_folder(const fs::path& folder) {
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error) {
-        throw FileError(fmt::format("cannot create the folder {}: {}; choose another with -o",
-                                    folder.string(), error.message()));
+/// Lock the folder of a run, with a note where the file system cannot.
+FolderLock lock_folder(RunOptions& options) {
+    FolderLock lock(options.folder, FolderLock::Work::run);
+    if (!lock.holds()) {
+        options.notes.push_back(fmt::format(
+            "the file system of {} knows no locks: take care that no second run works in this folder",
+            options.folder.string()));
     }
+    return lock;
 }
 
 /// Keys that a resumed run may change: they leave the state valid.
@@ -61,9 +64,10 @@ void check_runnable(const Case& c) {
     (void)ProbeSet(c, largest_step(c, make_scheme(c, column ? &*column : nullptr)));
 }
 
-RunOutcome run_case(const Case& c, const RunOptions& options) {
+RunOutcome run_case(const Case& c, const RunOptions& given) {
     check_runnable(c);
-    make_folder(options.folder);
+    RunOptions options = given;
+    const FolderLock lock = lock_folder(options);
     const RunFiles files{options.folder};
     if (!options.overwrite && (fs::exists(files.results()) || fs::exists(files.checkpoint()))) {
         throw FileError(
@@ -72,20 +76,12 @@ RunOutcome run_case(const Case& c, const RunOptions& options) {
                         "--force",
                         options.folder.string(), options.folder.string()));
     }
-    if (options.overwrite) {
-        // An old checkpoint must not outlive the results it belongs to.
-        fs::remove(files.checkpoint());
-        fs::remove(CheckpointFile::previous(files.checkpoint()));
-    }
-    return in_dimensions(c, [&]<int D>() {
-        RunSession<D> session(c, options);
-        session.start();
-        return session.advance();
-    });
+    return in_dimensions(c, [&]<int D>() { return RunSession<D>(c, options).run(); });
 }
 
-RunOutcome resume_run(const RunOptions& options, const fs::path& checkpoint,
+RunOutcome resume_run(const RunOptions& given, const fs::path& checkpoint,
                       const std::vector<Override>& overrides) {
+    RunOptions options = given;
     const RunFiles files{options.folder};
     const fs::path from = checkpoint.empty() ? files.checkpoint() : checkpoint;
     if (!fs::exists(files.results()) && !fs::exists(from)) {
@@ -104,15 +100,11 @@ RunOutcome resume_run(const RunOptions& options, const fs::path& checkpoint,
                 o.key));
         }
     }
-    const Content saved = CheckpointFile::read(from);
-    const std::string text = std::get<std::string>(checkpoint_dataset(saved, "/case/text").values);
+    const FolderLock lock = lock_folder(options);
+    const std::string text = CheckpointReader(from).read_string("/case/text");
     const Case c = parse_case(text, from.string(), {}, overrides);
     check_runnable(c);
-    return in_dimensions(c, [&]<int D>() {
-        RunSession<D> session(c, options);
-        session.resume(from);
-        return session.advance();
-    });
+    return in_dimensions(c, [&]<int D>() { return RunSession<D>(c, options).resume(from); });
 }
 
 }  // namespace riffle

@@ -20,6 +20,9 @@ struct RunFiles {
     [[nodiscard]] std::filesystem::path mean_field_xdmf() const { return folder / "mean_field.xdmf"; }
     [[nodiscard]] std::filesystem::path checkpoint() const { return folder / "checkpoint.h5"; }
     [[nodiscard]] std::filesystem::path log() const { return folder / "run.log"; }
+    /// The moment at which the simulation failed, and its index.
+    [[nodiscard]] std::filesystem::path failure() const { return folder / "failure.h5"; }
+    [[nodiscard]] std::filesystem::path failure_xdmf() const { return folder / "failure.xdmf"; }
 };
 
 /// What a running simulation tells about itself.
@@ -48,6 +51,7 @@ struct RunOptions {
     int threads = 0;                 ///< 0: available_processors()
     std::vector<std::string> notes;  ///< lines for the head of the log (warnings of the case)
     std::function<void(const RunProgress&)> progress;  ///< called about every output.progress_interval
+    std::function<void(const std::string&)> warn;      ///< called with what the log warns of on the way
     const std::atomic<int>* stop_signal = nullptr;     ///< non-zero: stop with a checkpoint
 };
 
@@ -68,12 +72,15 @@ struct RunOutcome {
 /// serve, a run until convergence without a steady flow to converge to. Throws InputError.
 void check_runnable(const Case& c);
 
-/// Run a case from its start. Throws FileError when the folder already holds results (unless overwrite) or
-/// cannot be written, RunError when the simulation fails; the last good checkpoint then stays.
+/// Run a case from its start. Throws FileError when the folder already holds results (unless overwrite), when
+/// another process is at work in it, or it cannot be written; RunError when the simulation fails: the last
+/// good checkpoint then stays, with the rows up to the failure and the moment itself (failure.h5). Earlier
+/// results and checkpoints stay until the new run has begun.
 RunOutcome run_case(const Case& c, const RunOptions& options);
 
 /// Go on from a checkpoint in the folder (the newest, or `checkpoint`), bit-identical to a run without the
-/// stop. `overrides` may change [run], [output] and the step of [numerics].
+/// stop. `overrides` may change [run], [output] and the step of [numerics]. Everything is checked before
+/// anything is changed: the files are whole and of one run, the inputs are those of its start.
 RunOutcome resume_run(const RunOptions& options, const std::filesystem::path& checkpoint,
                       const std::vector<Override>& overrides);
 

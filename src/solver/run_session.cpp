@@ -4,6 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
+#include <initializer_list>
+#include <map>
+#include <system_error>
 #include <utility>
 
 #include "base/error.hpp"
@@ -13,6 +17,7 @@
 #include "particles/lattice.hpp"
 #include "solver/content.hpp"
 #include "solver/run_content.hpp"
+#include "solver/run_identity.hpp"
 #include "solver/start.hpp"
 #include "solver/state_content.hpp"
 #include "sph/pair_loops.hpp"
@@ -29,10 +34,33 @@ constexpr double write_share = 0.02;
 /// Simulated time between two convergence tests, s.
 constexpr double test_interval = 1.0;
 
-/// The setting of half the step: the fixed step rules out the Courant number.
-std::string smaller_step(const Numerics& numerics) {
-    return numerics.time_step ? fmt::format("numerics.time_step={:.3g}", 0.5 * *numerics.time_step)
-                              : fmt::format("numerics.courant_number={:.2g}", 0.5 * numerics.courant_number);
+/// Remove files where they are there; that they stay hurts nobody.
+void remove_files(std::initializer_list<std::filesystem::path> files) {
+    for (const std::filesystem::path& file : files) {
+        std::error_code ignored;
+        std::filesystem::remove(file, ignored);
+    }
+}
+
+/// Throw FileError unless the results have so many rows and snapshots.
+void require_rows(const ResultsReader& results, const std::map<std::string, std::size_t>& rows,
+                  std::size_t snapshots) {
+    const auto require = [&](const std::string& path, bool there) {
+        if (!there) {
+            throw FileError(fmt::format(
+                "{}: ends before the checkpoint: {} lacks rows of it. The results are older than the "
+                "checkpoint, or of another run; put back those that belong to it",
+                results.path().string(), path));
+        }
+    };
+    for (const auto& [path, count] : rows) {
+        const std::vector<std::size_t> shape =
+            results.has(path) ? results.shape(path) : std::vector<std::size_t>();
+        require(path, count == 0 || (!shape.empty() && shape[0] >= count));
+    }
+    for (std::size_t i = 0; i < snapshots; ++i) {
+        require(snapshot_group(i), results.has(snapshot_group(i)));
+    }
 }
 
 }  // namespace
@@ -50,7 +78,11 @@ void RunSession<D>::make_simulation_of_case(bool from_start) {
     const ColumnResult* column = twins_.column_or_null();
     const Scheme scheme = make_scheme(case_, column);
     Particles<D> particles;
-    if (from_start && case_.start.kind == StartKind::results) {
+    if (case_.start.kind == StartKind::results && !from_start) {
+        Case still = case_;
+        still.start.kind = StartKind::rest;
+        particles = initial_particles<D>(still, scheme, column, twins_.section_velocity());
+    } else if (case_.start.kind == StartKind::results) {
         particles = particles_from_results<D>(case_, scheme, ResultsReader(case_.start.file),
                                               case_.start.file.string());
     } else {
@@ -61,7 +93,34 @@ void RunSession<D>::make_simulation_of_case(bool from_start) {
 }
 
 template <int D>
+template <class F>
+RunOutcome RunSession<D>::logged(const F& f) {
+    try {
+        f();
+        return advance();
+    } catch (const Error& error) {
+        log_.error(error.what());
+        throw;
+    } catch (const std::exception& error) {
+        log_.error(std::string("unexpected fault: ") + error.what());
+        throw;
+    }
+}
+
+template <int D>
+RunOutcome RunSession<D>::run() {
+    return logged([&] { start(); });
+}
+
+template <int D>
+RunOutcome RunSession<D>::resume(const std::filesystem::path& checkpoint) {
+    return logged([&] { restore(checkpoint); });
+}
+
+template <int D>
 void RunSession<D>::start() {
+    run_id_ = new_run_id();
+    inputs_ = input_checksums(case_);
     make_simulation_of_case(true);
     const Scheme& scheme = simulation_->scheme();
     log_.info(fmt::format("riffle {} ({}), {} instructions, {}", version(), build_description(),
@@ -81,36 +140,53 @@ void RunSession<D>::start() {
     Content content = run_head(case_, twins_);
     content.compression = case_.output.compression;
     recorder_->record(*simulation_);
-    add_run_attributes(content, false);
+    add_identity(content, run_id_, inputs_);
+    add_run_attributes(content, Moment::on_the_way);
     ResultsFile::create(files_.results(), content, options_.overwrite);
-    write_out(false);
+    // What an earlier run has left here has been replaced up to this, and is of no more use.
+    remove_files({files_.xdmf(), files_.mean_field_xdmf(), files_.failure(), files_.failure_xdmf()});
+    write_out(Moment::on_the_way);
+    remove_files({CheckpointFile::previous(files_.checkpoint())});
 }
 
 template <int D>
-void RunSession<D>::resume(const std::filesystem::path& checkpoint) {
-    const Content saved = CheckpointFile::read(checkpoint);
-    // The start particles only give the arrays their walls and sizes; the state replaces them. A start from a
-    // results file that is gone must not stop a resume.
-    if (case_.start.kind == StartKind::results) {
-        Case still = case_;
-        still.start.kind = StartKind::rest;
-        const Case keep = case_;
-        case_ = still;
+void RunSession<D>::restore(const std::filesystem::path& checkpoint) {
+    {
+        const CheckpointReader saved(checkpoint);
+        const ResultsReader results(files_.results());
+        results.verify();
+        require_same_run(saved, results);
+        run_id_ = run_id_of(saved);
+        inputs_ = saved.read_string("/case/inputs");
+        for (const std::string& warning : compare_identity(saved, case_)) {
+            log_.warning(warning);
+            if (options_.warn) {
+                options_.warn(warning);
+            }
+        }
+        // The start particles only give the arrays their walls and sizes; the state replaces them. A start
+        // from a results file that is gone must not stop a resume.
         make_simulation_of_case(false);
-        case_ = keep;
-    } else {
-        make_simulation_of_case(false);
+        restore_state(saved, "/state", *simulation_);
+        recorder_->restore(saved, results);
+        require_rows(results, recorder_->rows(), recorder_->snapshots().entries().size());
+        earlier_wall_seconds_ = saved.number("/", "wall_seconds");
+        next_test_ = saved.number("/", "next_test");
+        first_step_ = simulation_->clock().steps;
     }
-    restore_state(saved, "/state", *simulation_);
-    recorder_->restore(saved, ResultsReader(files_.results()));
-    earlier_wall_seconds_ = checkpoint_number(saved, "wall_seconds");
-    next_test_ = checkpoint_number(saved, "next_test");
-    first_step_ = simulation_->clock().steps;
+    // From here on the folder is changed. Another checkpoint than the newest becomes it first: with that one
+    // the results that are cut back could not be gone on with.
+    CheckpointFile::adopt(files_.checkpoint(), checkpoint);
     // The results may be ahead of the checkpoint: cut them back before anything is added.
     Content content;
     content.datasets.push_back(case_dataset(case_));
-    ResultsFile::update(files_.results(), content, recorder_->rows(),
-                        recorder_->snapshots().entries().size());
+    add_attribute(content, "/", "complete", std::int64_t{0});
+    add_attribute(content, "/", "failure", std::string());
+    add_identity(content, run_id_, inputs_);
+    add_clock(content, "/state", *simulation_);
+    ResultsFile::update(files_.results(), content, recorder_->rows(), recorder_->snapshots().entries().size(),
+                        {"/state"});
+    remove_files({files_.failure(), files_.failure_xdmf()});
     log_.info(fmt::format("resumed at t = {:.6g} s, step {}, from {}", simulation_->clock().time,
                           simulation_->clock().steps, checkpoint.filename().string()));
     update_convergence(false);
@@ -136,17 +212,7 @@ RunOutcome RunSession<D>::advance() {
             stopped = true;
             break;
         }
-        try {
-            simulation_->step(recorder_->fields_due());
-        } catch (const RunError& e) {
-            log_.error(e.what());
-            const Content saved = CheckpointFile::read(files_.checkpoint());
-            throw RunError(
-                fmt::format("{}\nThe last good checkpoint is at t = {:.6g} s ({}). To go on with a smaller "
-                            "step: riffle resume {} --set {}",
-                            e.what(), checkpoint_number(saved, "time"), files_.checkpoint().string(),
-                            files_.folder.string(), smaller_step(case_.numerics)));
-        }
+        step();
         recorder_->record(*simulation_);
         if (simulation_->clock().time >= next_test_) {
             next_test_ = (std::floor(simulation_->clock().time / test_interval + 1e-9) + 1.0) * test_interval;
@@ -156,15 +222,17 @@ RunOutcome RunSession<D>::advance() {
             report_progress();
         }
         const double wait = std::max(case_.output.checkpoint_interval, write_seconds_ / write_share);
-        if (seconds_since(last_write_) >= wait || recorder_->pending_bytes() > pending_limit) {
-            write_out(false);
+        if (seconds_since(last_write_) >= wait) {
+            write_out(Moment::on_the_way);
+        } else if (recorder_->should_be_written()) {
+            write_results(Moment::on_the_way);
         }
     }
     if (!stopped) {
         update_convergence(true);
     }
     report_progress();
-    write_out(!stopped);
+    write_out(stopped ? Moment::stopped : Moment::complete);
 
     RunOutcome outcome;
     outcome.end =
@@ -206,62 +274,12 @@ void RunSession<D>::update_convergence(bool final_test) {
 }
 
 template <int D>
-void RunSession<D>::write_out(bool complete) {
-    const auto start = Clock::now();
-    {
-        // Gone before the checkpoint is made: both hold copies of the state.
-        Content content = recorder_->take_new_rows();
-        content.compression = case_.output.compression;
-        add_run_attributes(content, complete);
-        add_profiles_content(content, twins_, *recorder_, convergence_);
-        add_state(content, "/state", *simulation_);
-        ResultsFile::update(files_.results(), content);
+void RunSession<D>::step() {
+    try {
+        simulation_->step(recorder_->fields_due());
+    } catch (const RunError& error) {
+        throw RunError(leave_failure(error));
     }
-    write_checkpoint();
-    write_indexes(files_, *recorder_);
-    last_write_ = Clock::now();
-    write_seconds_ = std::chrono::duration<double>(last_write_ - start).count();
-}
-
-template <int D>
-void RunSession<D>::write_checkpoint() {
-    Content content;
-    const auto number = [&](const char* name, double value) { add_attribute(content, "/", name, value); };
-    number("time", simulation_->clock().time);
-    number("wall_seconds", earlier_wall_seconds_ + seconds_since(begin_));
-    number("next_test", next_test_);
-    content.datasets.push_back(case_dataset(case_));
-    recorder_->save(content);
-    add_state(content, "/state", *simulation_);
-    CheckpointFile::write(files_.checkpoint(), content);
-}
-
-template <int D>
-void RunSession<D>::add_run_attributes(Content& content, bool complete) const {
-    const auto attribute = [&](const std::string& path, const std::string& name, AttributeValue value) {
-        add_attribute(content, path, name, std::move(value));
-    };
-    attribute("/", "complete", std::int64_t{complete ? 1 : 0});
-    const RunSummary summary = current_summary(case_, twins_, *recorder_, convergence_);
-    for (const auto& [name, value] : summary.values) {
-        attribute("/summary", name, value);
-    }
-    attribute("/summary", "convergence", convergence_.reason);
-    attribute("/summary", "particles", static_cast<std::int64_t>(simulation_->particles().size()));
-    attribute("/summary", "wall_particles", static_cast<std::int64_t>(simulation_->walls().size()));
-    attribute("/summary", "steps", simulation_->clock().steps);
-    attribute("/summary", "simulated_time", simulation_->clock().time);
-    attribute("/summary", "sound_speed", simulation_->scheme().state.sound_speed);
-    attribute("/summary", "crest", case_.crest());
-    attribute("/summary", "datum", case_.datum());
-    attribute("/summary", "total_depth", case_.total_depth());
-    const double seconds = earlier_wall_seconds_ + seconds_since(begin_);
-    attribute("/summary", "wall_clock_seconds", seconds);
-    attribute("/summary", "threads", std::int64_t{thread_count()});
-    attribute("/summary", "instruction_set", instruction_set_name(active_instruction_set()));
-    attribute("/summary", "particle_updates_per_second",
-              static_cast<double>(simulation_->clock().steps) * simulation_->evaluations_per_step() *
-                  static_cast<double>(simulation_->particles().size()) / std::max(1e-9, seconds));
 }
 
 template <int D>

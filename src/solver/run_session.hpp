@@ -17,22 +17,32 @@ class RunSession {
   public:
     RunSession(Case c, RunOptions options);
 
-    /// Start at t = 0: create the results file and the first checkpoint.
-    void start();
+    /// Run from t = 0: create the results file and the first checkpoint, advance to the end, writing on the
+    /// way. What ends the run by an error is told in the log too.
+    RunOutcome run();
 
-    /// Continue from a checkpoint: cut the results back to it, restore everything.
-    void resume(const std::filesystem::path& checkpoint);
-
-    /// Advance to the end, writing on the way.
-    RunOutcome advance();
+    /// Go on from a checkpoint: check that everything belongs together, cut the results back to it, advance.
+    RunOutcome resume(const std::filesystem::path& checkpoint);
 
   private:
     using Clock = std::chrono::steady_clock;
 
+    /// When the results are written: a run that goes on leaves its last state to the checkpoint.
+    enum class Moment { on_the_way, stopped, complete, failed };
+
+    template <class F>
+    RunOutcome logged(const F& f);
+    void start();
+    void restore(const std::filesystem::path& checkpoint);
+    RunOutcome advance();
     void make_simulation_of_case(bool from_start);
-    void write_out(bool complete);
+    void step();
+    /// Write what a run that fails leaves, and tell of it: the message of the error to be thrown.
+    std::string leave_failure(const RunError& error);
+    void write_out(Moment moment);
+    void write_results(Moment moment);
     void write_checkpoint();
-    void add_run_attributes(Content& content, bool complete) const;
+    void add_run_attributes(Content& content, Moment moment) const;
     void update_convergence(bool final_test);
     void report_progress();
     [[nodiscard]] bool finished() const;
@@ -42,6 +52,9 @@ class RunSession {
     RunOptions options_;
     RunFiles files_;
     RunLog log_;
+    std::string run_id_;
+    std::string inputs_;   ///< input_checksums() at the start of the run
+    std::string failure_;  ///< what the simulation failed with
     Twins twins_;
     std::unique_ptr<SimulationIn<D>> simulation_;
     std::unique_ptr<Recorder> recorder_;

@@ -213,6 +213,14 @@ void TimeSeries::sample(const SimulationIn<D>& simulation, double mean_level) {
     }
 }
 
+void TimeSeries::set_mean_level(double level) {
+    for (SeriesColumn& column : columns_) {
+        if (column.name == "mean_level") {
+            column.values.back() = level;
+        }
+    }
+}
+
 template void TimeSeries::sample(const SimulationIn<2>&, double);
 template void TimeSeries::sample(const SimulationIn<3>&, double);
 

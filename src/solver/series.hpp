@@ -25,6 +25,8 @@ class TimeSeries {
     /// Add the row of the present state. `mean_level`: of the newest surface sample, m.
     template <int D>
     void sample(const SimulationIn<D>& simulation, double mean_level);
+    /// Put a mean level that became known after the sample into the last row.
+    void set_mean_level(double level);
 
     [[nodiscard]] const std::vector<SeriesColumn>& columns() const { return columns_; }
     [[nodiscard]] std::vector<SeriesColumn>& columns() { return columns_; }

@@ -4,12 +4,16 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
+#include "base/error.hpp"
 #include "boundary/wall.hpp"
 #include "case/case.hpp"
 #include "column/column.hpp"
 #include "particles/particles.hpp"
+#include "particles/sparse_values.hpp"
+#include "particles/working_values.hpp"
 #include "solver/scheme.hpp"
 
 namespace riffle {
@@ -17,44 +21,54 @@ namespace riffle {
 /// Quantities of the particles at the last evaluation of the forces, for sampling and output. By particle,
 /// SI.
 struct ParticleFields {
-    std::vector<double> pressure;                ///< p, Pa
-    std::vector<double> eddy_viscosity;          ///< nu_t
-    std::vector<double> shear;                   ///< du/dz
-    std::vector<double> regularity;              ///< smallest eigenvalue of M
+    WorkingValues pressure;                      ///< p, Pa
+    WorkingValues eddy_viscosity;                ///< nu_t
+    WorkingValues shear;                         ///< du/dz
     std::vector<double> pair_acceleration_x;     ///< of the pressure pairs
     std::vector<double> viscous_acceleration_x;  ///< of viscosity and closure
-    std::vector<double> wall_acceleration_x;     ///< part of both from walls
-    std::vector<double> wall_acceleration_z;     ///< the same, normal to the bed
-    std::vector<double> drag_acceleration_x;     ///< of the bed drag (negative for u > 0)
+    SparseValues wall_acceleration_x;            ///< part of both from walls
+    SparseValues wall_acceleration_z;            ///< the same, normal to the bed
+    SparseValues drag_acceleration_x;            ///< of the bed drag (negative for u > 0)
     // Three dimensions only, else empty.
-    std::vector<double> drag_acceleration_y;       ///< of the bed drag
-    std::vector<double> side_wall_acceleration_x;  ///< of the drag in the side walls' layers
-    std::vector<double> side_wall_acceleration_z;
+    SparseValues drag_acceleration_y;       ///< of the bed drag
+    SparseValues side_wall_acceleration_x;  ///< of the drag in the side walls' layers
+    SparseValues side_wall_acceleration_z;
     std::vector<double> shear_stress;          ///< tau_xz of viscosity and closure, Pa
     std::vector<double> lateral_shear_stress;  ///< tau_xy, Pa
 
-    void resize(std::size_t n, int dimensions);
-    /// All of them; those of three dimensions come last.
-    static constexpr std::array<std::vector<double> ParticleFields::*, 14> all();
-    static constexpr std::size_t in_plane = 9;
+    /// Take n particles, all values zero. `Real`: of the pair arithmetic; `density`: of the water, kg/m3.
+    template <class Real>
+    void reset(std::size_t n, int dimensions, double density) {
+        pressure.reset<Real>(n, density);
+        eddy_viscosity.reset<Real>(n);
+        shear.reset<Real>(n);
+        pair_acceleration_x.assign(n, 0.0);
+        viscous_acceleration_x.assign(n, 0.0);
+        shear_stress.assign(dimensions == 3 ? n : 0, 0.0);
+        lateral_shear_stress.assign(dimensions == 3 ? n : 0, 0.0);
+        for (SparseValues ParticleFields::*const force : near_walls(dimensions)) {
+            (this->*force).reset(n);
+        }
+    }
+    /// Free all but the eddy viscosity, which snapshots show, or that too.
+    void release(bool with_viscosity);
+    [[nodiscard]] std::size_t bytes() const;
+
+  private:
+    [[nodiscard]] static std::span<SparseValues ParticleFields::*const> near_walls(int dimensions);
 };
 
-constexpr std::array<std::vector<double> ParticleFields::*, 14> ParticleFields::all() {
-    return {&ParticleFields::pressure,
-            &ParticleFields::eddy_viscosity,
-            &ParticleFields::shear,
-            &ParticleFields::regularity,
-            &ParticleFields::pair_acceleration_x,
-            &ParticleFields::viscous_acceleration_x,
-            &ParticleFields::wall_acceleration_x,
-            &ParticleFields::wall_acceleration_z,
-            &ParticleFields::drag_acceleration_x,
-            &ParticleFields::drag_acceleration_y,
-            &ParticleFields::side_wall_acceleration_x,
-            &ParticleFields::side_wall_acceleration_z,
-            &ParticleFields::shear_stress,
-            &ParticleFields::lateral_shear_stress};
-}
+/// The simulation cannot go on because of one particle.
+class ParticleFault : public RunError {
+  public:
+    /// `particle`: its index in the arrays.
+    ParticleFault(std::size_t particle, const std::string& message)
+        : RunError(message), particle_(particle) {}
+    [[nodiscard]] std::size_t particle() const { return particle_; }
+
+  private:
+    std::size_t particle_;
+};
 
 /// State that a run needs beside the particles to go on with the same bits.
 struct SimulationClock {
@@ -85,9 +99,9 @@ class SimulationIn {
   public:
     virtual ~SimulationIn() = default;
 
-    /// One time step. Throws RunError naming particle, place and time when the state is no longer finite or a
-    /// particle has left the domain; the step is then not completed. fields() are brought up to date by steps
-    /// that end at or after `fields_due`, s.
+    /// One time step. Throws ParticleFault naming particle, place and time when the state is no longer finite
+    /// or a particle has left the domain; the step is then not completed. fields() are brought up to date by
+    /// steps that end at or after `fields_due`, s.
     virtual void step(double fields_due) = 0;
     void step() { step(0.0); }
 
@@ -103,11 +117,11 @@ class SimulationIn {
     /// itself), counted now.
     [[nodiscard]] virtual double count_neighbours() const = 0;
 
-    /// Bytes that the simulation's arrays hold.
+    /// Bytes that the simulation's arrays hold, those of fields() included.
     [[nodiscard]] virtual std::size_t bytes() const = 0;
 
-    /// Free the arrays of fields() until a step fills them again.
-    virtual void drop_fields() = 0;
+    /// Free the arrays of fields() until a step fills them again, but for the eddy viscosity or all.
+    void drop_fields(bool with_viscosity = true) { fields_.release(with_viscosity); }
 
     /// Measure the parts of the steps from now on (a few per cent slower), or stop to.
     virtual void measure_profile(bool on) = 0;
@@ -120,10 +134,12 @@ class SimulationIn {
     [[nodiscard]] const std::vector<double>& wall_density_deviation() const { return wall_deviation_; }
     [[nodiscard]] const WallParticles<D>& walls() const { return walls_; }
 
-    /// The particles with their listed positions, for a checkpoint.
-    [[nodiscard]] virtual Particles<D> state() const = 0;
+    /// Coordinates of the particles from `first` on at the last build of the neighbour lists, m: part of the
+    /// state that a checkpoint holds.
+    virtual void listed_positions(std::size_t axis, std::size_t first, std::span<double> values) const = 0;
 
-    /// Put back a state() with its clock, particles in their saved order.
+    /// Put back the particles of a checkpoint, with their listed positions and in their saved order, and its
+    /// clock.
     virtual void restore(Particles<D> particles, const SimulationClock& clock,
                          std::vector<double> wall_deviation) = 0;
 

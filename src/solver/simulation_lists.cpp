@@ -21,6 +21,12 @@ constexpr std::size_t light_block = 128;
 template <int D, class Real>
 void SimulationOf<D, Real>::build_lists(bool sort) {
     const double spacing = case_.numerics.spacing;
+    // What is made anew below is freed first: else both would be there for a while.
+    fluid_fluid_ = {};
+    fluid_wall_ = {};
+    wall_fluid_ = {};
+    data_.stress = {};
+    data_.pressure = {};
     if (sort) {
         particles_.permute(
             spatial_order<D>(domain_, position_view<D>(particles_.position), column_width_, 0.5 * spacing));
@@ -210,19 +216,19 @@ bool SimulationOf<D, Real>::has_loose_particles() const {
 }
 
 template <int D, class Real>
-Particles<D> SimulationOf<D, Real>::state() const {
-    Particles<D> result = particles_;
-    for (std::size_t k = 0; k < axes; ++k) {
-        auto& listed = result.listed_position[k];
-        listed.resize(result.size());
-        for (std::size_t slot = 0; slot < clusters_.slots(); ++slot) {
-            if (clusters_.particle_of(slot) >= 0) {
-                listed[static_cast<std::size_t>(clusters_.particle_of(slot))] =
-                    fixed_point_.decode(clusters_.slot_position[k][slot], k);
-            }
+void SimulationOf<D, Real>::listed_positions(std::size_t axis, std::size_t first,
+                                             std::span<double> values) const {
+    const auto& begin = clusters_.begin;
+    const auto after = std::upper_bound(begin.begin(), begin.end(), static_cast<std::int32_t>(first));
+    auto cluster = static_cast<std::size_t>(after - begin.begin()) - 1;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const auto particle = static_cast<std::int32_t>(first + i);
+        while (particle >= begin[cluster + 1]) {
+            ++cluster;
         }
+        const std::size_t slot = cluster * cluster_size + static_cast<std::size_t>(particle - begin[cluster]);
+        values[i] = fixed_point_.decode(clusters_.slot_position[axis][slot], axis);
     }
-    return result;
 }
 
 template <int D, class Real>
@@ -293,9 +299,7 @@ std::size_t SimulationOf<D, Real>::bytes() const {
         add(component);
     }
     add(particles_.previous.density);
-    for (const auto field : ParticleFields::all()) {
-        add(fields_.*field);
-    }
+    total += fields_.bytes();
     total += ghosts_ ? ghosts_->bytes() : 0;
     for (const auto& sweep : sweeps_) {
         total += sweep->bytes();

@@ -36,10 +36,9 @@ class SimulationOf final : public SimulationIn<D> {
     [[nodiscard]] double mean_listed_neighbours() const override;
     [[nodiscard]] double count_neighbours() const override;
     [[nodiscard]] std::size_t bytes() const override;
-    void drop_fields() override;
     void measure_profile(bool on) override;
     [[nodiscard]] StepProfile profile() const override;
-    [[nodiscard]] Particles<D> state() const override;
+    void listed_positions(std::size_t axis, std::size_t first, std::span<double> values) const override;
     void restore(Particles<D> particles, const SimulationClock& clock,
                  std::vector<double> wall_deviation) override;
 

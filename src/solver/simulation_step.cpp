@@ -16,11 +16,39 @@
 
 namespace riffle {
 
-void ParticleFields::resize(std::size_t n, int dimensions) {
-    const auto fields = all();
-    for (std::size_t k = 0; k < (dimensions == 3 ? fields.size() : in_plane); ++k) {
-        (this->*fields[k]).resize(n, 0.0);
+std::span<SparseValues ParticleFields::*const> ParticleFields::near_walls(int dimensions) {
+    static constexpr std::array<SparseValues ParticleFields::*, 6> all = {
+        &ParticleFields::wall_acceleration_x,      &ParticleFields::wall_acceleration_z,
+        &ParticleFields::drag_acceleration_x,      &ParticleFields::drag_acceleration_y,
+        &ParticleFields::side_wall_acceleration_x, &ParticleFields::side_wall_acceleration_z};
+    return std::span(all).first(dimensions == 3 ? all.size() : 3);
+}
+
+void ParticleFields::release(bool with_viscosity) {
+    pressure.release();
+    shear.release();
+    for (std::vector<double>* const values :
+         {&pair_acceleration_x, &viscous_acceleration_x, &shear_stress, &lateral_shear_stress}) {
+        std::vector<double>().swap(*values);
     }
+    for (SparseValues ParticleFields::*const force : near_walls(3)) {
+        (this->*force).release();
+    }
+    if (with_viscosity) {
+        eddy_viscosity.release();
+    }
+}
+
+std::size_t ParticleFields::bytes() const {
+    std::size_t total = pressure.bytes() + eddy_viscosity.bytes() + shear.bytes();
+    for (const SparseValues ParticleFields::*const force : near_walls(3)) {
+        total += (this->*force).bytes();
+    }
+    for (const std::vector<double>* const values :
+         {&pair_acceleration_x, &viscous_acceleration_x, &shear_stress, &lateral_shear_stress}) {
+        total += values->capacity() * sizeof(double);
+    }
+    return total;
 }
 
 template <int D, class Real>
@@ -74,7 +102,7 @@ SimulationOf<D, Real>::SimulationOf(const Case& c, const ColumnResult* column, P
         ghosts_ = std::make_unique<GhostNodes<D>>(c, scheme_, domain_, walls_, column_width_);
     }
     build_lists(true);
-    fields_.resize(particles_.size(), D);
+    fields_.template reset<Real>(particles_.size(), D, scheme_.density);
 }
 
 template <int D, class Real>
@@ -115,11 +143,12 @@ void SimulationOf<D, Real>::check_state() const {
         }
         const std::string y = D == 3 ? fmt::format("y = {:.6g} m, ", x[1]) : "";
         const std::string v = D == 3 ? fmt::format("{:.4g}, ", u[1]) : "";
-        throw RunError(fmt::format(
-            "{}: particle {} at x = {:.6g} m, {}z = {:.6g} m, velocity ({:.4g}, {}{:.4g}) m/s, "
-            "density deviation {:.4g}, at t = {:.6g} s (step {})",
-            finite ? "a particle left the domain" : "the state is no longer finite", particles_.id[i], x[0],
-            y, x[2], u[0], v, u[2], particles_.density_deviation[i], clock_.time, clock_.steps));
+        throw ParticleFault(
+            i, fmt::format(
+                   "{}: particle {} at x = {:.6g} m, {}z = {:.6g} m, velocity ({:.4g}, {}{:.4g}) m/s, "
+                   "density deviation {:.4g}, at t = {:.6g} s (step {})",
+                   finite ? "a particle left the domain" : "the state is no longer finite", particles_.id[i],
+                   x[0], y, x[2], u[0], v, u[2], particles_.density_deviation[i], clock_.time, clock_.steps));
     }
 }
 
@@ -150,7 +179,7 @@ void SimulationOf<D, Real>::take_step(double fields_due) {
     // As the recorder will see the time: the same sum.
     keep_fields_ = clock_.time + dt >= fields_due;
     if (keep_fields_) {
-        fields_.resize(particles_.size(), D);
+        fields_.template reset<Real>(particles_.size(), D, scheme_.density);
     }
     if (stepper_) {
         take_step_by_rates(dt, filtered);
@@ -181,13 +210,6 @@ void SimulationOf<D, Real>::take_step_by_rates(double dt, bool filtered) {
         evaluate({.density = 0.0, .wall = dt / evaluations, .motion = dt});
     }
     clock_.time = begin;
-}
-
-template <int D, class Real>
-void SimulationOf<D, Real>::drop_fields() {
-    for (const auto field : ParticleFields::all()) {
-        std::vector<double>().swap(fields_.*field);
-    }
 }
 
 template <int D, class Real>

@@ -173,11 +173,9 @@ void SimulationOf<D, Real>::keep_stress_fields(const Task& task, std::size_t beg
     for_clusters(begin, end, [&](std::size_t first, std::size_t last, std::size_t first_lane) {
         for (std::size_t i = first; i < last; ++i) {
             const std::size_t lane = first_lane + (i - first);
-            fields_.pressure[i] = scheme_.density * static_cast<double>(task.particles.pressure[lane]);
-            fields_.eddy_viscosity[i] = static_cast<double>(task.particles.eddy_viscosity[lane]);
-            fields_.shear[i] =
-                gradients ? static_cast<double>(gradient.velocity_gradient[vertical][lane]) : 0.0;
-            fields_.regularity[i] = gradients ? static_cast<double>(gradient.regularity[lane]) : 1.0;
+            fields_.pressure.set(i, task.particles.pressure[lane]);
+            fields_.eddy_viscosity.set(i, task.particles.eddy_viscosity[lane]);
+            fields_.shear.set(i, gradients ? gradient.velocity_gradient[vertical][lane] : Real(0));
             if constexpr (D == 3) {
                 const auto twice_strain = [&](std::size_t k, std::size_t l) {
                     return gradients ? static_cast<double>(gradient.velocity_gradient[k * axes + l][lane]) +
@@ -317,19 +315,20 @@ void SimulationOf<D, Real>::keep_force_fields(const Task& task, std::size_t begi
             fields_.pair_acceleration_x[i] = factor * static_cast<double>(task.sums.force.tensor[0][lane]);
             fields_.viscous_acceleration_x[i] =
                 factor * static_cast<double>(task.sums.force.viscous[0][lane]);
-            fields_.wall_acceleration_x[i] = factor * static_cast<double>(task.sums.force.wall[0][lane]);
-            fields_.wall_acceleration_z[i] =
-                factor * static_cast<double>(task.sums.force.wall[vertical][lane]);
+            double wall_x = factor * static_cast<double>(task.sums.force.wall[0][lane]);
+            double wall_z = factor * static_cast<double>(task.sums.force.wall[vertical][lane]);
             if (repulsion_.active()) {
-                fields_.wall_acceleration_x[i] += task.repulsion[0][lane];
-                fields_.wall_acceleration_z[i] += task.repulsion[vertical][lane];
+                wall_x += task.repulsion[0][lane];
+                wall_z += task.repulsion[vertical][lane];
             }
-            fields_.drag_acceleration_x[i] = drag_ ? task.particles.drag_force[lane] : 0.0;
+            fields_.wall_acceleration_x.set(i, wall_x);
+            fields_.wall_acceleration_z.set(i, wall_z);
+            fields_.drag_acceleration_x.set(i, drag_ ? task.particles.drag_force[lane] : 0.0);
             if constexpr (D == 3) {
-                fields_.drag_acceleration_y[i] = drag_ ? task.particles.drag_force_across[lane] : 0.0;
-                fields_.side_wall_acceleration_x[i] = side_drag_ ? task.particles.side_force[lane] : 0.0;
-                fields_.side_wall_acceleration_z[i] =
-                    side_drag_ ? task.particles.side_force_vertical[lane] : 0.0;
+                fields_.drag_acceleration_y.set(i, drag_ ? task.particles.drag_force_across[lane] : 0.0);
+                fields_.side_wall_acceleration_x.set(i, side_drag_ ? task.particles.side_force[lane] : 0.0);
+                fields_.side_wall_acceleration_z.set(
+                    i, side_drag_ ? task.particles.side_force_vertical[lane] : 0.0);
             }
         }
     });

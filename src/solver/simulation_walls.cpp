@@ -170,12 +170,14 @@ void SimulationOf<D, Real>::check_solids() const {
                 place[axis] = particles_.position[axis][i];
             }
             if (is_deep(place)) {
-                throw RunError(fmt::format(
-                    "water has entered the solid \"{}\": particle {} at x = {:.6g} m, z = {:.6g} m, velocity "
-                    "({:.4g}, {:.4g}) m/s, at t = {:.6g} s; take a smaller spacing, let the solid move more "
-                    "slowly, or keep [numerics] density_diffusion = \"fourtakas\"",
-                    case_.solids[k].name, particles_.id[i], place[0], place[vertical],
-                    particles_.velocity[0][i], particles_.velocity[vertical][i], clock_.time));
+                throw ParticleFault(
+                    i, fmt::format("water has entered the solid \"{}\": particle {} at x = {:.6g} m, z = "
+                                   "{:.6g} m, velocity "
+                                   "({:.4g}, {:.4g}) m/s, at t = {:.6g} s; take a smaller spacing, let the "
+                                   "solid move more "
+                                   "slowly, or keep [numerics] density_diffusion = \"fourtakas\"",
+                                   case_.solids[k].name, particles_.id[i], place[0], place[vertical],
+                                   particles_.velocity[0][i], particles_.velocity[vertical][i], clock_.time));
             }
         }
     }

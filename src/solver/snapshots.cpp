@@ -31,7 +31,7 @@ std::size_t add_field(Content& content, const std::string& path, std::size_t com
 /// Components of (x, y, z) by particle, in the order of the chosen ones.
 template <int D>
 std::vector<float> triples(const std::array<std::vector<double>, static_cast<std::size_t>(D)>& vectors,
-                           const std::vector<std::size_t>& chosen) {
+                           const std::vector<std::uint32_t>& chosen) {
     std::vector<float> result(3 * chosen.size(), 0.0F);
     for (std::size_t k = 0; k < D; ++k) {
         const std::size_t axis = k == D - 1 ? 2 : k;
@@ -78,12 +78,12 @@ std::size_t SnapshotRecorder::bytes_per_particle() const {
 }
 
 template <int D>
-std::vector<std::size_t> SnapshotRecorder::chosen(const Particles<D>& p) const {
-    std::vector<std::size_t> chosen(p.size());
-    std::iota(chosen.begin(), chosen.end(), std::size_t{0});
+std::vector<std::uint32_t> SnapshotRecorder::chosen(const Particles<D>& p) const {
+    std::vector<std::uint32_t> chosen(p.size());
+    std::iota(chosen.begin(), chosen.end(), std::uint32_t{0});
     const auto keep_within = [&](const std::vector<double>& range, std::size_t axis) {
         if (!range.empty()) {
-            std::erase_if(chosen, [&](std::size_t i) {
+            std::erase_if(chosen, [&](std::uint32_t i) {
                 return p.position[axis][i] < range[0] || p.position[axis][i] > range[1];
             });
         }
@@ -94,7 +94,8 @@ std::vector<std::size_t> SnapshotRecorder::chosen(const Particles<D>& p) const {
     }
     keep_within(case_.output.snapshot_z, D - 1);
     // In the order of the particles' numbers: of all particles, row i of every snapshot is the same one.
-    std::sort(chosen.begin(), chosen.end(), [&](std::size_t a, std::size_t b) { return p.id[a] < p.id[b]; });
+    std::sort(chosen.begin(), chosen.end(),
+              [&](std::uint32_t a, std::uint32_t b) { return p.id[a] < p.id[b]; });
     return chosen;
 }
 
@@ -107,7 +108,7 @@ std::size_t SnapshotRecorder::points_in(std::size_t particles) const {
 template <int D>
 void SnapshotRecorder::record(const SimulationIn<D>& simulation) {
     const Particles<D>& p = simulation.particles();
-    const std::vector<std::size_t> rows = chosen(p);
+    const std::vector<std::uint32_t> rows = chosen(p);
     const std::size_t n = rows.size();
     const std::size_t index = entries_.size();
     const std::string group = snapshot_group(index);
@@ -174,13 +175,14 @@ void SnapshotRecorder::save(Content& checkpoint) const {
               "particles in the snapshots so far");
 }
 
-void SnapshotRecorder::restore(const Content& checkpoint) {
-    const auto& times =
-        std::get<std::vector<double>>(checkpoint_dataset(checkpoint, "/recorder/snapshot_times").values);
-    const auto& particles =
-        std::get<std::vector<double>>(checkpoint_dataset(checkpoint, "/recorder/snapshot_particles").values);
+void SnapshotRecorder::restore(const CheckpointReader& checkpoint) {
+    const std::string path = "/recorder/snapshot_times";
+    const std::vector<std::size_t> shape = checkpoint.shape(path);
+    const std::size_t n = shape.empty() ? 0 : shape[0];
+    const std::vector<double> times = checkpoint.doubles(path, n);
+    const std::vector<double> particles = checkpoint.doubles("/recorder/snapshot_particles", n);
     entries_.clear();
-    for (std::size_t i = 0; i < times.size(); ++i) {
+    for (std::size_t i = 0; i < n; ++i) {
         SnapshotEntry entry{
             .index = i, .time = times[i], .particles = static_cast<std::size_t>(particles[i])};
         if (case_.channel.dimensions == 3) {

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "case/case.hpp"
+#include "output/checkpoint_file.hpp"
 #include "output/dataset.hpp"
 #include "output/xdmf.hpp"
 #include "solver/simulation.hpp"
@@ -33,14 +35,14 @@ class SnapshotRecorder {
     [[nodiscard]] Content take();
 
     void save(Content& checkpoint) const;
-    void restore(const Content& checkpoint);
+    void restore(const CheckpointReader& checkpoint);
 
   private:
     struct Range {
         double from, to;
     };
     template <int D>
-    [[nodiscard]] std::vector<std::size_t> chosen(const Particles<D>& particles) const;
+    [[nodiscard]] std::vector<std::uint32_t> chosen(const Particles<D>& particles) const;
     [[nodiscard]] bool has(const char* field) const;
     /// The snapshot that has the list of points for one with so many particles: the first such one.
     [[nodiscard]] std::size_t points_in(std::size_t particles) const;

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
+#include <limits>
+#include <span>
+#include <utility>
 
 #include "base/error.hpp"
 #include "case/words.hpp"
@@ -25,25 +27,21 @@ constexpr auto axis_names = [] {
     }
 }();
 
-std::vector<double> doubles(const Content& content, const std::string& path) {
-    return std::get<std::vector<double>>(checkpoint_dataset(content, path).values);
+/// Values that are read from an array while they are written. It must stay until then.
+StreamedValues<double> lent(const std::vector<double>& values) {
+    return {.count = values.size(), .fill = [&values](std::size_t first, std::span<double> block) {
+                std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(first), block.size(), block.begin());
+            }};
 }
 
-double group_number(const Content& content, const std::string& group, const std::string& name,
-                    std::optional<double> otherwise = {}) {
-    for (const Attribute& attribute : content.attributes) {
-        if (attribute.path == group && attribute.name == name) {
-            if (const auto* number = std::get_if<double>(&attribute.value)) {
-                return *number;
-            }
-            return static_cast<double>(std::get<std::int64_t>(attribute.value));
-        }
-    }
-    if (otherwise) {
-        return *otherwise;
-    }
-    throw FileError(
-        fmt::format("the checkpoint lacks `{}` of {}: it was written by another build", name, group));
+void add_lent(Content& content, std::string path, StreamedValues<double> values, std::string unit,
+              std::string long_name) {
+    const std::size_t n = values.count;
+    content.datasets.push_back({.path = std::move(path),
+                                .shape = {n},
+                                .values = std::move(values),
+                                .unit = std::move(unit),
+                                .long_name = std::move(long_name)});
 }
 
 /// What the stepper keeps of the step before, where it keeps anything.
@@ -56,43 +54,67 @@ void add_previous_step(Content& content, const std::string& group, const Previou
     const bool rates = stepping == Stepping::beeman;
     for (std::size_t k = 0; k < D; ++k) {
         const std::string axis = axis_names<D>[k];
-        add_array(
-            content, group + "/previous_motion_" + axis, previous.motion[k], rates ? "m/s2" : "m/s",
-            (rates ? "acceleration of the step before along " : "velocity before the last step along ") +
-                axis);
+        add_lent(content, group + "/previous_motion_" + axis, lent(previous.motion[k]),
+                 rates ? "m/s2" : "m/s",
+                 (rates ? "acceleration of the step before along " : "velocity before the last step along ") +
+                     axis);
     }
-    add_array(content, group + "/previous_density", previous.density, rates ? "1/s" : "1",
-              rates ? "rate of change of rho/rho0 of the step before" : "rho/rho0 - 1 before the last step");
+    add_lent(content, group + "/previous_density", lent(previous.density), rates ? "1/s" : "1",
+             rates ? "rate of change of rho/rho0 of the step before" : "rho/rho0 - 1 before the last step");
 }
 
-bool has_dataset(const Content& content, const std::string& path) {
-    return std::any_of(content.datasets.begin(), content.datasets.end(),
-                       [&](const auto& dataset) { return dataset.path == path; });
+/// The numbers of so many particles. Throws FileError.
+std::vector<std::int32_t> particle_numbers(const ContentReader& file, const std::string& path,
+                                           std::size_t count) {
+    const Dataset dataset = file.read(path);
+    const auto* const saved = std::get_if<std::vector<std::int64_t>>(&dataset.values);
+    constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max();
+    const bool whole =
+        saved != nullptr && saved->size() == count &&
+        std::all_of(saved->begin(), saved->end(), [](std::int64_t id) { return id >= 0 && id <= most; });
+    if (!whole) {
+        throw FileError(
+            fmt::format("{}: {} does not hold the numbers of particles: the file has been altered",
+                        file.path().string(), path));
+    }
+    return {saved->begin(), saved->end()};
 }
 
 }  // namespace
 
 template <int D>
 void add_state(Content& content, const std::string& group, const SimulationIn<D>& simulation) {
-    const Particles<D> p = simulation.state();
+    const Particles<D>& p = simulation.particles();
+    const std::size_t n = p.size();
     for (std::size_t k = 0; k < D; ++k) {
         const std::string axis = axis_names<D>[k];
-        add_array(content, group + "/position_" + axis, p.position[k], "m", "position " + axis);
-        add_array(content, group + "/velocity_" + axis, p.velocity[k], "m/s", "velocity along " + axis);
-        add_array(content, group + "/listed_position_" + axis, p.listed_position[k], "m",
-                  "position at the last build of the neighbour lists, " + axis);
+        add_lent(content, group + "/position_" + axis, lent(p.position[k]), "m", "position " + axis);
+        add_lent(content, group + "/velocity_" + axis, lent(p.velocity[k]), "m/s", "velocity along " + axis);
+        const auto listed = [&simulation, k](std::size_t first, std::span<double> block) {
+            simulation.listed_positions(k, first, block);
+        };
+        add_lent(content, group + "/listed_position_" + axis, {n, listed}, "m",
+                 "position at the last build of the neighbour lists, " + axis);
     }
-    add_array(content, group + "/density_deviation", p.density_deviation, "1", "rho/rho0 - 1");
+    add_lent(content, group + "/density_deviation", lent(p.density_deviation), "1", "rho/rho0 - 1");
     add_previous_step(content, group, p.previous, simulation.stepping());
-    add_array(content, group + "/mass", p.mass, D == 2 ? "kg/m" : "kg",
-              D == 2 ? "mass per unit width" : "mass");
-    add_array(content, group + "/wall_density_deviation", simulation.wall_density_deviation(), "1",
-              "rho/rho0 - 1 of the wall particles");
+    add_lent(content, group + "/mass", lent(p.mass), D == 2 ? "kg/m" : "kg",
+             D == 2 ? "mass per unit width" : "mass");
+    add_lent(content, group + "/wall_density_deviation", lent(simulation.wall_density_deviation()), "1",
+             "rho/rho0 - 1 of the wall particles");
+    const auto numbers = [&p](std::size_t first, std::span<std::int64_t> block) {
+        std::copy_n(p.id.begin() + static_cast<std::ptrdiff_t>(first), block.size(), block.begin());
+    };
     content.datasets.push_back({.path = group + "/id",
-                                .shape = {p.size()},
-                                .values = std::vector<std::int64_t>(p.id.begin(), p.id.end()),
+                                .shape = {n},
+                                .values = StreamedValues<std::int64_t>{n, numbers},
                                 .unit = "1",
                                 .long_name = "particle number"});
+    add_clock(content, group, simulation);
+}
+
+template <int D>
+void add_clock(Content& content, const std::string& group, const SimulationIn<D>& simulation) {
     const SimulationClock& clock = simulation.clock();
     const auto attribute = [&](const char* name, AttributeValue value) {
         add_attribute(content, group, name, std::move(value));
@@ -113,38 +135,41 @@ void add_state(Content& content, const std::string& group, const SimulationIn<D>
 }
 
 template <int D>
-void restore_state(const Content& content, const std::string& group, SimulationIn<D>& simulation) {
+void restore_state(const CheckpointReader& checkpoint, const std::string& group,
+                   SimulationIn<D>& simulation) {
+    const std::vector<std::size_t> shape = checkpoint.shape(group + "/id");
+    const std::size_t n = shape.empty() ? 0 : shape[0];
+    const auto doubles = [&](const std::string& name) { return checkpoint.doubles(group + "/" + name, n); };
     Particles<D> p;
     for (std::size_t k = 0; k < D; ++k) {
         const std::string axis = axis_names<D>[k];
-        p.position[k] = doubles(content, group + "/position_" + axis);
-        p.velocity[k] = doubles(content, group + "/velocity_" + axis);
-        p.listed_position[k] = doubles(content, group + "/listed_position_" + axis);
+        p.position[k] = doubles("position_" + axis);
+        p.velocity[k] = doubles("velocity_" + axis);
+        p.listed_position[k] = doubles("listed_position_" + axis);
     }
-    p.density_deviation = doubles(content, group + "/density_deviation");
-    p.mass = doubles(content, group + "/mass");
-    if (has_dataset(content, group + "/previous_density")) {
+    p.density_deviation = doubles("density_deviation");
+    p.mass = doubles("mass");
+    if (checkpoint.has(group + "/previous_density")) {
         for (std::size_t k = 0; k < D; ++k) {
-            p.previous.motion[k] = doubles(content, group + "/previous_motion_" + axis_names<D>[k]);
+            p.previous.motion[k] = doubles(std::string("previous_motion_") + axis_names<D>[k]);
         }
-        p.previous.density = doubles(content, group + "/previous_density");
+        p.previous.density = doubles("previous_density");
     }
-    for (const std::int64_t id :
-         std::get<std::vector<std::int64_t>>(checkpoint_dataset(content, group + "/id").values)) {
-        p.id.push_back(static_cast<std::int32_t>(id));
-    }
+    p.id = particle_numbers(checkpoint, group + "/id", n);
+    const auto number = [&](const char* name) { return checkpoint.number(group, name); };
     SimulationClock clock;
-    clock.time = group_number(content, group, "time");
-    clock.steps = static_cast<std::int64_t>(group_number(content, group, "steps"));
-    clock.list_builds = static_cast<std::int64_t>(group_number(content, group, "list_builds"));
-    clock.time_step = group_number(content, group, "time_step");
-    clock.largest_acceleration = group_number(content, group, "largest_acceleration");
-    clock.displacement_bound = group_number(content, group, "displacement_bound");
-    clock.listed_time = group_number(content, group, "listed_time", 0.0);
+    clock.time = number("time");
+    clock.steps = static_cast<std::int64_t>(number("steps"));
+    clock.list_builds = static_cast<std::int64_t>(number("list_builds"));
+    clock.time_step = number("time_step");
+    clock.largest_acceleration = number("largest_acceleration");
+    clock.displacement_bound = number("displacement_bound");
+    clock.listed_time = checkpoint.attribute(group, "listed_time") ? number("listed_time") : 0.0;
     if (D == 3) {
-        clock.side_wall_drag_coefficient = group_number(content, group, "side_wall_drag_coefficient");
+        clock.side_wall_drag_coefficient = number("side_wall_drag_coefficient");
     }
-    simulation.restore(std::move(p), clock, doubles(content, group + "/wall_density_deviation"));
+    simulation.restore(std::move(p), clock,
+                       checkpoint.doubles(group + "/wall_density_deviation", simulation.walls().size()));
 }
 
 template <int D>
@@ -182,17 +207,29 @@ Particles<D> particles_from_results(const Case& c, const Scheme& scheme, const R
                         file_name, other.channel.length, other.total_depth(), other.numerics.spacing,
                         c.channel.length, c.total_depth(), c.numerics.spacing));
     }
+    const std::vector<std::size_t> shape = results.shape("/state/id");
+    const std::size_t n = shape.empty() ? 0 : shape[0];
+    const auto doubles = [&](const std::string& name) {
+        std::vector<double> values = results.read_doubles("/state/" + name);
+        const bool finite =
+            std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); });
+        if (values.size() != n || !finite) {
+            throw InputError(fmt::format(
+                "[start] file = \"{}\": /state/{} has {} values{}, expected {} numbers, one for each of its "
+                "particles: the file has been altered; give one as `riffle run` wrote it",
+                file_name, name, values.size(), finite ? "" : ", not all of them numbers", n));
+        }
+        return values;
+    };
     Particles<D> p;
     for (std::size_t k = 0; k < D; ++k) {
         const std::string axis = axis_names<D>[k];
-        p.position[k] = results.read_doubles("/state/position_" + axis);
-        p.velocity[k] = results.read_doubles("/state/velocity_" + axis);
+        p.position[k] = doubles("position_" + axis);
+        p.velocity[k] = doubles("velocity_" + axis);
     }
-    p.density_deviation = results.read_doubles("/state/density_deviation");
-    p.mass = results.read_doubles("/state/mass");
-    for (const double id : results.read_doubles("/state/id")) {
-        p.id.push_back(static_cast<std::int32_t>(id));
-    }
+    p.density_deviation = doubles("density_deviation");
+    p.mass = doubles("mass");
+    p.id = particle_numbers(results, "/state/id", n);
     const auto sound_speed = results.attribute("/state", "sound_speed");
     const StateEquation old{
         .kind = other.numerics.equation_of_state,
@@ -208,8 +245,10 @@ Particles<D> particles_from_results(const Case& c, const Scheme& scheme, const R
 
 template void add_state(Content&, const std::string&, const SimulationIn<2>&);
 template void add_state(Content&, const std::string&, const SimulationIn<3>&);
-template void restore_state(const Content&, const std::string&, SimulationIn<2>&);
-template void restore_state(const Content&, const std::string&, SimulationIn<3>&);
+template void add_clock(Content&, const std::string&, const SimulationIn<2>&);
+template void add_clock(Content&, const std::string&, const SimulationIn<3>&);
+template void restore_state(const CheckpointReader&, const std::string&, SimulationIn<2>&);
+template void restore_state(const CheckpointReader&, const std::string&, SimulationIn<3>&);
 template Particles<2> particles_from_results(const Case&, const Scheme&, const ResultsReader&,
                                              const std::string&);
 template Particles<3> particles_from_results(const Case&, const Scheme&, const ResultsReader&,

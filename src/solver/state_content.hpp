@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "output/checkpoint_file.hpp"
 #include "output/dataset.hpp"
 #include "output/results_file.hpp"
 #include "solver/simulation.hpp"
@@ -9,13 +10,19 @@
 namespace riffle {
 
 /// Add the state of a simulation under `group` ("/state"): particles in double precision in their present
-/// order, listed positions, walls. With the clock as attributes of the group.
+/// order, listed positions, walls. With the clock as attributes of the group. The arrays are read from the
+/// simulation while they are written: it must not go on before.
 template <int D>
 void add_state(Content& content, const std::string& group, const SimulationIn<D>& simulation);
 
-/// Put the state of a checkpoint back into a simulation of the same case.
+/// The clock alone, as attributes of the group.
 template <int D>
-void restore_state(const Content& content, const std::string& group, SimulationIn<D>& simulation);
+void add_clock(Content& content, const std::string& group, const SimulationIn<D>& simulation);
+
+/// Put the state of a checkpoint back into a simulation of the same case. Throws FileError where the
+/// checkpoint does not belong to it.
+template <int D>
+void restore_state(const CheckpointReader& checkpoint, const std::string& group, SimulationIn<D>& simulation);
 
 /// Particles of the last state in a results file, for `[start] kind = "results"`. Throws InputError when the
 /// file's water does not fit the case (other dimensions, length, width, depth or spacing). Volumes and

@@ -11,7 +11,6 @@
 #include "case/key_table.hpp"
 #include "output/results_file.hpp"
 #include "solver/run.hpp"
-#include "watch/run_state.hpp"
 
 namespace riffle {
 
@@ -66,12 +65,13 @@ FolderStanding standing_of(const SweepRun& run) {
         if (is_complete(reader)) {
             return {FolderState::complete, {}};
         }
+        const auto failure = reader.attribute("/", "failure");
+        const auto* const message = failure ? std::get_if<std::string>(&*failure) : nullptr;
+        if (message != nullptr && !message->empty()) {
+            return {FolderState::failed, *message};
+        }
     } catch (const Error& unreadable) {
         return {FolderState::other, unreadable.what()};
-    }
-    const auto line = last_line_of(files.log());
-    if (line && line->level == "error") {
-        return {FolderState::failed, line->message};
     }
     // Without a checkpoint nothing of it can be gone on with.
     return checkpoint ? FolderStanding{FolderState::interrupted, {}} : FolderStanding{};

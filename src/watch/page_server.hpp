@@ -1,7 +1,6 @@
 #pragma once
 
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 
@@ -12,7 +11,7 @@ namespace riffle {
 /// Port of `riffle watch` unless another is asked for.
 inline constexpr int default_watch_port = 8437;
 
-/// The web server of a site: HTTP, GET only, a connection per request.
+/// The web server of a site: HTTP/1.1, GET only, a connection per request.
 class PageServer {
   public:
     /// Take hold of a port of an address; from then on browsers may connect. Without `port`:
@@ -34,9 +33,9 @@ class PageServer {
     void serve(const std::function<bool()>& stop);
 
   private:
-    struct Impl;
-    std::unique_ptr<Impl> impl_;
+    WatchSite& site_;
     std::string address_;
+    int listener_ = -1;
     int port_ = 0;
 };
 

@@ -1,11 +1,9 @@
 #include "watch/run_state.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <fstream>
 #include <iterator>
 #include <system_error>
@@ -39,30 +37,9 @@ bool starts_with(const std::optional<LogLine>& line, std::string_view word) {
     return line && line->message.rfind(word, 0) == 0;
 }
 
-/// Whether a process has the file of this path open for writing.
-bool writes(const fs::path& process, const fs::path& file) {
-    std::error_code error;
-    fs::directory_iterator open(process / "fd", error);
-    for (; !error && open != fs::directory_iterator(); open.increment(error)) {
-        std::error_code gone;
-        if (fs::read_symlink(open->path(), gone) != file || gone) continue;
-        std::ifstream facts(process / "fdinfo" / open->path().filename());
-        std::string name;
-        unsigned flags = 0;
-        while (facts >> name) {
-            if (name != "flags:") continue;
-            if (facts >> std::oct >> flags && (flags & O_ACCMODE) != O_RDONLY) return true;
-            break;
-        }
-    }
-    return false;
-}
-
-std::optional<int> process_number(const std::string& name) {
-    int number = 0;
-    const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
-    if (error != std::errc{} || end != name.data() + name.size()) return std::nullopt;
-    return number;
+std::string name_of(const LockHolder& holder) {
+    return fmt::format("Process {} {}", holder.process,
+                       holder.on_this_host() ? "of this machine" : "of the machine " + holder.host);
 }
 
 std::string duration(double seconds) {
@@ -120,23 +97,15 @@ std::optional<LogLine> last_line_of(const fs::path& log) {
     return last_line(std::string(std::istreambuf_iterator<char>(file), {}));
 }
 
-std::optional<int> find_writer(const fs::path& file, std::optional<int> guess) {
-    std::error_code error;
-    const fs::path wanted = fs::canonical(file, error);
-    if (error) return std::nullopt;
-    const fs::path root = "/proc";
-    if (guess && writes(root / std::to_string(*guess), wanted)) return guess;
-    fs::directory_iterator process(root, error);
-    for (; !error && process != fs::directory_iterator(); process.increment(error)) {
-        const auto number = process_number(process->path().filename().string());
-        if (number && writes(process->path(), wanted)) return number;
-    }
-    return std::nullopt;
-}
-
 RunStanding judge_state(const RunSigns& signs) {
     const bool ended = starts_with(signs.log, "finished at"), stopped = starts_with(signs.log, "stopped at");
     const bool failed = signs.log && signs.log->level == "error";
+    // A process that has told its end is about to give the lock back.
+    if (signs.lock.holder && !(signs.results && (ended || stopped || failed))) {
+        const std::string who = name_of(*signs.lock.holder) + " is at work on the run";
+        if (!signs.results) return {RunState::waiting, who + "; it has not written results yet."};
+        return {RunState::running, who + "."};
+    }
     if (signs.results && ended) {
         return {RunState::finished,
                 fmt::format("The run's log ended on {}: {}.", signs.log->when, signs.log->message)};
@@ -150,19 +119,18 @@ RunStanding judge_state(const RunSigns& signs) {
         return {RunState::failed,
                 fmt::format("The run's log ended on {} with: {}", signs.log->when, signs.log->message)};
     }
-    if (signs.writer) {
-        const std::string who =
-            fmt::format("Process {} of this machine is at work on the run", *signs.writer);
-        if (!signs.results) return {RunState::waiting, who + "; it has not written results yet."};
-        return {RunState::running, who + "."};
-    }
     if (!signs.results)
         return {RunState::waiting, "No results yet. This page goes on by itself as soon as there are some."};
     if (signs.complete) return {RunState::finished, "The results file is marked as complete."};
 
+    if (signs.lock.known) {
+        return {RunState::lost,
+                "No process is at work on the run any more, and its log does not tell of an end: it has been "
+                "killed, or the machine has stopped. `riffle resume` goes on from its last checkpoint."};
+    }
     const std::string none =
-        "No process that this user may look into is at work on the run on this machine, and its "
-        "log does not tell of an end. ";
+        "There is no lock that would tell whether a process is at work on the run, and its log does not tell "
+        "of an end. ";
     const double age = signs.seconds_since_write.value_or(0.0);
     const std::string last = fmt::format("Results were last written {} ago, and are expected about every {}",
                                          duration(age), duration(signs.write_interval));

@@ -5,17 +5,19 @@
 #include <string>
 #include <string_view>
 
+#include "output/folder_lock.hpp"
+
 namespace riffle {
 
 /// How a run stands, as far as its files and the processes of this machine tell.
 enum class RunState {
     waiting,   ///< no results yet
-    running,   ///< a process of this machine writes the run's log
+    running,   ///< a process holds the lock of the run's folder
     finished,  ///< converged or at its end
     stopped,   ///< by a signal, with a checkpoint
     failed,    ///< the log ends with an error
-    unseen,    ///< no process seen, but written not long ago: perhaps on another machine
-    lost,      ///< no process seen and nothing written for long
+    unseen,    ///< no lock to tell, but written not long ago: perhaps on another machine
+    lost,      ///< no process holds the lock; or there is none, and nothing was written for long
 };
 
 /// The word of a state, as the page and its data use it.
@@ -37,17 +39,12 @@ struct LogLine {
 /// The same of a file, of which only the end is read; nothing if it cannot be read.
 [[nodiscard]] std::optional<LogLine> last_line_of(const std::filesystem::path& log);
 
-/// The process that has a file open for writing, among those of this machine that this user may look into
-/// (Linux's /proc); nothing if there is none. `guess` is looked at first.
-[[nodiscard]] std::optional<int> find_writer(const std::filesystem::path& file,
-                                             std::optional<int> guess = {});
-
 /// What can be known of a run from outside.
 struct RunSigns {
     bool results = false;   ///< whether the results file exists
     bool complete = false;  ///< its attribute `complete`
     std::optional<LogLine> log;
-    std::optional<int> writer;                  ///< process that writes the log
+    FolderLock::Standing lock = {};             ///< of the run's folder
     std::optional<double> seconds_since_write;  ///< age of the results file, s
     double write_interval = 60.0;               ///< expected between two writes of the results, s
 };
@@ -58,9 +55,9 @@ struct RunStanding {
     std::string reason;
 };
 
-/// What the signs add up to. The log's last word counts for more than `complete`, which a resumed run leaves
-/// at 1 until it first writes. Without a process in sight a run passes for lost when nothing has been written
-/// for three intervals (at least 10 s).
+/// What the signs add up to. The lock counts most: it is held as long as the process lives. Then the log's
+/// last word. Where there is no lock to look at, a run passes for lost when nothing has been written for
+/// three intervals (at least 10 s).
 [[nodiscard]] RunStanding judge_state(const RunSigns& signs);
 
 }  // namespace riffle

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "output/folder_lock.hpp"
 #include "report/report_data.hpp"
 #include "report/report_json.hpp"
 
@@ -112,12 +113,11 @@ std::string RunWatcher::status_json() {
     // A copy of the results under another name has no log of its own.
     const bool in_place = results_.filename() == "results.h5";
     const fs::path log = results_.parent_path() / "run.log";
-    writer_ = in_place ? find_writer(log, writer_) : std::nullopt;
     RunSigns signs;
     signs.results = version_.has_value();
     signs.complete = progress_ && progress_->complete;
     if (in_place) signs.log = last_line_of(log);
-    signs.writer = writer_;
+    if (in_place) signs.lock = FolderLock::standing(folder_of(results_), FolderLock::Work::run);
     signs.seconds_since_write = age_of(results_);
     signs.write_interval = write_interval_;
     const RunStanding standing = judge_state(signs);

@@ -56,7 +56,6 @@ class RunWatcher {
     bool looked_ = false;
     WatchData data_;
     std::optional<Progress> progress_, earlier_;
-    std::optional<int> writer_;
     double write_interval_ = 60.0;
     Clock::time_point next_reading_ = Clock::now();
 };

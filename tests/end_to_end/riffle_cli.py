@@ -44,7 +44,7 @@ mean_field_interval = "0.15 s"
 
 # Results that tell about the machine and the hour, not about the flow.
 OF_THE_MACHINE = {
-    "/@created", "/@unused_bytes", "/summary@wall_clock_seconds", "/summary@particle_updates_per_second",
+    "/@run", "/@created", "/@unused_bytes", "/summary@wall_clock_seconds", "/summary@particle_updates_per_second",
     "/summary@threads",
 }
 
@@ -89,6 +89,11 @@ SPACE_PROBES = (PROBES.replace('x = "30 mm"', 'x = "30 mm"\ny = "12 mm"')
                 .replace('x = [0, "28 mm"]', 'x = [0, "28 mm"]\ny = ["10 mm", "20 mm"]')
                 .replace('"surface_line"', '"surface_line"\ny = "15 mm"')
                 .replace('"grid"', '"grid"\ny = "40 mm"').replace(", 0.05]", "]"))
+
+
+def text(value):
+    """A text that h5py gives as bytes."""
+    return value.decode() if isinstance(value, bytes) else value
 
 
 def until(seconds):

@@ -50,14 +50,19 @@ class Damage(CommandLineTest):
     def test_results_of_another_format_version(self):
         import h5py
 
-        with h5py.File(self.half / "results.h5", "r+") as file:
-            file.attrs["format_version"] = 99
+        # As another program might write it: without a seal.
+        with h5py.File(self.half / "results.h5") as file, h5py.File(self.folder / "other.h5", "w") as other:
+            for name in file:
+                file.copy(name, other)
+            other.attrs.update(file.attrs)
+            other.attrs["format_version"] = 99
+        shutil.copy(self.folder / "other.h5", self.half / "results.h5")
         for command in (["report", self.half], ["resume", self.half, *until(0.4)]):
             self.fail_with(3, *command, says=[str(self.half / "results.h5"), "99", "version 1"])
         self.fail_with(3, "run", CASE, "-o", self.folder / "next", *SMALL, *until(0.1), "--set", "start.kind=results",
                        "--set", f'start.file="{self.half / "results.h5"}"', says=["99"])
 
-    def test_damaged_results_never_crash_the_report(self):
+    def test_damaged_results_never_become_a_report(self):
         whole = (self.half / "results.h5").read_bytes()
         generator = random.Random(1)
         for attempt in range(30):
@@ -69,10 +74,8 @@ class Damage(CommandLineTest):
                     damaged[generator.randrange(len(damaged))] ^= 1 << generator.randrange(8)
             (self.half / "results.h5").write_bytes(damaged)
             result = riffle("report", self.half, "-o", self.folder / "report.html")
-            self.assertIn(result.returncode, (0, 3), f"attempt {attempt}: {result.stderr}")
-            if attempt < 10:
-                self.assertEqual(result.returncode, 3, f"attempt {attempt}")
-                self.assertIn(str(self.half / "results.h5"), result.stderr)
+            self.assertEqual(result.returncode, 3, f"attempt {attempt}: {result.stderr}")
+            self.assertIn(str(self.half / "results.h5"), result.stderr)
 
     def test_a_run_that_blows_up_names_the_particle_and_keeps_the_checkpoint(self):
         folder = self.folder / "blow-up"

@@ -70,6 +70,7 @@ def main():
         large = options.keep or pathlib.Path(folder) / "results.h5"
         shutil.copy(options.results, large)
         enlarge(large)
+        subprocess.run([options.riffle, "verify", "--accept", large], check=True, stdout=subprocess.DEVNULL)
         begin = time.monotonic()
         subprocess.run([options.riffle, "analyse", large], check=True, stdout=subprocess.DEVNULL)
         seconds = time.monotonic() - begin

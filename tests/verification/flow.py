@@ -30,7 +30,7 @@ class Flow(RiffleRun):
     def _read(self):
         super()._read()
         with h5py.File(self.folder / "results.h5", "r") as file:
-            build, version = file.attrs["build"], file.attrs["riffle_version"]
+            build, version = (bytes(file.attrs[key]).decode() for key in ("build", "riffle_version"))
             self.build = f"Riffle {version}, {build}, {self.values['instruction_set']}"
             text = file["/case/text"][()]
             self.parameters = tomllib.loads(text.decode() if isinstance(text, bytes) else text)

@@ -72,15 +72,21 @@ TEST(BedForce, SumsTheForcesOnTheParticles) {
     const Water water = shear_flow();
     const std::size_t n = water.particles.size();
     const auto instrument = make_instrument(probe(ProbeKind::force), water.parameters);
-    const std::vector<double> drag(n, -0.03);
-    const std::vector<double> wall(n, -0.01);
-    const std::vector<double> normal(n, 9.81);
+    SparseValues drag;
+    SparseValues wall;
+    SparseValues normal;
+    for (auto [values, value] : {std::pair(&drag, -0.03), {&wall, -0.01}, {&normal, 9.81}}) {
+        values->reset(n);
+        for (std::size_t i = 0; i < n; ++i) {
+            values->set(i, value);
+        }
+    }
     instrument->sample({.time = 0.5,
                         .streamwise_gravity = 0.04,
                         .mass = water.particles.mass,
-                        .drag_x = drag,
-                        .wall_x = wall,
-                        .wall_z = normal});
+                        .drag_x = &drag,
+                        .wall_x = &wall,
+                        .wall_z = &normal});
     const double mass = 1000.0 * 0.1 * 0.04;
     EXPECT_NEAR(values_of(*instrument, "bed_drag")[0], 0.03 * mass, 1e-12 * mass);
     EXPECT_NEAR(values_of(*instrument, "wall_force")[0], 0.01 * mass, 1e-12 * mass);
@@ -158,9 +164,9 @@ TEST(ProbeSet, SamplesAtTheFirstStepBehindEachMultiple) {
     const double step = 0.0007;
     for (int k = 0; k * step < 0.5; ++k) {
         const double time = k * step;
-        if (set.due(time)) {
+        if (set.due_for_fluid(time)) {
             const FluidViewIn<2> fluid = water.view();
-            set.record({.time = time, .mass = water.particles.mass, .fluid = &fluid});
+            set.record({.time = time, .mass = water.particles.mass, .fluid = &fluid}, true);
         }
     }
     const auto time = values_of(*set.members()[0].instrument, "time");

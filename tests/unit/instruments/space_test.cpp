@@ -233,10 +233,18 @@ TEST(InstrumentsInSpace, SumTheDragOfTheSideWalls) {
     const Space water(small_space());
     const auto instrument = make_instrument(probe(ProbeKind::force), water.parameters);
     const std::size_t n = water.particles.size();
-    const std::vector<double> zero(n, 0.0);
-    const std::vector<double> sides(n, -0.02);
-    instrument->sample(
-        {.mass = water.particles.mass, .drag_x = zero, .wall_x = zero, .wall_z = zero, .side_wall_x = sides});
+    SparseValues zero;
+    SparseValues sides;
+    zero.reset(n);
+    sides.reset(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        sides.set(i, -0.02);
+    }
+    instrument->sample({.mass = water.particles.mass,
+                        .drag_x = &zero,
+                        .wall_x = &zero,
+                        .wall_z = &zero,
+                        .side_wall_x = &sides});
     const double mass = 1000.0 * 0.06 * 0.048 * 0.03;
     EXPECT_NEAR(values_of(*instrument, "side_wall_drag")[0], 0.02 * mass, 1e-12);
     EXPECT_EQ(instrument->records()[1].unit, "N");

@@ -1,6 +1,5 @@
 #include "watch/run_state.hpp"
 
-#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -47,27 +46,18 @@ TEST(RunLog, OnlyTheEndOfALongFileIsRead) {
     EXPECT_FALSE(last_line_of(path));
 }
 
-TEST(FindWriter, SeesWhoHasAFileOpenForWritingNotForReading) {
-    const auto path =
-        std::filesystem::path(::testing::TempDir()) / ("riffle-writer-" + std::to_string(getpid()));
-    const int writer = open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600);
-    ASSERT_GE(writer, 0);
-    EXPECT_EQ(find_writer(path), getpid());
-    EXPECT_EQ(find_writer(path, getpid()), getpid());
-    EXPECT_EQ(find_writer(path, 1), getpid());
-    close(writer);
-    const int reader = open(path.c_str(), O_RDONLY | O_CLOEXEC);
-    EXPECT_EQ(find_writer(path, getpid()), std::nullopt);
-    close(reader);
-    std::filesystem::remove(path);
-    EXPECT_EQ(find_writer(path), std::nullopt);
+/// A lock that a process holds, or with 0 nobody.
+FolderLock::Standing lock_of(int process) {
+    FolderLock::Standing lock{.known = true, .holder = {}};
+    if (process != 0) lock.holder = LockHolder{.process = process, .host = "elsewhere"};
+    return lock;
 }
 
-RunSigns signs(const std::string& message, std::optional<int> writer = {}) {
+RunSigns signs(const std::string& message, FolderLock::Standing lock = {}) {
     RunSigns s;
     s.results = true;
     s.log = LogLine{"2026-11-21 10:09:31", "info", message};
-    s.writer = writer;
+    s.lock = lock;
     s.seconds_since_write = 5.0;
     return s;
 }
@@ -76,7 +66,7 @@ TEST(RunState, TheLogsLastWordCountsFirst) {
     EXPECT_EQ(judge_state(signs("finished at t = 3 s after 9 steps")).state, RunState::finished);
     EXPECT_EQ(judge_state(signs("stopped at t = 3 s after 9 steps")).state, RunState::stopped);
     // The process closes its log after its last line.
-    EXPECT_EQ(judge_state(signs("finished at t = 3 s", 12)).state, RunState::finished);
+    EXPECT_EQ(judge_state(signs("finished at t = 3 s", lock_of(12))).state, RunState::finished);
     RunSigns failed = signs("the state is no longer finite");
     failed.log->level = "error";
     EXPECT_EQ(judge_state(failed).state, RunState::failed);
@@ -84,15 +74,21 @@ TEST(RunState, TheLogsLastWordCountsFirst) {
 }
 
 TEST(RunState, AResumedRunIsRunningThoughTheFileIsStillMarkedComplete) {
-    RunSigns resumed = signs("resumed at t = 3 s, step 9, from checkpoint.h5", 12);
+    RunSigns resumed = signs("resumed at t = 3 s, step 9, from checkpoint.h5", lock_of(12));
     resumed.complete = true;
     EXPECT_EQ(judge_state(resumed).state, RunState::running);
-    EXPECT_THAT(judge_state(resumed).reason, HasSubstr("Process 12 "));
-    resumed.writer.reset();
+    EXPECT_THAT(judge_state(resumed).reason, HasSubstr("Process 12 of the machine elsewhere"));
+    resumed.lock = lock_of(0);
     EXPECT_EQ(judge_state(resumed).state, RunState::finished);
 }
 
-TEST(RunState, WithoutAProcessInSightTheAgeOfTheResultsDecides) {
+TEST(RunState, ALockThatNobodyHoldsTellsAtOnceThatTheRunIsLost) {
+    RunSigns s = signs("resumed at t = 3 s", lock_of(0));
+    s.seconds_since_write = 0.1;
+    EXPECT_EQ(judge_state(s).state, RunState::lost);
+}
+
+TEST(RunState, WithoutALockTheAgeOfTheResultsDecides) {
     RunSigns s = signs("resumed at t = 3 s");
     s.write_interval = 60;
     s.seconds_since_write = 180;
@@ -112,7 +108,7 @@ TEST(RunState, WithoutAProcessInSightTheAgeOfTheResultsDecides) {
 TEST(RunState, WithoutResultsItWaits) {
     RunSigns s;
     EXPECT_EQ(judge_state(s).state, RunState::waiting);
-    s.writer = 12;
+    s.lock = lock_of(12);
     EXPECT_EQ(judge_state(s).state, RunState::waiting);
     EXPECT_THAT(judge_state(s).reason, HasSubstr("Process 12 "));
 }

@@ -1,0 +1,270 @@
+#include "solver/failure.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <utility>
+
+#include "output/results_file.hpp"
+#include "output/xdmf.hpp"
+#include "particles/lattice.hpp"
+#include "solver/content.hpp"
+
+namespace riffle {
+
+namespace {
+
+/// Rows of the table in the log.
+constexpr std::size_t table_rows = 12;
+
+template <int D>
+Vec<D> place_of(const SimulationIn<D>& simulation, std::size_t particle) {
+    Vec<D> place{};
+    for (std::size_t k = 0; k < D; ++k) {
+        place[k] = simulation.particles().position[k][particle];
+    }
+    return place;
+}
+
+template <int D>
+bool is_finite(const Vec<D>& v) {
+    return std::all_of(v.begin(), v.end(), [](double x) { return std::isfinite(x); });
+}
+
+template <int D>
+double squared_distance(const Domain<D>& domain, const Vec<D>& a, const Vec<D>& b) {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < D; ++k) {
+        double d = a[k] - b[k];
+        if (domain.periodic[k]) {
+            const double extent = domain.extent(static_cast<int>(k));
+            d -= extent * std::round(d / extent);
+        }
+        sum += d * d;
+    }
+    return sum;
+}
+
+template <int D>
+double speed_of(const SimulationIn<D>& simulation, std::size_t particle) {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < D; ++k) {
+        const double u = simulation.particles().velocity[k][particle];
+        sum += u * u;
+    }
+    return std::sqrt(sum);
+}
+
+/// x, y, z of a particle's vector; y of a plane is 0.
+template <int D>
+std::array<double, 3> in_space(const std::array<std::vector<double>, static_cast<std::size_t>(D)>& vectors,
+                               std::size_t i) {
+    return {vectors[0][i], D == 3 ? vectors[1][i] : 0.0, vectors[D - 1][i]};
+}
+
+template <int D>
+std::vector<double> all_in_space(const std::array<std::vector<double>, static_cast<std::size_t>(D)>& vectors,
+                                 const std::vector<std::size_t>& particles) {
+    std::vector<double> values;
+    values.reserve(3 * particles.size());
+    for (const std::size_t i : particles) {
+        for (const double x : in_space<D>(vectors, i)) {
+            values.push_back(x);
+        }
+    }
+    return values;
+}
+
+void add(Content& content, const std::string& path, std::vector<double> values, std::size_t components,
+         const char* unit, const char* long_name) {
+    std::vector<std::size_t> shape = {values.size() / components};
+    if (components > 1) {
+        shape.push_back(components);
+    }
+    content.datasets.push_back({.path = path,
+                                .shape = std::move(shape),
+                                .values = std::move(values),
+                                .unit = unit,
+                                .long_name = long_name});
+}
+
+/// The state of some particles.
+template <int D>
+void add_particles(Content& content, const std::string& group, const Case& c,
+                   const SimulationIn<D>& simulation, const std::vector<std::size_t>& particles) {
+    const Particles<D>& p = simulation.particles();
+    std::vector<double> density;
+    std::vector<std::int32_t> id;
+    for (const std::size_t i : particles) {
+        density.push_back(c.fluid.density * (1.0 + p.density_deviation[i]));
+        id.push_back(p.id[i]);
+    }
+    add(content, group + "/position", all_in_space<D>(p.position, particles), 3, "m", "position (x, y, z)");
+    add(content, group + "/velocity", all_in_space<D>(p.velocity, particles), 3, "m/s", "velocity (u, v, w)");
+    add(content, group + "/density", std::move(density), 1, "kg/m3", "density");
+    content.datasets.push_back({.path = group + "/id",
+                                .shape = {id.size()},
+                                .values = std::move(id),
+                                .unit = "1",
+                                .long_name = "particle number"});
+}
+
+}  // namespace
+
+template <int D>
+FailureScene look_around(const Case& c, const SimulationIn<D>& simulation, std::size_t particle) {
+    const Domain<D> domain = domain_of<D>(c);
+    const std::size_t n = simulation.particles().size();
+    Vec<D> centre = place_of(simulation, particle);
+    if (!is_finite<D>(centre)) {
+        for (std::size_t k = 0; k < D; ++k) {
+            simulation.listed_positions(k, particle, {&centre[k], 1});
+        }
+    }
+    std::vector<std::pair<double, std::size_t>> others;  // squared distance, particle
+    for (std::size_t i = 0; i < n; ++i) {
+        const Vec<D> place = place_of(simulation, i);
+        if (i != particle && is_finite<D>(place)) {
+            others.emplace_back(squared_distance<D>(domain, centre, place), i);
+        }
+    }
+    const std::size_t count = std::min(failure_neighbours, others.size());
+    std::partial_sort(others.begin(), others.begin() + static_cast<std::ptrdiff_t>(count), others.end());
+    others.resize(count);
+    others.insert(others.begin(), {0.0, particle});
+
+    const double support = 2.0 * simulation.scheme().smoothing_length;
+    FailureScene scene{.particle = particle, .nearest = {}};
+    for (const auto& [squared, near] : others) {
+        const Vec<D> place = near == particle ? centre : place_of(simulation, near);
+        std::size_t neighbours = 0;
+        for (std::size_t i = 0; i < n; ++i) {
+            neighbours +=
+                i != near && squared_distance<D>(domain, place, place_of(simulation, i)) < support * support
+                    ? 1
+                    : 0;
+        }
+        scene.nearest.push_back({.particle = near, .distance = std::sqrt(squared), .neighbours = neighbours});
+    }
+    return scene;
+}
+
+template <int D>
+void write_failure(const RunFiles& files, const Case& c, const SimulationIn<D>& simulation,
+                   const FailureScene& scene, const std::string& message) {
+    const std::size_t n = simulation.particles().size();
+    std::vector<std::size_t> all(n);
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    std::vector<std::size_t> nearest;
+    std::vector<double> distance;
+    std::vector<double> neighbours;
+    for (const NearbyParticle& near : scene.nearest) {
+        nearest.push_back(near.particle);
+        distance.push_back(near.distance);
+        neighbours.push_back(static_cast<double>(near.neighbours));
+    }
+    Content content;
+    content.compression = c.output.compression;
+    const double time = simulation.clock().time;
+    const std::string snapshot = snapshot_group(0);
+    add_particles(content, snapshot, c, simulation, all);
+    add_attribute(content, snapshot, "time", time);
+    add_particles(content, "/neighbourhood", c, simulation, nearest);
+    add(content, "/neighbourhood/distance", std::move(distance), 1, "m",
+        "distance from the particle at which the simulation failed");
+    add(content, "/neighbourhood/neighbours", std::move(neighbours), 1, "1",
+        "particles of the water within the kernel's support");
+    content.datasets.push_back({.path = "/case/text",
+                                .shape = {},
+                                .values = c.text,
+                                .unit = "1",
+                                .long_name = "complete case (TOML)"});
+    add_attribute(content, "/", "failure", message);
+    add_attribute(content, "/", "time", time);
+    add_attribute(content, "/", "particle",
+                  static_cast<std::int64_t>(simulation.particles().id[scene.particle]));
+    ResultsFile::create(files.failure(), content, true);
+    constexpr ElementType real = ElementType::float64;
+    write_xdmf(files.failure_xdmf(), files.failure().filename().string(),
+               {{.index = 0, .time = time, .particles = n}},
+               {{.name = "position", .components = 3, .type = real},
+                {.name = "velocity", .components = 3, .type = real},
+                {.name = "density", .components = 1, .type = real},
+                {.name = "id", .components = 1, .type = ElementType::int32}});
+}
+
+template <int D>
+std::string neighbourhood_table(const SimulationIn<D>& simulation, const FailureScene& scene) {
+    const Particles<D>& p = simulation.particles();
+    std::string text =
+        fmt::format("the particle and the nearest to it, of {} in failure.h5:\n", scene.nearest.size());
+    text += fmt::format("{:>9} {:>11} {:>11} {:>11} {:>11} {:>11} {:>11} {:>11} {:>10}\n", "particle",
+                        "distance mm", "x m", "y m", "z m", "speed m/s", "w m/s", "density/-1", "neighbours");
+    for (std::size_t row = 0; row < std::min(table_rows, scene.nearest.size()); ++row) {
+        const NearbyParticle& near = scene.nearest[row];
+        const auto [x, y, z] = in_space<D>(p.position, near.particle);
+        text += fmt::format(
+            "{:>9} {:>11.4g} {:>11.6g} {:>11.6g} {:>11.6g} {:>11.4g} {:>11.4g} {:>11.4g} {:>10}\n",
+            p.id[near.particle], 1e3 * near.distance, x, y, z, speed_of(simulation, near.particle),
+            p.velocity[D - 1][near.particle], p.density_deviation[near.particle], near.neighbours);
+    }
+    text.pop_back();
+    return text;
+}
+
+template <int D>
+std::string advice(const SimulationIn<D>& simulation, const FailureScene& scene) {
+    const Particles<D>& p = simulation.particles();
+    double fastest = 0.0;
+    double density = 0.0;
+    std::size_t not_finite = 0;
+    for (const NearbyParticle& near : scene.nearest) {
+        const double speed = speed_of(simulation, near.particle);
+        const double s = p.density_deviation[near.particle];
+        if (!std::isfinite(speed) || !std::isfinite(s)) {
+            ++not_finite;
+            continue;
+        }
+        fastest = std::max(fastest, speed);
+        density = std::max(density, std::abs(s));
+    }
+    const double sound = simulation.scheme().state.sound_speed;
+    std::string text = fmt::format(
+        "Around it, among {} particles: largest finite speed {:.3g} m/s (sound {:.3g} m/s, largest expected "
+        "{:.3g} "
+        "m/s), largest finite density deviation {:.2g}, {} not finite, {} neighbours. ",
+        scene.nearest.size(), fastest, sound, simulation.scheme().maximum_velocity, density, not_finite,
+        scene.nearest.front().neighbours);
+    if (density > 0.1 || fastest > 0.5 * sound) {
+        text +=
+            "So the water is compressed far beyond what the scheme allows: either the step is too long (a "
+            "smaller "
+            "one helps at once), or the flow is faster than the sound speed was chosen for: look at the "
+            "surroundings "
+            "of the particle, and raise numerics.sound_speed.";
+    } else if (scene.nearest.front().neighbours < 4) {
+        text += "So it is spray: a particle with hardly any neighbours, of which the sums know little.";
+    } else {
+        text +=
+            "So the particles around it are in order: look at what acts on this one alone (a wall, a solid, "
+            "an opening), and at the step.";
+    }
+    return text;
+}
+
+template FailureScene look_around(const Case&, const SimulationIn<2>&, std::size_t);
+template FailureScene look_around(const Case&, const SimulationIn<3>&, std::size_t);
+template void write_failure(const RunFiles&, const Case&, const SimulationIn<2>&, const FailureScene&,
+                            const std::string&);
+template void write_failure(const RunFiles&, const Case&, const SimulationIn<3>&, const FailureScene&,
+                            const std::string&);
+template std::string neighbourhood_table(const SimulationIn<2>&, const FailureScene&);
+template std::string neighbourhood_table(const SimulationIn<3>&, const FailureScene&);
+template std::string advice(const SimulationIn<2>&, const FailureScene&);
+template std::string advice(const SimulationIn<3>&, const FailureScene&);
+
+}  // namespace riffle

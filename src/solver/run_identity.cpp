@@ -1,0 +1,151 @@
+#include "solver/run_identity.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <random>
+#include <sstream>
+#include <system_error>
+
+#include "base/error.hpp"
+#include "base/version.hpp"
+#include "output/checksum.hpp"
+#include "output/file_replace.hpp"
+#include "solver/content.hpp"
+#include "sph/pair_loops.hpp"
+
+namespace riffle {
+
+namespace {
+
+constexpr const char* inputs_path = "/case/inputs";
+
+/// "checksum bytes" of a file.
+std::string checksum_text(const std::filesystem::path& path) {
+    try {
+        const std::vector<std::byte> bytes = read_file_bytes(path);
+        return fmt::format("{:016x} {}", crc64(bytes), bytes.size());
+    } catch (const std::system_error&) {
+        return "- -";
+    }
+}
+
+/// By key and path: "checksum bytes".
+std::map<std::string, std::string> parse_inputs(const std::string& text) {
+    std::map<std::string, std::string> inputs;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream words(line);
+        std::string checksum;
+        std::string bytes;
+        words >> checksum >> bytes >> std::ws;
+        std::string rest;
+        std::getline(words, rest);
+        inputs[rest] = checksum + " " + bytes;
+    }
+    return inputs;
+}
+
+std::string text_attribute(const ContentReader& file, const char* name) {
+    const auto value = file.attribute("/", name);
+    const auto* const text = value ? std::get_if<std::string>(&*value) : nullptr;
+    return text != nullptr ? *text : std::string();
+}
+
+}  // namespace
+
+std::vector<InputFile> input_files(const Case& c) {
+    std::vector<InputFile> files;
+    for (std::size_t i = 0; i < c.solids.size(); ++i) {
+        if (!c.solids[i].file.empty()) {
+            files.push_back({fmt::format("solid[{}].file", i + 1), c.solids[i].file, true});
+        }
+    }
+    if (c.start.kind == StartKind::results) {
+        files.push_back({"start.file", c.start.file, false});
+    }
+    if (!c.measured.velocity_profile.empty()) {
+        files.push_back({"measured.velocity_profile", c.measured.velocity_profile, false});
+    }
+    return files;
+}
+
+std::string new_run_id() {
+    std::random_device device;
+    return fmt::format("{:08x}{:08x}", device(), device());
+}
+
+std::string input_checksums(const Case& c) {
+    std::string text;
+    for (const InputFile& file : input_files(c)) {
+        text += fmt::format("{} {} {}\n", checksum_text(file.path), file.key, file.path.string());
+    }
+    return text;
+}
+
+void add_identity(Content& content, const std::string& run_id, const std::string& inputs) {
+    add_attribute(content, "/", "run", run_id);
+    add_attribute(content, "/", "build", build_description());
+    add_attribute(content, "/", "instruction_set", instruction_set_name(active_instruction_set()));
+    content.datasets.push_back({.path = inputs_path,
+                                .shape = {},
+                                .values = inputs,
+                                .unit = "1",
+                                .long_name = "files that the case reads: checksum, bytes, key, path"});
+}
+
+std::string run_id_of(const ContentReader& file) { return text_attribute(file, "run"); }
+
+void require_same_run(const CheckpointReader& checkpoint, const ResultsReader& results) {
+    const std::string saved = run_id_of(checkpoint);
+    const std::string found = run_id_of(results);
+    if (saved == found && !saved.empty()) {
+        return;
+    }
+    const auto shown = [](const std::string& id) {
+        return id.empty() ? std::string("without a run id") : id;
+    };
+    throw FileError(
+        fmt::format("{} is of another run ({}) than {} ({}): files of two runs have been put into one "
+                    "folder. Put back those "
+                    "that belong together, or start anew: riffle run CASE -o {} --force",
+                    checkpoint.path().string(), shown(saved), results.path().string(), shown(found),
+                    folder_of(results.path()).string()));
+}
+
+std::vector<std::string> compare_identity(const CheckpointReader& checkpoint, const Case& c) {
+    std::vector<std::string> warnings;
+    const auto before = parse_inputs(checkpoint.has(inputs_path) ? checkpoint.read_string(inputs_path) : "");
+    for (const InputFile& file : input_files(c)) {
+        const auto saved = before.find(fmt::format("{} {}", file.key, file.path.string()));
+        const std::string now = checksum_text(file.path);
+        if (saved == before.end() || saved->second == now) {
+            continue;
+        }
+        const char* what = now == "- -" ? "is gone" : "is not the file that it was";
+        if (file.needed) {
+            throw InputError(
+                fmt::format("{} = \"{}\": the file {} when the run began, and what is resumed would be "
+                            "another flow. Put the "
+                            "earlier file back, or start a new run with this one in another folder",
+                            file.key, file.path.string(), what));
+        }
+        warnings.push_back(fmt::format(
+            "{} = \"{}\": the file {} when the run began; the run itself does not need it any more", file.key,
+            file.path.string(), what));
+    }
+    const auto compare = [&](const char* name, const std::string& now) {
+        const std::string then = text_attribute(checkpoint, name);
+        if (!then.empty() && then != now) {
+            warnings.push_back(fmt::format(
+                "the run was begun with the {} \"{}\" and goes on with \"{}\": the flow is the same, "
+                "its last bits are not",
+                name[0] == 'b' ? "build" : "instruction set", then, now));
+        }
+    };
+    compare("build", build_description());
+    compare("instruction_set", instruction_set_name(active_instruction_set()));
+    return warnings;
+}
+
+}  // namespace riffle

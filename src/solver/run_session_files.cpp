@@ -1,0 +1,143 @@
+// What a run writes on its way, at its end, and when it fails.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "base/error.hpp"
+#include "base/parallel.hpp"
+#include "output/checkpoint_file.hpp"
+#include "solver/content.hpp"
+#include "solver/failure.hpp"
+#include "solver/run_content.hpp"
+#include "solver/run_identity.hpp"
+#include "solver/run_session.hpp"
+#include "solver/state_content.hpp"
+#include "sph/pair_loops.hpp"
+
+namespace riffle {
+
+namespace {
+
+/// The setting of half the step: the fixed step rules out the Courant number.
+std::string smaller_step(const Numerics& numerics) {
+    return numerics.time_step ? fmt::format("numerics.time_step={:.3g}", 0.5 * *numerics.time_step)
+                              : fmt::format("numerics.courant_number={:.2g}", 0.5 * numerics.courant_number);
+}
+
+}  // namespace
+
+template <int D>
+std::string RunSession<D>::leave_failure(const RunError& error) {
+    std::string message = error.what();
+    const auto* const fault = dynamic_cast<const ParticleFault*>(&error);
+    try {
+        failure_ = message;
+        write_results(Moment::failed);
+        write_indexes(files_, *recorder_);
+        message += "\nThe results reach up to the failure.";
+        if (fault != nullptr) {
+            const FailureScene scene = look_around(case_, *simulation_, fault->particle());
+            write_failure(files_, case_, *simulation_, scene, message);
+            log_.info(neighbourhood_table(*simulation_, scene));
+            message += "\n" + advice(*simulation_, scene);
+            message += fmt::format(
+                "\nThe moment stands in {}, the {} nearest particles in run.log; ParaView shows "
+                "them with {}.",
+                files_.failure().string(), scene.nearest.size(), files_.failure_xdmf().filename().string());
+        }
+    } catch (const FileError& unwritten) {
+        message += fmt::format("\nWhat the run recorded last could not be written: {}", unwritten.what());
+    }
+    try {
+        const double saved = CheckpointReader(files_.checkpoint()).number("/", "time");
+        message += fmt::format(
+            "\nThe last good checkpoint is at t = {:.6g} s ({}). To go on with a smaller step: riffle resume {} --set {}",
+            saved, files_.checkpoint().string(), files_.folder.string(), smaller_step(case_.numerics));
+    } catch (const FileError& unreadable) {
+        message += fmt::format("\n{}", unreadable.what());
+    }
+    return message;
+}
+
+template <int D>
+void RunSession<D>::write_out(Moment moment) {
+    const auto start = Clock::now();
+    write_results(moment);
+    write_checkpoint();
+    write_indexes(files_, *recorder_);
+    last_write_ = Clock::now();
+    write_seconds_ = std::chrono::duration<double>(last_write_ - start).count();
+}
+
+template <int D>
+void RunSession<D>::write_results(Moment moment) {
+    Content content = recorder_->take_new_rows();
+    content.compression = case_.output.compression;
+    add_run_attributes(content, moment);
+    add_profiles_content(content, twins_, *recorder_, convergence_);
+    // A run that goes on has its last state in the checkpoint; the failed one is no state to start from.
+    if (moment == Moment::stopped || moment == Moment::complete) {
+        add_state(content, "/state", *simulation_);
+    } else {
+        add_clock(content, "/state", *simulation_);
+    }
+    ResultsFile::update(files_.results(), content);
+}
+
+template <int D>
+void RunSession<D>::write_checkpoint() {
+    Content content;
+    const auto number = [&](const char* name, double value) { add_attribute(content, "/", name, value); };
+    number("time", simulation_->clock().time);
+    number("wall_seconds", earlier_wall_seconds_ + seconds_since(begin_));
+    number("next_test", next_test_);
+    add_identity(content, run_id_, inputs_);
+    content.datasets.push_back(case_dataset(case_));
+    recorder_->save(content);
+    add_state(content, "/state", *simulation_);
+    CheckpointFile::write(files_.checkpoint(), content);
+}
+
+template <int D>
+void RunSession<D>::add_run_attributes(Content& content, Moment moment) const {
+    const auto attribute = [&](const std::string& path, const std::string& name, AttributeValue value) {
+        add_attribute(content, path, name, std::move(value));
+    };
+    attribute("/", "complete", std::int64_t{moment == Moment::complete ? 1 : 0});
+    attribute("/", "failure", failure_);
+    const RunSummary summary = current_summary(case_, twins_, *recorder_, convergence_);
+    for (const auto& [name, value] : summary.values) {
+        attribute("/summary", name, value);
+    }
+    attribute("/summary", "convergence", convergence_.reason);
+    attribute("/summary", "particles", static_cast<std::int64_t>(simulation_->particles().size()));
+    attribute("/summary", "wall_particles", static_cast<std::int64_t>(simulation_->walls().size()));
+    attribute("/summary", "steps", simulation_->clock().steps);
+    attribute("/summary", "simulated_time", simulation_->clock().time);
+    attribute("/summary", "sound_speed", simulation_->scheme().state.sound_speed);
+    attribute("/summary", "crest", case_.crest());
+    attribute("/summary", "datum", case_.datum());
+    attribute("/summary", "total_depth", case_.total_depth());
+    const double seconds = earlier_wall_seconds_ + seconds_since(begin_);
+    attribute("/summary", "wall_clock_seconds", seconds);
+    attribute("/summary", "threads", std::int64_t{thread_count()});
+    attribute("/summary", "instruction_set", instruction_set_name(active_instruction_set()));
+    attribute("/summary", "particle_updates_per_second",
+              static_cast<double>(simulation_->clock().steps) * simulation_->evaluations_per_step() *
+                  static_cast<double>(simulation_->particles().size()) / std::max(1e-9, seconds));
+}
+
+// What run_session.cpp calls.
+template std::string RunSession<2>::leave_failure(const RunError&);
+template std::string RunSession<3>::leave_failure(const RunError&);
+template void RunSession<2>::write_results(Moment);
+template void RunSession<3>::write_results(Moment);
+template void RunSession<2>::write_out(Moment);
+template void RunSession<3>::write_out(Moment);
+template void RunSession<2>::add_run_attributes(Content&, Moment) const;
+template void RunSession<3>::add_run_attributes(Content&, Moment) const;
+
+}  // namespace riffle
