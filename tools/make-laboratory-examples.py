@@ -141,11 +141,51 @@ def write_point(folder, rng):
             file.write(";".join(f"{v:.4f}" for v in velocity[row]) + f";{quality[row]:.0f}\n")
 
 
+def law(z):
+    """Velocity of the rough log law over the middle of the channel (m/s)."""
+    return FRICTION_VELOCITY * (numpy.log(z / ROUGHNESS) / KAPPA + 8.5)
+
+
+def write_section(folder, rng):
+    width, uncertainty = 0.459, 0.003  # m, m/s
+    with open(folder / "cross-section.csv", "w", encoding="utf-8") as file:
+        file.write(MARK)
+        file.write("# title: synthetic cross-section, like condition 2\n")
+        file.write("# Heights over the datum, depth 50 mm; distances from the side wall of a channel 459 mm wide.\n")
+        file.write("# Answer: the log law of adv-profile.csv times (y / H)^(1/7) within a depth H = 50 mm of the wall;\n")
+        file.write("# -u'w' = u_*^2 (1 - z/h), less by the same factor squared; noise of the stated uncertainty.\n")
+        file.write("y [mm],z [mm],u [cm/s],u_uncertainty [cm/s],-u'w' [cm2/s2]\n")
+        for y in (0.010, 0.020, 0.035, 0.055, 0.080, 0.120, 0.170, 0.5 * width):
+            factor = min(1.0, y / DEPTH) ** (1 / 7)
+            for z in (0.006, 0.012, 0.020, 0.030, 0.042):
+                u = factor * law(z) + rng.normal(0, uncertainty)
+                stress = (factor * FRICTION_VELOCITY) ** 2 * (1 - z / DEPTH) * (1 + rng.normal(0, 0.05))
+                file.write(f"{1e3 * y:.1f},{1e3 * z:.1f},{1e2 * u:.2f},{1e2 * uncertainty:.2f},{1e4 * stress:.3f}\n")
+
+
+def write_field(folder, rng):
+    uncertainty = 0.002  # m/s
+    with open(folder / "piv-means.csv", "w", encoding="utf-8") as file:
+        file.write(MARK)
+        file.write("# title: synthetic PIV, like condition 2\n")
+        file.write("# Mean velocities in the x-z plane of the centreline, heights over the datum, depth 50 mm.\n")
+        file.write("# Answer: the log law of adv-profile.csv at every x, w = 0, noise of the stated uncertainty; three\n")
+        file.write("# places have no vector.\n")
+        file.write("x [mm],z [mm],u [m/s],w [m/s],u_uncertainty [m/s],w_uncertainty [m/s]\n")
+        points = [(x, z) for z in numpy.arange(0.006, 0.0461, 0.004) for x in numpy.arange(0.010, 0.0901, 0.010)]
+        lost = set(rng.choice(len(points), 3, replace=False))
+        for number, (x, z) in enumerate(points):
+            u, w = law(z) + rng.normal(0, uncertainty), rng.normal(0, uncertainty)
+            values = "," if number in lost else f"{u:.4f},{w:.4f}"
+            file.write(f"{1e3 * x:.0f},{1e3 * z:.0f},{values},{uncertainty:g},{uncertainty:g}\n")
+
+
 def main():
     default = pathlib.Path(__file__).resolve().parent.parent / "cases" / "laboratory"
     folder = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else default
     folder.mkdir(parents=True, exist_ok=True)
-    for seed, write in enumerate([write_wave_probes, write_calibration, write_profile, write_point]):
+    for seed, write in enumerate([write_wave_probes, write_calibration, write_profile, write_point, write_section,
+                                  write_field]):
         write(folder, numpy.random.default_rng(2016 + seed))
 
 

@@ -112,8 +112,9 @@ struct Extreme {
     double correlation = 0.0;
 };
 
-/// The largest |R| that is a local extreme within `reach` of the expected lag.
-Extreme extreme_near(std::span<const double> r, double expected, double reach) {
+/// The largest |R| that is a local extreme within `reach` of the expected lag, by the parabola through it and
+/// the lags `step` away to each side.
+Extreme extreme_near(std::span<const double> r, double expected, double reach, std::size_t step) {
     const std::size_t centre = r.size() / 2;
     const auto middle = static_cast<double>(centre);
     Extreme best;
@@ -122,8 +123,9 @@ Extreme extreme_near(std::span<const double> r, double expected, double reach) {
         const double size = std::abs(r[k]);
         const double sign = r[k] < 0.0 ? -1.0 : 1.0;
         if (size < sign * r[k - 1] || size < sign * r[k + 1] || size <= std::abs(best.correlation)) continue;
-        const ParabolaExtreme p = parabola_extreme(r[k - 1], r[k], r[k + 1]);
-        best = {static_cast<double>(k) - middle + p.offset, p.value};
+        const std::size_t apart = k >= step && k + step < r.size() ? step : 1;
+        const ParabolaExtreme p = parabola_extreme(r[k - apart], r[k], r[k + apart]);
+        best = {static_cast<double>(k) - middle + p.offset * static_cast<double>(apart), p.value};
     }
     return best;
 }
@@ -134,8 +136,8 @@ struct Line {
 };
 
 /// Follow the extreme from the shortest distance on, and fit the line through the origin: lag =
-/// distance/celerity.
-Line follow(const Correlations& c, double smallest_correlation) {
+/// distance/celerity. `apart`: steps of lag between the points of the parabola of an extreme.
+Line follow(const Correlations& c, double smallest_correlation, std::size_t apart = 1) {
     Line line;
     const double step = oscillation(c);
     double moment = 0.0;
@@ -143,7 +145,7 @@ Line follow(const Correlations& c, double smallest_correlation) {
     for (std::size_t d = 1; d < c.pairs.size(); ++d) {
         const double slowness = spread > 0.0 ? moment / spread : 0.0;
         // Nothing is known of the first: it may be up to the half oscillation away.
-        const Extreme e = extreme_near(c.of(d), slowness * c.distance(d), d == 1 ? step : 0.67 * step);
+        const Extreme e = extreme_near(c.of(d), slowness * c.distance(d), d == 1 ? step : 0.67 * step, apart);
         if (!(std::abs(e.correlation) >= smallest_correlation)) break;
         const double weight = e.correlation * e.correlation;
         moment += weight * c.distance(d) * e.lag;
@@ -227,7 +229,12 @@ StationCelerity celerity_of(std::span<const std::vector<double>> records, Correl
     const Line line = follow(c, options.smallest_correlation);
 
     StationCelerity result;
+    // The blocks share the error of the parabola. That through every second lag has about four times it.
+    const double wide = follow(c, options.smallest_correlation, 2).celerity;
     result.celerity = {line.celerity, jackknife_half_width(without)};
+    if (std::isfinite(wide)) {
+        result.celerity.half_width = std::hypot(result.celerity.half_width, wide - line.celerity);
+    }
     result.used = line.extremes.size();
     for (std::size_t d = 0; d < c.pairs.size(); ++d) {
         StationCorrelation s;

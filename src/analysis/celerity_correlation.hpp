@@ -35,8 +35,8 @@ struct StationOptions {
 /// Celerity from the lags of extremes.
 struct StationCelerity {
     /// Slope of x_l = U t_l through the origin over the distances whose extreme was found, least squares of
-    /// the lags weighted by R^2; interval by the jackknife over blocks of time. Not-a-number where no lag was
-    /// found.
+    /// the lags weighted by R^2; interval by the jackknife over blocks of time, and what parabolas through
+    /// every second lag change. Not-a-number where no lag was found.
     Estimate celerity;
     std::vector<StationCorrelation> stations;  ///< by distance; the first is a station with itself
     std::size_t used = 0;                      ///< distances, from the shortest on

@@ -15,8 +15,16 @@ namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double usable_share = 0.8;  // of the highest wavenumber and frequency
-constexpr double smallest_energy = 0.01;
+constexpr double smallest_contrast = 8.0;
 constexpr std::size_t hann_lobe = 2;  // half width of its main lobe, steps
+
+/// What of a spectrum is its ridge.
+struct RidgeRules {
+    std::size_t lobe = hann_lobe;   ///< steps of frequency to each side of the peak
+    double smallest_energy = 0.01;  ///< of that of the largest
+    /// Take in what the taper of an open line moved to wavenumber zero.
+    bool with_zero = false;
+};
 
 /// Density at wavenumber k > 0 (column i, its negative at column `opposite`) over signed frequencies,
 /// ascending.
@@ -37,7 +45,8 @@ double median(std::vector<double> values) {
 }
 
 /// Energy-weighted mean frequency over mean wavenumber. The taper of a line that is not periodic spreads each
-/// wave over some wavenumbers about its own: a regression of frequency on wavenumber would lose slope by it.
+/// wave over some wavenumbers about its own: a regression of frequency on wavenumber would lose slope by it,
+/// the sums over all of them do not.
 double ratio_of_means(const std::vector<RidgePoint>& ridge) {
     double frequency = 0.0;
     double wavenumber = 0.0;
@@ -48,39 +57,44 @@ double ratio_of_means(const std::vector<RidgePoint>& ridge) {
     return wavenumber > 0.0 ? frequency / wavenumber : not_a_number;
 }
 
-}  // namespace
-
-std::vector<RidgePoint> spectral_ridge(const WaveSpectrum& spectrum, std::size_t lobe,
-                                       double smallest_contrast) {
+/// The peak over frequencies that begin at step `first`; without one that stands out the energy is zero.
+RidgePoint peak_of(const std::vector<double>& density, std::ptrdiff_t first, double k,
+                   const WaveSpectrum& spectrum, std::size_t lobe) {
     const auto reach = static_cast<std::ptrdiff_t>(lobe);
+    const auto n = static_cast<std::ptrdiff_t>(density.size());
+    const std::ptrdiff_t peak = std::max_element(density.begin(), density.end()) - density.begin();
+    const double floor = median(density);
+    if (!(density[static_cast<std::size_t>(peak)] > smallest_contrast * floor)) return {k, 0.0, 0.0};
+    double sum = 0.0;
+    double moment = 0.0;
+    for (std::ptrdiff_t m = std::max<std::ptrdiff_t>(0, peak - reach); m <= std::min(n - 1, peak + reach);
+         ++m) {
+        const double excess = std::max(0.0, density[static_cast<std::size_t>(m)] - floor);
+        sum += excess;
+        moment += excess * static_cast<double>(m + first) * spectrum.frequency_step;
+    }
+    return {k, moment / sum, sum * spectrum.wavenumber_step * spectrum.frequency_step};
+}
+
+std::vector<RidgePoint> spectral_ridge(const WaveSpectrum& spectrum, const RidgeRules& rules) {
     std::vector<RidgePoint> ridge;
     const double highest_frequency = spectrum.frequency.back();
     const double highest_wavenumber = spectrum.wavenumber.back();
     const auto zero = static_cast<std::size_t>(
         std::lower_bound(spectrum.wavenumber.begin(), spectrum.wavenumber.end(), -1e-9 * highest_wavenumber) -
         spectrum.wavenumber.begin());
+    const auto frequencies = static_cast<std::ptrdiff_t>(spectrum.frequency.size());
     for (std::size_t order = 1; zero + order < spectrum.wavenumber.size() && order <= zero; ++order) {
         const double k = spectrum.wavenumber[zero + order];
         if (k > usable_share * highest_wavenumber) break;
-        const std::vector<double> density = over_signed_frequency(spectrum, zero + order, zero - order);
-        const auto n = static_cast<std::ptrdiff_t>(density.size());
-        const std::ptrdiff_t peak = std::max_element(density.begin(), density.end()) - density.begin();
-        const double floor = median(density);
-        if (!(density[static_cast<std::size_t>(peak)] > smallest_contrast * floor)) continue;
-        const std::ptrdiff_t zero_frequency = n / 2;
-        double sum = 0.0;
-        double moment = 0.0;
-        for (std::ptrdiff_t m = std::max<std::ptrdiff_t>(0, peak - reach); m <= std::min(n - 1, peak + reach);
-             ++m) {
-            const double excess = std::max(0.0, density[static_cast<std::size_t>(m)] - floor);
-            sum += excess;
-            moment += excess * static_cast<double>(m - zero_frequency) * spectrum.frequency_step;
-        }
-        ridge.push_back({k, moment / sum, sum * spectrum.wavenumber_step * spectrum.frequency_step});
+        const RidgePoint point = peak_of(over_signed_frequency(spectrum, zero + order, zero - order),
+                                         1 - frequencies, k, spectrum, rules.lobe);
+        if (point.energy > 0.0) ridge.push_back(point);
     }
     double largest = 0.0;
     for (const RidgePoint& p : ridge) largest = std::max(largest, p.energy);
-    std::erase_if(ridge, [largest](const RidgePoint& p) { return p.energy < smallest_energy * largest; });
+    const double smallest = rules.smallest_energy * largest;
+    std::erase_if(ridge, [smallest](const RidgePoint& p) { return p.energy < smallest; });
     // Beyond half the sampling rate a branch comes back with the other sign.
     double direction = 0.0;
     for (const RidgePoint& p : ridge) direction += std::copysign(p.energy, p.frequency);
@@ -89,8 +103,17 @@ std::vector<RidgePoint> spectral_ridge(const WaveSpectrum& spectrum, std::size_t
         return std::abs(p.frequency) > usable_share * highest_frequency;
     });
     ridge.erase(aliased, ridge.end());
+    if (rules.with_zero && !ridge.empty()) {
+        std::vector<double> density;
+        for (std::size_t m = 0; m < spectrum.frequency.size(); ++m) density.push_back(spectrum.at(m, zero));
+        RidgePoint point = peak_of(density, 0, 0.0, spectrum, rules.lobe);
+        point.frequency = std::copysign(point.frequency, direction);
+        if (point.energy >= smallest && point.energy > 0.0) ridge.insert(ridge.begin(), point);
+    }
     return ridge;
 }
+
+}  // namespace
 
 RidgeCelerity ridge_celerity(const SpaceTime& fluctuation, std::size_t blocks) {
     const std::size_t rows = fluctuation.rows();
@@ -110,24 +133,35 @@ RidgeCelerity ridge_celerity(const SpaceTime& fluctuation, std::size_t blocks) {
     const std::size_t width = result.spectrum.density.size();
     result.spectrum.density = mean_without(densities, width, blocks);
     result.spectrum.segments = blocks;
-    std::size_t lobe = hann_lobe;
+    RidgeRules rules;
     if (!fluctuation.periodic) {
         // The taper along the line spreads each wave over its lobe in wavenumber, and so over this in
-        // frequency.
-        const double first = std::abs(ratio_of_means(spectral_ridge(result.spectrum, lobe)));
+        // frequency. What it moves beyond the points that count shifts their sums: nearly all are taken in.
+        const double first = std::abs(ratio_of_means(spectral_ridge(result.spectrum, rules)));
         const double steps =
             hann_lobe * result.spectrum.wavenumber_step * first / result.spectrum.frequency_step;
         const auto most = static_cast<double>(result.spectrum.frequency.size());
-        if (steps > hann_lobe) lobe = static_cast<std::size_t>(std::ceil(std::min(steps, most)));
+        if (steps > hann_lobe) rules.lobe = static_cast<std::size_t>(std::ceil(std::min(steps, most)));
+        rules.smallest_energy = 0.001;
+        rules.with_zero = true;
     }
-    result.ridge = spectral_ridge(result.spectrum, lobe);
+    result.ridge = spectral_ridge(result.spectrum, rules);
     std::vector<double> without;
     WaveSpectrum rest = result.spectrum;
     for (std::size_t b = 0; b < blocks; ++b) {
         rest.density = mean_without(densities, width, b);
-        without.push_back(ratio_of_means(spectral_ridge(rest, lobe)));
+        without.push_back(ratio_of_means(spectral_ridge(rest, rules)));
     }
     result.celerity = {ratio_of_means(result.ridge), jackknife_half_width(without)};
+    if (!fluctuation.periodic) {
+        // The blocks share what the taper does to them. A cut at ten times the energy says how much that is.
+        rules.smallest_energy *= 10.0;
+        const double cut = ratio_of_means(spectral_ridge(result.spectrum, rules));
+        if (std::isfinite(cut)) {
+            result.celerity.half_width = std::hypot(result.celerity.half_width, cut - result.celerity.value);
+        }
+        std::erase_if(result.ridge, [](const RidgePoint& p) { return !(p.wavenumber > 0.0); });
+    }
     double energy = 0.0;
     double sum = 0.0;
     for (const RidgePoint& p : result.ridge) {

@@ -47,28 +47,45 @@ std::vector<double> smoothed(const SpaceTime& data, std::size_t j, double deviat
     return result;
 }
 
-/// Positions of the local maxima above a height, by the parabola through three points; m. None within
+struct Crest {
+    double position = 0.0;  ///< by the parabola through the three points about it, m
+    /// Of the position by the parabola through the second neighbours, whose error is about four times as
+    /// large, m.
+    double shift = 0.0;
+};
+
+/// The local maxima above a height. None within
 /// `margin` columns of the ends of a line, where the smoothing sees one side only and would shift them.
-std::vector<double> crests(const SpaceTime& data, const std::vector<double>& row, double height,
-                           std::size_t margin) {
+std::vector<Crest> crests(const SpaceTime& data, const std::vector<double>& row, double height,
+                          std::size_t margin) {
     const std::size_t n = row.size();
     const std::size_t edge = data.periodic ? 0 : margin + 1;
-    std::vector<double> result;
+    std::vector<Crest> result;
     for (std::size_t i = edge; i + edge < n; ++i) {
         const double before = row[(i + n - 1) % n];
         const double after = row[(i + 1) % n];
         if (!(row[i] > height) || !(row[i] > before) || !(row[i] >= after)) continue;
-        result.push_back(data.x(i) + parabola_extreme(before, row[i], after).offset * data.spacing);
+        const double offset = parabola_extreme(before, row[i], after).offset;
+        double shift = 0.0;
+        if (data.periodic || (i >= 2 && i + 2 < n)) {
+            const double far_before = row[(i + n - 2) % n];
+            const double far_after = row[(i + 2) % n];
+            if (row[i] > far_before && row[i] > far_after) {
+                shift = 2.0 * parabola_extreme(far_before, row[i], far_after).offset - offset;
+            }
+        }
+        result.push_back({data.x(i) + offset * data.spacing, shift * data.spacing});
     }
     return result;
 }
 
-/// Median of the slopes between the points of a track, at most about 2000 pairs of them.
-double median_slope(const CrestTrack& track) {
-    const std::size_t n = track.times.size();
+/// Median of the slopes between the points of a track, at most about 2000 pairs of them, without the first
+/// and the last `ends` points.
+double median_slope(const CrestTrack& track, std::size_t ends) {
+    const std::size_t n = track.times.size() - ends;
     const std::size_t stride = std::max<std::size_t>(1, n / 64);
     std::vector<double> slopes;
-    for (std::size_t a = 0; a < n; a += stride) {
+    for (std::size_t a = ends; a < n; a += stride) {
         for (std::size_t b = a + stride; b < n; b += stride) {
             slopes.push_back((track.positions[b] - track.positions[a]) / (track.times[b] - track.times[a]));
         }
@@ -124,9 +141,26 @@ double robust_mean(const std::vector<Slope>& slopes) {
     return mean;
 }
 
+/// Half-width of the 95 % interval of the mean slope for the parabolas of the crests alone, each with a
+/// quarter of its shift as its error: that of the slope through n points of a track of duration T is
+/// sqrt(12/n) error/T.
+double interpolation_half_width(const std::vector<CrestTrack>& tracks) {
+    double squares = 0.0;
+    double crests = 0.0;
+    double factors = 0.0;
+    double durations = 0.0;
+    for (const CrestTrack& track : tracks) {
+        for (const double shift : track.shifts) squares += shift * shift;
+        crests += static_cast<double>(track.shifts.size());
+        factors += 12.0 / static_cast<double>(track.shifts.size());
+        durations += track.times.back() - track.times.front();
+    }
+    return 1.96 * 0.25 * std::sqrt(squares / crests * factors) / durations;
+}
+
 /// Link the crests of one time to the tracks that reach it: the closest pairs first.
 void link(const SpaceTime& data, std::vector<CrestTrack>& active, std::vector<CrestTrack>& ended,
-          const std::vector<double>& found, double t, double expected, double search) {
+          const std::vector<Crest>& found, double t, double expected, double search) {
     struct Pair {
         double distance;
         std::size_t track, crest;
@@ -136,7 +170,7 @@ void link(const SpaceTime& data, std::vector<CrestTrack>& active, std::vector<Cr
     for (std::size_t a = 0; a < active.size(); ++a) {
         const double predicted = active[a].positions.back() + expected * (t - active[a].times.back());
         for (std::size_t c = 0; c < found.size(); ++c) {
-            double offset = found[c] - predicted;
+            double offset = found[c].position - predicted;
             if (data.periodic) offset -= data.length() * std::nearbyint(offset / data.length());
             if (std::abs(offset) <= search) pairs.push_back({std::abs(offset), a, c, predicted + offset});
         }
@@ -149,12 +183,13 @@ void link(const SpaceTime& data, std::vector<CrestTrack>& active, std::vector<Cr
         followed[p.track] = taken[p.crest] = true;
         active[p.track].times.push_back(t);
         active[p.track].positions.push_back(p.position);
+        active[p.track].shifts.push_back(found[p.crest].shift);
     }
     std::vector<CrestTrack> next;
     for (std::size_t a = 0; a < active.size(); ++a)
         (followed[a] ? next : ended).push_back(std::move(active[a]));
     for (std::size_t c = 0; c < found.size(); ++c) {
-        if (!taken[c]) next.push_back({{t}, {found[c]}, 0.0});
+        if (!taken[c]) next.push_back({{t}, {found[c].position}, {found[c].shift}, 0.0});
     }
     active = std::move(next);
 }
@@ -177,7 +212,7 @@ CrestCelerity track_crests(const SpaceTime& fluctuation, const CrestOptions& opt
         std::copy(row.begin(), row.end(), smooth.row(j).begin());
     }
     const double height = options.smallest_height * standard_deviation(smooth).value;
-    std::vector<std::vector<double>> found;
+    std::vector<std::vector<Crest>> found;
     std::size_t count = 0;
     for (std::size_t j = 0; j < smooth.rows(); ++j) {
         const std::span<const double> row = smooth.row(j);
@@ -200,9 +235,12 @@ CrestCelerity track_crests(const SpaceTime& fluctuation, const CrestOptions& opt
     const double start = fluctuation.times.front();
     const double duration = fluctuation.times.back() - start;
     std::vector<Slope> slopes;
+    // Near the ends of a line noise decides whether a crest is on it: those that are found lie too far
+    // inside, and tracks with them would be too slow.
+    const std::size_t ends = fluctuation.periodic ? 0 : 1;
     for (CrestTrack& track : ended) {
         if (track.times.size() < options.smallest_rows) continue;
-        track.celerity = median_slope(track);
+        track.celerity = median_slope(track, ends);
         const double middle = 0.5 * (track.times.front() + track.times.back());
         const auto block =
             static_cast<std::size_t>(static_cast<double>(options.blocks) * (middle - start) / duration);
@@ -218,7 +256,9 @@ CrestCelerity track_crests(const SpaceTime& fluctuation, const CrestOptions& opt
         std::erase_if(rest, [b](const Slope& s) { return s.block == b; });
         without.push_back(robust_mean(rest));
     }
-    result.celerity.half_width = jackknife_half_width(without);
+    // The places of the crests between the samples repeat themselves, and with them what the blocks share.
+    result.celerity.half_width =
+        std::hypot(jackknife_half_width(without), interpolation_half_width(result.tracks));
     return result;
 }
 

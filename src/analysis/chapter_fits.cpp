@@ -9,6 +9,7 @@
 
 #include "analysis/chapters.hpp"
 #include "analysis/figure_tools.hpp"
+#include "analysis/fit_parts.hpp"
 #include "analysis/section_parts.hpp"
 #include "hydraulics/law_fits.hpp"
 #include "hydraulics/log_law.hpp"
@@ -20,66 +21,12 @@ namespace {
 
 constexpr const char* chapter = "fits";
 
-/// What the fits start from.
-struct FittedFlow {
-    VelocityPoints points;                    ///< heights above the bed level; zero plane at the datum
-    double depth = 0;                         ///< from the datum to the mean surface, m
-    FitRange log_law_range;                   ///< of the log law
-    FitRange whole_range;                     ///< of the laws for the whole depth
-    std::optional<double> friction_velocity;  ///< from the stress, m/s
-    double friction_velocity_half_width = 0;
-};
-
-std::optional<double> finite(double value) {
-    return std::isfinite(value) ? std::optional<double>(value) : std::nullopt;
-}
-
-Finding fitted(std::string key, std::string label, std::string unit, const FittedValue& value) {
-    Finding finding = make_finding(chapter, std::move(key), std::move(label), std::move(unit), value.value,
-                                   finite(value.half_width));
-    const Interval& interval = value.interval;
-    const bool lopsided =
-        std::abs((interval.upper - value.value) - (value.value - interval.lower)) > 0.2 * value.half_width;
-    if (lopsided || !finding.half_width) {
-        finding.remark = fmt::format("95 % interval {:.3g} to {:.3g}", interval.lower, interval.upper);
-    }
-    return finding;
-}
-
-void warn_of_failure(Analysis& analysis, const char* law, const FitQuality& fit) {
-    analysis.warnings.push_back(fmt::format("the {} could not be fitted: {}", law, fit.why_not));
-}
-
-/// Heights between zero plane and surface at which a law is drawn; closer near the zero plane.
-std::vector<double> law_heights(double from, double to) {
-    constexpr int count = 80;
-    std::vector<double> heights;
-    heights.reserve(count);
-    for (int i = 0; i < count; ++i)
-        heights.push_back(from * std::pow(to / from, static_cast<double>(i) / (count - 1)));
-    return heights;
-}
-
-Curve law_curve(const char* name, int variant, const FittedFlow& flow, const FitQuality& fit,
-                const std::function<double(double)>& law) {
-    const std::vector<double> heights =
-        law_heights(std::max(fit.from - flow.points.zero_plane, 1e-3 * flow.depth),
-                    std::min(fit.to - flow.points.zero_plane, 0.995 * flow.depth));
-    std::vector<double> velocity;
-    std::vector<double> z;
-    for (const double height : heights) {
-        velocity.push_back(law(height));
-        z.push_back(height + flow.points.zero_plane);
-    }
-    return make_curve(name, Origin::fit, Mark::line, velocity, z, variant);
-}
-
 Figure laws_figure(const FlowRecord& record, const FittedFlow& flow) {
     Figure figure =
         make_figure(chapter, "fitted_laws", "Laws fitted to the velocity profile",
                     "Velocity profile with the fitted laws, each drawn over the range of heights that "
                     "it was fitted to. Zero plane: the datum.",
-                    "thesis (2.3), (2.5), (2.25), (2.26)", make_axis("streamwise velocity u", "m/s"),
+                    "thesis (2.3), (2.5), (2.24)-(2.26)", make_axis("streamwise velocity u", "m/s"),
                     make_axis("height above the bed level z", "m"));
     figure.curves.push_back(make_curve(record.origin() == Origin::simulated ? "simulated" : "measured",
                                        record.origin(), Mark::points,
@@ -335,6 +282,7 @@ void analyse_fits(const FlowRecord& record, Analysis& analysis) {
     Figure laws = laws_figure(record, flow);
     add_log_law(record, flow, laws, analysis);
     add_other_laws(flow, c.fluid.kinematic_viscosity, laws, analysis);
+    add_secondary_flow_laws(record, flow, laws, analysis);
     add_kappa(record, flow, analysis);
     analysis.figures.push_back(std::move(laws));
     add_channel_numbers(record, analysis);

@@ -10,6 +10,7 @@
 #include "analysis/profile_parts.hpp"
 #include "hydraulics/profile_comparison.hpp"
 #include "hydraulics/turbulence_laws.hpp"
+#include "roughness/bed_drag.hpp"
 
 namespace riffle {
 
@@ -135,6 +136,11 @@ void add_stresses(const FlowRecord& record, const Profiles& p, Analysis& analysi
         figure.curves.push_back(
             profile_curve("balance with the bed drag", Origin::column, p.analytic_stress, p.bin_upper));
     }
+    const Profiles& measured = record.measured().turbulence;
+    if (!measured.reynolds_stress.empty()) {
+        figure.curves.push_back(profile_curve("measured -rho u'w'", Origin::measured,
+                                              measured.reynolds_stress, measured.z, Mark::points));
+    }
     const double bed_stress =
         crest_stress(c.fluid.density, c.streamwise_gravity(), c.total_depth(), c.crest());
     if (bed_stress > 0.0) {
@@ -199,6 +205,60 @@ void add_closure(const FlowRecord& record, const Profiles& p, Analysis& analysis
     analysis.figures.push_back(std::move(figure));
 }
 
+/// The mixing length: of the particles what their eddy viscosity and gradient come to, and that of the
+/// column.
+void add_mixing_length(const FlowRecord& record, const Profiles& p, Analysis& analysis) {
+    Figure figure =
+        profile_figure("mixing_length_profile", "Mixing length",
+                       "Mixing length of the closure: of the run sqrt(nu_t/|du/dz|) of its mean "
+                       "profiles, and that of the column twin.",
+                       "paper Fig. 3; thesis (4.2), (2.20), (2.21)", make_axis("mixing length l_m", "m"));
+    const bool has = p.eddy_viscosity.size() == p.z.size() && p.velocity_gradient.size() == p.z.size();
+    if (!has || record.flow()->turbulence.closure == ClosureKind::none) {
+        add_missing(record, analysis, std::move(figure),
+                    "the profiles hold no eddy viscosity or no velocity gradient");
+        return;
+    }
+    std::vector<double> length;
+    for (std::size_t i = 0; i < p.z.size(); ++i)
+        length.push_back(std::sqrt(p.eddy_viscosity[i] / std::abs(p.velocity_gradient[i])));
+    figure.curves.push_back(
+        profile_curve("simulated", Origin::simulated, length, p.z, Mark::line_and_points));
+    if (record.column() != nullptr) {
+        figure.curves.push_back(
+            column_curve(record.column()->profile, record.column()->profile.mixing_length));
+    }
+    analysis.figures.push_back(std::move(figure));
+}
+
+/// The drag term of the momentum equation.
+void add_drag(const FlowRecord& record, const Profiles& p, Analysis& analysis) {
+    const Case& c = *record.flow();
+    if (c.bed.kind != BedKind::spheres) return;
+    Figure figure =
+        profile_figure("drag_profile", "Drag term of the bed",
+                       "Drag of the bed's elements on the water per mass, tau_d/rho, against the "
+                       "flow; of the column twin at its velocity.",
+                       "paper Fig. 2c; thesis (4.3)-(4.4)", make_axis("drag term tau_d/rho", "m/s2"));
+    if (p.drag.size() != p.z.size() || p.drag.empty()) {
+        add_missing(record, analysis, std::move(figure), "the profiles hold no drag");
+        return;
+    }
+    std::vector<double> term;
+    for (const double drag : p.drag) term.push_back(drag / c.fluid.density);
+    figure.curves.push_back(profile_curve("simulated", Origin::simulated, term, p.z, Mark::line_and_points));
+    const auto law = make_bed_drag(c);
+    if (record.column() != nullptr && law != nullptr) {
+        const ColumnProfile& column = record.column()->profile;
+        std::vector<double> of_column;
+        for (std::size_t i = 0; i < column.z.size(); ++i)
+            of_column.push_back(-law->coefficient(column.z[i]) * column.velocity[i] *
+                                std::abs(column.velocity[i]));
+        figure.curves.push_back(column_curve(column, of_column));
+    }
+    analysis.figures.push_back(std::move(figure));
+}
+
 void add_intensities(const FlowRecord& record, const Profiles& p, Analysis& analysis) {
     const Case& c = *record.flow();
     Figure figure = make_figure(chapter, "turbulence_intensity_profile", "Turbulence intensities",
@@ -211,26 +271,35 @@ void add_intensities(const FlowRecord& record, const Profiles& p, Analysis& anal
                                 "thesis (2.12)-(2.14)", make_axis("intensity over friction velocity", "1"),
                                 make_axis("height above the datum over depth z/h", "1"));
     const double friction_velocity = friction_velocity_of(record);
-    const bool none =
-        p.velocity_rms.empty() && p.vertical_velocity_rms.empty() && p.spanwise_velocity_rms.empty();
+    const Profiles& measured = record.measured().turbulence;
+    const bool none = p.velocity_rms.empty() && p.vertical_velocity_rms.empty() &&
+                      p.spanwise_velocity_rms.empty() && measured.velocity_rms.empty() &&
+                      measured.vertical_velocity_rms.empty() && measured.spanwise_velocity_rms.empty();
     if (none || friction_velocity <= 0.0) {
         add_missing(record, analysis, std::move(figure),
                     "the profiles hold no fluctuations, or no friction velocity is known");
         return;
     }
-    const auto add = [&](const char* name, const std::vector<double>& rms, int variant) {
+    const auto add = [&](const std::string& name, Origin origin, const Profiles& from,
+                         const std::vector<double>& rms, double scale, int variant) {
         if (rms.empty()) return;
         std::vector<double> x;
         std::vector<double> y;
         for (std::size_t i = 0; i < rms.size(); ++i) {
-            x.push_back(rms[i] / friction_velocity);
-            y.push_back((p.z[i] - c.datum()) / c.channel.depth);
+            x.push_back(rms[i] / scale);
+            y.push_back((from.z[i] - c.datum()) / c.channel.depth);
         }
-        figure.curves.push_back(make_curve(name, record.origin(), Mark::line_and_points, x, y, variant));
+        figure.curves.push_back(make_curve(
+            name, origin, origin == record.origin() ? Mark::line_and_points : Mark::points, x, y, variant));
     };
-    add("u'", p.velocity_rms, 0);
-    add("w'", p.vertical_velocity_rms, 1);
-    add("v'", p.spanwise_velocity_rms, 2);
+    add("u'", record.origin(), p, p.velocity_rms, friction_velocity, 0);
+    add("w'", record.origin(), p, p.vertical_velocity_rms, friction_velocity, 1);
+    add("v'", record.origin(), p, p.spanwise_velocity_rms, friction_velocity, 2);
+    // What was measured is scaled with its own friction velocity.
+    const double of_measured = c.measured.friction_velocity.value_or(friction_velocity);
+    add("measured u'", Origin::measured, measured, measured.velocity_rms, of_measured, 0);
+    add("measured w'", Origin::measured, measured, measured.vertical_velocity_rms, of_measured, 1);
+    add("measured v'", Origin::measured, measured, measured.spanwise_velocity_rms, of_measured, 2);
     const auto add_law = [&](const char* name, double TurbulenceIntensities::*component, int variant) {
         Curve curve = make_curve(name, Origin::theory, Mark::line, {}, {}, variant);
         constexpr int steps = 40;
@@ -268,6 +337,7 @@ void analyse_profiles(const FlowRecord& record, Analysis& analysis) {
     if (record.flow() == nullptr) {
         if (p.empty()) return;
         add_velocity(record, p, analysis);
+        if (!record.velocity_grids().empty()) add_plane_maps(record, analysis);
         analysis.warnings.emplace_back(
             "of a profile without its case only the velocity is drawn: --case CASE.toml gives depth, slope "
             "and "
@@ -290,7 +360,12 @@ void analyse_profiles(const FlowRecord& record, Analysis& analysis) {
     add_intensities(record, p, analysis);
     add_pressure(record, p, analysis);
     add_closure(record, p, analysis);
+    if (record.origin() == Origin::simulated) {
+        add_mixing_length(record, p, analysis);
+        add_drag(record, p, analysis);
+    }
     add_double_averages(record, analysis);
+    add_plane_maps(record, analysis);
 }
 
 }  // namespace riffle

@@ -158,6 +158,7 @@ void add_findings(const FlowRecord& record, Analysis& analysis) {
 }  // namespace
 
 void analyse_section(const FlowRecord& record, Analysis& analysis) {
+    if (!record.section_points().empty()) add_section_stations(record, analysis);
     if (!is_three_dimensional(record)) return;
     const MeanFlow& field = record.mean_field();
     if (field.empty()) {

@@ -103,6 +103,10 @@ void add_scales(const FlowRecord& record, const Instrument& instrument, Analysis
         analysis.findings.push_back(make_finding(chapter, key, label, unit, value.value, value.half_width));
     };
     add("point_velocity_deviation", "standard deviation of u, " + place(middle), "m/s", middle.u_rms);
+    if (!instrument.probe->v.empty()) {
+        add("point_spanwise_velocity_deviation", "standard deviation of v, " + place(middle), "m/s",
+            middle.v_rms);
+    }
     if (!instrument.probe->w.empty()) {
         add("point_vertical_velocity_deviation", "standard deviation of w, " + place(middle), "m/s",
             middle.w_rms);
@@ -229,6 +233,7 @@ void analyse_subsurface(const FlowRecord& record, Analysis& analysis) {
     add_spectra(record, instrument, false, analysis);
     add_spectra(record, instrument, true, analysis);
     add_depth_correlation(record, tallest, analysis);
+    add_streamwise_correlation(record, analysis);
     add_quadrants(record, instrument, analysis);
 }
 

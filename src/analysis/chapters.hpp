@@ -28,14 +28,22 @@ void analyse_bed(const FlowRecord& record, Analysis& analysis);
 /// distances from the wall, and across the channel.
 void add_section_profiles(const FlowRecord& record, Analysis& analysis);
 
+/// The part of the chapter on the cross-section that is profiles at distances from the side wall, of a run or
+/// of points that a laboratory measured: velocity, stress, their departure from what was measured, and
+/// profiles across the channel. Nothing without side walls.
+void add_section_stations(const FlowRecord& record, Analysis& analysis);
+
 /// The part of the chapter on the surface from plan maps: mean level and standard deviation over the plan.
 /// Nothing without them.
 void add_surface_plan(const FlowRecord& record, Analysis& analysis);
 
 /// The part of the profiles that needs time means in cells, of a grid in two dimensions or of the mean field
-/// in three: maps of the mean velocity, dispersive stress (time mean, then mean over the bed plane). Nothing
-/// without them.
+/// in three: dispersive stress (time mean, then mean over the bed plane). Nothing without them.
 void add_double_averages(const FlowRecord& record, Analysis& analysis);
+
+/// Maps of the time means of velocity, pressure and stress in the x-z plane, of a grid or around the
+/// centreline of the mean field in three dimensions.
+void add_plane_maps(const FlowRecord& record, Analysis& analysis);
 
 /// The part of the fits that follows from the mean velocity: friction factors, Manning's n, Chezy's C,
 /// Reynolds and Froude number (thesis 2.6-2.9). Nothing where no velocity is known.

@@ -42,9 +42,9 @@ struct InfluenceDepth {
 };
 
 /// The height, going down from `from` (m), where the correlation at the same time falls through `threshold`,
-/// between two heights linearly. The thesis gives 0.93 (2D) and 0.84 (3D) of the depth and no threshold; here
-/// it is 0.5, a quarter of the variance explained, unless told otherwise. None where the correlation is below
-/// it from the start, or nowhere.
+/// between two heights linearly; 0.5, a quarter of the variance explained, unless told otherwise. The thesis
+/// measures the influence depth otherwise: deepest_zero() (space_time_correlation.hpp). None where the
+/// correlation is below the threshold from the start, or nowhere.
 [[nodiscard]] std::optional<InfluenceDepth> influence_depth(std::span<const HeightCorrelation> correlations,
                                                             double from, double threshold = 0.5);
 

@@ -66,23 +66,6 @@ std::vector<double> scaled(std::vector<double> values, double factor) {
     return values;
 }
 
-void add_map(const VelocityGrid& grid, const char* key, const char* title, const char* label,
-             const char* unit, const std::vector<double>& values, bool diverging, Analysis& analysis) {
-    Figure figure = make_figure(
-        chapter, key, title, "Time mean over the window on the grid of the instrument.",
-        "thesis chapter 4, contours in the x-z plane", make_axis("distance along the channel x", "m"),
-        make_axis("height above the bed level z", "m"));
-    ColourMap map;
-    map.x = grid.x;
-    map.y = grid.z;
-    map.label = label;
-    map.unit = unit;
-    map.diverging = diverging;
-    for (const double value : values) map.values.push_back(static_cast<float>(value));
-    figure.maps.push_back(std::move(map));
-    analysis.figures.push_back(std::move(figure));
-}
-
 double largest_of(const std::vector<double>& values) {
     double largest = 0.0;
     for (const double value : values) {
@@ -97,30 +80,22 @@ Figure stress_figure(const char* caption) {
                        make_axis("shear stress", "Pa"), make_axis("height above the bed level z", "m"));
 }
 
-void add_grid(const FlowRecord& record, bool stresses, Analysis& analysis) {
+void add_grid(const FlowRecord& record, Analysis& analysis) {
     const VelocityGrid& grid = record.velocity_grids().front();
     const double density = record.flow()->fluid.density;
-    if (stresses) {
-        Figure figure = stress_figure(
-            "Means along the bed of the Reynolds stress -rho u'w' in time, and dispersive stress of the time "
-            "means, -rho <u~ w~> with the departures from their mean along the bed.");
-        figure.curves.push_back(make_curve("Reynolds stress in time", record.origin(), Mark::line_and_points,
-                                           scaled(mean_along(grid, grid.uw), -density), grid.z));
-        Curve form = make_curve("dispersive stress", record.origin(), Mark::line_and_points,
-                                scaled(dispersive(grid.z.size(), grid.u, grid.w), -density), grid.z);
-        form.variant = 1;
-        const double largest = largest_of(form.x);
-        figure.curves.push_back(std::move(form));
-        analysis.figures.push_back(std::move(figure));
-        analysis.findings.push_back(
-            make_finding(chapter, "dispersive_stress_largest", "largest dispersive stress", "Pa", largest));
-    }
-    add_map(grid, "mean_velocity_map", "Mean streamwise velocity", "streamwise velocity u", "m/s", grid.u,
-            false, analysis);
-    add_map(grid, "mean_vertical_velocity_map", "Mean vertical velocity", "vertical velocity w", "m/s",
-            grid.w, true, analysis);
-    add_map(grid, "reynolds_stress_map", "Resolved Reynolds stress", "-rho u'w'", "Pa",
-            scaled(grid.uw, -density), true, analysis);
+    Figure figure = stress_figure(
+        "Means along the bed of the Reynolds stress -rho u'w' in time, and dispersive stress of the time "
+        "means, -rho <u~ w~> with the departures from their mean along the bed.");
+    figure.curves.push_back(make_curve("Reynolds stress in time", record.origin(), Mark::line_and_points,
+                                       scaled(mean_along(grid, grid.uw), -density), grid.z));
+    Curve form = make_curve("dispersive stress", record.origin(), Mark::line_and_points,
+                            scaled(dispersive(grid.z.size(), grid.u, grid.w), -density), grid.z);
+    form.variant = 1;
+    const double largest = largest_of(form.x);
+    figure.curves.push_back(std::move(form));
+    analysis.figures.push_back(std::move(figure));
+    analysis.findings.push_back(
+        make_finding(chapter, "dispersive_stress_largest", "largest dispersive stress", "Pa", largest));
 }
 
 using Velocity = std::vector<float> FieldBlock::*;
@@ -261,8 +236,11 @@ void add_mean_field(const FlowRecord& record, Analysis& analysis) {
 void add_double_averages(const FlowRecord& record, Analysis& analysis) {
     if (record.flow() == nullptr) return;
     const bool in_cells = is_three_dimensional(record) && !record.mean_field().empty();
-    if (in_cells) add_mean_field(record, analysis);
-    if (!record.velocity_grids().empty()) add_grid(record, !in_cells, analysis);
+    if (in_cells) {
+        add_mean_field(record, analysis);
+    } else if (!record.velocity_grids().empty() && !record.velocity_grids().front().uw.empty()) {
+        add_grid(record, analysis);
+    }
 }
 
 }  // namespace riffle

@@ -42,6 +42,21 @@ const std::vector<VelocityGrid>& FlowRecord::velocity_grids() const {
     return none;
 }
 
+const std::vector<VelocityPlane>& FlowRecord::velocity_planes() const {
+    static const std::vector<VelocityPlane> none;
+    return none;
+}
+
+SpaceTime VelocityPlane::line(const std::vector<double>& values, std::size_t j) const {
+    std::vector<double> at_height;
+    at_height.reserve(time.size() * x.size());
+    for (std::size_t row = 0; row < time.size(); ++row) {
+        const auto first = values.begin() + static_cast<std::ptrdiff_t>((row * z.size() + j) * x.size());
+        at_height.insert(at_height.end(), first, first + static_cast<std::ptrdiff_t>(x.size()));
+    }
+    return make_space_time(x, time, at_height, period);
+}
+
 const std::vector<ScalarProbe>& FlowRecord::scalar_probes() const {
     static const std::vector<ScalarProbe> none;
     return none;
@@ -59,6 +74,11 @@ const SurfaceMaps& FlowRecord::surface_maps() const {
 
 const SectionTwin& FlowRecord::section_twin() const {
     static const SectionTwin none;
+    return none;
+}
+
+const SectionPoints& FlowRecord::section_points() const {
+    static const SectionPoints none;
     return none;
 }
 

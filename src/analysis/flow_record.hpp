@@ -11,6 +11,7 @@
 #include "analysis/space_time.hpp"
 #include "case/case.hpp"
 #include "column/column.hpp"
+#include "column/section_measurements.hpp"
 #include "column/velocity_measurements.hpp"
 #include "solver/profile_blocks.hpp"
 
@@ -37,21 +38,39 @@ struct ElevationProbe {
 };
 
 /// Velocities against time at points (x[i], z[i]): u[row * z.size() + i] at time[row], m/s. Heights above the
-/// bed level. Not-a-number where the point lay outside of the water or the sample was lost. `w` may be empty.
+/// bed level. Not-a-number where the point lay outside of the water or the sample was lost. `v` and `w` may
+/// be empty.
 struct VelocityProbe {
     std::string name;
     std::vector<double> x, z, time, u, w;
     std::vector<double> y = {};  ///< across the channel; empty where the record does not say
+    std::vector<double> v = {};  ///< across the channel, m/s; empty where it was not recorded
 
     /// The record of one point of `u` or `w`.
     [[nodiscard]] std::vector<double> point(const std::vector<double>& values, std::size_t i) const;
 };
 
 /// Time means and second moments on a grid of the x-z plane over the window: value[j * x.size() + i] at
-/// (x[i], z[j]), m/s and m2/s2. Not-a-number outside of the water.
+/// (x[i], z[j]), m/s, m2/s2 and Pa. Not-a-number outside of the water.
 struct VelocityGrid {
     std::string name;
     std::vector<double> x, z, u, w, uu, ww, uw;  ///< the last three: variances and covariance in time
+    std::vector<double> pressure = {};           ///< Pa; empty where the record has none
+    std::vector<double> shear_stress = {};       ///< tau_xz of viscosity and closure, Pa; so
+    std::vector<double> uncertainty = {};        ///< standard uncertainty of u, m/s; so
+    std::optional<double> y = std::nullopt;      ///< of the plane across the channel, where the record says
+};
+
+/// Velocities on a grid of the x-z plane against time: u[(row * z.size() + j) * x.size() + i] at (x[i], z[j])
+/// and time[row], m/s. Not-a-number outside of the water, or where a vector was lost.
+struct VelocityPlane {
+    std::string name;
+    std::vector<double> x, z, time;
+    std::vector<double> u, w;
+    std::optional<double> period = std::nullopt;  ///< after which the columns repeat along the channel, m
+
+    /// w or u along the line at the height z[j].
+    [[nodiscard]] SpaceTime line(const std::vector<double>& values, std::size_t j) const;
 };
 
 /// A quantity against time, such as the flow rate through a section or a force, per unit width.
@@ -116,18 +135,26 @@ class FlowRecord {
     [[nodiscard]] virtual const std::vector<ElevationProbe>& elevation_probes() const;
     [[nodiscard]] virtual const std::vector<VelocityProbe>& velocity_probes() const;
     [[nodiscard]] virtual const std::vector<VelocityGrid>& velocity_grids() const;
+    [[nodiscard]] virtual const std::vector<VelocityPlane>& velocity_planes() const;
     [[nodiscard]] virtual const std::vector<ScalarProbe>& scalar_probes() const;
     // Of runs in three dimensions.
     [[nodiscard]] virtual const MeanFlow& mean_field() const;
     [[nodiscard]] virtual const SurfaceMaps& surface_maps() const;
     [[nodiscard]] virtual const SectionTwin& section_twin() const;
 
-    /// The measured velocity profile to compare with: points of a file, or the rough log law (2.3) of the
-    /// measured u_* and k_s. Heights above the bed level.
+    /// The points of a cross-section that a laboratory record holds.
+    [[nodiscard]] virtual const SectionPoints& section_points() const;
+
+    /// What was measured and is compared with: the velocity profile from points of a file, or the rough log
+    /// law (2.3) of the measured u_* and k_s; beside it what other files hold. Heights above the bed level.
     struct Measured {
         VelocityMeasurements profile;
         bool from_law = false;
         std::string note;  ///< why there is none, where one was named
+        Profiles
+            turbulence;  ///< rms of the fluctuations and Reynolds stress of the same file, if it has them
+        SectionPoints section;  ///< of a cross-section
+        VelocityGrid field;     ///< means of image velocimetry
     };
     [[nodiscard]] virtual const Measured& measured() const;
 

@@ -7,10 +7,10 @@
 #include <cstddef>
 #include <utility>
 
+#include "analysis/measured_files.hpp"
 #include "base/error.hpp"
-#include "laboratory/csv_table.hpp"
+#include "column/section.hpp"
 #include "laboratory/probe_record.hpp"
-#include "laboratory/profile_record.hpp"
 #include "laboratory/record_repair.hpp"
 #include "laboratory/velocity_series.hpp"
 
@@ -18,18 +18,18 @@ namespace riffle {
 
 namespace {
 
-enum class Kind { profile, velocity, wave };
-
-/// What a file holds, by the names of its columns.
-Kind kind_of(const std::filesystem::path& csv) {
-    const CsvTable table = read_csv_table(csv, MissingValues::allowed);
-    const auto has = [&](const char* name) {
-        return std::any_of(table.columns.begin(), table.columns.end(),
-                           [&](const CsvColumn& column) { return column.name == name; });
-    };
-    if (has("z") || has("height") || table.header_line == 0) return Kind::profile;
-    if (has("u") || has("U")) return Kind::velocity;
-    return Kind::wave;
+/// The section twin of a case as analyses take it; empty where it has none.
+SectionTwin section_twin_of(const Case& c) {
+    SectionTwin twin;
+    if (!has_section(c)) return twin;
+    const SectionResult section = solve_section(c);
+    twin.y = section.y;
+    twin.z = section.z;
+    twin.velocity = section.velocity;
+    twin.shear_stress = section.shear_stress;
+    twin.lateral_shear_stress = section.lateral_shear_stress;
+    twin.values["centreline_velocity"] = section.centreline_velocity;
+    return twin;
 }
 
 }  // namespace
@@ -45,14 +45,20 @@ struct LaboratoryRecord::Impl {
                 // No steady uniform flow belongs to the case.
             }
         }
-        switch (kind_of(path)) {
-            case Kind::profile:
+        switch (laboratory_kind(path)) {
+            case LaboratoryKind::profile:
                 read_profile();
                 break;
-            case Kind::velocity:
+            case LaboratoryKind::section:
+                read_section();
+                break;
+            case LaboratoryKind::field:
+                read_field();
+                break;
+            case LaboratoryKind::velocity:
                 read_velocity();
                 break;
-            case Kind::wave:
+            case LaboratoryKind::waves:
                 read_waves();
                 break;
         }
@@ -91,39 +97,97 @@ struct LaboratoryRecord::Impl {
         warnings.insert(warnings.end(), record_warnings.begin(), record_warnings.end());
     }
 
+    [[nodiscard]] double density() const { return flow ? flow->fluid.density : 1000.0; }
+
     void read_profile() {
         const ProfileRecord record = read_profile_record(path);
         take(record.title, record.warnings);
-        const auto values = [&](ProfileQuantity quantity) {
-            const ProfileColumn* const found = record.find(quantity);
-            return found == nullptr ? std::vector<double>{} : found->values;
-        };
-        const std::vector<double> u = values(ProfileQuantity::velocity);
-        if (u.empty()) {
-            throw FileError(path.string() + ": the profile has no column u (streamwise velocity)");
+        profiles = profiles_of(record, datum(), density());
+    }
+
+    void read_section() {
+        if (!flow) {
+            throw InputError(path.string() +
+                             ": points across a channel need its case, which tells width and depth: --case "
+                             "CASE.toml");
         }
-        // Points without u belong to no profile of it.
-        const auto keep = [&](const std::vector<double>& all) {
-            std::vector<double> kept;
-            for (std::size_t i = 0; i < all.size(); ++i) {
-                if (std::isfinite(u[i])) kept.push_back(all[i]);
+        const SectionRecord record = read_section_record(path);
+        take(record.title, record.warnings);
+        section = section_points_of(record, *flow);
+    }
+
+    /// The window is that of the frames; of a field of means there is none.
+    void read_field() {
+        VelocityField field = read_velocity_field(path, options.sampling_frequency);
+        take(field.title, field.warnings);
+        if (field.time.empty()) {
+            if (field.frames > 1) {
+                warnings.emplace_back(
+                    "the frames tell no times: means and variances only; --frequency HZ gives them times");
             }
-            return kept;
-        };
-        profiles.velocity = keep(u);
-        for (const double z : keep(record.z)) profiles.z.push_back(z + datum());
-        constexpr double normal_95 = 1.96;
-        for (const double each : keep(record.find(ProfileQuantity::velocity)->uncertainty))
-            profiles.velocity_half_width.push_back(normal_95 * each);
-        profiles.velocity_rms = keep(values(ProfileQuantity::streamwise_rms));
-        profiles.vertical_velocity = keep(values(ProfileQuantity::vertical_velocity));
-        profiles.vertical_velocity_rms = keep(values(ProfileQuantity::vertical_rms));
-        profiles.spanwise_velocity_rms = keep(values(ProfileQuantity::spanwise_rms));
-        profiles.velocity_gradient = keep(values(ProfileQuantity::velocity_gradient));
-        const double density = flow ? flow->fluid.density : 1000.0;
-        for (const double stress : keep(values(ProfileQuantity::reynolds_stress)))
-            profiles.reynolds_stress.push_back(density * stress);
-        profiles.bin_upper = profiles.z;
+        } else {
+            choose_window(field.time.front(), field.time.back());
+            keep_window(field);
+        }
+        grids.push_back(grid_of(field, datum()));
+        profiles = profiles_of(grids.front(), density());
+        if (field.time.empty()) return;
+        planes.push_back(plane_of(field, datum()));
+        add_column_of_points(planes.front());
+    }
+
+    /// Leave the frames outside of the window out.
+    void keep_window(VelocityField& field) const {
+        const std::size_t points = field.points();
+        std::size_t kept = 0;
+        for (std::size_t k = 0; k < field.frames; ++k) {
+            if (!window.holds(field.time[k])) continue;
+            for (auto* const values : {&field.u, &field.w}) {
+                const auto from = values->begin() + static_cast<std::ptrdiff_t>(k * points);
+                std::copy(from, from + static_cast<std::ptrdiff_t>(points),
+                          values->begin() + static_cast<std::ptrdiff_t>(kept * points));
+            }
+            field.time[kept++] = field.time[k];
+        }
+        field.frames = kept;
+        field.time.resize(kept);
+        field.u.resize(kept * points);
+        field.w.resize(kept * points);
+    }
+
+    /// The column in the middle as the points of a velocity probe, less the heights with lost vectors.
+    void add_column_of_points(const VelocityPlane& plane) {
+        const std::size_t middle = plane.x.size() / 2;
+        std::vector<std::size_t> rows;
+        for (std::size_t j = 0; j < plane.z.size(); ++j) {
+            bool whole = true;
+            for (std::size_t k = 0; k < plane.time.size(); ++k)
+                whole = whole && std::isfinite(plane.u[(k * plane.z.size() + j) * plane.x.size() + middle]);
+            if (whole) rows.push_back(j);
+        }
+        if (rows.size() < plane.z.size()) {
+            warnings.push_back(
+                fmt::format("vectors are missing at {} of {} heights of the column x = {:.4g} mm; spectra "
+                            "and quadrants are "
+                            "those of the others",
+                            plane.z.size() - rows.size(), plane.z.size(), 1000.0 * plane.x[middle]));
+        }
+        if (rows.empty()) return;
+        VelocityProbe probe;
+        probe.name = plane.name;
+        probe.time = plane.time;
+        for (const std::size_t j : rows) {
+            probe.x.push_back(plane.x[middle]);
+            probe.z.push_back(plane.z[j]);
+        }
+        for (std::size_t k = 0; k < plane.time.size(); ++k) {
+            for (const std::size_t j : rows) {
+                const std::size_t at = (k * plane.z.size() + j) * plane.x.size() + middle;
+                probe.u.push_back(plane.u[at]);
+                probe.w.push_back(plane.w[at]);
+            }
+        }
+        velocity.push_back(std::move(probe));
     }
 
     void read_velocity() {
@@ -147,6 +211,7 @@ struct LaboratoryRecord::Impl {
         }
         probe.time = time;
         probe.u = part(series.u.values);
+        probe.v = part(series.v.values);
         probe.w = part(series.w.values);
         velocity.push_back(std::move(probe));
     }
@@ -224,6 +289,10 @@ struct LaboratoryRecord::Impl {
     Profiles profiles;
     std::vector<ElevationProbe> waves;
     std::vector<VelocityProbe> velocity;
+    std::vector<VelocityGrid> grids;
+    std::vector<VelocityPlane> planes;
+    SectionPoints section;
+    std::optional<SectionTwin> twin;
 };
 
 LaboratoryRecord::LaboratoryRecord(const std::filesystem::path& csv, const LaboratoryRecordOptions& options)
@@ -240,6 +309,13 @@ TimeWindow LaboratoryRecord::window() const { return impl_->window; }
 const Profiles& LaboratoryRecord::profiles() const { return impl_->profiles; }
 const std::vector<ElevationProbe>& LaboratoryRecord::elevation_probes() const { return impl_->waves; }
 const std::vector<VelocityProbe>& LaboratoryRecord::velocity_probes() const { return impl_->velocity; }
+const std::vector<VelocityGrid>& LaboratoryRecord::velocity_grids() const { return impl_->grids; }
+const std::vector<VelocityPlane>& LaboratoryRecord::velocity_planes() const { return impl_->planes; }
+const SectionPoints& LaboratoryRecord::section_points() const { return impl_->section; }
+const SectionTwin& LaboratoryRecord::section_twin() const {
+    if (!impl_->twin) impl_->twin = impl_->section.empty() ? SectionTwin{} : section_twin_of(*impl_->flow);
+    return *impl_->twin;
+}
 std::vector<std::string> LaboratoryRecord::warnings() const { return impl_->warnings; }
 
 }  // namespace riffle

@@ -18,10 +18,11 @@ struct LaboratoryRecordOptions {
     std::filesystem::path calibration;         ///< CSV of levels and voltages of wave probes
 };
 
-/// A CSV file of a laboratory: a profile (a column z), the velocities at a point (a column u and times), or
-/// the records of wave probes (docs/laboratory-data.md). Heights of the file are above the datum; with a case
-/// they become heights above the bed level. Throws FileError with line or column, InputError for a window
-/// outside of the record.
+/// A CSV file of a laboratory: a profile (a column z), points across a channel (a column y), a field or
+/// frames of image velocimetry (x, z, u, w; or a folder of them), the velocities at a point (a column u and
+/// times), or the records of wave probes (docs/laboratory-data.md). Heights of the file are above the datum;
+/// with a case they become heights above the bed level. Throws FileError with line or column, InputError for
+/// a window outside of the record.
 class LaboratoryRecord final : public FlowRecord {
   public:
     explicit LaboratoryRecord(const std::filesystem::path& csv, const LaboratoryRecordOptions& options = {});
@@ -36,6 +37,10 @@ class LaboratoryRecord final : public FlowRecord {
     [[nodiscard]] const Profiles& profiles() const override;
     [[nodiscard]] const std::vector<ElevationProbe>& elevation_probes() const override;
     [[nodiscard]] const std::vector<VelocityProbe>& velocity_probes() const override;
+    [[nodiscard]] const std::vector<VelocityGrid>& velocity_grids() const override;
+    [[nodiscard]] const std::vector<VelocityPlane>& velocity_planes() const override;
+    [[nodiscard]] const SectionPoints& section_points() const override;
+    [[nodiscard]] const SectionTwin& section_twin() const override;
     [[nodiscard]] std::vector<std::string> warnings() const override;
 
   private:

@@ -60,6 +60,16 @@ std::vector<ProbePointStatistics> probe_point_statistics(const VelocityProbe& pr
                 point.uw = covariance(u, w).covariance;
             }
         }
+        if (!probe.v.empty()) {
+            const std::vector<double> v = probe.point(probe.v, i);
+            const auto v_there =
+                std::count_if(v.begin(), v.end(), [](double value) { return std::isfinite(value); });
+            if (v_there >= 2) {
+                const Moments of_v = moments(v);
+                point.v = of_v.mean;
+                point.v_rms = of_v.standard_deviation;
+            }
+        }
         result.push_back(point);
     }
     std::sort(result.begin(), result.end(),

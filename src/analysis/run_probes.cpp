@@ -137,6 +137,7 @@ void read_velocity(const ProbeGroup& group, RunProbes& probes) {
     probe.time = group.time();
     probe.u = group.rows("velocity", points);
     probe.w = group.rows("vertical_velocity", points);
+    probe.v = group.rows("spanwise_velocity", points);
     probes.velocity.push_back(std::move(probe));
 }
 
@@ -153,27 +154,39 @@ void read_grid(const ProbeGroup& group, const TimeWindow& window, RunProbes& pro
     grid.x = group.axis("x");
     grid.z = group.axis("z");
     const std::size_t points = grid.x.size() * grid.z.size();
-    const std::array names = {"velocity", "vertical_velocity", "velocity_variance",
-                              "vertical_velocity_variance", "velocity_covariance"};
+    const std::array names = {"velocity",
+                              "vertical_velocity",
+                              "velocity_variance",
+                              "vertical_velocity_variance",
+                              "velocity_covariance",
+                              "pressure",
+                              "shear_stress"};
+    constexpr std::size_t velocities = 5;
     const std::vector<double> samples = group.rows("samples", 1);
-    std::array<std::vector<double>, 5> rows;
+    std::array<std::vector<double>, names.size()> rows;
     for (std::size_t k = 0; k < names.size(); ++k) {
         rows[k] = group.rows(names[k], points);
-        if (rows[k].empty()) return;
+        if (rows[k].empty() && k < velocities) return;
     }
+    const std::vector<double> y = group.axis("y");
+    if (!y.empty()) grid.y = y.front();
+    // What files of earlier versions, and runs without a closure, do not have.
+    if (!rows[velocities].empty()) grid.pressure.assign(points, nan);
+    if (!rows[velocities + 1].empty()) grid.shear_stress.assign(points, nan);
     for (std::vector<double>* values : {&grid.u, &grid.w, &grid.uu, &grid.ww, &grid.uw})
         values->assign(points, nan);
     for (std::size_t i = 0; i < points; ++i) {
         double n = 0.0;
-        std::array<double, 8> sum{};
+        std::array<double, 10> sum{};
         for (std::size_t row = first_row; row < time.size(); ++row) {
-            const auto at = [&](std::size_t k) { return rows[k][row * points + i]; };
+            const auto at = [&](std::size_t k) { return rows[k].empty() ? 0.0 : rows[k][row * points + i]; };
             const double u = at(0);
             const double w = at(1);
             if (!std::isfinite(u) || !std::isfinite(w)) continue;
             const double weight = samples.empty() ? 1.0 : samples[row];
             n += weight;
-            const std::array<double, 8> add = {u, w, at(2), at(3), at(4), u * u, w * w, u * w};
+            const std::array<double, 10> add = {u,     w,     at(2), at(3),          at(4),
+                                                u * u, w * w, u * w, at(velocities), at(velocities + 1)};
             for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += weight * add[k];
         }
         if (!(n > 0.0)) continue;
@@ -182,8 +195,28 @@ void read_grid(const ProbeGroup& group, const TimeWindow& window, RunProbes& pro
         grid.uu[i] = sum[2] / n + sum[5] / n - grid.u[i] * grid.u[i];
         grid.ww[i] = sum[3] / n + sum[6] / n - grid.w[i] * grid.w[i];
         grid.uw[i] = sum[4] / n + sum[7] / n - grid.u[i] * grid.w[i];
+        if (!grid.pressure.empty()) grid.pressure[i] = sum[8] / n;
+        if (!grid.shear_stress.empty()) grid.shear_stress[i] = sum[9] / n;
     }
     probes.grids.push_back(std::move(grid));
+}
+
+void read_plane(const ProbeGroup& group, const Case& c, RunProbes& probes) {
+    VelocityPlane plane;
+    plane.name = group.name();
+    plane.x = group.axis("x");
+    plane.z = group.axis("z");
+    plane.time = group.time();
+    const std::size_t points = plane.x.size() * plane.z.size();
+    plane.u = group.rows("velocity", points);
+    plane.w = group.rows("vertical_velocity", points);
+    if (plane.x.size() > 1) {
+        const double spacing = plane.x[1] - plane.x[0];
+        const double length = static_cast<double>(plane.x.size()) * spacing;
+        const std::optional<double> period = period_of(c);
+        if (period && std::abs(length - *period) < 1e-3 * spacing) plane.period = period;
+    }
+    probes.planes.push_back(std::move(plane));
 }
 
 void read_scalars(const ProbeGroup& group, const std::string& kind, RunProbes& probes) {
@@ -237,6 +270,8 @@ RunProbes read_probes(const ResultsReader& reader, const Case& c, const TimeWind
             read_surface_line(group, c, probes);
         } else if (*kind == "velocity") {
             read_velocity(group, probes);
+        } else if (*kind == "grid" && !reader.has("/probes/" + name + "/samples")) {
+            read_plane(group, c, probes);
         } else if (*kind == "grid") {
             read_grid(group, window, probes);
         } else if (*kind == "flow_rate" || *kind == "force") {

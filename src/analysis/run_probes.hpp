@@ -17,6 +17,7 @@ struct RunProbes {
     std::vector<ElevationProbe> wave;
     std::vector<VelocityProbe> velocity;
     std::vector<VelocityGrid> grids;
+    std::vector<VelocityPlane> planes;
     std::vector<ScalarProbe> scalars;
     SpaceTime surface_line;  ///< of the surface line with the most points; without rows if there is none
     std::vector<std::string> warnings;

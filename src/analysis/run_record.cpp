@@ -11,6 +11,7 @@
 #include <utility>
 #include <variant>
 
+#include "analysis/measured_files.hpp"
 #include "analysis/run_mean_field.hpp"
 #include "analysis/run_probes.hpp"
 #include "analysis/run_profiles.hpp"
@@ -151,20 +152,16 @@ struct RunRecord::Impl {
 
     [[nodiscard]] Measured read_measured() {
         Measured result;
-        Case c = flow;
-        std::filesystem::path& file = c.measured.velocity_profile;
-        if (!options.measured.empty()) {
-            file = options.measured;  // named on the command line: it must be there
-            result.profile = read_velocity_measurements(c);
-            return result;
-        }
+        const std::filesystem::path& file = flow.measured.velocity_profile;
+        for (const std::filesystem::path& named : options.measured)
+            add_measured_file(named, flow, result, warnings);  // on the command line: it must be there
+        if (!result.profile.height.empty()) return result;
         if (!file.empty()) {
             std::error_code error;
             for (const auto& candidate :
                  {file, path.parent_path() / file, path.parent_path() / file.filename()}) {
                 if (!std::filesystem::is_regular_file(candidate, error)) continue;
-                file = candidate;
-                result.profile = read_velocity_measurements(c);
+                add_measured_file(candidate, flow, result, warnings);
                 return result;
             }
             result.note = "the file of the measured profile, " + file.string() +
@@ -227,6 +224,7 @@ const SpaceTime& RunRecord::surface() const {
 const std::vector<ElevationProbe>& RunRecord::elevation_probes() const { return impl_->instruments().wave; }
 const std::vector<VelocityProbe>& RunRecord::velocity_probes() const { return impl_->instruments().velocity; }
 const std::vector<VelocityGrid>& RunRecord::velocity_grids() const { return impl_->instruments().grids; }
+const std::vector<VelocityPlane>& RunRecord::velocity_planes() const { return impl_->instruments().planes; }
 const std::vector<ScalarProbe>& RunRecord::scalar_probes() const { return impl_->instruments().scalars; }
 
 const MeanFlow& RunRecord::mean_field() const {

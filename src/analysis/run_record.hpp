@@ -13,7 +13,9 @@ namespace riffle {
 /// What a user may ask of the record of a run.
 struct RunRecordOptions {
     std::optional<TimeWindow> window;  ///< in place of the run's averaging window
-    std::filesystem::path measured;    ///< CSV of a measured velocity profile, in place of the case's
+    /// What the run is compared with: a measured profile in place of the case's, points of a cross-section, a
+    /// field of velocities (measured_files.hpp).
+    std::vector<std::filesystem::path> measured;
     /// Most values of the surface elevation, and of an instrument, that are read; of a longer record the last
     /// part. 8 bytes each, several times over during the analysis.
     std::size_t most_elevations = 8'000'000;
@@ -40,6 +42,7 @@ class RunRecord final : public FlowRecord {
     [[nodiscard]] const std::vector<ElevationProbe>& elevation_probes() const override;
     [[nodiscard]] const std::vector<VelocityProbe>& velocity_probes() const override;
     [[nodiscard]] const std::vector<VelocityGrid>& velocity_grids() const override;
+    [[nodiscard]] const std::vector<VelocityPlane>& velocity_planes() const override;
     [[nodiscard]] const std::vector<ScalarProbe>& scalar_probes() const override;
     [[nodiscard]] const MeanFlow& mean_field() const override;
     [[nodiscard]] const SurfaceMaps& surface_maps() const override;

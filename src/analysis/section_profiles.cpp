@@ -10,7 +10,7 @@
 #include "analysis/chapters.hpp"
 #include "analysis/figure_tools.hpp"
 #include "analysis/section_parts.hpp"
-#include "case/flow_conditions.hpp"
+#include "analysis/section_points.hpp"
 #include "hydraulics/profile_comparison.hpp"
 #include "hydraulics/turbulence_laws.hpp"
 
@@ -170,54 +170,6 @@ void add_centreline(const FlowRecord& record, Analysis& analysis) {
     analysis.figures.push_back(std::move(stress));
 }
 
-/// Distances from the wall, over the depth, at which the thesis shows profiles: those of its condition 8 for
-/// that flow and for narrow channels, else those of condition 2.
-std::vector<double> stations(const Case& c) {
-    const double half = c.channel.centreline() / c.total_depth();
-    const bool narrow = flow_condition_of(c) == 8 || half < 2.2;
-    std::vector<double> places;
-    for (const double place : narrow ? std::vector{0.4, 1.2, 2.3} : std::vector{1.0, 2.2, 3.2, 3.9, 4.6}) {
-        if (place <= half) places.push_back(place);
-    }
-    return places;
-}
-
-void add_stations(const FlowRecord& record, Analysis& analysis) {
-    const Case& c = *record.flow();
-    if (!c.has_side_walls()) return;  // all places across a periodic channel are alike
-    const MeanFlow& field = record.mean_field();
-    Figure figure = profile_figure(
-        "station_velocity_profile", "Streamwise velocity at distances from the side wall",
-        "Means over the length and a period of the bed's elements across the channel; with the means of "
-        "the section twin over the same strips.",
-        "thesis chapter 5, profiles at y/H", make_axis("streamwise velocity u", "m/s"));
-    const SectionTwin& twin = record.section_twin();
-    int variant = 0;
-    for (const double place : stations(c)) {
-        const double y = place * c.total_depth();
-        const SectionProfile profile = strip_profile(
-            field, strip_around(c, y), [](const FieldSums& s) { return s.means(FieldQuantity::velocity); });
-        Curve curve = profile_curve(fmt::format("y/H = {:.2g}", place), Origin::simulated,
-                                    Mark::line_and_points, profile);
-        curve.variant = variant;
-        figure.curves.push_back(std::move(curve));
-        if (!twin.empty()) {
-            Curve beside =
-                make_curve(fmt::format("section twin, y/H = {:.2g}", place), Origin::column, Mark::line,
-                           twin_profile(twin, twin.velocity, strip_around(c, y)), twin.z);
-            beside.variant = variant;
-            figure.curves.push_back(std::move(beside));
-        }
-        ++variant;
-    }
-    if (figure.curves.empty()) {
-        add_missing(record, analysis, std::move(figure),
-                    "none of the thesis' distances from the wall lies in this channel");
-        return;
-    }
-    analysis.figures.push_back(std::move(figure));
-}
-
 /// Depth means above the datum across the channel of values on the cells of a section.
 std::vector<double> depth_means(const MeanFlow& field, const Case& c, const std::vector<double>& values) {
     std::vector<double> means(field.y.size());
@@ -282,7 +234,16 @@ void add_lateral(const FlowRecord& record, Analysis& analysis) {
             make_curve("column twin", Origin::column, Mark::line, {field.y.front(), field.y.back()},
                        {record.column()->depth_mean_velocity, record.column()->depth_mean_velocity}));
     }
-    if (c.measured.depth_mean_velocity) {
+    const MeasuredRow means = measured_depth_means(points_beside(record));
+    if (!means.y.empty()) {
+        Curve points = make_curve("measured", Origin::measured, Mark::points, means.y, means.velocity);
+        for (const double uncertainty : means.uncertainty) {
+            constexpr double normal_95 = 1.96;
+            if (std::isfinite(uncertainty)) points.y_half_width.push_back(normal_95 * uncertainty);
+        }
+        if (points.y_half_width.size() != points.y.size()) points.y_half_width.clear();
+        figure.curves.push_back(std::move(points));
+    } else if (c.measured.depth_mean_velocity) {
         figure.curves.push_back(make_curve("measured at the centreline", Origin::measured, Mark::points,
                                            {c.channel.centreline()}, {*c.measured.depth_mean_velocity}));
     }
@@ -293,7 +254,7 @@ void add_lateral(const FlowRecord& record, Analysis& analysis) {
 
 void add_section_profiles(const FlowRecord& record, Analysis& analysis) {
     add_centreline(record, analysis);
-    add_stations(record, analysis);
+    add_section_stations(record, analysis);
     add_lateral(record, analysis);
 }
 

@@ -37,13 +37,11 @@ void add_influence_depth(const std::vector<HeightCorrelation>& found, double top
                         found.front().z / depth));
         return;
     }
-    const bool three_dimensional = c.channel.dimensions == 3;
-    Finding finding = against(make_finding(chapter, "influence_depth",
-                                           "influence depth of the surface, z/H where the correlation is 0.5",
-                                           "1", influence->z / depth),
-                              three_dimensional ? 0.84 : 0.93,
-                              three_dimensional ? "thesis, 3D simulations" : "thesis, 2D simulations",
-                              "the thesis gives no threshold; here a quarter of the variance explained");
+    Finding finding =
+        make_finding(chapter, "influence_depth",
+                     "influence depth of the surface, z/H where w' correlates to 0.5 with the highest point",
+                     "1", influence->z / depth);
+    finding.remark = "a quarter of the variance explained; the thesis' own is influence_depth_of_zero";
     const double half_width = 0.5 * (influence->upper - influence->lower) / depth;
     if (std::isfinite(half_width)) finding.half_width = std::abs(half_width);
     analysis.findings.push_back(std::move(finding));

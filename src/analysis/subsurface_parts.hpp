@@ -32,6 +32,10 @@ struct Instrument {
 /// without w or with fewer than three points.
 void add_depth_correlation(const FlowRecord& record, const Instrument& instrument, Analysis& analysis);
 
+/// The thesis' correlation of w' between places along the stream at each height (4.8), from a plane of
+/// velocities, with its influence depth.
+void add_streamwise_correlation(const FlowRecord& record, Analysis& analysis);
+
 /// Parts of the Reynolds stress by quadrant over the depth, and against the hole size. Nothing without w.
 void add_quadrants(const FlowRecord& record, const Instrument& instrument, Analysis& analysis);
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/celerity_correlation.hpp"
 #include "analysis/figure.hpp"
 #include "analysis/flow_record.hpp"
 #include "analysis/space_time.hpp"
@@ -68,6 +69,12 @@ void add_surface_spectra(const FlowRecord& record, const SurfaceFluctuation& sur
 /// What the patterns of the surface are and how fast they travel: spatial correlation with Horoshenkov's
 /// function (2.32), celerities by three methods.
 void add_surface_patterns(const FlowRecord& record, const SurfaceFluctuation& surface, Analysis& analysis);
+
+/// Correlation of the surface in space and time along a line, with the lines of advection.
+void add_surface_space_time(const FlowRecord& record, const SpaceTime& line, Analysis& analysis);
+
+/// What is left of the correlation from place to place where the patterns arrive.
+void add_surface_extremes(const FlowRecord& record, const StationCelerity& found, Analysis& analysis);
 
 /// The same from a few places at uneven distances, such as wave probes: spatial correlation and celerity.
 void add_place_patterns(const FlowRecord& record, const std::vector<SurfaceStation>& stations,

@@ -151,6 +151,7 @@ void add_station_celerity(const FlowRecord& record, const Find& find, Analysis& 
         }
         add_celerity(record, "celerity_stations", "celerity from the lags between places", found.celerity,
                      fmt::format("{} distances", found.used), analysis);
+        add_surface_extremes(record, found, analysis);
     });
 }
 
@@ -247,6 +248,7 @@ void add_surface_patterns(const FlowRecord& record, const SurfaceFluctuation& su
         },
         analysis);
     add_celerities(record, line, period, analysis);
+    add_surface_space_time(record, line, analysis);
     // What a flat surface shows are rows of particles and rounding, which a warning says.
     if (!is_flat(record, surface.line)) add_upwellings(record, line, analysis);
 }

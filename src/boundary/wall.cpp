@@ -146,8 +146,8 @@ WallParticles<3> wall_particles<3>(const Case& c) {
     if (c.numerics.wall == WallKind::repulsive) {
         return wall;
     }
-    const auto add = [&](int column, int file, int row, const Vec<3>& n, double depth) {
-        const Vec<3> x{lattice.x(column, row), lattice.y(file, row), lattice.z(row)};
+    const bool dynamic = c.numerics.wall == WallKind::dynamic;
+    const auto add = [&](const Vec<3>& x, const Vec<3>& n, double depth) {
         const bool corner = n[1] == 0.0 && n[2] == 0.0;
         for (std::size_t k = 0; k < 3; ++k) {
             wall.position[k].push_back(x[k]);
@@ -165,19 +165,48 @@ WallParticles<3> wall_particles<3>(const Case& c) {
     const int beyond = closed ? layers : 0;
     // Side walls stand half a depth above the still water, as end walls do.
     const int top = lattice.rows + lattice.rows / 2;
+    // Layers of dynamic particles stand half a spacing apart, every other one shifted by half a spacing along
+    // both of its directions (thesis; SPHysics); dummy particles on the continuation of the lattice.
+    const auto shifted_x = [&](int column, int layer) {
+        const double x = (column + 0.5 + (layer % 2 == 1 ? 0.5 : 0.0)) * lattice.dx;
+        return std::fmod(x, c.channel.length);
+    };
+    const auto add_below = [&](int column, int file, int layer) {
+        const bool side = file < 0 || file >= lattice.files;
+        const Vec<3> normal = side ? Vec<3>{} : Vec<3>{0.0, 0.0, 1.0};
+        if (!dynamic) {
+            add({lattice.x(column, -1 - layer), lattice.y(file, -1 - layer), lattice.z(-1 - layer)}, normal,
+                (layer + 0.5) * lattice.dz);
+            return;
+        }
+        const bool shifted = layer % 2 == 1;
+        // A shifted layer has a particle below each side wall, and as many beyond the one as the other.
+        if (closed && shifted && file == lattice.files + beyond - 1) return;
+        const double behind = 0.5 * (layer + 1) * lattice.dz;
+        const double y = (file + (shifted ? 1.0 : 0.5)) * lattice.dy;
+        add({shifted_x(column, layer), closed ? y : std::fmod(y, width), -behind}, normal, behind);
+    };
+    const auto add_beside = [&](int column, int file, int row) {
+        const bool left = file < 0;
+        const Vec<3> normal{0.0, left ? 1.0 : -1.0, 0.0};
+        if (!dynamic) {
+            const double y = lattice.y(file, row);
+            add({lattice.x(column, row), y, lattice.z(row)}, normal, left ? -y : y - width);
+            return;
+        }
+        const int layer = left ? -1 - file : file - lattice.files;
+        const double behind = 0.5 * (layer + 1) * lattice.dy;
+        const double z = lattice.z(row) + (layer % 2 == 1 ? 0.5 * lattice.dz : 0.0);
+        add({shifted_x(column, layer), left ? -behind : width + behind, z}, normal, behind);
+    };
     for (int column = 0; column < lattice.columns; ++column) {
         for (int file = -beyond; file < lattice.files + beyond; ++file) {
             const bool side = file < 0 || file >= lattice.files;
             for (int layer = 0; layer < layers_below; ++layer) {
-                add(column, file, -1 - layer, side ? Vec<3>{} : Vec<3>{0.0, 0.0, 1.0},
-                    (layer + 0.5) * lattice.dz);
+                add_below(column, file, layer);
             }
-            if (!side) {
-                continue;
-            }
-            for (int row = 0; row < top; ++row) {
-                const double y = lattice.y(file, row);
-                add(column, file, row, {0.0, file < 0 ? 1.0 : -1.0, 0.0}, file < 0 ? -y : y - width);
+            for (int row = 0; row < top && side; ++row) {
+                add_beside(column, file, row);
             }
         }
     }

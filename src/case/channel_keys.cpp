@@ -151,8 +151,8 @@ SectionKeys turbulence() {
                          .at_least(0)
                          .applies_with(closure, {"ramp", "nezu-rodi", "nikuradse", "czernuszenko-rylov"}));
     s.keys.push_back(key("smagorinsky_constant", &Turbulence::smagorinsky_constant, "Constant C_s.")
-                         .at_least(0.001)
-                         .at_most(1)
+                         .greater_than(0)
+                         .at_most(10)
                          .because("used: 0.06 to 0.2")
                          .applies_with(closure, {"sps"}));
     s.keys.push_back(key("filter_width", &Turbulence::filter_width, "Filter width Delta.")

@@ -5,13 +5,13 @@ namespace riffle {
 namespace {
 
 /// The set-up of the thesis.
-Numerics thesis_numerics() {
+Numerics thesis_numerics(int dimensions) {
     Numerics n;
     n.preset = Preset::thesis;
     n.spacing = 0.0015;
     n.kernel = KernelKind::cubic_spline;
     n.smoothing_ratio = 1.5;
-    n.sound_speed = 60.0;
+    n.sound_speed = dimensions == 3 ? 20.0 : 60.0;
     n.equation_of_state = EquationOfState::tait;
     n.pressure_form = PressureForm::symmetric;
     n.velocity_gradient = VelocityGradient::plain;
@@ -27,8 +27,8 @@ Numerics thesis_numerics() {
 }
 
 /// The paper states spacing, equation of state and sound speed; the rest is taken from the thesis.
-Numerics paper_numerics() {
-    Numerics n = thesis_numerics();
+Numerics paper_numerics(int dimensions) {
+    Numerics n = thesis_numerics(dimensions);
     n.preset = Preset::paper;
     n.spacing = 0.002;
     n.equation_of_state = EquationOfState::linear;
@@ -38,14 +38,14 @@ Numerics paper_numerics() {
 
 }  // namespace
 
-Numerics preset_numerics(Preset preset) {
+Numerics preset_numerics(Preset preset, int dimensions) {
     switch (preset) {
         case Preset::riffle:
             return {};
         case Preset::thesis:
-            return thesis_numerics();
+            return thesis_numerics(dimensions);
         case Preset::paper:
-            return paper_numerics();
+            return paper_numerics(dimensions);
     }
     return {};
 }

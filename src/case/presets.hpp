@@ -4,7 +4,8 @@
 
 namespace riffle {
 
-/// The [numerics] section of a preset: the defaults of the keys that a case does not give.
-[[nodiscard]] Numerics preset_numerics(Preset preset);
+/// The numerics of a preset, before any key of the case changes them. In three dimensions the thesis took a
+/// lower speed of sound than in two.
+[[nodiscard]] Numerics preset_numerics(Preset preset, int dimensions = 2);
 
 }  // namespace riffle

@@ -73,9 +73,10 @@ SectionKeys probe_keys() {
                           "half a spacing of the grid above the bed level"));
     s.keys.push_back(
         edge("z_to", &Probe::z_to, "Where the rows end, above the bed level.", "the total depth"));
-    s.keys.push_back(key("averaging_time", &Probe::averaging_time, "Length of the windows of the averages.")
+    s.keys.push_back(key("averaging_time", &Probe::averaging_time,
+                         "Length of the windows of the averages; 0: none, u and w of each sample.")
                          .measured_in(time)
-                         .greater_than(0)
+                         .at_least(0)
                          .applies_with(kind, {"grid"}, true));
     return s;
 }

@@ -204,6 +204,12 @@ class ProbeValidation {
                             "spacing larger",
                             points, most_points));
         }
+        if (p_.averaging_time > 0.0) {
+            check_windows();
+        }
+    }
+
+    void check_windows() {
         const double interval = 1.0 / p_.sampling_frequency;
         if (p_.averaging_time < 2.0 * interval * (1.0 - 1e-9)) {
             add("averaging_time",

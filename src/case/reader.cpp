@@ -244,10 +244,14 @@ void require_keys(const Case& c, const Document& document, const Places& places,
 
 /// Defaults that follow from other keys.
 void set_dependent_defaults(Case& c, const Values& values) {
+    const auto dimensions = values.find({find_key("channel.dimensions"), 0});
+    if (dimensions != values.end()) {
+        dimensions->first.first->set(c, dimensions->second);
+    }
     const auto preset = values.find({find_key("numerics.preset"), 0});
     if (preset != values.end()) {
         preset->first.first->set(c, preset->second);
-        c.numerics = preset_numerics(c.numerics.preset);
+        c.numerics = preset_numerics(c.numerics.preset, c.channel.dimensions);
     }
     const auto kind = values.find({find_key("bed.kind"), 0});
     if (kind != values.end()) {

@@ -112,11 +112,12 @@ const std::vector<SchemeRule>& scheme_rules() {
          "a free surface; choose pressure_form = \"symmetric\" or \"riemann\", or wall = \"dummy\"",
          [](const Case& c) { return repels(c) && c.numerics.pressure_form == PressureForm::corrected; }},
         {{"numerics.wall", "channel.sides"},
-         "`wall = \"repulsive\"` with `channel.sides = \"half\"`",
-         "a plane of symmetry must mirror the water and not push it; choose [channel] sides = \"walls\" or "
-         "\"periodic\", or wall = \"dummy\"",
+         "`wall = \"repulsive\"` or `\"dynamic\"` with `channel.sides = \"half\"`",
+         "a plane of symmetry must mirror the water and neither push nor hold it; choose [channel] sides = "
+         "\"walls\" or \"periodic\", or wall = \"dummy\"",
          [](const Case& c) {
-             return repels(c) && c.channel.dimensions == 3 && c.channel.sides == Sides::half;
+             return (repels(c) || c.numerics.wall == WallKind::dynamic) && c.channel.dimensions == 3 &&
+                    c.channel.sides == Sides::half;
          }},
     };
     return rules;

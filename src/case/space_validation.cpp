@@ -86,7 +86,6 @@ class SpaceValidation {
                R"("square" or "body-centred")");
         refuse(c.start.kind == StartKind::standing_wave || c.start.kind == StartKind::taylor_green,
                "start.kind", word(c.start.kind), R"("column", "section", "uniform", "power-law" or "rest")");
-        refuse(c.numerics.wall == WallKind::dynamic, "numerics.wall", word(c.numerics.wall), "\"dummy\"");
         refuse(c.turbulence.closure == ClosureKind::czernuszenko_rylov &&
                    c.turbulence.spanwise_ratio != 1.0 && c.numerics.viscosity != ViscosityForm::morris &&
                    c.numerics.eddy_stress == EddyStress::two_point,

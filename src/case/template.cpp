@@ -65,7 +65,7 @@ std::string key_comment(const Key& key) {
 /// The case that a file with nothing but the preset and the kind of bed would give.
 Case defaults_of(const Case& c) {
     Case defaults;
-    defaults.numerics = preset_numerics(c.numerics.preset);
+    defaults.numerics = preset_numerics(c.numerics.preset, c.channel.dimensions);
     defaults.bed.kind = c.bed.kind;
     if (c.bed.kind != BedKind::spheres) {
         defaults.bed.datum_below_crest = 0.0;

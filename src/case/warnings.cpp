@@ -188,6 +188,13 @@ class Warnings {
                 "the water above, so the velocity does not settle at a real value; it is offered to show "
                 "this. Use a "
                 "mixing length (\"ramp\", \"nezu-rodi\", \"nikuradse\")");
+            if (c_.has_side_walls()) {
+                add("turbulence.closure: between side walls the constant-C_s model has no steady flow, and "
+                    "the run no cross-section twin{}",
+                    c_.start.kind == StartKind::section
+                        ? "; it starts from that of the same channel with \"czernuszenko-rylov\""
+                        : "");
+            }
         }
         if (c_.bed.kind == BedKind::no_slip) {
             add("bed.kind: a no-slip bed with a mixing length is under-resolved at this kind of spacing (2 % "
@@ -253,7 +260,7 @@ class Warnings {
     /// Keys that differ from their default though nothing uses them.
     void without_effect() {
         Case defaults;
-        defaults.numerics = preset_numerics(c_.numerics.preset);
+        defaults.numerics = preset_numerics(c_.numerics.preset, c_.channel.dimensions);
         for (const SectionKeys& section : key_table()) {
             for (const Key& key : section.keys) {
                 if (!key.applies.strictly && !key_applies(key, c_) && key.get(c_) != key.get(defaults)) {

@@ -16,9 +16,24 @@
 
 namespace riffle {
 
-bool is_table(const std::filesystem::path& path) {
+namespace {
+
+bool has_table_ending(const std::filesystem::path& path) {
     const std::string ending = path.extension().string();
     return ending == ".csv" || ending == ".CSV" || ending == ".txt" || ending == ".dat";
+}
+
+}  // namespace
+
+bool is_table(const std::filesystem::path& path) {
+    std::error_code error;
+    if (!std::filesystem::is_directory(path, error)) return has_table_ending(path);
+    // A folder without results that holds tables is one of frames.
+    if (std::filesystem::exists(path / "results.h5", error)) return false;
+    for (const auto& entry : std::filesystem::directory_iterator(path, error)) {
+        if (entry.is_regular_file(error) && has_table_ending(entry.path())) return true;
+    }
+    return false;
 }
 
 Analysis analyse_input(const RecordInput& options, const std::string& input) {
@@ -41,7 +56,7 @@ Analysis analyse_input(const RecordInput& options, const std::string& input) {
     }
     RunRecordOptions how;
     how.window = options.window;
-    how.measured = options.measured;
+    how.measured.assign(options.measured.begin(), options.measured.end());
     return analyse(RunRecord(results, how), options.chapter);
 }
 
@@ -76,9 +91,13 @@ void add_record_options(CLI::App& verb, RecordInput& options) {
         ->type_name("FROM,TO")
         ->delimiter(',')
         ->expected(2);
-    verb.add_option("--measured", options.measured,
-                    "Measured velocity profile to compare with: CSV of z above the datum, u, in SI")
-        ->type_name("FILE.csv");
+    verb.add_option(
+            "--measured", options.measured,
+            "What runs are compared with; may be given for each kind: profile (CSV of z above the "
+            "datum, u), points of a cross-section (y, z, u), field of velocities (x, z, u, w; file or "
+            "folder of frames)")
+        ->type_name("FILE.csv")
+        ->allow_extra_args(false);
     verb.add_option(
             "--case", options.case_file,
             "Case file of the flow that CSV records were measured in: depth, slope, measured velocity")

@@ -13,16 +13,16 @@ namespace riffle {
 
 /// What a command line says of the records that it names: runs, and tables of a laboratory.
 struct RecordInput {
-    std::vector<std::string> inputs;   ///< folders of runs, results files, CSV files
-    std::optional<TimeWindow> window;  ///< unset: that of the run, all of a laboratory record
-    std::string measured;              ///< profile that runs are compared with, in place of the case's
-    std::string chapter;               ///< only this one; empty: all
-    std::string case_file;             ///< of laboratory records
-    std::string calibration;           ///< of their wave probes
-    double frequency = 0.0;            ///< Hz, of those without times; 0: not given
+    std::vector<std::string> inputs;    ///< folders of runs, results files, CSV files
+    std::optional<TimeWindow> window;   ///< unset: that of the run, all of a laboratory record
+    std::vector<std::string> measured;  ///< what runs are compared with: profile, cross-section, field
+    std::string chapter;                ///< only this one; empty: all
+    std::string case_file;              ///< of laboratory records
+    std::string calibration;            ///< of their wave probes
+    double frequency = 0.0;             ///< Hz, of those without times; 0: not given
 };
 
-/// Whether a path names a table of a laboratory, by its ending.
+/// Whether a path names a table of a laboratory, by its ending, or a folder of frames.
 [[nodiscard]] bool is_table(const std::filesystem::path& path);
 
 /// Options of how records are read: --window and --measured, and --case, --frequency and --calibration of

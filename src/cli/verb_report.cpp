@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <set>
+#include <sstream>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -25,7 +27,7 @@ struct ReportOptions {
     RecordInput records;
     std::string output;
     std::string json;
-    bool thesis = false;
+    std::string thesis;  ///< parts, "all"; empty: no page of the thesis
 };
 
 ReportSubject subject_of(const RecordInput& records, const fs::path& path) {
@@ -86,20 +88,40 @@ void report_one(const ReportOptions& options, const fs::path& input) {
     print_written(html, json);
 }
 
+/// The parts of the thesis that were asked for; none for all that the runs are of.
+std::set<ThesisPart> parts_of(const std::string& words) {
+    std::set<ThesisPart> parts;
+    if (words == "all") return parts;
+    std::istringstream stream(words);
+    for (std::string word; std::getline(stream, word, ',');) {
+        const auto part = thesis_part(word);
+        if (!part) {
+            throw InputError(fmt::format(
+                "--thesis={}: '{}' is no part of the thesis; expected one or more of 4, 5, 6 and paper, "
+                "separated by commas, or --thesis alone for all",
+                words, word));
+        }
+        parts.insert(*part);
+    }
+    return parts;
+}
+
 /// File of a page of several; a laboratory record alone gives its own name to its page.
 fs::path name_of_page(const ReportOptions& options, const std::vector<fs::path>& inputs) {
-    if (options.thesis) return "thesis.html";
+    if (!options.thesis.empty()) return "thesis.html";
     return inputs.size() == 1 ? fs::path(inputs.front().stem()).concat(".html") : fs::path("comparison.html");
 }
 
 void report_several(const ReportOptions& options, const std::vector<fs::path>& inputs) {
+    const std::set<ThesisPart> parts = parts_of(options.thesis);
     std::vector<ReportSubject> subjects;
     std::vector<fs::path> results;
     for (const fs::path& input : inputs) {
         subjects.push_back(subject_of(options.records, input));
         results.push_back(subjects.back().results.empty() ? input : subjects.back().results);
     }
-    const Comparison comparison = options.thesis ? thesis_chapter(subjects) : compare(subjects);
+    const Comparison comparison =
+        options.thesis.empty() ? compare(subjects) : thesis_figures(subjects, parts);
     for (const MissingRun& missing : comparison.missing) {
         fmt::print(stderr, "riffle: warning: {} is not among the results; make it with: {}\n", missing.what,
                    missing.command);
@@ -115,13 +137,13 @@ void run_report(const ReportOptions& options) {
     check_record_options(options.records);
     std::vector<fs::path> inputs;
     for (const std::string& input : options.records.inputs) {
-        if (options.thesis) {
+        if (!options.thesis.empty()) {
             for (const fs::path& run : runs_in(input)) inputs.push_back(run);
         } else {
             inputs.emplace_back(input);
         }
     }
-    if (inputs.size() == 1 && !options.thesis && !is_table(inputs.front())) {
+    if (inputs.size() == 1 && options.thesis.empty() && !is_table(inputs.front())) {
         report_one(options, inputs.front());
     } else {
         report_several(options, inputs);
@@ -151,9 +173,10 @@ void add_verb_report(CLI::App& app) {
             "Where to write the summary as JSON, SI units (default: summary.json beside report.html, "
             "NAME-summary.json beside another NAME.html)")
         ->type_name("FILE.json");
-    verb->add_flag("--thesis", options->thesis,
-                   "The figures of the thesis' 2D chapter and of the paper, from the runs found in the given "
-                   "folders (tools/thesis-chapter.sh makes them)");
+    verb->add_flag("--thesis{all}", options->thesis,
+                   "The figures of the thesis' chapters 4 to 6 and of the paper, from the runs found in the "
+                   "given folders (tools/thesis-chapter.sh makes them); --thesis=4, 5, 6, paper: of these "
+                   "parts alone");
     add_record_options(*verb, options->records);
     verb->footer(
         "Examples:\n"

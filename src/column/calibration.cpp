@@ -2,129 +2,151 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Core>
+#include <Eigen/SVD>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <optional>
-#include <string_view>
+#include <utility>
 
 #include "base/error.hpp"
+#include "column/calibration_parameter.hpp"
 #include "column/calibration_target.hpp"
 #include "column/centreline.hpp"
 #include "statistics/least_squares.hpp"
+#include "statistics/linear_fit.hpp"
 
 namespace riffle {
 
 namespace {
 
-/// A parameter that can be fitted: where it lives in the case, and where it makes sense.
-struct Parameter {
-    std::string_view name;
-    std::string_view key;
-    std::string_view unit;
-    double& (*member)(Case&);
-    double (*lower)(const Case&);
-    double (*upper)(const Case&);
-    bool (*applies)(const Case&);
-    std::string_view applies_to;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// An unknown of the fit: a parameter of all conditions or of one.
+struct Unknown {
+    const CalibrationParameter* parameter = nullptr;
+    std::optional<std::size_t> condition;
+    double start = 0;
+    double scale = 1;  ///< change of the value for a change of the unknown by one
+    double lower = 0;
+    double upper = 0;
+
+    /// The unknowns are 1 at the start.
+    [[nodiscard]] double value(double unknown) const { return start + scale * (unknown - 1.0); }
+    [[nodiscard]] double unknown_of(double value) const { return 1.0 + (value - start) / scale; }
+    [[nodiscard]] bool concerns(std::size_t i) const { return !condition || *condition == i; }
 };
 
-bool spheres(const Case& c) { return c.bed.kind == BedKind::spheres; }
-
-/// A new parameter is one entry here.
-const std::array parameters{
-    Parameter{"roughness_height", "bed.roughness_height", "m",
-              [](Case& c) -> double& { return c.bed.roughness_height; },
-              // What a valid case allows, the datum above the bed and the zone resolved by the particles,
-              // with room for the difference quotients.
-              [](const Case& c) { return std::max(1.01 * c.bed.datum_below_crest, c.numerics.spacing); },
-              [](const Case& c) { return c.bed.sphere_diameter; }, spheres, "bed.kind = \"spheres\""},
-    Parameter{"drag_coefficient", "bed.drag_coefficient", "",
-              [](Case& c) -> double& { return c.bed.drag_coefficient; }, [](const Case&) { return 0.01; },
-              [](const Case&) { return 10.0; }, spheres, "bed.kind = \"spheres\""},
-    Parameter{"lambda", "turbulence.lambda", "", [](Case& c) -> double& { return c.turbulence.lambda; },
-              [](const Case&) { return 0.01; }, [](const Case& c) { return c.turbulence.kappa; },
-              [](const Case& c) { return c.turbulence.closure == ClosureKind::ramp; },
-              "turbulence.closure = \"ramp\""},
-};
-
-const Parameter& find_parameter(const std::string& name) {
-    const auto* const found = std::find_if(parameters.begin(), parameters.end(),
-                                           [&name](const Parameter& p) { return p.name == name; });
-    if (found == parameters.end()) {
-        std::string known;
-        for (const Parameter& p : parameters) known += fmt::format("{}{}", known.empty() ? "" : ", ", p.name);
-        throw InputError(fmt::format("unknown parameter \"{}\" to fit: choose among {}", name, known));
-    }
-    return *found;
+std::string name_of(const Case& c, std::size_t i) {
+    return c.title.empty() ? fmt::format("condition {}", i + 1) : c.title;
 }
 
-std::vector<Parameter> chosen_parameters(const Case& c, const std::vector<std::string>& names) {
-    if (names.empty())
+void check_parameter(const CalibrationParameter& p, const Case& c) {
+    if (!p.applies(c))
+        throw InputError(
+            fmt::format("{} cannot be fitted: it has an effect only with {}", p.name, p.applies_to));
+    const double start = p.value(c);
+    if (start < p.lower(c) || start > p.upper(c)) {
+        throw InputError(fmt::format("{} starts at {:.6g}, outside of its range {:.6g} to {:.6g}: change {}",
+                                     p.name, start, p.lower(c), p.upper(c), p.key));
+    }
+}
+
+Unknown make_unknown(const CalibrationParameter& p, std::span<const Case> cases,
+                     std::optional<std::size_t> condition) {
+    const std::size_t first = condition.value_or(0);
+    Unknown u{&p, condition, p.value(cases[first]), 1.0, -infinity, infinity};
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        if (!u.concerns(i)) continue;
+        check_parameter(p, cases[i]);
+        u.lower = std::max(u.lower, p.lower(cases[i]));
+        u.upper = std::min(u.upper, p.upper(cases[i]));
+    }
+    if (u.start < u.lower || u.start > u.upper) {
+        throw InputError(fmt::format(
+            "{} starts at {:.6g}, outside of the range {:.6g} to {:.6g} that all conditions allow: "
+            "change {}, or fit it for each with --each",
+            p.name, u.start, u.lower, u.upper, p.key));
+    }
+    u.scale = p.scale == nullptr ? u.start : p.scale(cases[first]);
+    return u;
+}
+
+std::vector<Unknown> unknowns_of(std::span<const Case> cases, const CalibrationOptions& options) {
+    if (options.parameters.empty() && options.each.empty())
         throw InputError("no parameter to fit: name at least one, for example drag_coefficient");
-    std::vector<Parameter> chosen;
-    for (const std::string& name : names) {
-        const Parameter& p = find_parameter(name);
-        const auto same = [&p](const Parameter& other) { return other.name == p.name; };
-        if (std::any_of(chosen.begin(), chosen.end(), same)) {
+    std::vector<Unknown> unknowns;
+    const auto add = [&](const std::string& name, std::optional<std::size_t> condition) {
+        const CalibrationParameter& p = find_calibration_parameter(name);
+        for (const Unknown& other : unknowns) {
+            if (other.parameter != &p || (condition && other.condition && other.condition != condition))
+                continue;
             throw InputError(fmt::format("parameter \"{}\" is named twice to be fitted: name it once", name));
         }
-        if (!p.applies(c)) {
-            throw InputError(
-                fmt::format("{} cannot be fitted: it has an effect only with {}", p.name, p.applies_to));
-        }
-        Case copy = c;
-        const double start = p.member(copy);
-        if (start < p.lower(c) || start > p.upper(c)) {
-            throw InputError(
-                fmt::format("{} starts at {:.6g}, outside of its range {:.6g} to {:.6g}: change {}", p.name,
-                            start, p.lower(c), p.upper(c), p.key));
-        }
-        chosen.push_back(p);
+        unknowns.push_back(make_unknown(p, cases, condition));
+    };
+    for (const std::string& name : options.parameters) add(name, std::nullopt);
+    for (const std::string& name : options.each) {
+        for (std::size_t i = 0; i < cases.size(); ++i) add(name, i);
     }
-    return chosen;
+    return unknowns;
 }
 
-/// Residuals as a function of the parameters, each in units of its start value.
+/// Residuals of all conditions as a function of the unknowns.
 class Misfit {
   public:
-    Misfit(const Case& c, const CalibrationTarget& target, const std::vector<Parameter>& chosen)
-        : case_(c), target_(target), chosen_(chosen) {}
+    Misfit(std::span<const Case> cases, const std::vector<CalibrationTarget>& targets,
+           const std::vector<Unknown>& unknowns)
+        : cases_(cases), targets_(targets), unknowns_(unknowns) {}
 
-    [[nodiscard]] Case at(const Eigen::VectorXd& scaled) const {
-        Case c = case_;
-        for (std::size_t i = 0; i < chosen_.size(); ++i) {
-            chosen_[i].member(c) *= scaled(static_cast<Eigen::Index>(i));
+    /// The case of a condition with these unknowns.
+    [[nodiscard]] Case at(const Eigen::VectorXd& values, std::size_t condition) const {
+        Case c = cases_[condition];
+        for (std::size_t k = 0; k < unknowns_.size(); ++k) {
+            const Unknown& unknown = unknowns_[k];
+            if (unknown.concerns(condition))
+                unknown.parameter->member(c) = unknown.value(values(static_cast<Eigen::Index>(k)));
         }
         return c;
     }
 
     /// None where there is no steady column: the minimiser turns back.
-    std::optional<Eigen::VectorXd> operator()(const Eigen::VectorXd& scaled) const {
+    std::optional<Eigen::VectorXd> operator()(const Eigen::VectorXd& values) const {
+        std::vector<double> all;
         try {
-            const Case c = at(scaled);
-            const std::vector<double> values = target_.residuals(c, solve_centreline(c));
-            return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+            for (std::size_t i = 0; i < cases_.size(); ++i) {
+                const Case c = at(values, i);
+                const std::vector<double> own = targets_[i].residuals(c, solve_centreline_and_section(c));
+                all.insert(all.end(), own.begin(), own.end());
+            }
         } catch (const InputError&) {
             return std::nullopt;
         }
+        return Eigen::Map<const Eigen::VectorXd>(all.data(), static_cast<Eigen::Index>(all.size()));
     }
 
   private:
-    const Case& case_;
-    const CalibrationTarget& target_;
-    const std::vector<Parameter>& chosen_;
+    std::span<const Case> cases_;
+    const std::vector<CalibrationTarget>& targets_;
+    const std::vector<Unknown>& unknowns_;
 };
 
-/// `covariance` of the scaled parameters; none where the measurements do not tell the parameters apart.
-void describe_uncertainty(CalibrationResult& result, const std::optional<Eigen::MatrixXd>& covariance) {
+/// "drag_coefficient", "roughness_height of condition 2".
+std::string label_of(const CalibrationResult& result, const FittedParameter& p) {
+    return p.condition ? fmt::format("{} of {}", p.name, result.conditions[*p.condition].name) : p.name;
+}
+
+/// `covariance` of the unknowns; none where the measurements do not tell the parameters apart.
+void describe_uncertainty(CalibrationResult& result, const std::vector<Unknown>& unknowns,
+                          const std::optional<Eigen::MatrixXd>& covariance) {
     const std::size_t n = result.parameters.size();
-    constexpr double infinity = std::numeric_limits<double>::infinity();
     constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+    constexpr double normal_95 = 1.959964;
     result.correlation.assign(n, std::vector<double>(n, not_a_number));
+    const bool from_scatter = result.scatter_factor > 1.0 && result.degrees_of_freedom >= 1.0;
+    const double quantile =
+        from_scatter ? student_quantile(static_cast<Eigen::Index>(result.degrees_of_freedom)) : normal_95;
     for (std::size_t i = 0; i < n; ++i) {
         result.correlation[i][i] = 1.0;
         FittedParameter& p = result.parameters[i];
@@ -134,7 +156,8 @@ void describe_uncertainty(CalibrationResult& result, const std::optional<Eigen::
         }
         const auto row = static_cast<Eigen::Index>(i);
         const double variance = (*covariance)(row, row);
-        p.standard_uncertainty = p.start * std::sqrt(variance) * result.scatter_factor;
+        p.standard_uncertainty = std::abs(unknowns[i].scale) * std::sqrt(variance) * result.scatter_factor;
+        p.half_width = quantile * p.standard_uncertainty;
         for (std::size_t j = 0; j < n; ++j) {
             const auto column = static_cast<Eigen::Index>(j);
             result.correlation[i][j] =
@@ -143,16 +166,31 @@ void describe_uncertainty(CalibrationResult& result, const std::optional<Eigen::
     }
 }
 
-void add_warnings(CalibrationResult& result, bool determined, bool converged) {
-    if (!converged) {
-        result.warnings.emplace_back(
-            "the fit did not converge: the values are the best found, not a minimum");
+/// The parameters that only act together: those of the direction in which the residuals do not change.
+std::string inseparable_parameters(const CalibrationResult& result, const Eigen::MatrixXd& jacobian) {
+    const Eigen::JacobiSVD<Eigen::MatrixXd> values(jacobian, Eigen::ComputeThinV);
+    const Eigen::VectorXd flat = values.matrixV().col(values.matrixV().cols() - 1);
+    std::string names;
+    for (Eigen::Index i = 0; i < flat.size(); ++i) {
+        constexpr double counts = 0.1;
+        if (std::abs(flat(i)) < counts) continue;
+        names +=
+            (names.empty() ? "" : ", ") + label_of(result, result.parameters[static_cast<std::size_t>(i)]);
     }
+    return names;
+}
+
+void warn_of_parameters(CalibrationResult& result, bool determined, const Eigen::MatrixXd& jacobian) {
     if (!determined) {
-        result.warnings.emplace_back(
-            "the measured values do not determine the parameters: fit fewer, or give more measurements");
+        const std::string names = inseparable_parameters(result, jacobian);
+        result.warnings.push_back(fmt::format(
+            "the measured values do not determine {}: {}; fit fewer, or give more measurements", names,
+            names.find(',') == std::string::npos
+                ? "it does not change what was measured"
+                : "changed together they leave all that was measured as it is"));
     }
     constexpr double inseparable = 0.99;
+    constexpr double hardly = 0.95;
     for (std::size_t i = 0; i < result.parameters.size(); ++i) {
         const FittedParameter& p = result.parameters[i];
         if (p.at_bound) {
@@ -160,42 +198,93 @@ void add_warnings(CalibrationResult& result, bool determined, bool converged) {
                 fmt::format("{} lies at the end {:.6g} of its range {:.6g} to {:.6g}: no minimum within the "
                             "range, and its "
                             "uncertainty means little",
-                            p.name, p.value, p.lower, p.upper));
+                            label_of(result, p), p.value, p.lower, p.upper));
         }
         for (std::size_t j = i + 1; j < result.parameters.size(); ++j) {
-            if (std::abs(result.correlation[i][j]) > inseparable) {
-                result.warnings.push_back(
-                    fmt::format("{} and {} cannot be told apart by these measurements (correlation {:.4f}): "
-                                "fit one of them",
-                                p.name, result.parameters[j].name, result.correlation[i][j]));
-            }
+            const double correlation = result.correlation[i][j];
+            if (!(std::abs(correlation) > hardly)) continue;
+            result.warnings.push_back(
+                fmt::format("{} and {} can {} be told apart by these measurements (correlation {:.4f}): fit "
+                            "one of them{}",
+                            label_of(result, p), label_of(result, result.parameters[j]),
+                            std::abs(correlation) > inseparable ? "not" : "hardly", correlation,
+                            result.conditions.size() == 1 ? ", or fit several conditions together" : ""));
+        }
+    }
+}
+
+void warn_of_quantities(CalibrationResult& result) {
+    const bool several = result.conditions.size() > 1;
+    for (const CalibratedCondition& condition : result.conditions) {
+        for (const FittedQuantity& q : condition.quantities) {
+            if (!q.worsened()) continue;
+            result.warnings.push_back(fmt::format(
+                "the fit makes the {}{} worse: {:+.1f} % before, {:+.1f} % after, known to {:.1f} %{}",
+                q.name, several ? " of " + condition.name : "", 100.0 * q.relative_misfit_before,
+                100.0 * q.relative_misfit_after, 100.0 * q.uncertainty / std::abs(q.measured),
+                q.fitted_to ? "" : " (not fitted to)"));
         }
     }
 }
 
 }  // namespace
 
-CalibrationResult calibrate_column(const Case& c, const CalibrationOptions& options) {
-    const std::vector<Parameter> chosen = chosen_parameters(c, options.parameters);
-    const CalibrationTarget target(c, options);
-    const auto unknowns = static_cast<double>(chosen.size());
-    if (target.independent_values() + 1e-9 < unknowns) {
-        throw InputError(fmt::format(
-            "{} parameters to fit, but the case has {:.0f} independent measured value(s): fit fewer, or "
-            "give more in [measured]",
-            chosen.size(), target.independent_values()));
-    }
-    const ColumnResult before = solve_centreline(c);
+bool FittedQuantity::worsened() const {
+    const double more = std::abs(relative_misfit_after) - std::abs(relative_misfit_before);
+    constexpr double noticeable = 0.1;
+    return more * std::abs(measured) > noticeable * uncertainty;
+}
 
-    const Misfit misfit(c, target, chosen);
-    Case start = c;
-    const auto size = static_cast<Eigen::Index>(chosen.size());
+bool FittedQuantity::missed_after() const { return std::abs(relative_misfit_after * measured) > uncertainty; }
+
+bool CalibrationResult::worsened() const {
+    return std::any_of(conditions.begin(), conditions.end(), [](const CalibratedCondition& condition) {
+        return std::any_of(
+            condition.quantities.begin(), condition.quantities.end(),
+            [](const FittedQuantity& q) { return q.fitted_to && q.worsened() && q.missed_after(); });
+    });
+}
+
+std::vector<std::string> calibration_parameters() {
+    std::vector<std::string> names;
+    for (const CalibrationParameter& p : calibration_parameter_table())
+        names.push_back(fmt::format("{} ({})", p.name, p.key));
+    return names;
+}
+
+CalibrationResult calibrate_columns(std::span<const Case> cases, const CalibrationOptions& options) {
+    if (cases.empty()) throw InputError("nothing to calibrate: name at least one case");
+    if (options.sections.size() > cases.size()) {
+        throw InputError(
+            fmt::format("{} files of cross-sections for {} cases: give one for each, in their order",
+                        options.sections.size(), cases.size()));
+    }
+    const std::vector<Unknown> unknowns = unknowns_of(cases, options);
+    std::vector<CalibrationTarget> targets;
+    std::vector<Centreline> before;
+    double independent = 0.0;
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        targets.emplace_back(cases[i], options,
+                             i < options.sections.size() ? options.sections[i] : std::filesystem::path());
+        independent += targets.back().independent_values();
+    }
+    const auto count = static_cast<double>(unknowns.size());
+    if (independent + 1e-9 < count) {
+        throw InputError(
+            fmt::format("{} parameters to fit, but {} {:.0f} independent measured value(s): fit fewer, or "
+                        "give more in [measured]",
+                        unknowns.size(), cases.size() == 1 ? "the case has" : "the cases have", independent));
+    }
+    for (const Case& c : cases) before.push_back(solve_centreline_and_section(c));
+
+    const Misfit misfit(cases, targets, unknowns);
+    const auto size = static_cast<Eigen::Index>(unknowns.size());
     Eigen::VectorXd lower(size);
     Eigen::VectorXd upper(size);
-    for (Eigen::Index i = 0; i < size; ++i) {
-        const Parameter& p = chosen[static_cast<std::size_t>(i)];
-        lower(i) = p.lower(c) / p.member(start);
-        upper(i) = p.upper(c) / p.member(start);
+    for (Eigen::Index k = 0; k < size; ++k) {
+        const Unknown& unknown = unknowns[static_cast<std::size_t>(k)];
+        lower(k) = unknown.unknown_of(unknown.lower);
+        upper(k) = unknown.unknown_of(unknown.upper);
     }
     LeastSquaresOptions solver;
     // Wide enough that the changes of the grid with the parameters (1e-7 of the result) do not show.
@@ -209,33 +298,59 @@ CalibrationResult calibrate_column(const Case& c, const CalibrationOptions& opti
     }
 
     CalibrationResult result;
-    result.fitted = misfit.at(fit->parameters);
-    result.column = solve_centreline(result.fitted);
-    for (const double r : target.residuals(result.fitted, result.column)) result.chi_square += r * r;
-    result.degrees_of_freedom = std::max(0.0, target.independent_values() - unknowns);
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        CalibratedCondition condition;
+        condition.name = name_of(cases[i], i);
+        condition.fitted = misfit.at(fit->parameters, i);
+        const Centreline after = solve_centreline_and_section(condition.fitted);
+        condition.column = after.column;
+        condition.quantities = targets[i].compare(cases[i], before[i], condition.fitted, after);
+        for (const double r : targets[i].residuals(condition.fitted, after)) result.chi_square += r * r;
+        result.conditions.push_back(std::move(condition));
+    }
+    result.degrees_of_freedom = std::max(0.0, independent - count);
     if (result.degrees_of_freedom > 0.5) {
         result.scatter_factor = std::max(1.0, std::sqrt(result.chi_square / result.degrees_of_freedom));
     }
-    for (const Parameter& p : chosen) {
+    for (std::size_t k = 0; k < unknowns.size(); ++k) {
+        const Unknown& unknown = unknowns[k];
+        const CalibrationParameter& p = *unknown.parameter;
         FittedParameter f{std::string(p.name), std::string(p.key), std::string(p.unit)};
-        f.start = p.member(start);
-        f.value = p.member(result.fitted);
-        f.lower = p.lower(c);
-        f.upper = p.upper(c);
+        f.start = unknown.start;
+        f.value = unknown.value(fit->parameters(static_cast<Eigen::Index>(k)));
+        f.lower = unknown.lower;
+        f.upper = unknown.upper;
+        f.condition = unknown.condition;
         const double margin = 1e-6 * (f.upper - f.lower);
         f.at_bound = f.value < f.lower + margin || f.value > f.upper - margin;
         result.parameters.push_back(f);
     }
     const std::optional<Eigen::MatrixXd> covariance = parameter_covariance(fit->jacobian);
-    describe_uncertainty(result, covariance);
-    result.quantities = target.compare(c, before, result.fitted, result.column);
-    add_warnings(result, covariance.has_value(), fit->converged);
+    describe_uncertainty(result, unknowns, covariance);
+    if (!fit->converged) {
+        result.warnings.emplace_back(
+            "the fit did not converge: the values are the best found, not a minimum");
+    }
+    warn_of_parameters(result, covariance.has_value(), fit->jacobian);
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        const std::string contradiction = targets[i].contradiction();
+        if (!contradiction.empty()) {
+            result.warnings.push_back(cases.size() > 1 ? result.conditions[i].name + ": " + contradiction
+                                                       : contradiction);
+        }
+    }
+    warn_of_quantities(result);
     return result;
 }
 
-std::vector<Override> fitted_overrides(const CalibrationResult& result) {
+CalibrationResult calibrate_column(const Case& c, const CalibrationOptions& options) {
+    return calibrate_columns(std::span(&c, 1), options);
+}
+
+std::vector<Override> fitted_overrides(const CalibrationResult& result, std::size_t condition) {
     std::vector<Override> overrides;
     for (const FittedParameter& p : result.parameters) {
+        if (p.condition && *p.condition != condition) continue;
         // Six digits: more than the measurements determine, and readable.
         overrides.push_back({p.key, fmt::format("{:.6g}", p.value)});
     }

@@ -20,12 +20,16 @@ LogLawFit fit_column_profile(const Case& c, const ColumnResult& column) {
     return fit_log_law(z, u, log_law_kappa, c.datum(), range.from, range.to);
 }
 
-ColumnResult solve_centreline(const Case& c) {
-    ColumnResult result = solve_column(c);
-    if (!has_section(c)) return result;
+ColumnResult solve_centreline(const Case& c) { return solve_centreline_and_section(c).column; }
+
+Centreline solve_centreline_and_section(const Case& c) {
+    Centreline both{solve_column(c), std::nullopt};
+    if (!has_section(c)) return both;
+    ColumnResult& result = both.column;
     // The centreline does not see the fine structure beside the walls.
     constexpr SectionOptions options{.cells_across = 40, .cells_over_depth = 90};
-    const SectionResult section = solve_section(c, options);
+    both.section = solve_section(c, options);
+    const SectionResult& section = *both.section;
     const double middle = c.channel.centreline();
     for (std::size_t i = 0; i < result.profile.z.size(); ++i) {
         result.profile.velocity[i] = section.velocity_at(middle, result.profile.z[i]);
@@ -34,7 +38,7 @@ ColumnResult solve_centreline(const Case& c) {
     result.total_mean_velocity = section.depth_means(0.0, c.total_depth())[section.y.size() / 2];
     result.surface_velocity = result.profile.velocity.back();
     if (c.bed.kind == BedKind::spheres) result.log_law = fit_column_profile(c, result);
-    return result;
+    return both;
 }
 
 }  // namespace riffle

@@ -7,6 +7,7 @@
 #include "base/error.hpp"
 #include "column/column.hpp"
 #include "column/section_solver.hpp"
+#include "column/section_start.hpp"
 
 namespace riffle {
 
@@ -105,11 +106,20 @@ double slowest_decay_time(const SectionBalance& balance, const Eigen::VectorXd& 
 
 bool has_section(const Case& c) {
     if (!c.has_side_walls() || !(c.streamwise_gravity() > 0.0)) return false;
-    if (!c.solids.empty()) return false;
+    if (!c.solids.empty() || c.turbulence.closure == ClosureKind::sps) return false;
     if (c.channel.ends != Ends::periodic || c.channel.top == Top::periodic) return false;
     // Whether there is friction does not depend on the grid.
     constexpr int coarse = 8;
     return SectionBalance(c, make_section_grid(c, coarse, coarse)).has_friction();
+}
+
+std::optional<Case> section_start_substitute(const Case& c) {
+    if (c.start.kind != StartKind::section || c.turbulence.closure != ClosureKind::sps) return std::nullopt;
+    Case substitute = c;
+    substitute.turbulence = {};
+    substitute.turbulence.closure = ClosureKind::czernuszenko_rylov;
+    if (!has_section(substitute)) return std::nullopt;
+    return substitute;
 }
 
 SectionResult solve_section(const Case& c, const SectionOptions& options) {

@@ -49,8 +49,8 @@ struct SectionOptions {
     double tolerance = 3e-4;
 };
 
-/// Whether a case has a section twin: three dimensions with side walls, a slope and something that resists
-/// the flow, and no solids. Periodic sides have the column.
+/// Whether a case has a section twin: three dimensions with side walls, a slope, something that resists the
+/// flow, no solids, and not the SPS closure (section_start.hpp says why). Periodic sides have the column.
 [[nodiscard]] bool has_section(const Case& c);
 
 /// Solve the steady flow of

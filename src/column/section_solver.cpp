@@ -75,6 +75,12 @@ void check_section(const Case& c) {
             "the case has no side walls, and without them the flow does not vary over the cross-section: "
             "set channel.dimensions = 3 and channel.sides = \"walls\" or \"half\", or use riffle column");
     }
+    if (c.turbulence.closure == ClosureKind::sps) {
+        throw InputError(
+            "the SPS closure has no steady flow over the cross-section: its stress is far too small to carry "
+            "the weight to the side walls, whose layers come to rest beside a flow of several m/s; choose "
+            "turbulence.closure = \"czernuszenko-rylov\"");
+    }
     if (!has_section(c)) {
         throw InputError(
             "the case has no steady flow over its cross-section: it needs channel.slope > 0 and a bed that "

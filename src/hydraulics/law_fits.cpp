@@ -135,6 +135,27 @@ FittedValue zero_of_log_wake(const Shape& shape, double wake) {
     return {xi, xi * half, {xi * std::exp(-half), xi * std::exp(half)}};
 }
 
+/// z0/h of the log law with secondary flow, kappa u/u_* = ln xi + offset + phase (alpha_1 ln xi + D sin^2):
+/// ln xi0 = (alpha_2 phase - offset)/(1 + alpha_1 phase), with its uncertainty by linear propagation.
+FittedValue zero_of_secondary_flow(const Shape& shape, const SecondaryFlowConstants& constants) {
+    const double phase = shape.bend_ratio.value;
+    const double offset = shape.offset_ratio.value;
+    const double slope = 1.0 + constants.logarithm * phase;
+    if (!(slope > 0.0)) return {};
+    const double log_xi = (constants.offset * phase - offset) / slope;
+    const double by_phase = (constants.offset + constants.logarithm * offset) / (slope * slope);
+    const double by_offset = -1.0 / slope;
+    const double steepness = shape.steepness.value;
+    Eigen::VectorXd gradient = Eigen::VectorXd::Zero(shape.fit.coefficients.size());
+    gradient(0) = by_offset / steepness;
+    gradient(1) = by_phase / steepness;
+    if (!shape.steepness_given) gradient(2) = -(by_offset * offset + by_phase * phase) / steepness;
+    return exponential_of({log_xi,
+                           propagated_half_width(shape.fit, gradient),
+                           {log_xi - propagated_half_width(shape.fit, gradient),
+                            log_xi + propagated_half_width(shape.fit, gradient)}});
+}
+
 /// Fit of a law u = u_*/kappa [first(xi) + dip second(xi)] + offset; `zero` gives the z0/h at which the
 /// fitted law vanishes.
 template <class First, class Second, class Zero>
@@ -224,6 +245,28 @@ DipFit fit_total_dip_log_wake_law(const VelocityPoints& points, double depth,
             return Eigen::VectorXd(xi.unaryExpr([=](double x) { return log_wake_second(x, wake_strength); }));
         },
         [=](const Shape& shape) { return zero_of_log_wake(shape, wake_strength); });
+}
+
+SecondaryFlowFit fit_secondary_flow_log_law(const VelocityPoints& points, double depth,
+                                            std::optional<double> friction_velocity, double kappa,
+                                            FitRange range) {
+    require_positive(depth, "the depth");
+    const FitPoints used(points, range);
+    if (const auto why = used.obstacle(fewest_points(friction_velocity), depth); !why.empty()) {
+        return not_fitted<SecondaryFlowFit>(used, why);
+    }
+    const SecondaryFlowConstants constants;
+    const Eigen::ArrayXd xi = used.height.array() / depth;
+    const Eigen::VectorXd cell =
+        constants.logarithm * xi.log() + constants.wake * (0.5 * pi * xi).sin().square();
+    const auto [shape, why_not] = shape_of_law(used, xi.log(), cell, steepness_of(friction_velocity, kappa));
+    if (!shape) return not_fitted<SecondaryFlowFit>(used, why_not);
+    SecondaryFlowFit fit;
+    static_cast<FitQuality&>(fit) = succeeded(used.quality(), shape->fit.residuals);
+    fit.phase = shape->bend_ratio;
+    fit.friction_velocity = linear_of(shape->steepness, kappa);
+    fit.zero_velocity_height = linear_of(zero_of_secondary_flow(*shape, constants), depth);
+    return fit;
 }
 
 KappaFit fit_kappa(const VelocityPoints& points, double friction_velocity,

@@ -4,6 +4,7 @@
 
 #include "hydraulics/channel_laws.hpp"
 #include "hydraulics/profile_fit.hpp"
+#include "hydraulics/secondary_flow_laws.hpp"
 #include "hydraulics/velocity_laws.hpp"
 
 namespace riffle {
@@ -54,6 +55,19 @@ struct DipFit : FitQuality {
                                                 std::optional<double> friction_velocity = {},
                                                 double wake_strength = wake_strength_of_uniform_flow,
                                                 double kappa = log_law_kappa, FitRange range = {});
+
+/// Fit of the log law with secondary flow.
+struct SecondaryFlowFit : FitQuality {
+    FittedValue phase;                 ///< place in the cell; a law of cells only between -1 and 1
+    FittedValue friction_velocity;     ///< between the cells, m/s
+    FittedValue zero_velocity_height;  ///< z0 over the zero plane, between the cells, m
+};
+
+/// Fit phase and z0, and u_* unless given, of the log law with secondary flow (thesis 2.24) with its printed
+/// constants.
+[[nodiscard]] SecondaryFlowFit fit_secondary_flow_log_law(const VelocityPoints& points, double depth,
+                                                          std::optional<double> friction_velocity = {},
+                                                          double kappa = log_law_kappa, FitRange range = {});
 
 /// Von Karman's constant from a profile whose friction velocity is known from the stress.
 struct KappaFit : FitQuality {

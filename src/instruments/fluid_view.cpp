@@ -13,17 +13,17 @@ namespace riffle {
 namespace {
 
 /// Sums over the neighbours of a point, weighted with the kernel: of 1, of the distances in smoothing lengths
-/// and their products, and each component of the velocity times 1 and the distances.
-template <int D>
+/// and their products, and each of N quantities times 1 and the distances.
+template <int D, std::size_t N>
 struct Moments {
     static constexpr auto axes = static_cast<std::size_t>(D);
     double one = 0.0;
     double images = 0.0;  ///< of 1 over the mirror images
     Vec<D> r{};
     std::array<double, axes*(axes + 1) / 2> rr{};  ///< upper triangle, by rows
-    std::array<std::array<double, axes + 1>, axes> velocity{};
+    std::array<std::array<double, axes + 1>, N> quantity{};
 
-    void add(double weight, const Vec<D>& distance, const Vec<D>& v) {
+    void add(double weight, const Vec<D>& distance, const std::array<double, N>& values) {
         one += weight;
         std::size_t product = 0;
         for (std::size_t k = 0; k < D; ++k) {
@@ -31,10 +31,12 @@ struct Moments {
             for (std::size_t l = k; l < D; ++l) {
                 rr[product++] += weight * distance[k] * distance[l];
             }
-            const double flux = weight * v[k];
-            velocity[k][0] += flux;
+        }
+        for (std::size_t n = 0; n < N; ++n) {
+            const double flux = weight * values[n];
+            quantity[n][0] += flux;
             for (std::size_t l = 0; l < D; ++l) {
-                velocity[k][l + 1] += flux * distance[l];
+                quantity[n][l + 1] += flux * distance[l];
             }
         }
     }
@@ -46,7 +48,8 @@ template <int D>
 struct LinearFit {
     std::array<double, static_cast<std::size_t>(D) + 1> weight{};
 
-    explicit LinearFit(const Moments<D>& m) {
+    template <std::size_t N>
+    explicit LinearFit(const Moments<D, N>& m) {
         weight[0] = 1.0 / m.one;
         if constexpr (D == 2) {
             fit_plane(m);
@@ -63,7 +66,8 @@ struct LinearFit {
     }
 
   private:
-    void fit_plane(const Moments<D>& m) {
+    template <std::size_t N>
+    void fit_plane(const Moments<D, N>& m) {
         const auto [xx, xz, zz] = m.rr;
         const auto [x, z] = m.r;
         // First row of the inverse of ((1, x, z), (x, xx, xz), (z, xz, zz)).
@@ -77,7 +81,8 @@ struct LinearFit {
             weight = {cofactor_one / determinant, cofactor_x / determinant, cofactor_z / determinant};
         }
     }
-    void fit_space(const Moments<D>& m) {
+    template <std::size_t N>
+    void fit_space(const Moments<D, N>& m) {
         const auto [x, y, z] = m.r;
         // The second moments about the neighbours' middle, N = M - r r^T / m; the first row of the inverse of
         // ((m, r^T), (r, M)) is (1/m + r.s/m, -s) with N s = r/m.
@@ -184,14 +189,15 @@ FluidViewIn<D>::FluidViewIn(const Case& c, const Particles<D>& particles, double
 }
 
 template <int D>
-FluidView::Velocity FluidViewIn<D>::velocity_at(const Vec<3>& point) const {
+template <std::size_t N, class Values>
+std::array<double, N> FluidViewIn<D>::interpolate(const Vec<3>& point, const Values& values_of) const {
     Vec<D> at{};
     at[0] = point[0];
     if constexpr (D == 3) {
         at[1] = point[1];
     }
     at[D - 1] = point[2];
-    Moments<D> m;
+    Moments<D, N> m;
     const std::size_t n = particles_.size();
     const double inverse_h = 1.0 / h_;
     visit_kernel<D>(kernel_, [&](auto kernel) {
@@ -214,19 +220,53 @@ FluidView::Velocity FluidViewIn<D>::velocity_at(const Vec<3>& point) const {
                 m.images += weight;
                 return;
             }
-            Vec<D> v;
-            for (std::size_t k = 0; k < D; ++k) {
-                v[k] = particles_.velocity[k][j];
-            }
-            m.add(weight, r, v);
+            m.add(weight, r, values_of(j));
         });
     });
+    std::array<double, N> result;
     if (m.one + m.images < wet_share) {
-        const double dry = std::numeric_limits<double>::quiet_NaN();
-        return {dry, dry, dry};
+        result.fill(std::numeric_limits<double>::quiet_NaN());
+        return result;
     }
     const LinearFit<D> fit(m);
-    return {fit.value(m.velocity[0]), D == 3 ? fit.value(m.velocity[1]) : 0.0, fit.value(m.velocity[D - 1])};
+    for (std::size_t k = 0; k < N; ++k) {
+        result[k] = fit.value(m.quantity[k]);
+    }
+    return result;
+}
+
+template <int D>
+FluidView::Velocity FluidViewIn<D>::velocity_at(const Vec<3>& point) const {
+    const auto& velocity = particles_.velocity;
+    if constexpr (D == 2) {
+        const auto [u, w] = interpolate<2>(point, [&](std::size_t j) {
+            return std::array<double, 2>{velocity[0][j], velocity[1][j]};
+        });
+        return {u, std::isnan(u) ? u : 0.0, w};
+    } else {
+        const auto [u, v, w] = interpolate<3>(point, [&](std::size_t j) {
+            return std::array<double, 3>{velocity[0][j], velocity[1][j], velocity[2][j]};
+        });
+        return {u, v, w};
+    }
+}
+
+template <int D>
+FluidView::Flow FluidViewIn<D>::flow_at(const Vec<3>& point, const WorkingValues& pressure,
+                                        std::span<const double> shear_stress) const {
+    const auto& velocity = particles_.velocity;
+    if constexpr (D == 2) {
+        const auto [u, w, p, tau] = interpolate<4>(point, [&](std::size_t j) {
+            return std::array<double, 4>{velocity[0][j], velocity[1][j], pressure[j], shear_stress[j]};
+        });
+        return {{u, std::isnan(u) ? u : 0.0, w}, p, tau};
+    } else {
+        const auto [u, v, w, p, tau] = interpolate<5>(point, [&](std::size_t j) {
+            return std::array<double, 5>{velocity[0][j], velocity[1][j], velocity[2][j], pressure[j],
+                                         shear_stress[j]};
+        });
+        return {{u, v, w}, p, tau};
+    }
 }
 
 template <int D>

@@ -9,6 +9,7 @@
 #include "instruments/particle_cells.hpp"
 #include "particles/domain.hpp"
 #include "particles/particles.hpp"
+#include "particles/working_values.hpp"
 
 namespace riffle {
 
@@ -30,6 +31,16 @@ class FluidView {
     /// the bed, the sides and the surface too. NaN where less than `wet_share` of the support is filled; for
     /// this the water goes on behind side walls and a plane of symmetry as its mirror image.
     [[nodiscard]] virtual Velocity velocity_at(const Vec<3>& point) const = 0;
+
+    struct Flow {
+        Velocity velocity;
+        double pressure;      ///< Pa
+        double shear_stress;  ///< tau_xz, Pa
+    };
+    /// Velocity, pressure and shear stress at a point, the latter two interpolated in the same way from these
+    /// values of the particles, Pa.
+    [[nodiscard]] virtual Flow flow_at(const Vec<3>& point, const WorkingValues& pressure,
+                                       std::span<const double> shear_stress) const = 0;
 
     /// Elevation of the surface over each place (x, y), m above the bed level, found as the case says
     /// (sph/free_surface.hpp), with the mirror images; NaN where there is no water.
@@ -53,6 +64,8 @@ class FluidViewIn final : public FluidView {
     FluidViewIn(const Case& c, const Particles<D>& particles, double h);
 
     [[nodiscard]] Velocity velocity_at(const Vec<3>& point) const override;
+    [[nodiscard]] Flow flow_at(const Vec<3>& point, const WorkingValues& pressure,
+                               std::span<const double> shear_stress) const override;
     [[nodiscard]] std::vector<double> surface_at(std::span<const Vec<2>> at) const override;
     [[nodiscard]] Section section_at(double x) const override;
 
@@ -65,6 +78,10 @@ class FluidViewIn final : public FluidView {
     using Positions = typename ParticleCells<D>::Positions;
     [[nodiscard]] static Mirrored mirror(const Case& c, const Particles<D>& particles, double reach);
     [[nodiscard]] Positions positions() const;
+    /// Values at a point of the linear fields that fit those of the particles around it best; NaN where it is
+    /// dry. `values_of(j)` gives those of particle j.
+    template <std::size_t N, class Values>
+    [[nodiscard]] std::array<double, N> interpolate(const Vec<3>& point, const Values& values_of) const;
 
     const Particles<D>& particles_;
     Domain<D> domain_;

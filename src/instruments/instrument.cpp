@@ -67,7 +67,7 @@ std::unique_ptr<Instrument> make_instrument(const Probe& probe, const Case& c) {
         case ProbeKind::surface_line:
             return make_surface_line(probe, c);
         case ProbeKind::grid:
-            return make_velocity_grid(probe, c);
+            return probe.averaging_time > 0.0 ? make_velocity_grid(probe, c) : make_velocity_plane(probe, c);
         case ProbeKind::flow_rate:
             return make_flow_rate_sections(probe, c);
         case ProbeKind::force:

@@ -25,6 +25,10 @@ struct FlowState {
     const SparseValues* wall_x = nullptr;
     const SparseValues* wall_z = nullptr;
     const SparseValues* side_wall_x = nullptr;
+    /// By particle, where an instrument `needs_forces`: pressure, Pa; stress tau_xz of viscosity and closure,
+    /// Pa.
+    const WorkingValues* pressure = nullptr;
+    std::span<const double> shear_stress = {};
 };
 
 /// An array that an instrument fills: one row per sample, or per averaging window.
@@ -58,7 +62,7 @@ class Instrument {
     /// Take one sample; adds a row, or part of one that is averaged.
     virtual void sample(const FlowState& state) = 0;
 
-    /// Whether sample() uses FlowState::fluid, and the forces.
+    /// Whether sample() uses FlowState::fluid, and the forces and stresses.
     [[nodiscard]] virtual bool looks_at_fluid() const { return true; }
     [[nodiscard]] virtual bool needs_forces() const { return false; }
 
@@ -108,11 +112,20 @@ class Instrument {
 /// Positions across the channel of an instrument with `points` points: its y, or the centreline.
 [[nodiscard]] std::vector<double> across(const Probe& probe, const Case& c, std::size_t points);
 
+/// Columns and rows of a grid in the x-z plane, m.
+struct GridAxes {
+    std::vector<double> x, z;
+};
+/// Those of a probe with `spacing`, `x_from` and so on: by default the whole channel, bed to still surface. A
+/// periodic channel's end, which is its start, is not among them.
+[[nodiscard]] GridAxes grid_axes(const Probe& probe, const Case& c);
+
 // The instruments, one file each.
 [[nodiscard]] std::unique_ptr<Instrument> make_velocity_points(const Probe& probe, const Case& c);
 [[nodiscard]] std::unique_ptr<Instrument> make_wave_probes(const Probe& probe, const Case& c);
 [[nodiscard]] std::unique_ptr<Instrument> make_surface_line(const Probe& probe, const Case& c);
 [[nodiscard]] std::unique_ptr<Instrument> make_velocity_grid(const Probe& probe, const Case& c);
+[[nodiscard]] std::unique_ptr<Instrument> make_velocity_plane(const Probe& probe, const Case& c);
 [[nodiscard]] std::unique_ptr<Instrument> make_flow_rate_sections(const Probe& probe, const Case& c);
 [[nodiscard]] std::unique_ptr<Instrument> make_bed_force(const Probe& probe, const Case& c);
 

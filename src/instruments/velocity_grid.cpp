@@ -1,5 +1,5 @@
 // Means and second moments of the velocity on a grid, window by window, as particle image velocimetry gives
-// them.
+// them, and the means of pressure and shear stress, which it does not.
 
 #include <array>
 #include <cmath>
@@ -25,11 +25,11 @@ std::vector<double> line(double from, double to, double spacing) {
 
 class VelocityGrid final : public Instrument {
   public:
-    VelocityGrid(const Probe& probe, const Case& c, std::vector<double> x, std::vector<double> z)
+    VelocityGrid(const Probe& probe, const Case& c, GridAxes axes)
         : Instrument(probe),
-          x_(std::move(x)),
+          x_(std::move(axes.x)),
           y_(across(probe, c, 1).front()),
-          z_(std::move(z)),
+          z_(std::move(axes.z)),
           sums_(x_.size() * z_.size()),
           space_(c.channel.dimensions == 3) {
         const std::vector<std::size_t> shape = {z_.size(), x_.size()};
@@ -50,13 +50,19 @@ class VelocityGrid final : public Instrument {
             add_record("spanwise_velocity", "m/s", "mean spanwise velocity of the window", shape);
             add_record("spanwise_velocity_variance", "m2/s2", "mean square of v'", shape);
         }
+        add_record("pressure", "Pa", "mean pressure of the window", shape);
+        if (c.turbulence.closure != ClosureKind::none) {
+            add_record("shear_stress", "Pa", "mean stress tau_xz of viscosity and closure of the window",
+                       shape);
+        }
     }
 
     void sample(const FlowState& state) override {
         const std::size_t width = x_.size();
         parallel_blocks(sums_.size(), 64, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
-                sums_[i].add(state.fluid->velocity_at({x_[i % width], y_, z_[i / width]}));
+                sums_[i].add(state.fluid->flow_at({x_[i % width], y_, z_[i / width]}, *state.pressure,
+                                                  state.shear_stress));
             }
         });
         samples_ += 1.0;
@@ -65,6 +71,7 @@ class VelocityGrid final : public Instrument {
             window_end_ = window_after(state.time);
         }
     }
+    [[nodiscard]] bool needs_forces() const override { return true; }
     [[nodiscard]] std::size_t points() const override { return sums_.size(); }
     [[nodiscard]] double row_frequency() const override { return 1.0 / probe().averaging_time; }
 
@@ -91,9 +98,11 @@ class VelocityGrid final : public Instrument {
   private:
     /// Sums over the wet samples of a point.
     struct Sums {
-        double wet = 0.0, u = 0.0, w = 0.0, uu = 0.0, ww = 0.0, uw = 0.0, v = 0.0, vv = 0.0;
+        double wet = 0.0, u = 0.0, w = 0.0, uu = 0.0, ww = 0.0, uw = 0.0, p = 0.0, tau = 0.0, v = 0.0,
+               vv = 0.0;
 
-        void add(const FluidView::Velocity& velocity) {
+        void add(const FluidView::Flow& flow) {
+            const FluidView::Velocity& velocity = flow.velocity;
             if (std::isfinite(velocity.u)) {
                 wet += 1.0;
                 u += velocity.u;
@@ -103,14 +112,17 @@ class VelocityGrid final : public Instrument {
                 uw += velocity.u * velocity.w;
                 v += velocity.v;
                 vv += velocity.v * velocity.v;
+                p += flow.pressure;
+                tau += flow.shear_stress;
             }
         }
     };
     /// The sums that an unfinished window is saved as.
     [[nodiscard]] std::span<double Sums::*const> saved_sums() const {
-        static constexpr std::array<double Sums::*, 8> all = {&Sums::wet, &Sums::u,  &Sums::w, &Sums::uu,
-                                                              &Sums::ww,  &Sums::uw, &Sums::v, &Sums::vv};
-        return std::span(all).first(space_ ? all.size() : 6);
+        static constexpr std::array<double Sums::*, 10> all = {&Sums::wet, &Sums::u,  &Sums::w, &Sums::uu,
+                                                               &Sums::ww,  &Sums::uw, &Sums::p, &Sums::tau,
+                                                               &Sums::v,   &Sums::vv};
+        return std::span(all).first(space_ ? all.size() : all.size() - 2);
     }
 
     /// Windows end at multiples of their length.
@@ -129,8 +141,11 @@ class VelocityGrid final : public Instrument {
             const double u = s.u / n;
             const double w = s.w / n;
             const double v = s.v / n;
-            const double row[] = {
-                u, w, s.uu / n - u * u, s.ww / n - w * w, s.uw / n - u * w, v, s.vv / n - v * v};
+            std::vector<double> row = {u, w, s.uu / n - u * u, s.ww / n - w * w, s.uw / n - u * w};
+            if (space_) {
+                row.insert(row.end(), {v, s.vv / n - v * v});
+            }
+            row.insert(row.end(), {s.p / n, s.tau / n});
             for (std::size_t k = 0; 2 + k < records().size(); ++k) {
                 record(2 + k).add(row[k]);
             }
@@ -151,16 +166,19 @@ class VelocityGrid final : public Instrument {
 
 }  // namespace
 
-std::unique_ptr<Instrument> make_velocity_grid(const Probe& probe, const Case& c) {
+GridAxes grid_axes(const Probe& probe, const Case& c) {
     const double spacing = probe.spacing.value_or(2.0 * c.numerics.spacing);
     const double x_from = probe.x_from.value_or(0.0);
     double x_to = probe.x_to.value_or(c.channel.length);
     if (!probe.x_to && !probe.x_from && c.channel.ends == Ends::periodic) {
         x_to -= 1e-6 * c.channel.length;  // the end of a periodic channel is its start
     }
-    return std::make_unique<VelocityGrid>(
-        probe, c, line(x_from, x_to, spacing),
-        line(probe.z_from.value_or(0.5 * spacing), probe.z_to.value_or(c.total_depth()), spacing));
+    return {line(x_from, x_to, spacing),
+            line(probe.z_from.value_or(0.5 * spacing), probe.z_to.value_or(c.total_depth()), spacing)};
+}
+
+std::unique_ptr<Instrument> make_velocity_grid(const Probe& probe, const Case& c) {
+    return std::make_unique<VelocityGrid>(probe, c, grid_axes(probe, c));
 }
 
 }  // namespace riffle

@@ -3,34 +3,11 @@
 #include <cstddef>
 #include <filesystem>
 #include <string>
-#include <string_view>
 #include <vector>
 
-#include "laboratory/csv_table.hpp"
+#include "laboratory/quantity_columns.hpp"
 
 namespace riffle {
-
-/// What a profile can hold beside the height. All are time means.
-enum class ProfileQuantity {
-    velocity,           ///< u, streamwise, m/s
-    spanwise_velocity,  ///< v, m/s
-    vertical_velocity,  ///< w, normal to the bed, m/s
-    streamwise_rms,     ///< rms of u', m/s
-    spanwise_rms,       ///< rms of v', m/s
-    vertical_rms,       ///< rms of w', m/s
-    reynolds_stress,    ///< -u'w' (over the density), m2/s2
-    velocity_gradient,  ///< du/dz, 1/s
-};
-
-/// Name of a quantity as in a file: "u", "v", "w", "u_rms", "v_rms", "w_rms", "-u'w'", "du/dz".
-[[nodiscard]] std::string_view quantity_name(ProfileQuantity quantity);
-
-/// One measured quantity over the height, in SI.
-struct ProfileColumn {
-    ProfileQuantity quantity = ProfileQuantity::velocity;
-    std::vector<double> values;       ///< not a number where the file has no value
-    std::vector<double> uncertainty;  ///< standard uncertainty; empty: not given
-};
 
 /// A measured profile, as of an ADV or PIV, the points by rising height.
 struct ProfileRecord {

@@ -80,7 +80,9 @@ FlowState flow_state(const SimulationIn<D>& simulation, const FluidView* fluid) 
             .drag_x = &fields.drag_acceleration_x,
             .wall_x = &fields.wall_acceleration_x,
             .wall_z = &fields.wall_acceleration_z,
-            .side_wall_x = &fields.side_wall_acceleration_x};
+            .side_wall_x = &fields.side_wall_acceleration_x,
+            .pressure = &fields.pressure,
+            .shear_stress = fields.shear_stress};
 }
 
 template FlowState flow_state(const SimulationIn<2>&, const FluidView*);

@@ -29,11 +29,11 @@ struct ParticleFields {
     SparseValues wall_acceleration_x;            ///< part of both from walls
     SparseValues wall_acceleration_z;            ///< the same, normal to the bed
     SparseValues drag_acceleration_x;            ///< of the bed drag (negative for u > 0)
+    std::vector<double> shear_stress;            ///< tau_xz of viscosity and closure, Pa
     // Three dimensions only, else empty.
     SparseValues drag_acceleration_y;       ///< of the bed drag
     SparseValues side_wall_acceleration_x;  ///< of the drag in the side walls' layers
     SparseValues side_wall_acceleration_z;
-    std::vector<double> shear_stress;          ///< tau_xz of viscosity and closure, Pa
     std::vector<double> lateral_shear_stress;  ///< tau_xy, Pa
 
     /// Take n particles, all values zero. `Real`: of the pair arithmetic; `density`: of the water, kg/m3.
@@ -44,7 +44,7 @@ struct ParticleFields {
         shear.reset<Real>(n);
         pair_acceleration_x.assign(n, 0.0);
         viscous_acceleration_x.assign(n, 0.0);
-        shear_stress.assign(dimensions == 3 ? n : 0, 0.0);
+        shear_stress.assign(n, 0.0);
         lateral_shear_stress.assign(dimensions == 3 ? n : 0, 0.0);
         for (SparseValues ParticleFields::*const force : near_walls(dimensions)) {
             (this->*force).reset(n);

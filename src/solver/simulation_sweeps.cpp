@@ -176,15 +176,15 @@ void SimulationOf<D, Real>::keep_stress_fields(const Task& task, std::size_t beg
             fields_.pressure.set(i, task.particles.pressure[lane]);
             fields_.eddy_viscosity.set(i, task.particles.eddy_viscosity[lane]);
             fields_.shear.set(i, gradients ? gradient.velocity_gradient[vertical][lane] : Real(0));
+            const auto twice_strain = [&](std::size_t k, std::size_t l) {
+                return gradients ? static_cast<double>(gradient.velocity_gradient[k * axes + l][lane]) +
+                                       static_cast<double>(gradient.velocity_gradient[l * axes + k][lane])
+                                 : 0.0;
+            };
+            const double density = scheme_.density * (1.0 + particles_.density_deviation[i]);
+            const double nu_t = fields_.eddy_viscosity[i];
+            fields_.shear_stress[i] = density * (scheme_.viscosity + nu_t) * twice_strain(0, vertical);
             if constexpr (D == 3) {
-                const auto twice_strain = [&](std::size_t k, std::size_t l) {
-                    return gradients ? static_cast<double>(gradient.velocity_gradient[k * axes + l][lane]) +
-                                           static_cast<double>(gradient.velocity_gradient[l * axes + k][lane])
-                                     : 0.0;
-                };
-                const double density = scheme_.density * (1.0 + particles_.density_deviation[i]);
-                const double nu_t = fields_.eddy_viscosity[i];
-                fields_.shear_stress[i] = density * (scheme_.viscosity + nu_t) * twice_strain(0, 2);
                 fields_.lateral_shear_stress[i] =
                     density * (scheme_.viscosity + particle_data_.shear_weight_across * nu_t) *
                     twice_strain(0, 1);

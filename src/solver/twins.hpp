@@ -6,6 +6,7 @@
 #include "case/case.hpp"
 #include "column/column.hpp"
 #include "column/section.hpp"
+#include "column/section_start.hpp"
 #include "solver/start.hpp"
 
 namespace riffle {
@@ -14,6 +15,8 @@ namespace riffle {
 struct Twins {
     std::optional<ColumnResult> column;    ///< over the depth; in three dimensions of the wide channel
     std::optional<SectionResult> section;  ///< over the cross-section of a channel with side walls
+    /// Section that the run starts from where it has none of its own (section_start_substitute()).
+    std::optional<SectionResult> start_section;
 
     [[nodiscard]] const ColumnResult* column_or_null() const { return column ? &*column : nullptr; }
     [[nodiscard]] const SectionResult* section_or_null() const { return section ? &*section : nullptr; }
@@ -25,8 +28,10 @@ struct Twins {
     }
     /// Velocity of the section for the start; empty without one.
     [[nodiscard]] SectionVelocity section_velocity() const {
-        return section ? SectionVelocity([this](double y, double z) { return section->velocity_at(y, z); })
-                       : SectionVelocity();
+        const SectionResult* const start = section ? &*section : start_section ? &*start_section : nullptr;
+        return start != nullptr
+                   ? SectionVelocity([start](double y, double z) { return start->velocity_at(y, z); })
+                   : SectionVelocity();
     }
 };
 
@@ -38,6 +43,8 @@ struct Twins {
     }
     if (has_section(c)) {
         twins.section = solve_section(c);
+    } else if (const auto substitute = section_start_substitute(c)) {
+        twins.start_section = solve_section(*substitute);
     }
     return twins;
 }

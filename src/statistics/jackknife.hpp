@@ -10,7 +10,7 @@ namespace riffle {
 /// (delete-one jackknife: Quenouille 1956, Tukey 1958): variance (n-1)/n sum (v_i - mean)^2, Student's t on
 /// n - 1 degrees of freedom. For smooth functions of means over blocks that are about equally long and much
 /// longer than the correlation of the data, whatever the correlation inside of a block. Of ten blocks the
-/// interval covers the truth in 90-95 % of cases (tests/unit/analysis/celerity_test.cpp). Infinite for fewer
+/// interval covers the truth in 90-95 % of cases, but for errors that the blocks share. Infinite for fewer
 /// than two blocks or where a value is not finite.
 [[nodiscard]] double jackknife_half_width(std::span<const double> without_one);
 

@@ -67,7 +67,15 @@ class Report(CommandLineTest):
                 self.assertIn(words, made.stdout)
         summary = json.loads((self.folder / "thesis/thesis-summary.json").read_text())
         self.assertEqual(summary["missing"], [])
-        self.assertEqual(len(summary["runs"]), 12)
+        self.assertEqual(len(summary["runs"]), 16)
+
+    def test_thesis_pages_of_parts(self):
+        self.run_small("runs/condition-2", 0.5)
+        self.fail_with(2, "report", "--thesis=7", self.folder / "runs", says=["'7'", "4, 5, 6 and paper"])
+        self.fail_with(2, "report", "--thesis=5", self.folder / "runs", says=["none of the 1 runs"])
+        self.succeed("report", "--thesis=4", self.folder / "runs")
+        summary = json.loads((self.folder / "runs/thesis-summary.json").read_text())
+        self.assertNotIn("the paper's case", [row["what"] for row in summary["missing"]])
 
     def test_thesis_chapter_of_a_folder_without_runs(self):
         (self.folder / "empty").mkdir()

@@ -85,6 +85,41 @@ TEST(LaboratoryRecords, SpanwiseFluctuationsAreDrawnOverTheFrictionVelocity) {
     EXPECT_NEAR(curve.y[1], 0.02 / record.flow()->channel.depth, 1e-12);
 }
 
+TEST(LaboratoryRecords, ACrossSectionStandsBesideTheSectionTwin) {
+    LaboratoryRecordOptions options;
+    options.case_file = std::filesystem::path(RIFFLE_SOURCE_DIR) / "cases/rough-bed-3d/condition-2.toml";
+    const LaboratoryRecord record(examples / "cross-section.csv", options);
+    const Analysis analysis = analyse(record, "section");
+    for (const char* key : {"station_velocity_profile", "station_stress_profile", "lateral_profile"}) {
+        const auto found = std::find_if(analysis.figures.begin(), analysis.figures.end(),
+                                        [key](const Figure& f) { return f.key == key; });
+        ASSERT_NE(found, analysis.figures.end()) << key;
+        EXPECT_EQ(found->missing, "") << key;
+        const auto of = [&](Origin origin) {
+            return std::count_if(found->curves.begin(), found->curves.end(),
+                                 [origin](const Curve& c) { return c.origin == origin; });
+        };
+        EXPECT_GT(of(Origin::measured), 0) << key;
+        EXPECT_GT(of(Origin::column), 0) << key;
+    }
+}
+
+TEST(LaboratoryRecords, AVelocityFieldGivesTheLogLawOfItsMeans) {
+    const LaboratoryRecord record(examples / "piv-means.csv", of_condition_2());
+    const Analysis analysis = analyse(record);
+    expect_within(analysis, "log_law_friction_velocity", 0.044);
+    expect_within(analysis, "equivalent_roughness", 0.035);
+    const auto map = std::find_if(analysis.figures.begin(), analysis.figures.end(),
+                                  [](const Figure& f) { return f.key == "mean_velocity_map"; });
+    ASSERT_NE(map, analysis.figures.end());
+    ASSERT_EQ(map->maps.size(), 1U);
+    EXPECT_EQ(map->maps[0].x.size(), 9U);
+    EXPECT_EQ(map->maps[0].y.size(), 11U);
+    EXPECT_EQ(std::count_if(map->maps[0].values.begin(), map->maps[0].values.end(),
+                            [](double v) { return std::isnan(v); }),
+              3);
+}
+
 /// Wave probes in any order.
 class WaveProbes : public FlowRecord {
   public:

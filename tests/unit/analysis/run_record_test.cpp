@@ -99,17 +99,39 @@ TEST_F(RunRecords, CompareWithTheMeasuredFileOrTheLawOfTheMeasuredValues) {
     EXPECT_TRUE(RunRecord(path_).measured().from_law);
     std::ofstream(folder_ / "adv.csv") << "z [mm],u [cm/s]\n10,22\n20,30\n";
     RunRecordOptions options;
-    options.measured = folder_ / "adv.csv";
+    options.measured = {folder_ / "adv.csv"};
     const RunRecord record(path_, options);
     EXPECT_FALSE(record.measured().from_law);
     ASSERT_EQ(record.measured().profile.height.size(), 2U);
     // Heights over the datum, 6 mm above the bed level.
     EXPECT_NEAR(record.measured().profile.height.front(), 0.016, 1e-12);
     EXPECT_NEAR(record.measured().profile.velocity.front(), 0.22, 1e-12);
-    options.measured = folder_ / "nothing.csv";
+    options.measured = {folder_ / "nothing.csv"};
     const RunRecord missing(path_, options);
     EXPECT_THAT(message_of<FileError>([&] { static_cast<void>(missing.measured()); }),
                 HasSubstr("nothing.csv"));
+}
+
+TEST_F(RunRecords, CompareWithSeveralFilesOfOtherKinds) {
+    write_sample_results(path_);
+    std::ofstream(folder_ / "adv.csv") << "z [mm],u [cm/s]\n10,22\n20,30\n";
+    std::ofstream(folder_ / "across.csv") << "# z: 10 mm\ny [mm],u [cm/s]\n0,18\n50,22\n";
+    std::ofstream(folder_ / "piv.csv") << "x [mm],z [mm],u [m/s],w [m/s]\n"
+                                          "0,10,0.20,0\n10,10,0.24,0\n0,20,0.30,0\n10,20,0.30,0\n";
+    RunRecordOptions options;
+    options.measured = {folder_ / "adv.csv", folder_ / "across.csv", folder_ / "piv.csv"};
+    const RunRecord record(path_, options);
+    EXPECT_NEAR(record.measured().profile.velocity.front(), 0.22, 1e-12) << "the profile is that of the ADV";
+    EXPECT_EQ(record.measured().section.y.size(), 2U);
+    ASSERT_EQ(record.measured().field.x.size(), 2U);
+    EXPECT_NEAR(record.measured().field.z.front(), 0.016, 1e-12);
+    // Without a profile of its own a field gives the means along the channel.
+    options.measured = {folder_ / "piv.csv"};
+    EXPECT_NEAR(RunRecord(path_, options).measured().profile.velocity.front(), 0.22, 1e-12);
+    std::ofstream(folder_ / "point.csv") << "# z: 10 mm\n# sampling_frequency: 10 Hz\nu [m/s]\n0.1\n0.2\n";
+    options.measured = {folder_ / "point.csv"};
+    const RunRecord point(path_, options);
+    EXPECT_THAT(message_of<FileError>([&] { static_cast<void>(point.measured()); }), HasSubstr("point.csv"));
 }
 
 TEST_F(RunRecords, SayThatAFileHasNoUsableCase) {

@@ -119,6 +119,28 @@ void add_sample_probes(const std::filesystem::path& results, const SampleProbes&
     writer.put("vertical_velocity_variance", "m2/s2", std::vector<double>(mean_u.size(), 1e-4), shape);
     writer.put("velocity_covariance", "m2/s2", std::vector<double>(mean_u.size(), -1e-4), shape);
 
+    // w' of patterns that travel, of shorter waves deeper down; nothing but noise below 25 mm.
+    writer.group("frames", "grid");
+    std::vector<double> frame_time;
+    std::vector<double> frame_u;
+    std::vector<double> frame_w;
+    for (double t = 0.02; t <= run_time + 1e-9; t += 0.02) {
+        frame_time.push_back(t);
+        for (const double height : z) {
+            for (std::size_t i = 0; i < columns; ++i) {
+                const double phase = 2.0 * std::numbers::pi * (grid_x[i] - p.celerity * t) / p.wave_length;
+                frame_u.push_back(0.3);
+                frame_w.push_back((height > 0.025 ? 5e-3 * std::sin(phase) : 0.0) + 1e-3 * normal(random));
+            }
+        }
+    }
+    const std::vector<std::size_t> frames = {frame_time.size(), z.size(), columns};
+    writer.put("x", "m", grid_x);
+    writer.put("z", "m", z);
+    writer.put("time", "s", frame_time);
+    writer.put("velocity", "m/s", frame_u, frames);
+    writer.put("vertical_velocity", "m/s", frame_w, frames);
+
     writer.group("forces", "force");
     writer.put("time", "s", time);
     std::vector<double> drag;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -123,6 +124,36 @@ INSTANTIATE_TEST_SUITE_P(, SideWallTest, testing::Values(Sides::periodic, Sides:
                                     : chosen.param == Sides::walls  ? "walls"
                                                                     : "half";
                          });
+
+TEST(SideWall, DynamicLayersStandHalfASpacingApartAndStaggered) {
+    Case c = channel(Sides::walls);
+    c.numerics.wall = WallKind::dynamic;
+    c.numerics.wall_layers = 2;
+    const WallParticles<3> wall = wall_particles<3>(c);
+    const double half = 0.5 * c.numerics.spacing;
+    std::size_t below = 0;
+    std::size_t beside = 0;
+    for (std::size_t j = 0; j < wall.size(); ++j) {
+        const double y = wall.position[1][j];
+        const double z = wall.position[2][j];
+        const double outside = z > 0.0 ? std::max(-y, y - c.channel.width) : -z;
+        // A half and a whole spacing behind the wall, no particle on the water's side.
+        EXPECT_NEAR(std::abs(outside / half - 1.5), 0.5, 1e-9) << y << ' ' << z;
+        if (z < 0.0 && y > 0.0 && y < c.channel.width) ++below;
+        if (z > 0.0 && y < 0.0) ++beside;
+        const double x = wall.position[0][j] / half;
+        EXPECT_NEAR(x - std::floor(x + 0.5), 0.0, 1e-9) << "on the lattice or between two of its places";
+    }
+    // Two layers with a particle for each of the water's columns and files.
+    const double columns = c.channel.length / c.numerics.spacing;
+    EXPECT_NEAR(static_cast<double>(below), 2.0 * columns * c.channel.width / c.numerics.spacing,
+                columns + 0.5);
+    EXPECT_GT(beside, 2.0 * columns * c.channel.depth / c.numerics.spacing);
+    // Seen from the middle of the channel nothing is different from side to side.
+    double moment = 0.0;
+    for (const double y : wall.position[1]) moment += y - 0.5 * c.channel.width;
+    EXPECT_NEAR(moment / static_cast<double>(wall.size()), 0.0, 0.01 * c.channel.width);
+}
 
 TEST(SideWall, DomainAndLatticeCoverTheSimulatedWidth) {
     Case c = channel(Sides::half);

@@ -94,6 +94,8 @@ TEST(Reading, PresetSetsDefaultsAndGivenKeysWin) {
     expected.sound_speed = 30;
     EXPECT_EQ(c.numerics, expected);
     EXPECT_EQ(parse(smallest + "[numerics]\npreset = \"paper\"\n").numerics, preset_numerics(Preset::paper));
+    // The speed of sound that the thesis took in three dimensions (its Table 6.1).
+    EXPECT_EQ(preset_numerics(Preset::thesis, 3).sound_speed, 20);
     EXPECT_EQ(
         parse(smallest + "[numerics]\npreset = \"paper\"\nsound_speed = \"auto\"\n").numerics.sound_speed,
         std::nullopt);

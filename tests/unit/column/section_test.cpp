@@ -12,6 +12,7 @@
 #include "base/error.hpp"
 #include "column/calibration.hpp"
 #include "column/column.hpp"
+#include "column/section_start.hpp"
 
 namespace riffle {
 namespace {
@@ -240,8 +241,8 @@ TEST(Section, CalibrationMeetsTheMeasuredVelocityAtTheCentreline) {
     c.measured.depth_mean_velocity = 0.35;
     const CalibrationResult r = calibrate_column(c, {.parameters = {"roughness_height"}});
     // The fit solves the section with fewer cells across; the centreline hardly sees them.
-    EXPECT_NEAR(solve_section(r.fitted).centreline_velocity, 0.35, 1e-3 * 0.35);
-    EXPECT_LT(r.fitted.bed.roughness_height, c.bed.roughness_height);
+    EXPECT_NEAR(solve_section(r.conditions.front().fitted).centreline_velocity, 0.35, 1e-3 * 0.35);
+    EXPECT_LT(r.conditions.front().fitted.bed.roughness_height, c.bed.roughness_height);
 }
 
 TEST(Section, VelocitiesBetweenTheCentres) {
@@ -284,6 +285,22 @@ TEST(Section, SaysWhereThereIsNone) {
     c = condition_2();
     c.channel.dimensions = 2;
     EXPECT_FALSE(has_section(c));
+}
+
+TEST(Section, OfTheSpsClosureHasASubstituteToStartFrom) {
+    Case c = condition_2();
+    c.turbulence = {};
+    c.turbulence.closure = ClosureKind::sps;
+    c.start.kind = StartKind::section;
+    EXPECT_FALSE(has_section(c));
+    EXPECT_THAT(message(c), HasSubstr("sps"));
+    const auto substitute = section_start_substitute(c);
+    ASSERT_TRUE(substitute);
+    EXPECT_EQ(substitute->turbulence.closure, ClosureKind::czernuszenko_rylov);
+    EXPECT_GT(solve_section(*substitute).bulk_velocity, 0.2);
+    c.start.kind = StartKind::uniform;
+    EXPECT_FALSE(section_start_substitute(c)) << "nothing starts from a section";
+    EXPECT_FALSE(section_start_substitute(condition_2())) << "it has its own";
 }
 
 }  // namespace

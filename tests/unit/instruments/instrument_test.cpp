@@ -136,6 +136,44 @@ TEST(VelocityGrid, GivesMeansAndMomentsOfEachWindow) {
     EXPECT_TRUE(std::isnan(u[19]));  // the top row, at 50 mm, is dry
 }
 
+TEST(VelocityGrid, GivesMeansOfPressureAndShearStress) {
+    const auto instrument = make_instrument(grid(), small_water());
+    Water water = shear_flow();
+    for (int k = 1; k <= 4; ++k) {
+        water.pressure = [k](double, double z) { return 9810.0 * (0.04 - z) + k; };
+        water.shear_stress = [k](double x, double z) { return 1.5 * (1.0 - z / 0.04) + 0.1 * k * x; };
+        water.sample(*instrument, 0.1 * k + 1e-4);
+    }
+    const auto pressure = values_of(*instrument, "pressure");
+    const auto stress = values_of(*instrument, "shear_stress");
+    ASSERT_EQ(pressure.size(), 20U);
+    // Linear fields are met exactly (single precision); the mean of k is 2.5. Point 5: x = 30 mm, z = 20 mm.
+    EXPECT_NEAR(pressure[5], 9810.0 * 0.02 + 2.5, 1e-4);
+    EXPECT_NEAR(stress[5], 0.75 + 0.25 * 0.03, 1e-6);
+    EXPECT_TRUE(std::isnan(pressure[19]));
+    EXPECT_TRUE(instrument->needs_forces());
+    Case laminar = small_water();
+    laminar.turbulence.closure = ClosureKind::none;
+    EXPECT_THROW((void)values_of(*make_instrument(grid(), laminar), "shear_stress"), std::logic_error);
+}
+
+TEST(VelocityPlane, GivesTheVelocitiesOfEachSample) {
+    Probe p = grid();
+    p.averaging_time = 0.0;
+    const auto instrument = make_instrument(p, small_water());
+    EXPECT_EQ(instrument->points(), 20U);
+    const Water water = shear_flow();
+    water.sample(*instrument, 0.1);
+    water.sample(*instrument, 0.2);
+    EXPECT_EQ(values_of(*instrument, "time"), (std::vector<double>{0.1, 0.2}));
+    const auto u = values_of(*instrument, "velocity");
+    ASSERT_EQ(u.size(), 40U);
+    EXPECT_NEAR(u[5], 0.2, 1e-7);  // row by row: z = 20 mm, x = 30 mm
+    EXPECT_NEAR(u[25], 0.2, 1e-7);
+    EXPECT_NEAR(values_of(*instrument, "vertical_velocity")[8], -0.03, 1e-8);
+    EXPECT_TRUE(std::isnan(u[19]));
+}
+
 TEST(VelocityGrid, GoesOnFromASavedWindow) {
     const auto straight = make_instrument(grid(), small_water());
     const auto first = make_instrument(grid(), small_water());

@@ -59,7 +59,9 @@ struct Space {
     [[nodiscard]] FluidViewIn<3> view() const { return {parameters, particles, h}; }
     void sample(Instrument& instrument, double time = 1.0) const {
         const FluidViewIn<3> fluid = view();
-        instrument.sample({.time = time, .mass = particles.mass, .fluid = &fluid});
+        const std::vector<double> zero(particles.size(), 0.0);
+        instrument.sample(
+            {.time = time, .mass = particles.mass, .fluid = &fluid, .pressure = zero, .shear_stress = zero});
     }
 };
 

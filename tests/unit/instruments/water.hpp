@@ -33,6 +33,8 @@ struct Water {
     Case parameters;
     Particles<2> particles;
     double h = 0.0;
+    Field pressure = [](double, double) { return 0.0; };
+    Field shear_stress = [](double, double) { return 0.0; };
 
     explicit Water(const Case& c, double jitter = 0.0, const std::function<double(double)>& rise = {})
         : parameters(c), h(c.numerics.smoothing_ratio * c.numerics.spacing) {
@@ -57,10 +59,23 @@ struct Water {
         return *this;
     }
     [[nodiscard]] FluidViewIn<2> view() const { return {parameters, particles, h}; }
+    [[nodiscard]] std::vector<double> of_particles(const Field& field) const {
+        std::vector<double> values;
+        for (std::size_t i = 0; i < particles.size(); ++i) {
+            values.push_back(field(particles.position[0][i], particles.position[1][i]));
+        }
+        return values;
+    }
     /// One sample at a time.
     void sample(Instrument& instrument, double time = 1.0) const {
         const FluidViewIn<2> fluid = view();
-        instrument.sample({.time = time, .mass = particles.mass, .fluid = &fluid});
+        const std::vector<double> pressures = of_particles(pressure);
+        const std::vector<double> stresses = of_particles(shear_stress);
+        instrument.sample({.time = time,
+                           .mass = particles.mass,
+                           .fluid = &fluid,
+                           .pressure = pressures,
+                           .shear_stress = stresses});
     }
 };
 

@@ -208,7 +208,7 @@ TEST_F(Compared, ThesisChapterKnowsItsRunsByTheirCasesAndNamesThoseMissing) {
     Case sps = builtin_case("condition-3");
     sps.turbulence.closure = ClosureKind::sps;
     subjects.push_back(run("sps", sps));
-    const Comparison chapter = thesis_chapter(subjects);
+    const Comparison chapter = thesis_figures(subjects);
 
     ASSERT_EQ(chapter.sets.size(), 3U);
     EXPECT_THAT(chapter.sets[0].names,
@@ -219,10 +219,56 @@ TEST_F(Compared, ThesisChapterKnowsItsRunsByTheirCasesAndNamesThoseMissing) {
     EXPECT_THAT(chapter.sets[2].names, ElementsAre("spacing 2 mm", "spacing 1.5 mm"));
     std::vector<std::string> missing;
     for (const MissingRun& run : chapter.missing) missing.push_back(run.what);
-    EXPECT_THAT(missing, ElementsAre("flow condition 1", "flow condition 7",
-                                     "flow condition 6 with the original SPS closure", "the paper's case",
-                                     "the paper's case with the SPS closure"));
+    EXPECT_THAT(
+        missing,
+        ElementsAre("flow condition 1", "flow condition 7", "flow condition 6 with the original SPS closure",
+                    "flow condition 3 at a second spacing", "flow condition 6 at a second spacing",
+                    "the paper's case", "the paper's case with the SPS closure"));
     EXPECT_THAT(chapter.missing[0].command, HasSubstr("condition-1.toml"));
+}
+
+TEST_F(Compared, ThesisFiguresInThreeDimensionsAndBesideTwo) {
+    Case coarse = builtin_case("condition-2-3d");
+    coarse.numerics.spacing = 0.003;
+    Case low = builtin_case("condition-1-3d");
+    low.bed.roughness_height *= 0.8;
+    Case sps = builtin_case("condition-5-3d");
+    sps.turbulence.closure = ClosureKind::sps;
+    const std::vector<ReportSubject> subjects = {run("plane", builtin_case("condition-2")),
+                                                 run("space", builtin_case("condition-2-3d")),
+                                                 run("coarse", coarse),
+                                                 run("first", builtin_case("condition-1-3d")),
+                                                 run("low", low),
+                                                 run("sps", sps),
+                                                 run("wide", builtin_case("condition-2-3d-wide"))};
+    const Comparison all = thesis_figures(subjects);
+    std::vector<std::string> titles;
+    for (const ComparedSet& set : all.sets) titles.push_back(set.title);
+    EXPECT_THAT(
+        titles,
+        ElementsAre("Chapter 4: the flow conditions in two dimensions",
+                    "Chapter 5: the flow conditions in three dimensions",
+                    "Condition 2 in three dimensions: its runs compared",
+                    "Condition 1 in three dimensions: heights of the roughness",
+                    "Chapter 6: condition 2 in two and in three dimensions",
+                    "Chapter 6: condition 5 with the original SPS closure, in two and in three dimensions",
+                    "Other runs and records"));
+    EXPECT_THAT(all.sets[1].members, ElementsAre(3, 1));
+    EXPECT_THAT(all.sets[3].members, ElementsAre(3, 4));
+    EXPECT_THAT(all.sets[4].names, ElementsAre("2D", "3D"));
+    EXPECT_THAT(all.sets[6].members, ElementsAre(6));
+
+    // A part alone shows its runs alone.
+    const Comparison sixth = thesis_figures(subjects, {ThesisPart::both});
+    EXPECT_EQ(sixth.runs.size(), 3U);
+    EXPECT_EQ(sixth.sets.size(), 2U);
+    for (const ComparedSet& set : sixth.sets) {
+        for (const std::size_t member : set.members) EXPECT_LT(member, sixth.runs.size());
+    }
+    EXPECT_EQ(sixth.runs[sixth.sets[0].members[1]].name, all.runs[1].name);
+    EXPECT_THROW(static_cast<void>(thesis_figures(subjects, {ThesisPart::paper})), InputError);
+    EXPECT_EQ(thesis_part("6"), ThesisPart::both);
+    EXPECT_EQ(thesis_part("7"), std::nullopt);
 }
 
 TEST_F(Compared, FlowConditionsAreKnownByDepthSlopeAndSpheres) {

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "analysis/figure.hpp"
+#include "analysis/flow_record.hpp"
+#include "analysis/mean_flow.hpp"
+
+namespace riffle {
+
+// The parts of the chapter on the bed and the side walls.
+
+/// Values over the width, averaged over a period of the bed's elements, with their intervals.
+struct Distribution {
+    std::vector<double> y, value, period_mean, half_width;
+    Estimate mean;
+};
+
+[[nodiscard]] Distribution distribution_of(const MeanFlow& field, const Case& c,
+                                           const SectionEstimator& estimator);
+
+/// The curves of a distribution over a scale.
+void add_distribution(const Distribution& d, double scale, Figure& figure);
+
+/// A finding: largest departure of the periods' means from a uniform value, and where.
+void add_departure(const Distribution& d, double uniform, const char* key, const char* what,
+                   const std::optional<double>& thesis, Analysis& analysis);
+
+/// The curve of Yang & Lim's stress on the bed; nothing without side walls.
+void add_yang_lim(const Case& c, Figure& figure);
+
+/// "distance from the side wall y".
+[[nodiscard]] Axis across_axis();
+
+/// The stress near the bed across the channel: of a run, or measured points alone.
+void add_bed_stress(const FlowRecord& record, Analysis& analysis);
+
+}  // namespace riffle

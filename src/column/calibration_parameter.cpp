@@ -1,0 +1,88 @@
+#include "column/calibration_parameter.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "base/error.hpp"
+
+namespace riffle {
+
+namespace {
+
+bool spheres(const Case& c) { return c.bed.kind == BedKind::spheres; }
+
+bool has_kappa(const Case& c) {
+    const ClosureKind closure = c.turbulence.closure;
+    return closure == ClosureKind::ramp || closure == ClosureKind::nezu_rodi ||
+           closure == ClosureKind::czernuszenko_rylov;
+}
+
+const std::array table{
+    CalibrationParameter{
+        "roughness_height", "bed.roughness_height", "m",
+        [](Case& c) -> double& { return c.bed.roughness_height; },
+        // What a valid case allows, the datum above the bed and the zone resolved by the
+        // particles, with room for the difference quotients.
+        [](const Case& c) { return std::max(1.01 * c.bed.datum_below_crest, c.numerics.spacing); },
+        [](const Case& c) { return c.bed.sphere_diameter; }, nullptr, spheres, "bed.kind = \"spheres\""},
+    CalibrationParameter{"drag_coefficient", "bed.drag_coefficient", "",
+                         [](Case& c) -> double& { return c.bed.drag_coefficient; },
+                         [](const Case&) { return 0.01; }, [](const Case&) { return 10.0; }, nullptr, spheres,
+                         "bed.kind = \"spheres\""},
+    CalibrationParameter{"lambda", "turbulence.lambda", "",
+                         [](Case& c) -> double& { return c.turbulence.lambda; },
+                         [](const Case&) { return 0.01; }, [](const Case& c) { return c.turbulence.kappa; },
+                         nullptr, [](const Case& c) { return c.turbulence.closure == ClosureKind::ramp; },
+                         "turbulence.closure = \"ramp\""},
+    CalibrationParameter{"kappa", "turbulence.kappa", "",
+                         [](Case& c) -> double& { return c.turbulence.kappa; },
+                         [](const Case& c) {
+                             const bool ramp = c.turbulence.closure == ClosureKind::ramp;
+                             return std::max(0.2, ramp ? c.turbulence.lambda : 0.0);
+                         },
+                         [](const Case&) { return 0.8; }, nullptr, has_kappa,
+                         "turbulence.closure = \"ramp\", \"nezu-rodi\" or \"czernuszenko-rylov\""},
+    CalibrationParameter{
+        "zero_plane", "turbulence.zero", "m", [](Case& c) -> double& { return c.turbulence.zero; },
+        [](const Case&) { return 0.0; }, [](const Case& c) { return c.crest(); },
+        [](const Case& c) { return c.crest(); },
+        [](const Case& c) {
+            return spheres(c) && (has_kappa(c) || c.turbulence.closure == ClosureKind::nikuradse);
+        },
+        "bed.kind = \"spheres\" and a mixing length"},
+    CalibrationParameter{
+        "smagorinsky_constant", "turbulence.smagorinsky_constant", "",
+        [](Case& c) -> double& { return c.turbulence.smagorinsky_constant; },
+        [](const Case&) { return 0.01; }, [](const Case&) { return 10.0; }, nullptr,
+        [](const Case& c) { return c.turbulence.closure == ClosureKind::sps && !c.has_side_walls(); },
+        "turbulence.closure = \"sps\" without side walls"},
+    CalibrationParameter{
+        "edge_zone", "turbulence.edge_zone", "", [](Case& c) -> double& { return c.turbulence.edge_zone; },
+        [](const Case&) { return 0.05; },
+        // The zones beside both walls must not overlap.
+        [](const Case& c) { return std::min(4.0, c.channel.width / c.total_depth()); }, nullptr,
+        [](const Case& c) {
+            return c.turbulence.closure == ClosureKind::czernuszenko_rylov && c.has_side_walls();
+        },
+        "turbulence.closure = \"czernuszenko-rylov\" between side walls"},
+};
+
+}  // namespace
+
+std::span<const CalibrationParameter> calibration_parameter_table() { return table; }
+
+const CalibrationParameter& find_calibration_parameter(const std::string& name) {
+    const auto* const found = std::find_if(table.begin(), table.end(),
+                                           [&](const CalibrationParameter& p) { return p.name == name; });
+    if (found == table.end()) {
+        std::string known;
+        for (const CalibrationParameter& p : table)
+            known += fmt::format("{}{}", known.empty() ? "" : ", ", p.name);
+        throw InputError(fmt::format("unknown parameter \"{}\" to fit: choose among {}", name, known));
+    }
+    return *found;
+}
+
+}  // namespace riffle
