@@ -95,7 +95,6 @@ function(riffle_watch_page TARGET)
   riffle_embed(${TARGET}
     riffle_watch_html=${web}/watch.html
     riffle_watch_style=${web}/watch.css
-    riffle_watch_figures=${web}/elements.js,${web}/figures.js
     riffle_watch_script=${web}/watch.js)
 endfunction()
 

@@ -46,9 +46,14 @@ const analysis_figures = (() => {
     const from = bounds('from'), to = bounds('to');
     const low = from.every(finite) ? Math.min(...from) * axis.factor : null, high = to.every(finite) ? Math.max(...to) * axis.factor : null;
     if (low === null && high === null) return {};
-    const on_scale = value => (value === null ? null : axis.logarithmic ? (value > 0 ? Math.log10(value) : null) : value);
-    if (low !== null && high !== null) return { range: [on_scale(low), on_scale(high)] };
-    return { range: [on_scale(low), on_scale(high)], autorange: low === null ? 'min' : 'max' };
+    // The end that is not given follows from the data (Plotly forgets a range that is open on one side when it fits its
+    // margins).
+    const values = axis.entries.flatMap(({ figure }) => [...figure.curves.flatMap(curve => [curve[axis.side], ...Object.values(bounds_of(curve, axis.side, axis.logarithmic) || {})]),
+      ...figure.maps.map(map => map[axis.side]), (figure.guides || []).filter(guide => guide.axis === axis.side).flatMap(({ from: a, to: b }) => [a, b])]).flat().filter(finite);
+    const least = axis.factor * values.reduce((a, b) => Math.min(a, b), Infinity), most = axis.factor * values.reduce((a, b) => Math.max(a, b), -Infinity);
+    const room = 0.05 * ((high === null ? most : high) - (low === null ? least : low)) || 1;
+    const ends = [low === null ? least - (axis.logarithmic ? 0 : room) : low, high === null ? most + (axis.logarithmic ? 0 : room) : high];
+    return ends[1] > ends[0] ? { range: axis.logarithmic ? ends.map(value => Math.log10(value)) : ends } : {};
   }
 
   // An axis of names: 0, 1, 2 ... stand for them.
@@ -113,6 +118,11 @@ const analysis_figures = (() => {
       }
     }
     const hover = { hovertemplate: `%{x:.4~g} ${x.unit}, %{y:.4~g} ${y.unit}<extra>${units.symbols(name)}</extra>` };
+    if (curve.mark === 'area') {
+      made.push({ type: 'scatter', mode: 'lines', x: xs, y: ys, name: units.symbols(name), fill: 'toself', fillcolor: figures.colour.body, line: { color: figures.colour.edge, width: 1.2 },
+        hoverinfo: 'skip', ...extra });
+      return made;
+    }
     if (curve.mark === 'bars') {
       made.push({ type: 'bar', x: xs, y: ys, name: units.symbols(name), marker: { color: style.transparent(look.color, 0.45), line: { color: look.color, width: 1 } },
         ...errors, ...hover, ...extra });
@@ -161,7 +171,28 @@ const analysis_figures = (() => {
   const drawing_order = curves => curves.map((curve, rank) => ({ curve, rank, place: depth[curve.origin] ?? 2 }))
     .sort((a, b) => a.place - b.place || a.rank - b.rank);
 
-  function single(entries, width) {
+  // What the figure marks across its extent, where all runs mark the same: lines and bands, with their names.
+  function guides_of(entries, x, y) {
+    const text = ({ figure }) => JSON.stringify(figure.guides || []), shapes = [], annotations = [];
+    if (entries.some(entry => text(entry) !== text(entries[0]))) return { shapes, annotations };
+    const list = entries[0].figure.guides || [];
+    list.forEach(guide => {
+      const upright = guide.axis === 'x', axis = upright ? x : y, from = axis.factor * guide.from, to = axis.factor * guide.to, band = guide.from !== guide.to;
+      const along = upright ? { xref: 'x', x0: from, x1: to, yref: 'paper', y0: 0, y1: 1 } : { yref: 'y', y0: from, y1: to, xref: 'paper', x0: 0, x1: 1 };
+      shapes.push(band ? { type: 'rect', ...along, layer: 'below', fillcolor: figures.colour.window, line: { width: 0 } }
+        : { type: 'line', ...along, layer: 'between', line: { color: figures.colour.guide, width: 1, dash: 'dot' } });
+      const at = axis.logarithmic ? Math.log10(Math.sqrt(from * to)) : (from + to) / 2;
+      // Two lines close to each other have their names on either side of them.
+      const above = list.filter(other => !upright && other.axis === 'y' && other.from > guide.from).map(other => other.from - guide.from);
+      const crowded = above.length && Math.min(...above) < 0.12 * Math.max(...list.map(other => other.to));
+      annotations.push({ text: guide.name, showarrow: false, font: { size: 11, color: '#56606b' }, borderpad: 1,
+        ...(upright ? { x: at, xref: 'x', yref: 'paper', y: 0.985, yanchor: 'top', xanchor: band ? 'center' : 'left' }
+          : { y: axis.logarithmic ? Math.log10(from) : from, yref: 'y', xref: 'paper', x: 0.995, xanchor: 'right', yanchor: crowded ? 'top' : 'bottom' }) });
+    });
+    return { shapes, annotations };
+  }
+
+  function single(entries, width, on_paper = false) {
     const x = axis_of(entries, 'x'), y = axis_of(entries, 'y'), traces = [], names = [];
     const several = entries.length > 1;
     // Where lines may coincide, the upper ones are thinner, with symbols.
@@ -209,8 +240,8 @@ const analysis_figures = (() => {
     const flat = traces.some(trace => trace.type === 'bar');
     const legend = legend_height(names, width, several);
     return { traces, height: (width < 400 ? 340 : 400) + legend, legend_height: legend,
-      layout: figures.layout({ barmode: 'overlay', bargap: 0, showlegend: names.length > 1 || several, xaxis: axis_layout(x, {}, width - 80),
-        yaxis: axis_layout(y, { ...(flat && !y.logarithmic && !range_of(y).range ? { rangemode: 'tozero' } : {}), ...(y.equal_scale && x.factor === y.factor ? { scaleanchor: 'x' } : {}) }, 300) }) };
+      layout: figures.layout({ ...guides_of(entries, x, y), barmode: 'overlay', bargap: 0, showlegend: names.length > 1 || several, xaxis: axis_layout(x, {}, width - 80),
+        yaxis: axis_layout(y, { ...(flat && !y.logarithmic && !range_of(y).range ? { rangemode: 'tozero' } : {}), ...(y.equal_scale && x.factor === y.factor ? { scaleanchor: 'x' } : {}) }, on_paper ? 165 : 300) }) };
   }
 
   return { single, axis_of, axis_layout, range_of, traces_of, legend_height, legend_entry, kind_names, finite, largest, scaled };

@@ -113,10 +113,19 @@ const analysis_panels = (() => {
     // Panels much wider than high stand one above the other, each with its scale of colours beside it.
     const stacked = flat && !alone && !narrow && Math.max(...spans.map(Math.abs)) < 0.45;
     const flat_height = share => Math.max(70, Math.min(400, share * (width - 180) * Math.max(...spans.map(Math.abs))));
-    const made = grid(panels.length, width, flat ? flat_height(alone || narrow || stacked ? 1 : 0.4) : alone ? (narrow ? 300 : 400) : on_paper ? 132 : 240,
+    const made = grid(panels.length, width, flat ? flat_height(alone || narrow || stacked ? 1 : 0.4) : alone ? (narrow ? 300 : on_paper ? 230 : 400) : on_paper ? 132 : 240,
       { top: legend + (titled ? 26 : 12), right: narrow ? 14 : 14 + 92 * (stacked ? 1 : quantities.length), stacked, gap_x: 50, gap_y: titled ? 50 : 36 }, y.logarithmic ? 86 : 72, on_paper);
     const seen = new Set();
+    // Ticks that the axes have room for: equal scales may leave one of them a fraction of the panel.
+    const ticks_of = map => {
+      const span = values => { const [low, high] = ends_of(values); return high - low; };
+      const across = x.factor * span(map.x), up = y.factor * span(map.y), equal = y.equal_scale && x.factor === y.factor;
+      const pixels = equal ? Math.min(made.panel / across, made.panel_height / up) : 0;
+      const count = (length, each) => Math.max(2, Math.min(8, Math.floor(length / each)));
+      return { x: count(equal ? pixels * across : made.panel, 58), y: count(equal ? pixels * up : made.panel_height, 34) };
+    };
     panels.forEach(({ map, figure, title }, i) => {
+      const ticks = ticks_of(map);
       const place = made.place(i), name = suffix(i), number = key(map);
       const scale = units.scale(map.unit, largest([map.values]), map.logarithmic);
       traces.push(heatmap(map, x, y, null, scale, name, `coloraxis${suffix(number)}`));
@@ -133,9 +142,9 @@ const analysis_panels = (() => {
       }
       const range = (axis, values) => { const given = analysis_figures.range_of(axis).range, ends = ends_of(values).map(value => axis.factor * value);
         return given && given.every(finite) ? given : axis.logarithmic ? undefined : ends; };
-      extra[`xaxis${name}`] = { ...axis_layout(x, { domain: place.x, anchor: `y${name}`, showgrid: false, ...(flat ? { constrain: 'domain' } : {}), nticks: alone ? 8 : on_paper ? 4 : 5, tickangle: 0, ...(alone ? {} : { title: undefined }) }),
+      extra[`xaxis${name}`] = { ...axis_layout(x, { domain: place.x, anchor: `y${name}`, showgrid: false, ...(flat ? { constrain: 'domain' } : {}), nticks: Math.min(ticks.x, alone ? 8 : on_paper ? 4 : 5), tickangle: 0, ...(alone ? {} : { title: undefined }) }, alone ? made.panel : Infinity),
         range: range(x, map.x), autorange: false };
-      extra[`yaxis${name}`] = { ...axis_layout(y, { domain: place.y, anchor: `x${name}`, showgrid: false, nticks: 6, ...(alone ? {} : { title: undefined }),
+      extra[`yaxis${name}`] = { ...axis_layout(y, { domain: place.y, anchor: `x${name}`, showgrid: false, nticks: Math.min(ticks.y, 6), ...(alone ? {} : { title: undefined }),
         ...(y.equal_scale && x.factor === y.factor ? { scaleanchor: `x${name}`, constrain: 'domain' } : {}) }, made.panel_height), range: range(y, map.y), autorange: false };
       if (x.logarithmic) Object.assign(extra[`xaxis${name}`], { autorange: true });
       if (y.logarithmic) Object.assign(extra[`yaxis${name}`], { autorange: true });
@@ -159,7 +168,7 @@ const analysis_panels = (() => {
             x: 1 + (12 + (stacked ? 0 : 92 * number)) / Math.max(120, width - made.margin.l - made.margin.r), xanchor: 'left' }) } };
     });
     const inner = made.height - made.margin.t - made.margin.b;
-    return { traces, height: made.height + (narrow ? 90 : 0), paper_share: alone && !flat ? 0.72 : 1,
+    return { traces, height: made.height + (narrow ? 90 : 0), paper_share: 1,
       layout: figures.layout({ ...extra, annotations, margin: { ...made.margin, b: made.margin.b + (narrow ? 90 : 0) }, plot_bgcolor: '#ffffff', showlegend: names.length > 0,
         legend: { orientation: 'h', x: 0, xanchor: 'left', y: 1 + (titled ? 22 : 6) / inner, yanchor: 'bottom', font: { size: 12 }, bgcolor: 'rgba(255,255,255,0)' } }) };
   }

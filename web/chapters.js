@@ -6,9 +6,9 @@ const chapters = (() => {
 
   const { at, element, marked } = page;
   const titles = {
-    run: 'The record', statistics: 'Statistics of the record', profiles: 'Profiles and stresses', section: 'Across the flow: velocity and stress over the cross-section',
+    run: 'The record', course: 'The course of the flow', along: 'Along the channel', statistics: 'Statistics of the record', profiles: 'Profiles and stresses', section: 'Across the flow: velocity and stress over the cross-section',
     secondary: 'Secondary flow', bed: 'Bed and side walls', fits: 'Velocity laws, roughness and friction',
-    surface: 'Free surface', subsurface: 'Fluctuations below the surface', forces: 'Forces on bed and walls',
+    surface: 'Free surface', subsurface: 'Fluctuations below the surface', forces: 'Forces on bed, walls and bodies', particles: 'Signs of health of the particles',
   };
   const order = Object.keys(titles);
   const title_of = chapter => titles[chapter] || chapter.charAt(0).toUpperCase() + chapter.slice(1).replace(/_/g, ' ');
@@ -16,8 +16,8 @@ const chapters = (() => {
 
   function chapters_of(runs, only) {
     const found = new Set(runs.flatMap(({ analysis }) => [...analysis.figures, ...analysis.findings].map(item => item.chapter)));
-    return [...order.filter(chapter => found.has(chapter)), ...[...found].filter(chapter => !order.includes(chapter))]
-      .filter(chapter => !only || !only.length || only.includes(chapter));
+    if (only && only.length) return only.filter(chapter => found.has(chapter));
+    return [...order.filter(chapter => found.has(chapter)), ...[...found].filter(chapter => !order.includes(chapter))];
   }
 
   // A number of a finding in its readable unit, with its interval.
@@ -43,13 +43,6 @@ const chapters = (() => {
 
   const shown_unit = (unit, values) => units.scale(unit, Math.max(0, ...values.filter(finite).map(Math.abs)));
 
-  // A cell of a row in the row's unit, or in its own, named in the cell, where it is too small to be read in that.
-  function cell_in_row(si, unit, value, half) {
-    const own = shown_unit(si, [value]);
-    return own.unit !== unit.unit && finite(value) && value !== 0 && Math.abs(unit.factor * value) < 0.01 ? value_cell(value, half, own.factor, 4, own.unit)
-      : value_cell(value, half, unit.factor);
-  }
-
   const unit_tag = unit => (unit === '–' ? '' : element('span', { class: 'symbol' }, ' (', marked(unit), ')'));
 
   function findings_of_one(findings) {
@@ -57,9 +50,9 @@ const chapters = (() => {
     const rows = findings.map(finding => {
       const unit = shown_unit(finding.unit, [finding.value, finding.reference]);
       const label = element('th', { scope: 'row' }, marked(units_text(finding.label)), unit_tag(unit.unit));
-      const reference = cell_in_row(finding.unit, unit, finding.reference, null);
+      const reference = value_cell(finding.reference, null, unit.factor);
       if (finding.reference_name && finite(finding.reference)) reference.append(element('span', { class: 'explain' }, marked(units_text(finding.reference_name))));
-      return element('tr', { 'data-key': finding.key }, label, cell_in_row(finding.unit, unit, finding.value, finding.half_width), reference,
+      return element('tr', { 'data-key': finding.key }, label, value_cell(finding.value, finding.half_width, unit.factor), reference,
         element('td', { class: 'number' }, difference(finding.value, finding.reference)), element('td', { class: 'remark' }, marked(units_text(finding.remark || ''))));
     });
     return page.table(holder, ['Finding', 'Value (± 95 %)', 'Reference', 'Difference', 'Remark'], rows);
@@ -98,10 +91,10 @@ const chapters = (() => {
   function findings_table(runs, part, keys) {
     const rows = keys.map(key => {
       const known = runs.map(run => finding_of(run, key)).filter(Boolean), found = part.map(run => finding_of(run, key)), unit = shown_unit(known[0].unit, known.flatMap(finding => [finding.value, finding.reference]));
-      const unit_si = known[0].unit, labels = new Set(known.map(finding => finding.label));
+      const labels = new Set(known.map(finding => finding.label));
       const cells = found.map(finding => {
         if (!finding) return element('td', { class: 'number' }, '–');
-        const cell = cell_in_row(unit_si, unit, finding.value, finding.half_width);
+        const cell = value_cell(finding.value, finding.half_width, unit.factor);
         if (labels.size > 1) cell.append(element('span', { class: 'explain' }, marked(units_text(finding.label))));
         if (finite(finding.reference)) {
           cell.append(element('span', { class: 'explain' }, marked(`${figures.significant(unit.factor * finding.reference, 3)}, ${difference(finding.value, finding.reference)}`)));
@@ -181,12 +174,14 @@ const chapters = (() => {
       return;
     }
     const has_maps = entries.some(entry => entry.figure.maps.length), several = entries.length > 1;
-    const long = entries.some(entry => entry.figure.x.unit === 's' && !entry.figure.x.logarithmic && entry.figure.curves.some(curve => curve.x.length > 300 && curve.mark === 'line'));
+    // Records in time and profiles along the channel need the whole width.
+    const long = entries.some(({ figure: { x, curves } }) => !x.logarithmic && ((x.unit === 's' && curves.some(curve => curve.x.length > 300 && curve.mark === 'line'))
+      || (x.unit === 'm' && /along the channel/.test(x.label) && curves.length > 0)));
     let panels = several && layout === 'panels';
     const wide = () => figure.classList.toggle('wide', has_maps || long || panels);
     wide();
     const build = (width, on_paper) => (has_maps ? analysis_panels.maps(entries.filter(entry => entry.figure.maps.length), width, on_paper)
-      : panels ? analysis_panels.curves(entries, width, on_paper) : analysis_figures.single(entries, width));
+      : panels ? analysis_panels.curves(entries, width, on_paper) : analysis_figures.single(entries, width, on_paper));
     let choices = null;
     if (several && !has_maps) {
       choices = element('div', { class: 'choices', role: 'group', 'aria-label': 'How the runs are shown' });
@@ -215,10 +210,10 @@ const chapters = (() => {
   }
 
   // Sections of all chapters, appended to `where`. options: layout ('overlay', 'panels'), only (these chapters; all
-  // without), skip (keys of figures that the page shows already), prefix of the sections' names, level of their headings.
+  // without), in this order, prefix of the sections' names, level of their headings.
   function add(where, runs, options = {}) {
     for (const chapter of chapters_of(runs, options.only)) {
-      const keys = [...new Set(runs.flatMap(({ analysis }) => analysis.figures.filter(figure => figure.chapter === chapter).map(figure => figure.key)))].filter(key => !(options.skip || []).includes(key));
+      const keys = [...new Set(runs.flatMap(({ analysis }) => analysis.figures.filter(figure => figure.chapter === chapter).map(figure => figure.key)))];
       const section = element('section', { id: `${options.prefix || 'chapter-'}${chapter}`, class: 'chapter' }, element(options.level || 'h2', {}, title_of(chapter)));
       where.append(section);
       if (runs.length === 1) {
@@ -231,10 +226,16 @@ const chapters = (() => {
     }
   }
 
+  // The figures of a chapter without heading and findings.
+  function figures_of(where, runs, chapter) {
+    const keys = runs.flatMap(({ analysis }) => analysis.figures.filter(figure => figure.chapter === chapter).map(figure => figure.key));
+    for (const key of new Set(keys)) add_figure(where, runs, key);
+  }
+
   function warnings(where, runs) {
     const list = runs.flatMap(({ name, analysis }) => (analysis.warnings || []).map(text => (runs.length > 1 ? `${name}: ${text}` : text)));
     if (list.length) where.append(element('div', { class: 'warnings' }, element('b', {}, 'The analysis warns:'), element('ul', {}, ...list.map(text => element('li', {}, text)))));
   }
 
-  return { add, add_figure, warnings, run_heading, value_cell, difference, titles };
+  return { add, figures_of, add_figure, warnings, run_heading, value_cell, difference, titles };
 })();

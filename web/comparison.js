@@ -106,5 +106,6 @@
   differences();
   summary();
   sets();
+  page.sources(data.references);
   page.contents();
 })();

@@ -102,20 +102,26 @@ const page = (() => {
   function plain(figure, id, name, built, files) {
     const plot = element('div', { class: 'plot', id: `plot-${id}`, role: 'img', 'aria-label': name });
     figure.append(plot);
-    // Paper and telephones get smaller letters; paper lower figures too, so that two rows share a page.
+    // Paper and telephones get smaller letters; paper lower figures too, so that three rows share a page.
     const show = () => {
       const width = width_of(plot), small = width < 400, made = typeof built === 'function' ? built(width, on_paper) : built;
       const font = { ...made.layout.font, size: small ? 11.5 : 13 };
       const legends = Object.fromEntries(Object.entries(made.layout).filter(([key]) => key.startsWith('legend'))
         .map(([key, legend]) => [key, { ...legend, maxheight: 2000, font: { size: small ? 10.5 : 12 } }]));
       const legend = made.legend_height || 0;  // as high on paper as on the screen
-      const height = Math.round(on_paper ? (made.paper_share || 0.76) * (made.height - legend) + legend : made.height);
+      const height = Math.round(on_paper ? (made.paper_share || 0.58) * (made.height - legend) + legend : made.height);
       return Plotly.react(plot, made.traces, { ...made.layout, ...legends, font, width, height }, config);
     };
     const entry = { plot, show, is_drawn: false };
     watch(entry, built.height || 420);
     return { plot, draw: () => draw(entry), redraw: () => (entry.is_drawn ? show() : draw(entry)),
-      add_tools: () => tools(figure, plot, id, files || save.files_of_plot(plot, id), () => draw(entry)) };
+      add_tools: () => tools(figure, plot, id, files, () => draw(entry)) };
+  }
+
+  // The publications that the page refers to by short names.
+  function sources(references) {
+    if (!references.length) { at('sources').remove(); return; }
+    for (const { name, citation } of references) at('sources-list').append(element('dt', {}, name), element('dd', {}, citation));
   }
 
   function contents() {
@@ -146,5 +152,5 @@ const page = (() => {
     refit();
   });
 
-  return { at, element, marked, table, parts, config, frame, missing, caption, tools, plain, watch, width_of, contents };
+  return { at, element, marked, table, parts, config, frame, missing, caption, tools, plain, watch, width_of, sources, contents };
 })();

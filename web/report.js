@@ -1,9 +1,11 @@
-// Puts the page together from the data block: verdict, tables, figures, case.
+// Puts the page together from the data block and the analysis: verdict, tables, chapters with their figures, picture of
+// the flow field, case.
 
 (() => {
   'use strict';
 
   const data = JSON.parse(document.getElementById('report-data').textContent);
+  const analyses = JSON.parse(document.getElementById('analysis-data').textContent).analyses;
   const { at, element, marked } = page;
   const number = figures.significant;
 
@@ -47,10 +49,13 @@
     return made;
   }
 
+  // The table has the columns that any of its rows has a value for.
   function summary() {
+    if (!data.quantities.length) { at('summary').remove(); return; }
+    const beside = [['measured', 'Measured'], ['column', data.twin], ['theory', 'Theory']].filter(([key]) => data.quantities.some(row => row[key]));
     const table = at('summary-table');
     const head = element('tr');
-    for (const text of ['Quantity', 'Simulated (± 95 %)', 'Measured', 'Difference', 'Column twin', 'Difference']) {
+    for (const text of ['Quantity', 'Simulated (± 95 %)', ...beside.flatMap(([, name]) => [name, 'Difference'])]) {
       const cell = element('th', { scope: 'col' });
       cell.textContent = text;
       head.append(cell);
@@ -61,8 +66,8 @@
       const label = element('th', { scope: 'row' }, row.label);
       if (row.symbol) label.append(' ', element('span', { class: 'symbol' }, marked(row.symbol)));
       if (row.unit !== '1') label.append(element('span', { class: 'symbol' }, ' (', marked(row.unit), ')'));
-      line.append(label, value(row.simulated, row.digits, row.factor), value(row.measured, row.digits, row.factor), difference(row.simulated, row.measured),
-        value(row.column, row.digits, row.factor), difference(row.simulated, row.column));
+      line.append(label, value(row.simulated, row.digits, row.factor),
+        ...beside.flatMap(([key]) => [value(row[key], row.digits, row.factor), difference(row.simulated, row[key])]));
       body.append(line);
     }
     table.append(element('thead', {}, head), body);
@@ -91,31 +96,22 @@
     table.append(element('thead', {}, head), body);
   }
 
-  const missing = (figure, id, name) =>
-    page.missing(figure, `${name}: ${data.notes[id] || 'the results file does not hold the data for this figure.'}`);
-
-  function plain(id, where, name, builder) {
-    const figure = page.frame(id, where, name), built = builder(data);
-    if (!built) { missing(figure, id, name); return false; }
-    const made = page.plain(figure, id, name, built);
-    page.caption(figure, marked(built.caption));
-    made.add_tools();
-    return true;
-  }
-
   function particles() {
     const figure = page.frame('field', 'field-figures', 'Flow field');
-    if (!data.snapshot || !field.available(data.snapshot).length) { missing(figure, 'field', 'Flow field'); return; }
-    const choices = element('div', { class: 'choices', role: 'group', 'aria-label': 'Quantity shown' });
+    if (!data.field || !field.available(data.field).length) {
+      page.missing(figure, 'Flow field: the results file holds no snapshot ([output] snapshot_interval sets how often one is kept).');
+      return;
+    }
+    const choices = element('div', { class: 'choices', role: 'group', 'aria-label': 'Quantity and time shown' });
     const plot = element('div', { class: 'plot', id: 'plot-field', role: 'img', 'aria-label': 'Flow field' });
     const readout = element('p', { class: 'readout' });
     figure.append(choices, plot, readout);
     page.caption(figure, marked(field.caption(data)));
-    let show = null;
+    let drawn = null;
     page.watch({ plot, is_drawn: false, show: () => {
-      if (show) show(); else show = field.draw(data, plot, choices, readout, page.config, () => page.width_of(plot));
+      if (drawn) drawn.show(); else drawn = field.draw(data, plot, choices, readout, page.config, () => page.width_of(plot));
     } }, 260);
-    page.tools(figure, plot, 'field', [{ name: 'field.csv', button: 'CSV', content: () => field.csv(data.snapshot) }]);
+    page.tools(figure, plot, 'field', [{ name: 'field.csv', button: 'CSV', content: () => field.csv(data, drawn ? drawn.frame() : data.field.frames.length - 1) }]);
   }
 
   function facts() {
@@ -141,35 +137,17 @@
 
   verdict();
   summary();
-  // Each thing once: what the page shows itself does not appear again among the figures of the analysis; what it leaves
-  // to those it does not draw.
-  const analyses = JSON.parse(at('analysis-data').textContent).analyses;
-  const analysed = key => analyses.some(({ figures: all }) => all.some(figure => figure.key === key && !figure.missing));
-  const shown = [];
-  const own = (id, where, name, builder, key) => { if (plain(id, where, name, builder)) shown.push(key); };
-  own('velocity', 'profile-figures', 'Velocity profile', figures.velocity, 'velocity_profile');
-  own('log-law', 'profile-figures', 'Logarithmic profile', figures.logLaw, 'log_law');
-  own('gradient', 'profile-figures', 'Velocity gradient', figures.gradient, 'velocity_gradient_profile');
-  const departs = plain('deviation', 'profile-figures', 'Departure from the column twin', figures.deviation);
-  own('stress', 'profile-figures', 'Shear stress', figures.stress, 'stress_profile');
-  own('pressure', 'profile-figures', 'Pressure', figures.pressure, 'pressure_profile');
-  const forces = !analysed('force_history');
-  own('history', 'history-figures', forces ? 'History of velocity, forces and level' : 'History of velocity and level',
-    series => figures.history(series, forces), 'velocity_history');
+  const runs = analyses.map((analysis, index) => ({ name: analysis.name, index, analysis }));
+  const { first, then } = data.chapters, health = 'particles';
+  const found = [...new Set(analyses.flatMap(analysis => [...analysis.figures, ...analysis.findings].map(({ chapter }) => chapter)))];
+  chapters.add(at('first-chapters'), runs, { only: first });
   particles();
-  if (!analysed('surface_map')) own('surface', 'field-figures', 'Surface elevation in space and time', figures.surface, 'surface_map');
-  // The departure from the column twin once, too: in the analysis then only that from the measured profile.
-  const drawn = figure => (departs && figure.key === 'velocity_error_profile' ? { ...figure,
-    curves: figure.curves.filter(({ origin }) => origin !== 'column'),
-    caption: `${figure.caption} That from the column twin stands among the profiles over the depth.` } : figure);
-  const runs = analyses.map((analysis, index) => ({ name: analysis.name, index, analysis: { ...analysis,
-    figures: analysis.figures.map(drawn).filter(({ missing: why, curves, maps }) => why || curves.length || maps.length) } }));
   chapters.warnings(at('chapters'), runs);
-  chapters.add(at('chapters'), runs, { skip: shown });
+  chapters.add(at('chapters'), runs, { only: [...then, ...found.filter(name => ![...first, ...then, health].includes(name))] });
   diagnostics();
-  plain('health', 'diagnostic-figures', 'Signs of health over time', figures.health);
+  if (found.includes(health)) chapters.figures_of(at('diagnostic-figures'), runs, health);
   facts();
+  page.sources(data.references);
   caseText();
   page.contents();
-
 })();

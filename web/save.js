@@ -67,28 +67,5 @@ const save = (() => {
     return files;
   }
 
-  // Title of an axis as plain text.
-  function plain_title(axis, otherwise) {
-    const holder = document.createElement('span');
-    holder.innerHTML = (axis && axis.title && axis.title.text) || otherwise;
-    return holder.textContent.replace(/\s+/g, ' ').trim();
-  }
-
-  // The data of a drawn figure that has no source of its own: each of its curves with the titles of its axes.
-  function files_of_plot(plot, name) {
-    return [{ name: `${name}.csv`, button: 'CSV', content: () => {
-      const list = [['curve', 'horizontal axis', 'vertical axis', 'x', 'y', 'value']];
-      for (const trace of plot.data) {
-        if (trace.hoverinfo === 'skip' && trace.fill) continue;
-        const full = plot._fullLayout, x_axis = full[(trace.xaxis || 'x').replace('x', 'xaxis')], y_axis = full[(trace.yaxis || 'y').replace('y', 'yaxis')];
-        const matching = Object.keys(full).filter(key => /^xaxis/.test(key) && full[key].title && full[key].title.text).pop();
-        const start = [plain_title({ title: { text: trace.name || '' } }, ''), plain_title(x_axis, plain_title(full[matching], 'x')), plain_title(y_axis, plain_title(full.yaxis, 'y'))];
-        if (trace.z) trace.z.forEach((line, j) => line.forEach((value, i) => list.push([...start, trace.x[i], trace.y[j], value])));
-        else (trace.x || []).forEach((x, i) => { if (x !== null) list.push([...start, x, trace.y[i], '']); });
-      }
-      return rows(list);
-    } }];
-  }
-
-  return { text, picture, rows, heading, comment, files_of_figure, files_of_plot };
+  return { text, picture, rows, heading, comment, files_of_figure };
 })();

@@ -43,6 +43,9 @@
     document.documentElement.dataset.state = unreadable ? 'unreadable' : status.state;
     say('state-headline', headline);
     say('state-reason', tidy(status.reason));
+    const log = status.log || [];
+    at('log').hidden = !log.length;
+    say('log-text', log.join('\n'));
     say('source', `Results: ${status.results}. This page only reads; closing it does not disturb the run.`);
     const p = data && data.progress;
     const name = data && data.title ? `${data.title} – Riffle` : 'Riffle watch';
@@ -161,34 +164,51 @@
   const config = { responsive: false, displaylogo: false, displayModeBar: 'hover',
     modeBarButtonsToRemove: ['select2d', 'lasso2d', 'autoScale2d'] };
 
-  const plots = [
-    ['history', 'history-figures', 'History of velocity, forces and level', figures.history],
-    ['velocity', 'profile-figures', 'Velocity profile', figures.velocity],
-    ['deviation', 'profile-figures', 'Departure from the column twin', figures.deviation],
-    ['surface', 'surface-figures', 'Surface elevation in space and time', figures.surface],
-    ['health', 'health-figures', 'Signs of health over time', figures.health],
-  ];
+  // The figures of the chapters that follow a run, in this order; the health of its particles stands with its diagnostics.
+  const chapters_shown = ['along', 'course', 'statistics', 'profiles', 'particles'];
+  const left_out = new Set(['velocity_settling', 'velocity_autocorrelation', 'msep_profile', 'turbulence_intensity_profile', 'eddy_viscosity_profile', 'velocity_gradient_profile']);
 
-  // Draw a figure, or say why it cannot be drawn; zoom and hidden curves stay as the reader left them.
-  function draw([id, where, name, builder]) {
-    let figure = at(`figure-${id}`);
-    if (!figure) {
-      figure = element('figure', { id: `figure-${id}` });
-      at(where).append(figure);
-    }
-    const built = builder(data.report), old = figure.querySelector('.plot');
-    if (!built) {
-      if (old) Plotly.purge(old);
-      figure.replaceChildren(element('p', { class: 'note' },
-        `${name}: ${data.report.notes[id] || 'the results file does not hold the data for this figure yet.'}`));
+  // Draw a figure, or take it away where it cannot be drawn; zoom and hidden curves stay as the reader left them.
+  function draw(figure) {
+    const id = `figure-${figure.key}`;
+    let holder = at(id);
+    if (figure.missing || !(figure.curves.length || figure.maps.length)) {
+      if (holder) { Plotly.purge(holder.querySelector('.plot')); holder.remove(); }
       return;
     }
-    const plot = old || element('div', { class: 'plot', id: `plot-${id}`, role: 'img', 'aria-label': name });
-    if (!old) figure.replaceChildren(plot, element('figcaption'));
-    figure.querySelector('figcaption').replaceChildren(marked(built.caption));
-    const small = plot.clientWidth < 400;
-    Plotly.react(plot, built.traces, { ...built.layout, uirevision: 'kept', width: plot.clientWidth, height: built.height,
-      font: { ...built.layout.font, size: small ? 11.5 : 13 } }, config);
+    if (!holder) {
+      holder = element('figure', { id });
+      const wide = figure.maps.length || figure.x.unit === 's' || /along the channel/.test(figure.x.label);
+      if (wide) holder.classList.add('wide');
+      at(figure.chapter === 'particles' ? 'health-figures' : 'flow-figures').append(holder);
+      holder.append(element('div', { class: 'plot', id: `plot-${figure.key}`, role: 'img', 'aria-label': figure.title }), element('figcaption'));
+    }
+    holder.querySelector('figcaption').replaceChildren(element('b', {}, `${figure.title}. `), marked(units.symbols(figure.caption)));
+    const plot = holder.querySelector('.plot'), width = plot.clientWidth, entries = [{ figure, run: '', index: 0 }];
+    const built = figure.maps.length ? analysis_panels.maps(entries, width, false) : analysis_figures.single(entries, width);
+    Plotly.react(plot, built.traces, { ...built.layout, uirevision: 'kept', width, height: built.height,
+      font: { ...built.layout.font, size: width < 400 ? 11.5 : 13 } }, config);
+  }
+
+  function draw_all() {
+    const { figures: all } = data.analyses.analyses[0];
+    for (const chapter of chapters_shown) all.filter(figure => figure.chapter === chapter && !left_out.has(figure.key)).forEach(draw);
+    const drawn = at('flow-figures').children.length > 0;
+    at('flow-note').textContent = drawn ? '' : 'Nothing has been recorded yet: the figures come with the first write of the run.';
+  }
+
+  // The newest snapshot, drawn anew when there is another one.
+  let shown_time = null;
+  function draw_field() {
+    const picture = data.report.field, holder = at('field-figures');
+    at('field').hidden = !picture;
+    if (!picture) return;
+    const { time } = picture.frames[picture.frames.length - 1];
+    if (time === shown_time) return;
+    shown_time = time;
+    const choices = element('div', { class: 'choices', role: 'group', 'aria-label': 'Quantity shown' }), plot = element('div', { class: 'plot', id: 'plot-field' }), readout = element('p', { class: 'readout' });
+    holder.replaceChildren(element('figure', { id: 'figure-field' }, choices, plot, readout, element('figcaption', {}, marked(field.caption(data.report)))));
+    field.draw(data.report, plot, choices, readout, config, () => plot.clientWidth);
   }
 
   function show_data() {
@@ -200,9 +220,11 @@
     say('title', data.title);
     say('kicker', data.report.kicker);
     show_progress();
+    at('convergence').hidden = !data.progress.until_converged && data.progress.relaxation_time === null;
     show_convergence();
     show_health();
-    plots.forEach(draw);
+    draw_all();
+    draw_field();
   }
 
   let revision = null;
@@ -243,7 +265,7 @@
   let waiting = 0;
   addEventListener('resize', () => {
     clearTimeout(waiting);
-    waiting = setTimeout(() => { if (data && data.progress) plots.forEach(draw); }, 150);
+    waiting = setTimeout(() => { if (data && data.progress) draw_all(); }, 150);
   });
   follow();
 })();

@@ -10,6 +10,9 @@ _LISTS = {
 
 _PLACES = ("x", "y", "z")
 
+# Arrays of a snapshot that are not of its particles, where solids move.
+_OF_BOUNDARIES = {"wall_position": ("wall", "axis"), "solid_vertices": ("vertex", "axis")}
+
 # Dimensions of the fields over places of a group; its arrays of these names are their coordinates.
 _FIELDS = {
     "mean_field": ("time", "z", "y", "x"),
@@ -32,7 +35,7 @@ def dimensions(kind, group, arrays):
     if kind == "probes":
         return _of_probe(group, arrays)
     first, coordinates = _LISTS[kind]
-    return {name: (first, "axis")[:array.ndim] for name, array in arrays.items()}, coordinates
+    return {name: _OF_BOUNDARIES.get(name, (first, "axis"))[:array.ndim] for name, array in arrays.items()}, coordinates
 
 
 def _of_probe(group, arrays):

@@ -69,15 +69,24 @@ Json map_json(const ColourMap& map) {
     return json;
 }
 
+Json guide_json(const Guide& guide) {
+    return {{"name", guide.name},
+            {"axis", guide.on_x ? "x" : "y"},
+            {"from", number(guide.from)},
+            {"to", number(guide.to)}};
+}
+
 Json figure_json(const Figure& figure) {
     Json curves = Json::array();
     for (const Curve& curve : figure.curves) curves.push_back(curve_json(curve));
     Json maps = Json::array();
     for (const ColourMap& map : figure.maps) maps.push_back(map_json(map));
-    return {{"key", figure.key},         {"chapter", figure.chapter}, {"title", figure.title},
-            {"caption", figure.caption}, {"source", figure.source},   {"missing", figure.missing},
-            {"x", axis_json(figure.x)},  {"y", axis_json(figure.y)},  {"curves", std::move(curves)},
-            {"maps", std::move(maps)}};
+    Json guides = Json::array();
+    for (const Guide& guide : figure.guides) guides.push_back(guide_json(guide));
+    return {{"key", figure.key},         {"chapter", figure.chapter},  {"title", figure.title},
+            {"caption", figure.caption}, {"source", figure.source},    {"missing", figure.missing},
+            {"x", axis_json(figure.x)},  {"y", axis_json(figure.y)},   {"curves", std::move(curves)},
+            {"maps", std::move(maps)},   {"guides", std::move(guides)}};
 }
 
 Json finding_json(const Finding& finding) {
@@ -125,9 +134,11 @@ const char* word(Mark mark) {
         case Mark::line_and_points:
             return "line_and_points";
         case Mark::bars:
+            return "bars";
+        case Mark::area:
             break;
     }
-    return "bars";
+    return "area";
 }
 
 std::string analysis_to_json(const std::vector<Analysis>& analyses, int indent) {

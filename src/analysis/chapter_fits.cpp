@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "analysis/chapters.hpp"
@@ -111,6 +113,17 @@ void add_log_law(const FlowRecord& record, const FittedFlow& flow, Figure& laws,
                                            record.origin(), flow.points, fit.friction_velocity,
                                            fit.equivalent_roughness));
     const FlowRecord::Measured& measured = record.measured();
+    if (record.column() != nullptr && !c.has_side_walls()) {
+        // The twin over the simulated scales, so that differences stay visible.
+        const ColumnProfile& column = record.column()->profile;
+        constexpr std::size_t most = 300;
+        Curve twin = scaled_profile(
+            "column twin", Origin::column,
+            {thinned(column.z, most), thinned(column.velocity, most), {}, flow.points.zero_plane},
+            fit.friction_velocity, fit.equivalent_roughness);
+        twin.mark = Mark::line;
+        figure.curves.push_back(std::move(twin));
+    }
     if (!measured.from_law && !measured.profile.height.empty() && c.measured.friction_velocity &&
         c.measured.equivalent_roughness) {
         const VelocityPoints points{
@@ -119,6 +132,9 @@ void add_log_law(const FlowRecord& record, const FittedFlow& flow, Figure& laws,
                                                *c.measured.friction_velocity,
                                                *c.measured.equivalent_roughness));
     }
+    figure.guides.push_back({"fitted range", true,
+                             (fit.from - flow.points.zero_plane) / fit.equivalent_roughness,
+                             (fit.to - flow.points.zero_plane) / fit.equivalent_roughness});
     const double low = std::max(0.02, (fit.from - flow.points.zero_plane) / fit.equivalent_roughness);
     const double high = flow.depth / fit.equivalent_roughness;
     figure.curves.push_back(make_curve("rough log law (2.3)", Origin::theory, Mark::line, {low, high},
@@ -211,21 +227,78 @@ void add_other_laws(const FittedFlow& flow, double viscosity, Figure& laws, Anal
     }
 }
 
-void add_stress_velocity(const FlowRecord& record, FittedFlow& flow, Analysis& analysis) {
-    const Case& c = *record.flow();
-    const std::optional<StressLine> line = fit_stress_line(c, record.profiles());
-    if (!line || line->crest_stress <= 0.0) return;
+/// Friction velocity of a line of stress, with its half-width.
+std::optional<std::pair<double, double>> friction_of(const Case& c, const std::optional<StressLine>& line) {
+    if (!line || line->crest_stress <= 0.0) return std::nullopt;
     const double velocity = std::sqrt(line->crest_stress / c.fluid.density);
-    const double half_width = 0.5 * velocity * line->half_width / line->crest_stress;
-    flow.friction_velocity = velocity;
-    flow.friction_velocity_half_width = half_width;
-    analysis.findings.push_back(
-        against(make_finding(chapter, "friction_velocity", "friction velocity u*, stress at the crests",
-                             "m/s", velocity, half_width),
-                c.measured.friction_velocity, measured_name(c),
-                c.measured.friction_velocity ? "measured u* is sqrt(g h_w S0); at the crests the depth above "
-                                               "them carries the stress, sqrt(g (h_w - 4 mm) S0)"
-                                             : ""));
+    return std::pair{velocity, 0.5 * velocity * line->half_width / line->crest_stress};
+}
+
+/// Total stress over the height around the centreline; empty without a mean field.
+SectionProfile centreline_stress(const FlowRecord& record) {
+    const Case& c = *record.flow();
+    if (record.mean_field().empty()) return {};
+    return strip_profile(record.mean_field(), centreline_strip(c),
+                         [&](const FieldSums& s) { return total_stress(s, c.fluid.density, false); });
+}
+
+/// `at_centreline`: the velocities are those around the centreline of a channel with side walls.
+void add_stress_velocity(const FlowRecord& record, bool at_centreline, FittedFlow& flow, Analysis& analysis) {
+    const Case& c = *record.flow();
+    const auto whole = friction_of(c, fit_stress_line(c, record.profiles()));
+    std::optional<std::pair<double, double>> found = whole;
+    if (at_centreline) {
+        const SectionProfile stress = centreline_stress(record);
+        found = friction_of(c, fit_stress_line(c, stress.z, stress.value));
+    }
+    if (found) {
+        flow.friction_velocity = found->first;
+        flow.friction_velocity_half_width = found->second;
+        std::string remark = c.measured.friction_velocity
+                                 ? "measured u* is sqrt(g h_w S0); at the crests the depth above "
+                                   "them carries the stress, sqrt(g (h_w - 4 mm) S0)"
+                                 : "";
+        if (at_centreline) {
+            remark += (remark.empty() ? "" : "; ") +
+                      std::string("beside the walls stress on upright planes carries a part of the weight");
+        }
+        analysis.findings.push_back(against(
+            make_finding(chapter, "friction_velocity",
+                         at_centreline ? "friction velocity u*, stress at the crests around the centreline"
+                                       : "friction velocity u*, stress at the crests",
+                         "m/s", found->first, found->second),
+            c.measured.friction_velocity, measured_name(c), remark));
+    }
+    if (at_centreline && whole) {
+        analysis.findings.push_back(make_finding(chapter, "width_friction_velocity",
+                                                 "the same of the mean stress over the width", "m/s",
+                                                 whole->first, whole->second));
+    }
+}
+
+/// The fits of the section twin's own profile around the centreline: what the run's would be without error.
+void add_section_twin_fits(const FlowRecord& record, const FittedFlow& flow, Analysis& analysis) {
+    const Case& c = *record.flow();
+    const SectionTwin& twin = record.section_twin();
+    if (twin.empty()) return;
+    const Strip strip = centreline_strip(c);
+    const std::vector<double> velocity = twin_profile(twin, twin.velocity, strip);
+    const LogLawFit fit =
+        fit_log_law(VelocityPoints{twin.z, velocity, {}, c.datum()}, log_law_kappa, flow.log_law_range);
+    if (fit.valid) {
+        analysis.findings.push_back(make_finding(chapter, "section_twin_log_law_friction_velocity",
+                                                 "u* of the section twin at the centreline, log-law fit",
+                                                 "m/s", fit.friction_velocity));
+        analysis.findings.push_back(make_finding(chapter, "section_twin_equivalent_roughness",
+                                                 "ks of the section twin at the centreline, log-law fit", "m",
+                                                 fit.equivalent_roughness));
+    }
+    if (const auto stress =
+            friction_of(c, fit_stress_line(c, twin.z, twin_profile(twin, twin.shear_stress, strip)))) {
+        analysis.findings.push_back(make_finding(
+            chapter, "section_twin_friction_velocity",
+            "u* of the section twin at the centreline, stress at the crests", "m/s", stress->first));
+    }
 }
 
 void add_kappa(const FlowRecord& record, const FittedFlow& flow, Analysis& analysis) {
@@ -278,7 +351,8 @@ void analyse_fits(const FlowRecord& record, Analysis& analysis) {
     flow.log_law_range = {range.from, range.to};
     flow.depth = c.channel.depth;
     flow.whole_range = {c.crest(), c.datum() + 0.98 * c.channel.depth};
-    add_stress_velocity(record, flow, analysis);
+    add_stress_velocity(record, !centreline.z.empty(), flow, analysis);
+    if (!centreline.z.empty()) add_section_twin_fits(record, flow, analysis);
     Figure laws = laws_figure(record, flow);
     add_log_law(record, flow, laws, analysis);
     add_other_laws(flow, c.fluid.kinematic_viscosity, laws, analysis);

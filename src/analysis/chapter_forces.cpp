@@ -35,11 +35,23 @@ void add_instruments(const FlowRecord& record, const char* kind, Figure figure, 
     Figure normal = figure;
     normal.key += "_wall_normal";
     normal.title = "Force normal to the walls";
+    // And the bodies have their own.
+    Figure solids = figure;
+    solids.key = "solid_forces";
+    solids.title = "Forces on the bodies";
+    solids.caption = fmt::format(
+        "Forces of the water on each solid, {}: downstream, of that by the pressure on its faces (form "
+        "drag), and away "
+        "from the bed; the weight of still water on their tops is in them.",
+        figure.y.unit == "N" ? "of the whole channel" : "per unit width");
+    solids.source = "";
     constexpr std::size_t most = 3000;
     int variant = 0;
     for (const ScalarProbe& probe : record.scalar_probes()) {
         if (probe.kind != kind || probe.unit != figure.y.unit || probe.value.size() < 2) continue;
-        (probe.quantity.find("normal") != std::string::npos ? normal : figure)
+        (probe.quantity.rfind("solid_", 0) == 0               ? solids
+         : probe.quantity.find("normal") != std::string::npos ? normal
+                                                              : figure)
             .curves.push_back(make_curve(probe.label, record.origin(), Mark::line, thinned(probe.time, most),
                                          thinned(probe.value, most), variant++));
         const MeanEstimate mean = mean_with_confidence(probe.value);
@@ -51,8 +63,38 @@ void add_instruments(const FlowRecord& record, const char* kind, Figure figure, 
             finding.remark += fmt::format("; standard deviation {:.3g}", mean.standard_deviation);
         analysis.findings.push_back(std::move(finding));
     }
+    if (!solids.curves.empty()) analysis.figures.push_back(std::move(solids));
     if (!figure.curves.empty()) analysis.figures.push_back(std::move(figure));
     if (!normal.curves.empty()) analysis.figures.push_back(std::move(normal));
+}
+
+/// Means of the forces on all solids and of their pressure's part over the weight component, from the first
+/// instrument that has them.
+void add_solid_shares(const FlowRecord& record, Analysis& analysis) {
+    const ScalarProbe* weight = nullptr;
+    for (const ScalarProbe& probe : record.scalar_probes()) {
+        if (probe.quantity == "weight_component" && weight == nullptr) weight = &probe;
+    }
+    if (weight == nullptr || weight->value.size() < 2) return;
+    const MeanEstimate whole = mean_with_confidence(weight->value);
+    if (!(whole.mean > 0.0)) return;
+    const auto add = [&](const char* prefix, const char* key, const char* label) {
+        std::vector<double> sum;
+        for (const ScalarProbe& probe : record.scalar_probes()) {
+            if (probe.name != weight->name || probe.quantity.rfind(prefix, 0) != 0 ||
+                probe.value.size() != weight->value.size()) {
+                continue;
+            }
+            sum.resize(probe.value.size(), 0.0);
+            for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += probe.value[i];
+        }
+        if (sum.empty()) return;
+        const MeanEstimate mean = mean_with_confidence(sum);
+        analysis.findings.push_back(
+            make_finding(chapter, key, label, "1", mean.mean / whole.mean, mean.half_width / whole.mean));
+    };
+    add("solid_force_", "solid_force_share", "force on the bodies over the weight component");
+    add("solid_form_drag_", "solid_form_drag_share", "form drag of the bodies over the weight component");
 }
 
 }  // namespace
@@ -86,6 +128,8 @@ void analyse_forces(const FlowRecord& record, Analysis& analysis) {
                     c.has_side_walls() ? ", drag of the side walls" : ""),
         "thesis (2.16), (4.3), bed stress of chapter 4", make_axis("time t", "s"),
         make_axis("force over weight component", "1"));
+    if (is_undriven(flow_kind(c))) return;
+    add_solid_shares(record, analysis);
     const SeriesTable& series = record.series();
     const auto time = series.find("time");
     if (time == series.end() || time->second.empty() || c.channel.slope <= 0.0) {
@@ -158,6 +202,7 @@ void analyse_forces(const FlowRecord& record, Analysis& analysis) {
     }
     figure.curves.push_back(make_curve("balance", Origin::theory, Mark::line,
                                        {time->second.front(), time->second.back()}, {1.0, 1.0}));
+    mark_window(record, figure);
     analysis.figures.push_back(std::move(figure));
     if (sum_of_forces.size() < 2) return;
     if (!complete) {

@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <tuple>
 
 #include "analysis/chapters.hpp"
 #include "analysis/figure_tools.hpp"
 #include "analysis/profile_parts.hpp"
+#include "analysis/section_parts.hpp"
 #include "hydraulics/profile_comparison.hpp"
 #include "hydraulics/turbulence_laws.hpp"
 #include "roughness/bed_drag.hpp"
@@ -17,6 +20,7 @@ namespace riffle {
 namespace {
 
 constexpr const char* chapter = "profiles";
+constexpr double normal_95 = 1.96;  ///< half-width of a 95 % interval over the standard uncertainty
 
 const char* own_name(const FlowRecord& record) {
     return record.origin() == Origin::simulated ? "simulated" : "measured";
@@ -28,23 +32,69 @@ Curve column_curve(const ColumnProfile& column, const std::vector<double>& value
     return profile_curve("column twin", Origin::column, thinned(values, most), thinned(column.z, most));
 }
 
+/// Whether the profiles of a run are means over a width with side walls: neither the column twin, of a wide
+/// channel, nor what was measured at the centreline is like them.
+bool between_side_walls(const FlowRecord& record) {
+    return record.origin() == Origin::simulated && record.flow() != nullptr &&
+           record.flow()->has_side_walls();
+}
+
+/// The twin beside a profile over the whole plan: the column's, between side walls the section's mean over
+/// the width.
+void add_twin(const FlowRecord& record, const std::vector<double> ColumnProfile::*of_column,
+              const std::vector<double> SectionTwin::*of_section, Figure& figure) {
+    if (!between_side_walls(record)) {
+        if (record.column() != nullptr)
+            figure.curves.push_back(
+                column_curve(record.column()->profile, record.column()->profile.*of_column));
+        return;
+    }
+    const SectionTwin& twin = record.section_twin();
+    if (twin.empty() || of_section == nullptr) return;
+    figure.curves.push_back(profile_curve(
+        "section twin, mean over the width", Origin::column,
+        twin_profile(twin, twin.*of_section, Strip{0.0, record.flow()->channel.simulated_width()}), twin.z));
+}
+
 void add_measured_points(Figure& figure, const FlowRecord::Measured& measured) {
     if (measured.profile.height.empty()) return;
     Curve curve = profile_curve(measured_curve_name(measured), Origin::measured, measured.profile.velocity,
                                 measured.profile.height, measured.from_law ? Mark::line : Mark::points);
-    for (const double uncertainty : measured.profile.uncertainty) {
-        constexpr double normal_95 = 1.96;
+    for (const double uncertainty : measured.profile.uncertainty)
         curve.x_half_width.push_back(normal_95 * uncertainty);
-    }
     figure.curves.push_back(std::move(curve));
+}
+
+/// A further measured quantity times a factor, with its 95 % half-widths where the file of the profile gives
+/// its uncertainty. Nothing where it was not measured, or not over the width that the profiles are means of.
+void add_measured_turbulence(const FlowRecord& record, ProfileQuantity quantity,
+                             std::vector<double> Profiles::*values, std::string name, double factor,
+                             int variant, Figure& figure) {
+    const FlowRecord::Measured& measured = record.measured();
+    const std::vector<double>& of = measured.turbulence.*values;
+    if (of.empty() || between_side_walls(record)) return;
+    const ProfileColumn* const column = measured.file ? measured.file->find(quantity) : nullptr;
+    const bool uncertain = column != nullptr && column->uncertainty.size() == of.size();
+    // The Reynolds stress is in Pa here and in m2/s2 in the file.
+    const double of_file = quantity == ProfileQuantity::reynolds_stress ? record.flow()->fluid.density : 1.0;
+    Curve curve = make_curve(std::move(name), Origin::measured, Mark::points, {}, {}, variant);
+    for (std::size_t i = 0; i < of.size(); ++i) {
+        if (!std::isfinite(of[i])) continue;
+        curve.x.push_back(factor * of[i]);
+        curve.y.push_back(measured.turbulence.z[i]);
+        if (uncertain)
+            curve.x_half_width.push_back(std::abs(factor * of_file) * normal_95 * column->uncertainty[i]);
+    }
+    if (!curve.x.empty()) figure.curves.push_back(std::move(curve));
 }
 
 /// What the profiles of a run are means over beside time.
 std::string bed_plane(const FlowRecord& record) {
     if (record.flow() == nullptr || record.flow()->channel.dimensions == 2) return "along the bed";
-    return record.flow()->has_side_walls()
-               ? "over the whole plan, side walls and all (the measured profile is the centreline's)"
-               : "over the whole plan";
+    return record.flow()->has_side_walls() ? "over the whole plan, side walls and all; what was measured at "
+                                             "the centreline stands beside the "
+                                             "centreline's profile, in the chapter on the cross-section"
+                                           : "over the whole plan";
 }
 
 void add_velocity(const FlowRecord& record, const Profiles& p, Analysis& analysis) {
@@ -61,9 +111,9 @@ void add_velocity(const FlowRecord& record, const Profiles& p, Analysis& analysi
         profile_curve(own_name(record), record.origin(), p.velocity, p.z, Mark::line_and_points);
     simulated.x_half_width = p.velocity_half_width;
     figure.curves.push_back(std::move(simulated));
-    if (record.column() != nullptr)
-        figure.curves.push_back(column_curve(record.column()->profile, record.column()->profile.velocity));
-    add_measured_points(figure, record.measured());
+    add_twin(record, &ColumnProfile::velocity, &SectionTwin::velocity, figure);
+    if (!between_side_walls(record)) add_measured_points(figure, record.measured());
+    mark_levels(record, figure);
     analysis.figures.push_back(std::move(figure));
 }
 
@@ -77,12 +127,9 @@ void add_gradient(const FlowRecord& record, const Profiles& p, Analysis& analysi
         return;
     }
     figure.curves.push_back(profile_curve(own_name(record), record.origin(), p.velocity_gradient, p.z));
-    if (record.column() != nullptr) {
-        figure.curves.push_back(
-            column_curve(record.column()->profile, record.column()->profile.velocity_gradient));
-    }
+    add_twin(record, &ColumnProfile::velocity_gradient, nullptr, figure);
     const FlowRecord::Measured& measured = record.measured();
-    if (measured.profile.height.size() > 1) {
+    if (measured.profile.height.size() > 1 && !between_side_walls(record)) {
         std::vector<double> height;
         std::vector<double> gradient;
         for (const ComparedPoint& point :
@@ -94,6 +141,7 @@ void add_gradient(const FlowRecord& record, const Profiles& p, Analysis& analysi
         figure.curves.push_back(profile_curve(measured_curve_name(measured), Origin::measured, gradient,
                                               height, measured.from_law ? Mark::line : Mark::points));
     }
+    mark_levels(record, figure);
     analysis.figures.push_back(std::move(figure));
 }
 
@@ -136,18 +184,58 @@ void add_stresses(const FlowRecord& record, const Profiles& p, Analysis& analysi
         figure.curves.push_back(
             profile_curve("balance with the bed drag", Origin::column, p.analytic_stress, p.bin_upper));
     }
-    const Profiles& measured = record.measured().turbulence;
-    if (!measured.reynolds_stress.empty()) {
-        figure.curves.push_back(profile_curve("measured -rho u'w'", Origin::measured,
-                                              measured.reynolds_stress, measured.z, Mark::points));
-    }
+    add_measured_turbulence(record, ProfileQuantity::reynolds_stress, &Profiles::reynolds_stress,
+                            "measured -rho u'w'", 1.0, 0, figure);
     const double bed_stress =
         crest_stress(c.fluid.density, c.streamwise_gravity(), c.total_depth(), c.crest());
     if (bed_stress > 0.0) {
         figure.curves.push_back(make_curve("analytic line (4.6)", Origin::theory, Mark::line,
                                            {bed_stress, 0.0}, {c.crest(), c.total_depth()}));
     }
+    mark_levels(record, figure);
     analysis.figures.push_back(std::move(figure));
+}
+
+/// Mean level of the surface over the window of the profiles; the depth where none was recorded.
+double mean_level_of(const FlowRecord& record, const Profiles& p) {
+    const auto time = record.series().find("time");
+    const auto level = record.series().find("mean_level");
+    double sum = 0.0;
+    double count = 0.0;
+    if (time != record.series().end() && level != record.series().end()) {
+        for (std::size_t i = 0; i < time->second.size(); ++i) {
+            if (time->second[i] < p.window_start || time->second[i] > p.window_end ||
+                !std::isfinite(level->second[i])) {
+                continue;
+            }
+            sum += level->second[i];
+            count += 1.0;
+        }
+    }
+    return count > 0.0 ? sum / count : record.flow()->total_depth();
+}
+
+/// Whether the water of a flow that nothing drives stands level on the average of the profiles' window, so
+/// that its layers have one depth.
+bool is_level(const FlowRecord& record, const Profiles& p) {
+    const SpaceTime& surface = record.surface();
+    const double depth = record.flow()->total_depth();
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (std::size_t i = 0; i < surface.columns; ++i) {
+        double sum = 0.0;
+        double count = 0.0;
+        for (std::size_t row = 0; row < surface.rows(); ++row) {
+            if (surface.times[row] < p.window_start || surface.times[row] > p.window_end) continue;
+            sum += surface.at(row, i);
+            count += 1.0;
+        }
+        if (!(count > 0.0) || !std::isfinite(sum)) return false;
+        low = std::min(low, sum / count);
+        high = std::max(high, sum / count);
+    }
+    constexpr double tolerance = 0.02;
+    return high - low < tolerance * depth;
 }
 
 void add_pressure(const FlowRecord& record, const Profiles& p, Analysis& analysis) {
@@ -160,12 +248,7 @@ void add_pressure(const FlowRecord& record, const Profiles& p, Analysis& analysi
         add_missing(record, analysis, std::move(figure), "the profiles hold no pressure");
         return;
     }
-    const std::vector<double> levels = within_window(record, "mean_level");
-    double level = c.total_depth();
-    if (!levels.empty()) {
-        level = 0.0;
-        for (const double each : levels) level += each / static_cast<double>(levels.size());
-    }
+    const double level = mean_level_of(record, p);
     const double weight = c.fluid.density * c.normal_gravity();
     std::vector<double> hydrostatic;
     double squares = 0.0;
@@ -179,8 +262,24 @@ void add_pressure(const FlowRecord& record, const Profiles& p, Analysis& analysi
     figure.curves.push_back(
         profile_curve("simulated", Origin::simulated, p.pressure, p.z, Mark::line_and_points));
     figure.curves.push_back(profile_curve("hydrostatic", Origin::theory, hydrostatic, p.z));
+    mark_levels(record, figure);
     analysis.figures.push_back(std::move(figure));
-    if (level <= 0.0) return;
+    if (!(weight * level > 0.0)) return;
+    Figure departure =
+        profile_figure("pressure_departure_profile", "Departure of the pressure from hydrostatic",
+                       "Time-mean pressure of the particles less the hydrostatic pressure below the mean "
+                       "surface level, over "
+                       "that at the bed level.",
+                       "", make_axis("pressure departure over bottom pressure", "1"));
+    std::vector<double> share;
+    for (std::size_t i = 0; i < p.z.size(); ++i)
+        share.push_back((p.pressure[i] - hydrostatic[i]) / (weight * level));
+    departure.curves.push_back(
+        profile_curve("simulated", Origin::simulated, share, p.z, Mark::line_and_points));
+    departure.curves.push_back(
+        make_curve("hydrostatic", Origin::theory, Mark::line, {0.0, 0.0}, {0.0, level}));
+    mark_levels(record, departure);
+    analysis.figures.push_back(std::move(departure));
     const double rms = std::sqrt(squares / static_cast<double>(p.z.size())) / (weight * level);
     Finding finding =
         make_finding(chapter, "pressure_departure_rms",
@@ -198,10 +297,8 @@ void add_closure(const FlowRecord& record, const Profiles& p, Analysis& analysis
         return;
     }
     figure.curves.push_back(profile_curve("simulated", Origin::simulated, p.eddy_viscosity, p.z));
-    if (record.column() != nullptr) {
-        figure.curves.push_back(
-            column_curve(record.column()->profile, record.column()->profile.eddy_viscosity));
-    }
+    add_twin(record, &ColumnProfile::eddy_viscosity, nullptr, figure);
+    mark_levels(record, figure);
     analysis.figures.push_back(std::move(figure));
 }
 
@@ -297,9 +394,16 @@ void add_intensities(const FlowRecord& record, const Profiles& p, Analysis& anal
     add("v'", record.origin(), p, p.spanwise_velocity_rms, friction_velocity, 2);
     // What was measured is scaled with its own friction velocity.
     const double of_measured = c.measured.friction_velocity.value_or(friction_velocity);
-    add("measured u'", Origin::measured, measured, measured.velocity_rms, of_measured, 0);
-    add("measured w'", Origin::measured, measured, measured.vertical_velocity_rms, of_measured, 1);
-    add("measured v'", Origin::measured, measured, measured.spanwise_velocity_rms, of_measured, 2);
+    const std::size_t measured_first = figure.curves.size();
+    add_measured_turbulence(record, ProfileQuantity::streamwise_rms, &Profiles::velocity_rms, "measured u'",
+                            1.0 / of_measured, 0, figure);
+    add_measured_turbulence(record, ProfileQuantity::vertical_rms, &Profiles::vertical_velocity_rms,
+                            "measured w'", 1.0 / of_measured, 1, figure);
+    add_measured_turbulence(record, ProfileQuantity::spanwise_rms, &Profiles::spanwise_velocity_rms,
+                            "measured v'", 1.0 / of_measured, 2, figure);
+    for (std::size_t i = measured_first; i < figure.curves.size(); ++i) {
+        for (double& z : figure.curves[i].y) z = (z - c.datum()) / c.channel.depth;
+    }
     const auto add_law = [&](const char* name, double TurbulenceIntensities::*component, int variant) {
         Curve curve = make_curve(name, Origin::theory, Mark::line, {}, {}, variant);
         constexpr int steps = 40;
@@ -334,6 +438,12 @@ std::string measured_curve_name(const FlowRecord::Measured& measured) {
 
 void analyse_profiles(const FlowRecord& record, Analysis& analysis) {
     const Profiles& p = record.profiles();
+    if (record.origin() == Origin::simulated && record.flow() != nullptr &&
+        is_undriven(flow_kind(*record.flow()))) {
+        // Layers of a flow that changes in time and place have no mean worth the name, but still water has.
+        if (!p.empty() && is_level(record, p)) add_pressure(record, p, analysis);
+        return;
+    }
     if (record.flow() == nullptr) {
         if (p.empty()) return;
         add_velocity(record, p, analysis);

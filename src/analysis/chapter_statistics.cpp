@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -56,6 +57,25 @@ void add_history(const FlowRecord& record, Analysis& analysis) {
     }
     if (record.flow()->measured.depth_mean_velocity)
         level("measured", Origin::measured, *record.flow()->measured.depth_mean_velocity);
+    mark_window(record, figure);
+    analysis.figures.push_back(std::move(figure));
+}
+
+void add_level_history(const FlowRecord& record, Analysis& analysis) {
+    const SeriesTable& series = record.series();
+    const auto time = series.find("time");
+    const auto level = series.find("mean_level");
+    if (time == series.end() || level == series.end() || time->second.size() < 2 ||
+        record.flow()->channel.top != Top::free_surface) {
+        return;
+    }
+    Figure figure = make_figure(chapter, "mean_level_history", "Mean water level against time",
+                                "Mean height of the surface above the bed level over the whole run.", "",
+                                make_axis("time t", "s"), make_axis("mean level", "m"));
+    figure.curves.push_back(make_curve("simulated", Origin::simulated, Mark::line,
+                                       thinned(time->second, most_points),
+                                       thinned(level->second, most_points)));
+    mark_window(record, figure);
     analysis.figures.push_back(std::move(figure));
 }
 
@@ -178,6 +198,34 @@ void add_centreline(const FlowRecord& record, const std::string& remark, Analysi
     }
 }
 
+/// What tells whether the window can give a mean: independent samples, how far the velocity strays, whether
+/// the particles' fluctuation still grows.
+void add_window_findings(const FlowRecord& record, const MeanEstimate& mean,
+                         const std::vector<double>& velocity, Analysis& analysis) {
+    analysis.findings.push_back(make_finding(
+        chapter, "effective_samples", "independent samples of U in the window", "1", mean.effective_samples));
+    const auto [low, high] = std::minmax_element(velocity.begin(), velocity.end());
+    if (mean.mean != 0.0) {
+        analysis.findings.push_back(make_finding(chapter, "velocity_range_in_window",
+                                                 "largest less smallest U in the window, over its mean", "1",
+                                                 (*high - *low) / std::abs(mean.mean)));
+    }
+    std::vector<double> fluctuation = within_window(record, "velocity_fluctuation");
+    if (fluctuation.size() < 3 ||
+        std::any_of(fluctuation.begin(), fluctuation.end(), [](double value) { return !(value > 0.0); }))
+        return;  // particles that move exactly as one have none that could grow
+    for (double& value : fluctuation) value = std::log(value);
+    const TrendEstimate trend = trend_with_confidence(fluctuation);
+    const auto steps = static_cast<double>(fluctuation.size() - 1);
+    const double factor = std::exp(trend.slope * steps);
+    Finding growth =
+        make_finding(chapter, "velocity_fluctuation_growth",
+                     "growth of the velocity fluctuation over the window, by the trend of its logarithm", "1",
+                     factor - 1.0, factor * (1.0 - std::exp(-trend.half_width * steps)));
+    growth.remark = "0: a flow that has come to its lasting state";
+    analysis.findings.push_back(std::move(growth));
+}
+
 void add_means(const FlowRecord& record, Analysis& analysis) {
     const Case& c = *record.flow();
     const std::vector<double> velocity = within_window(record, "depth_mean_velocity");
@@ -218,6 +266,7 @@ void add_means(const FlowRecord& record, Analysis& analysis) {
     scale.remark = fmt::format("{:.4g} effective samples in {:.4g} s", mean.effective_samples,
                                time.back() - time.front());
     analysis.findings.push_back(std::move(scale));
+    add_window_findings(record, mean, velocity, analysis);
     if (mean.effective_samples < 10.0) {
         analysis.warnings.push_back(
             fmt::format("the window holds only {:.2g} independent samples of the depth-mean velocity: its "
@@ -297,6 +346,7 @@ void analyse_statistics(const FlowRecord& record, Analysis& analysis) {
     }
     if (record.flow() == nullptr) return;
     add_history(record, analysis);
+    add_level_history(record, analysis);
     if (!record.series().empty()) add_means(record, analysis);
 }
 

@@ -12,18 +12,29 @@
 namespace riffle {
 
 std::span<const Chapter> analysis_chapters() {
+    const auto uniform = [](FlowKind kind) { return kind == FlowKind::uniform_channel; };
+    const auto bodies = [](FlowKind kind) { return kind == FlowKind::channel_with_bodies; };
     static const std::array chapters = {
-        Chapter{"statistics", "Statistics of the velocity", analyse_statistics},
+        Chapter{"course", "Course of the flow", analyse_course, is_undriven},
+        Chapter{"along", "Along the channel", analyse_along, bodies},
+        Chapter{"statistics", "Statistics of the velocity", analyse_statistics, is_channel},
         Chapter{"profiles", "Profiles", analyse_profiles},
-        Chapter{"fits", "Laws fitted to the velocity profile", analyse_fits},
-        Chapter{"surface", "Free surface", analyse_surface},
-        Chapter{"subsurface", "Velocities below the surface", analyse_subsurface},
+        Chapter{"fits", "Laws fitted to the velocity profile", analyse_fits, uniform},
+        Chapter{"surface", "Free surface", analyse_surface, is_channel},
+        Chapter{"subsurface", "Velocities below the surface", analyse_subsurface, is_channel},
         Chapter{"forces", "Forces", analyse_forces},
         Chapter{"section", "Cross-section", analyse_section},
-        Chapter{"secondary", "Secondary flow", analyse_secondary},
-        Chapter{"bed", "Bed and side walls", analyse_bed},
+        Chapter{"secondary", "Secondary flow", analyse_secondary, is_channel},
+        Chapter{"bed", "Bed and side walls", analyse_bed, uniform},
+        Chapter{"particles", "Particles", analyse_particles},
     };
     return chapters;
+}
+
+bool applies(const Chapter& chapter, const FlowRecord& record) {
+    // Of a laboratory record each chapter finds for itself what it has.
+    const bool run = record.origin() == Origin::simulated && record.flow() != nullptr;
+    return !run || chapter.applies == nullptr || chapter.applies(flow_kind(*record.flow()));
 }
 
 Analysis analyse(const FlowRecord& record, const std::string& chapter) {
@@ -40,7 +51,13 @@ Analysis analyse(const FlowRecord& record, const std::string& chapter) {
     analysis.name = record.name();
     analysis.source = record.source();
     for (const Chapter& each : chapters) {
-        if (chapter.empty() || each.name == chapter) each.analyse(record, analysis);
+        if (chapter.empty() ? !applies(each, record) : each.name != chapter) continue;
+        if (!applies(each, record)) {
+            analysis.warnings.push_back(fmt::format(
+                "the chapter {} is made for other flows than a {}: what it finds may mean nothing here",
+                each.name, flow_kind_name(flow_kind(*record.flow()))));
+        }
+        each.analyse(record, analysis);
     }
     for (const std::string& warning : record.warnings()) analysis.warnings.push_back(warning);
     return analysis;

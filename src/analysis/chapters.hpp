@@ -5,6 +5,7 @@
 
 #include "analysis/figure.hpp"
 #include "analysis/flow_record.hpp"
+#include "case/flow_kind.hpp"
 
 namespace riffle {
 
@@ -18,6 +19,13 @@ void analyse_fits(const FlowRecord& record, Analysis& analysis);
 void analyse_surface(const FlowRecord& record, Analysis& analysis);
 void analyse_subsurface(const FlowRecord& record, Analysis& analysis);
 void analyse_forces(const FlowRecord& record, Analysis& analysis);
+
+/// Of flows that nothing drives steadily: levels, fronts, modes, energy and volume in time.
+void analyse_course(const FlowRecord& record, Analysis& analysis);
+/// Of channels with bodies: bed, bodies, level and energy line along the channel.
+void analyse_along(const FlowRecord& record, Analysis& analysis);
+/// Signs of health of the particles over time.
+void analyse_particles(const FlowRecord& record, Analysis& analysis);
 
 // Of runs in three dimensions, from their mean field in cells; of other records they add nothing.
 void analyse_section(const FlowRecord& record, Analysis& analysis);
@@ -54,13 +62,20 @@ struct Chapter {
     std::string name;
     std::string title;
     void (*analyse)(const FlowRecord& record, Analysis& analysis);
+    /// Whether it has something to say of runs of this kind; null: of all.
+    bool (*applies)(FlowKind kind) = nullptr;
 };
 
 /// All chapters in the order of the analysis.
 [[nodiscard]] std::span<const Chapter> analysis_chapters();
 
-/// Analyse a record: all chapters, or the one named. Throws InputError for an unknown chapter (naming those
-/// that there are) and what reading the record throws.
+/// Whether a chapter has something to say of a record: of a run by its kind of flow, of a laboratory record
+/// always.
+[[nodiscard]] bool applies(const Chapter& chapter, const FlowRecord& record);
+
+/// Analyse a record: all chapters that its kind of flow has, or the one named, with a warning where it is
+/// made for other kinds. Throws InputError for an unknown chapter (naming those that there are) and what
+/// reading the record throws.
 [[nodiscard]] Analysis analyse(const FlowRecord& record, const std::string& chapter = {});
 
 }  // namespace riffle

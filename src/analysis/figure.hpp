@@ -9,8 +9,8 @@ namespace riffle {
 /// Where the numbers of a curve come from; the report gives each origin one look throughout.
 enum class Origin { simulated, measured, column, theory, fit, reference };
 
-/// How a curve is drawn.
-enum class Mark { line, points, line_and_points, bars };
+/// How a curve is drawn; `area`: as a filled outline, of a body say.
+enum class Mark { line, points, line_and_points, bars, area };
 
 /// A curve of a figure. `x` and `y` have the same length; not-a-number breaks the line. SI units.
 struct Curve {
@@ -47,6 +47,16 @@ struct Axis {
     std::optional<double> from, to;
 };
 
+/// What a figure marks across its whole extent: a line at a value of one axis, or a band between two.
+struct Guide {
+    std::string name;   ///< e.g. "crests", "averaging window"
+    bool on_x = false;  ///< at values of x, else of y
+    double from = 0;    ///< SI
+    double to = 0;      ///< the same as `from`: a line
+
+    [[nodiscard]] bool is_band() const { return to != from; }
+};
+
 /// One figure of an analysis: all that is needed to draw it, to write it as CSV and to compare runs in it.
 struct Figure {
     std::string key;      ///< stable and unique, e.g. "velocity_profile"; also the name of its files
@@ -57,6 +67,7 @@ struct Figure {
     Axis x, y;
     std::vector<Curve> curves;
     std::vector<ColourMap> maps;
+    std::vector<Guide> guides;
     std::string missing;  ///< why there is nothing to draw; empty otherwise
 };
 

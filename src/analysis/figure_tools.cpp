@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "statistics/confidence.hpp"
+
 namespace riffle {
 
 std::string measured_name(const Case& c) {
@@ -72,6 +74,28 @@ Finding make_finding(const char* chapter, std::string key, std::string label, st
         finding.half_width = half_width;
     }
     return finding;
+}
+
+void mark_window(const FlowRecord& record, Figure& figure) {
+    const TimeWindow window = record.window();
+    const auto time = record.series().find("time");
+    if (time == record.series().end() || time->second.empty()) return;
+    const double length = time->second.back() - time->second.front();
+    if (window.length() > 0.0 && window.length() < 0.99 * length)
+        figure.guides.push_back({"averaging window", true, window.from, window.to});
+}
+
+void mark_levels(const FlowRecord& record, Figure& figure) {
+    const Case* const c = record.flow();
+    if (c == nullptr) return;
+    if (c->bed.kind == BedKind::spheres) {
+        figure.guides.push_back({"datum", false, c->datum(), c->datum()});
+        figure.guides.push_back({"crests", false, c->crest(), c->crest()});
+    }
+    const std::vector<double> levels = within_window(record, "mean_level");
+    const double mean = levels.size() > 1 ? mean_with_confidence(levels).mean : 0.0;
+    const double height = mean > 0.0 ? mean : c->total_depth();
+    figure.guides.push_back({mean > 0.0 ? "mean level" : "depth", false, height, height});
 }
 
 Finding against(Finding finding, const std::optional<double>& reference, std::string name,

@@ -37,6 +37,11 @@ inline constexpr const char* measured_in_case = "measured (case file)";
 [[nodiscard]] Finding make_finding(const char* chapter, std::string key, std::string label, std::string unit,
                                    double value, std::optional<double> half_width = std::nullopt);
 
+/// Mark the window of the averages in a figure over time, where it is a part of the record; the heights of
+/// crests, datum and mean surface in a profile, as far as they are known.
+void mark_window(const FlowRecord& record, Figure& figure);
+void mark_levels(const FlowRecord& record, Figure& figure);
+
 /// Add the reference to a finding.
 [[nodiscard]] Finding against(Finding finding, const std::optional<double>& reference, std::string name,
                               std::string remark = {});

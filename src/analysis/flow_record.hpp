@@ -13,6 +13,7 @@
 #include "column/column.hpp"
 #include "column/section_measurements.hpp"
 #include "column/velocity_measurements.hpp"
+#include "laboratory/profile_record.hpp"
 #include "solver/profile_blocks.hpp"
 
 namespace riffle {
@@ -150,6 +151,8 @@ class FlowRecord {
     struct Measured {
         VelocityMeasurements profile;
         bool from_law = false;
+        /// The whole file of the profile, with what else it holds; z above the datum.
+        std::optional<ProfileRecord> file = std::nullopt;
         std::string note;  ///< why there is none, where one was named
         Profiles
             turbulence;  ///< rms of the fluctuations and Reynolds stress of the same file, if it has them

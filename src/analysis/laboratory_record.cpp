@@ -39,11 +39,7 @@ struct LaboratoryRecord::Impl {
         : path(std::move(csv)), options(std::move(given)) {
         if (!options.case_file.empty()) {
             flow = read_case(options.case_file);
-            try {
-                column = solve_column(*flow);
-            } catch (const InputError&) {
-                // No steady uniform flow belongs to the case.
-            }
+            if (has_column(*flow)) column = solve_column(*flow);
         }
         switch (laboratory_kind(path)) {
             case LaboratoryKind::profile:

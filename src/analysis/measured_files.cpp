@@ -178,6 +178,7 @@ void add_measured_file(const std::filesystem::path& path, const Case& c, FlowRec
         measured.from_law = false;
         measured.note.clear();
         measured.turbulence = p;
+        measured.file.reset();
     };
     switch (laboratory_kind(path)) {
         case LaboratoryKind::profile: {
@@ -190,6 +191,7 @@ void add_measured_file(const std::filesystem::path& path, const Case& c, FlowRec
             const ProfileRecord record = read_profile_record(path);
             measured.turbulence = profiles_of(record, c.datum(), c.fluid.density);
             warn(record.warnings);
+            measured.file = record;
             return;
         }
         case LaboratoryKind::section: {

@@ -102,7 +102,9 @@ void add_profile_errors(const FlowRecord& record, const Profiles& p, Analysis& a
             relative.push_back(p.column_velocity[i] != 0.0 ? p.velocity_deviation[i] / p.column_velocity[i]
                                                            : nan);
         }
-        error.curves.push_back(profile_curve("against the column twin", Origin::column, relative, p.z));
+        error.curves.push_back(
+            profile_curve(of_the_width ? "against the section twin" : "against the column twin",
+                          Origin::column, relative, p.z));
     }
     if (record.column() != nullptr && record.origin() == Origin::measured) {
         const ColumnProfile& column = record.column()->profile;

@@ -66,11 +66,7 @@ SeriesTable read_series(const ResultsReader& reader) {
 struct RunRecord::Impl {
     Impl(const std::filesystem::path& results, RunRecordOptions given)
         : path(results), options(std::move(given)), reader(results), flow(read_stored_case(reader, results)) {
-        try {
-            column = solve_column(flow);
-        } catch (const InputError&) {
-            // The case has no steady uniform flow (a tank, a wave): there is no twin to compare with.
-        }
+        if (has_column(flow)) column = solve_column(flow);
         series = read_series(reader);
         window = choose_window();
     }
@@ -94,6 +90,8 @@ struct RunRecord::Impl {
                 "{:.6g} s; give FROM,TO in seconds with FROM < TO",
                 asked.from, asked.to, path.string(), first, last));
         }
+        // A flow that nothing drives steadily is of interest from its start to its end.
+        if (is_undriven(flow_kind(flow))) return {0.0, last};
         for (const char* const group : {"/profiles", "/summary"}) {
             const auto from = number(reader.attribute(group, "window_start"));
             const auto to = number(reader.attribute(group, "window_end"));

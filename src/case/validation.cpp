@@ -5,6 +5,7 @@
 #include <system_error>
 #include <utility>
 
+#include "case/flow_kind.hpp"
 #include "case/probe_validation.hpp"
 #include "case/scheme_rules.hpp"
 #include "case/solid_validation.hpp"
@@ -221,34 +222,24 @@ class Validation {
         }
     }
 
-    /// Whether the column twin has a steady state with a velocity.
-    [[nodiscard]] bool has_column() const {
-        return c_.bed.kind != BedKind::slip && c_.channel.top == Top::free_surface && c_.solids.empty() &&
-               c_.start.water_x.empty();
-    }
-
     void check_column_start() {
-        if (!has_column()) {
+        if (const auto reason = why_no_column(c_)) {
             add({"start.kind"},
-                fmt::format(R"([start] kind = "column": {}; choose kind = "rest" or "uniform")",
-                            c_.bed.kind == BedKind::slip ? "a frictionless bed has no steady velocity profile"
-                            : c_.solids.empty()          ? "the column twin needs a free surface"
-                                                         : "the column twin knows of no solids in the flow"));
-        }
-        if (c_.channel.ends == Ends::walls) {
-            add({"start.kind", "channel.ends"},
-                "[start] kind = \"column\" would drive the water against the walls at the ends: choose kind "
-                "= "
-                "\"rest\", or [channel] ends = \"periodic\"");
+                fmt::format(
+                    "[start] kind = \"column\" starts from the column twin, and the case has none: {}; "
+                    "or choose kind = \"rest\" or \"uniform\"",
+                    *reason));
         }
     }
 
     void check_velocity_start() {
-        if (!c_.start.velocity && !has_column()) {
+        if (c_.start.velocity) return;
+        if (const auto reason = why_no_column(c_)) {
             add({"start.velocity", "start.kind"},
-                "[start] velocity is missing: without a column twin (frictionless bed, no free surface or "
-                "solids in the flow) give the "
-                "velocity, for example velocity = \"0.3 m/s\"");
+                fmt::format(
+                    "[start] velocity is missing, and the case has no column twin to take it from: {}; or "
+                    "give the velocity, for example velocity = \"0.3 m/s\"",
+                    *reason));
         }
     }
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <numeric>
 
 #include "base/error.hpp"
@@ -28,23 +27,8 @@ double largest(const std::vector<double>& x) {
     return value;
 }
 
-void check_channel(const Case& c, const MomentumBalance& balance) {
-    if (c.channel.top == Top::periodic) {
-        throw InputError(
-            "the column is a channel with a surface or a top wall: channel.top = \"periodic\" has none");
-    }
-    if (c.streamwise_gravity() == 0.0) return;  // water at rest
-    if (c.channel.ends == Ends::walls) {
-        throw InputError(
-            "a sloping channel closed by end walls (channel.ends = \"walls\") has no steady uniform flow: "
-            "use channel.ends = \"periodic\", or channel.slope = 0 for a tank");
-    }
-    if (!balance.has_friction()) {
-        throw InputError(
-            "nothing resists the flow down the slope, so it has no steady state: a slip bed, or spheres "
-            "without drag. Give bed.kind = \"spheres\" with bed.roughness_height > 0 and "
-            "bed.drag_coefficient > 0, bed.kind = \"no-slip\", or channel.slope = 0");
-    }
+void check_channel(const Case& c) {
+    if (const auto reason = why_no_column(c)) throw InputError("the case has no column twin: " + *reason);
 }
 
 /// Newton's method on the convex functional of the balance, with step halving.
@@ -162,22 +146,16 @@ double ColumnResult::velocity_at(double z) const {
 }
 
 ColumnResult solve_column(const Case& c, int cells) {
+    check_channel(c);
     const ColumnGrid grid = make_column_grid(c, cells);
     const MomentumBalance balance(c, grid);
-    check_channel(c, balance);
     const double weight = c.streamwise_gravity() * c.total_depth();
-    const bool at_rest = weight == 0.0;
-    const std::vector<double> u =
-        at_rest ? std::vector<double>(grid.centre.size(), 0.0) : solve_balance(balance);
+    const std::vector<double> u = solve_balance(balance);
     const std::vector<double> stress = balance.face_stress(u);
 
     ColumnResult result;
     result.profile = make_profile(c, grid, balance, u, stress);
     const ColumnProfile& p = result.profile;
-    if (at_rest) {
-        result.relaxation_time = std::numeric_limits<double>::infinity();
-        return result;
-    }
     result.depth_mean_velocity = mean_above(grid, u, c.datum());
     result.total_mean_velocity = mean_above(grid, u, 0.0);
     const bool wall_above = c.bed.kind == BedKind::no_slip && c.channel.top == Top::wall;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "case/case.hpp"
+#include "case/flow_kind.hpp"
 #include "hydraulics/log_law.hpp"
 
 namespace riffle {
@@ -39,6 +40,9 @@ struct ColumnResult {
     [[nodiscard]] double velocity_at(double z) const;
 };
 
+/// Whether the case has a column twin; why_no_column() says why not.
+[[nodiscard]] inline bool has_column(const Case& c) { return !why_no_column(c); }
+
 /// Range of heights over the bed level, m.
 struct HeightRange {
     double from = 0;
@@ -55,8 +59,8 @@ inline constexpr int column_cells = 1000;
 /// Solve the steady momentum balance g S0 + d/dz[(nu0 + l_m^2 |u'|) u'] - beta(z) u|u| = 0 of the case, with
 /// the closure and the bed drag that the particles use. No flux at z = 0 for sphere and slip beds, u(0) = 0
 /// for no-slip beds; no flux at the surface, u(H) = 0 under a top wall over a no-slip bed. The hydraulic
-/// radius is that of a wide channel, the depth over the datum. Without slope the water is at rest and the
-/// relaxation time infinite. Throws InputError where the case has no steady uniform flow.
+/// radius is that of a wide channel, the depth over the datum. Throws InputError where the case has no steady
+/// uniform flow, with the reason (why_no_column()).
 [[nodiscard]] ColumnResult solve_column(const Case& c, int cells = column_cells);
 
 }  // namespace riffle

@@ -48,11 +48,6 @@ MomentumBalance::MomentumBalance(const Case& c, const ColumnGrid& grid)
     if (const auto drag = make_bed_drag(c)) drag->coefficients(grid.centre, drag_coefficient_);
 }
 
-bool MomentumBalance::has_friction() const {
-    return wall_below_ || std::any_of(drag_coefficient_.begin(), drag_coefficient_.end(),
-                                      [](double beta) { return beta > 0.0; });
-}
-
 double MomentumBalance::face_gradient(const std::vector<double>& u, std::size_t i) const {
     const std::size_t n = u.size();
     if (i == 0) return wall_below_ ? u[0] / distance_[0] : 0.0;

@@ -49,9 +49,6 @@ class MomentumBalance {
     [[nodiscard]] const std::vector<double>& cell_mixing_length() const { return cell_length_; }
     [[nodiscard]] const std::vector<double>& thickness() const { return thickness_; }
 
-    /// Whether anything resists the flow. Without it there is no steady state.
-    [[nodiscard]] bool has_friction() const;
-
   private:
     /// Velocity gradient at face i from the cells on its sides; walls and no-flux ends included.
     [[nodiscard]] double face_gradient(const std::vector<double>& u, std::size_t i) const;

@@ -104,13 +104,28 @@ double slowest_decay_time(const SectionBalance& balance, const Eigen::VectorXd& 
 
 }  // namespace
 
-bool has_section(const Case& c) {
-    if (!c.has_side_walls() || !(c.streamwise_gravity() > 0.0)) return false;
-    if (!c.solids.empty() || c.turbulence.closure == ClosureKind::sps) return false;
-    if (c.channel.ends != Ends::periodic || c.channel.top == Top::periodic) return false;
+std::optional<std::string> why_no_section(const Case& c) {
+    // Side walls may hold back the water over a bed that does not; all else that rules out a uniform flow in
+    // a column does so in a section.
+    Case resisting = c;
+    resisting.bed.kind = BedKind::no_slip;
+    if (auto reason = why_no_column(resisting)) return reason;
+    if (!c.has_side_walls()) {
+        return "it has no side walls, and without them the flow does not vary over the cross-section: "
+               "set channel.dimensions = 3 and channel.sides = \"walls\" or \"half\", or use riffle column";
+    }
+    if (c.turbulence.closure == ClosureKind::sps) {
+        return "the SPS closure has no steady flow over the cross-section: its stress is far too small to "
+               "carry "
+               "the weight to the side walls, whose layers come to rest beside a flow of several m/s; choose "
+               "turbulence.closure = \"czernuszenko-rylov\"";
+    }
     // Whether there is friction does not depend on the grid.
     constexpr int coarse = 8;
-    return SectionBalance(c, make_section_grid(c, coarse, coarse)).has_friction();
+    if (SectionBalance(c, make_section_grid(c, coarse, coarse)).has_friction()) return std::nullopt;
+    return "nothing resists the flow down the slope, so it has no steady state: it needs a bed that does, "
+           "spheres "
+           "with bed.drag_coefficient > 0 or bed.kind = \"no-slip\"";
 }
 
 std::optional<Case> section_start_substitute(const Case& c) {

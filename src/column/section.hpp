@@ -1,6 +1,8 @@
 #pragma once
 
 #include <functional>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "case/case.hpp"
@@ -49,9 +51,10 @@ struct SectionOptions {
     double tolerance = 3e-4;
 };
 
-/// Whether a case has a section twin: three dimensions with side walls, a slope, something that resists the
-/// flow, no solids, and not the SPS closure (section_start.hpp says why). Periodic sides have the column.
-[[nodiscard]] bool has_section(const Case& c);
+/// Why a case has no section twin, the steady uniform flow between side walls: a sentence with what to
+/// change. Nothing where it has one. Periodic sides have the column.
+[[nodiscard]] std::optional<std::string> why_no_section(const Case& c);
+[[nodiscard]] inline bool has_section(const Case& c) { return !why_no_section(c); }
 
 /// Solve the steady flow of
 ///     dU/dt = g S0 + d/dy[(nu0 + A nu_t) dU/dy] + d/dz[(nu0 + nu_t) dU/dz] - (beta_bed + beta_w) U|U|,

@@ -70,22 +70,7 @@ std::vector<double> SectionResult::depth_means(double datum, double total_depth)
 }
 
 void check_section(const Case& c) {
-    if (!c.has_side_walls()) {
-        throw InputError(
-            "the case has no side walls, and without them the flow does not vary over the cross-section: "
-            "set channel.dimensions = 3 and channel.sides = \"walls\" or \"half\", or use riffle column");
-    }
-    if (c.turbulence.closure == ClosureKind::sps) {
-        throw InputError(
-            "the SPS closure has no steady flow over the cross-section: its stress is far too small to carry "
-            "the weight to the side walls, whose layers come to rest beside a flow of several m/s; choose "
-            "turbulence.closure = \"czernuszenko-rylov\"");
-    }
-    if (!has_section(c)) {
-        throw InputError(
-            "the case has no steady flow over its cross-section: it needs channel.slope > 0 and a bed that "
-            "resists the flow, spheres with bed.drag_coefficient > 0 or bed.kind = \"no-slip\"");
-    }
+    if (const auto reason = why_no_section(c)) throw InputError("the case has no section twin: " + *reason);
 }
 
 SectionResult section_result(const Case& c, const SectionGrid& grid, const SectionBalance& balance,

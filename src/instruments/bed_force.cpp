@@ -1,5 +1,7 @@
 // Forces between the water and its bed and walls: per unit width, in three dimensions over the whole width.
 
+#include <fmt/format.h>
+
 #include "instruments/instrument.hpp"
 
 namespace riffle {
@@ -8,17 +10,26 @@ namespace {
 
 class BedForce final : public Instrument {
   public:
-    BedForce(const Probe& probe, bool space) : Instrument(probe), space_(space) {
+    BedForce(const Probe& probe, const Case& c)
+        : Instrument(probe), space_(c.channel.dimensions == 3), solids_(c.solids.size()) {
         add_record("time", "s", "simulated time", {}, true);
         const auto force = [&](const char* name, const std::string& long_name) {
-            add_record(name, space ? "N" : "N/m", long_name + (space ? "" : ", per unit width"), {}, true);
+            add_record(name, space_ ? "N" : "N/m", long_name + (space_ ? "" : ", per unit width"), {}, true);
         };
         force("bed_drag", "drag of the water on the bed's roughness, downstream");
         force("wall_force", "force of the water on the walls, downstream");
         force("wall_normal_force", "force of the water on the walls, normal to the bed and downward");
         force("weight_component", "component of the water's weight down the bed");
-        if (space) {
+        if (space_) {
             force("side_wall_drag", "drag of the water on the side walls' layers, downstream");
+        }
+        for (std::size_t k = 0; k < solids_; ++k) {
+            const std::string number = fmt::format("_{}", k + 1);
+            const std::string on = fmt::format(" on the solid \"{}\", ", c.solids[k].name);
+            force(("solid_force" + number).c_str(), "force of the water" + on + "downstream");
+            force(("solid_form_drag" + number).c_str(), "force of the pressure" + on + "downstream");
+            force(("solid_lift" + number).c_str(), "force of the water" + on + "away from the bed");
+            if (space_) force(("solid_side_force" + number).c_str(), "force of the water" + on + "along y");
         }
     }
 
@@ -38,7 +49,15 @@ class BedForce final : public Instrument {
         for (std::size_t i = 0; space_ && i < mass.size(); ++i) {
             sides -= mass[i] * (*state.side_wall_x)[i];
         }
-        const double row[] = {state.time, drag, wall, normal, total * state.streamwise_gravity, sides};
+        std::vector<double> row = {state.time, drag, wall, normal, total * state.streamwise_gravity};
+        if (space_) row.push_back(sides);
+        for (std::size_t k = 0; k < solids_; ++k) {
+            const ForceOnSolid force = k < state.solids.size() ? state.solids[k] : ForceOnSolid{};
+            row.push_back(force.pressure[0] + force.friction[0]);
+            row.push_back(force.pressure[0]);
+            row.push_back(force.pressure[2] + force.friction[2]);
+            if (space_) row.push_back(force.pressure[1] + force.friction[1]);
+        }
         for (std::size_t k = 0; k < records().size(); ++k) {
             record(k).add(row[k]);
         }
@@ -50,12 +69,13 @@ class BedForce final : public Instrument {
 
   private:
     bool space_;  ///< three dimensions
+    std::size_t solids_;
 };
 
 }  // namespace
 
 std::unique_ptr<Instrument> make_bed_force(const Probe& probe, const Case& c) {
-    return std::make_unique<BedForce>(probe, c.channel.dimensions == 3);
+    return std::make_unique<BedForce>(probe, c);
 }
 
 }  // namespace riffle

@@ -111,30 +111,15 @@ struct LinearFit {
     }
 };
 
-/// Numbers of the particles that have an image behind a plane across the channel, and the plane.
-struct Image {
-    std::size_t particle;
-    double plane;
-};
-
+/// The planes that end the water along a horizontal axis: end walls, side walls, a plane of symmetry; none
+/// where it is periodic.
 template <int D>
-std::vector<Image> images_of(const Case& c, const Particles<D>& particles, double reach) {
-    std::vector<Image> images;
-    if constexpr (D == 3) {
-        if (!domain_of<3>(c).periodic[1]) {
-            const double width = c.channel.simulated_width();
-            for (std::size_t i = 0; i < particles.size(); ++i) {
-                const double y = particles.position[1][i];
-                if (y < reach) {
-                    images.push_back({i, 0.0});
-                }
-                if (y > width - reach) {
-                    images.push_back({i, width});
-                }
-            }
-        }
+std::vector<double> planes_across(const Case& c, std::size_t axis) {
+    if (axis == 0) {
+        return c.channel.ends == Ends::walls ? std::vector{0.0, c.channel.length} : std::vector<double>{};
     }
-    return images;
+    return domain_of<D>(c).periodic[axis] ? std::vector<double>{}
+                                          : std::vector{0.0, c.channel.simulated_width()};
 }
 
 }  // namespace
@@ -143,18 +128,22 @@ template <int D>
 typename FluidViewIn<D>::Mirrored FluidViewIn<D>::mirror(const Case& c, const Particles<D>& particles,
                                                          double reach) {
     Mirrored mirrored;
-    const std::vector<Image> images = images_of(c, particles, reach);
-    if (images.empty()) {
-        return mirrored;
-    }
-    mirrored.position = particles.position;
-    mirrored.of.reserve(images.size());
-    for (const auto& [particle, plane] : images) {
-        for (std::size_t k = 0; k < D; ++k) {
-            const double place = particles.position[k][particle];
-            mirrored.position[k].push_back(k == 1 ? 2.0 * plane - place : place);
+    const std::size_t n = particles.size();
+    for (std::size_t axis = 0; axis + 1 < D; ++axis) {
+        for (const double plane : planes_across<D>(c, axis)) {
+            // Images have images where two walls meet.
+            const std::size_t present = n + mirrored.of.size();
+            for (std::size_t i = 0; i < present; ++i) {
+                const double place = (i < n ? particles.position : mirrored.position)[axis][i];
+                if (std::abs(place - plane) >= reach) continue;
+                if (mirrored.of.empty()) mirrored.position = particles.position;
+                for (std::size_t k = 0; k < D; ++k) {
+                    const double value = mirrored.position[k][i];
+                    mirrored.position[k].push_back(k == axis ? 2.0 * plane - place : value);
+                }
+                mirrored.of.push_back(i < n ? i : mirrored.of[i - n]);
+            }
         }
-        mirrored.of.push_back(particle);
     }
     return mirrored;
 }

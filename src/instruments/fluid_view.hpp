@@ -29,7 +29,7 @@ class FluidView {
     /// Velocity at a point: the kernel sum over the fluid particles, normalised with the sum of the kernel
     /// (Shepard) and corrected to first order, so that a linear field is reproduced up to rounding, beside
     /// the bed, the sides and the surface too. NaN where less than `wet_share` of the support is filled; for
-    /// this the water goes on behind side walls and a plane of symmetry as its mirror image.
+    /// this the water goes on behind end walls, side walls and a plane of symmetry as its mirror image.
     [[nodiscard]] virtual Velocity velocity_at(const Vec<3>& point) const = 0;
 
     struct Flow {
@@ -70,7 +70,7 @@ class FluidViewIn final : public FluidView {
     [[nodiscard]] Section section_at(double x) const override;
 
   private:
-    /// The particles with their mirror images behind sides that are not periodic.
+    /// The particles with their mirror images behind ends and sides that are not periodic.
     struct Mirrored {
         std::array<std::vector<double>, static_cast<std::size_t>(D)> position;
         std::vector<std::size_t> of;  ///< particle of each image; empty: there are none, nor positions

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <span>
@@ -12,6 +13,12 @@
 #include "particles/sparse_values.hpp"
 
 namespace riffle {
+
+/// Force of the water on a solid along x, y and z, N; in two dimensions per width, N/m.
+struct ForceOnSolid {
+    std::array<double, 3> pressure{};  ///< by the pressure on its faces
+    std::array<double, 3> friction{};
+};
 
 /// The state after a step, for instruments.
 struct FlowState {
@@ -29,6 +36,7 @@ struct FlowState {
     /// Pa.
     const WorkingValues* pressure = nullptr;
     std::span<const double> shear_stress = {};
+    std::span<const ForceOnSolid> solids = {};  ///< by solid, where an instrument `needs_forces`
 };
 
 /// An array that an instrument fills: one row per sample, or per averaging window.

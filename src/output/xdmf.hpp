@@ -36,6 +36,24 @@ struct SnapshotEntry {
 void write_xdmf(const std::filesystem::path& path, const std::string& results_file_name,
                 const std::vector<SnapshotEntry>& snapshots, const std::vector<SnapshotField>& fields);
 
+/// What bounds the water, in the group "/boundaries" of the results file.
+struct BoundaryIndex {
+    std::size_t walls = 0;     ///< particles
+    std::size_t vertices = 0;  ///< of the solids
+    std::vector<std::size_t>
+        corners;  ///< of the outline of each solid, in the order of the vertices; two dimensions
+    std::size_t triangles = 0;  ///< of the solids, three dimensions
+    std::size_t spheres = 0;
+    /// Where solids move, the snapshots whose groups hold "wall_position" and "solid_vertices"; else empty.
+    std::vector<SnapshotEntry> moved;
+};
+
+/// Write the XDMF index of the boundaries: a point cloud of the wall particles, the surfaces of the solids,
+/// the centres of the spheres; where solids move, a set of these for each snapshot. Atomic like
+/// write_text_atomically. Throws FileError.
+void write_boundary_xdmf(const std::filesystem::path& path, const std::string& results_file_name,
+                         const BoundaryIndex& boundaries);
+
 /// Cell values on a grid of boxes, one set for each of several times.
 struct GridSeries {
     std::string group;                         ///< of the datasets in the results file

@@ -42,7 +42,7 @@ Json run_json(const ComparedRun& compared) {
     object["title"] = data.title;
     object["source"] = data.source.string();
     object["flow"] = flow_line(data);
-    object["verdict"] = verdict_json(judge(data, quantities, diagnose(data)));
+    object["verdict"] = verdict_json(judge(data, quantities, diagnose(data, compared.analysis)));
     object["quantities"] = quantity_rows(quantities);
     return object;
 }
@@ -64,14 +64,19 @@ Json sets_json(const std::vector<ComparedSet>& sets) {
 
 std::string comparison_page_json(const Comparison& comparison) {
     Json runs = Json::array();
-    for (const ComparedRun& run : comparison.runs) runs.push_back(run_json(run));
+    std::vector<Analysis> analyses;
+    for (const ComparedRun& run : comparison.runs) {
+        runs.push_back(run_json(run));
+        analyses.push_back(run.analysis);
+    }
     return json_text({{"title", comparison.title},
                       {"introduction", comparison.introduction},
                       {"runs", std::move(runs)},
                       {"differences", differences_json(comparison.differences)},
                       {"costs", costs_json(comparison.runs)},
                       {"sets", sets_json(comparison.sets)},
-                      {"missing", missing_json(comparison.missing)}},
+                      {"missing", missing_json(comparison.missing)},
+                      {"references", references_json(cited_references(analyses, {comparison.introduction}))}},
                      -1);
 }
 

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/figure.hpp"
 #include "report/report_data.hpp"
 
 namespace riffle {
@@ -21,7 +22,8 @@ struct Diagnostic {
     Health mark = Health::none;
 };
 
-/// The diagnostics that the results file allows.
-[[nodiscard]] std::vector<Diagnostic> diagnose(const ReportData& data);
+/// The diagnostics that the results file allows, of its kind of flow (case/flow_kind.hpp). `analysis`: of the
+/// same file; what follows from its findings is left out without it.
+[[nodiscard]] std::vector<Diagnostic> diagnose(const ReportData& data, const Analysis& analysis = {});
 
 }  // namespace riffle

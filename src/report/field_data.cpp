@@ -3,19 +3,24 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
+#include <variant>
+
+#include "analysis/bodies.hpp"
+#include "report/solid_cuts.hpp"
+#include "roughness/sphere_lattice.hpp"
 
 namespace riffle {
 
 namespace {
 
-constexpr std::size_t most_particles = 20'000;
-constexpr std::size_t most_rows = 400;
-constexpr double crossings = 5.0;
+constexpr std::size_t most_particles = 20'000;  ///< of a frame
+constexpr std::size_t most_in_all = 150'000;    ///< of all frames together
+constexpr std::size_t most_frames = 40;
 
-double mean_of(const std::vector<double>& values) {
-    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
+/// The members of a frame that have a value for each particle.
+constexpr std::array particle_values = {&FieldFrame::x,        &FieldFrame::z,
+                                        &FieldFrame::velocity, &FieldFrame::vertical_velocity,
+                                        &FieldFrame::pressure, &FieldFrame::eddy_viscosity};
 
 /// One component of an (N, 3) dataset.
 std::vector<double> component(const std::vector<double>& rows, std::size_t which) {
@@ -24,150 +29,158 @@ std::vector<double> component(const std::vector<double>& rows, std::size_t which
     return values;
 }
 
-/// The free surface at the recorded time nearest to the snapshot's, if one lies within half a record interval
-/// (records every 0.02 s by default; snapshots fall between them).
-void add_surface(const ResultsReader& reader, Snapshot& snapshot) {
+/// Keep the particles that `keeps` says by their number.
+template <class Keeps>
+void keep_particles(FieldFrame& frame, const Keeps& keeps) {
+    const std::size_t n = frame.x.size();
+    std::vector<std::size_t> kept;
+    for (std::size_t i = 0; i < n; ++i) {
+        if (keeps(i)) kept.push_back(i);
+    }
+    for (std::vector<double> FieldFrame::*const member : particle_values) {
+        std::vector<double>& values = frame.*member;
+        if (values.size() != n) continue;
+        for (std::size_t i = 0; i < kept.size(); ++i) values[i] = values[kept[i]];
+        values.resize(kept.size());
+    }
+}
+
+/// Where the slice of a three-dimensional run lies: the centreline, in half a channel the particles next to
+/// it.
+double slice_place(const Case& c) {
+    return c.channel.sides == Sides::half ? c.channel.simulated_width() - 0.5 * c.numerics.spacing
+                                          : c.channel.centreline();
+}
+
+FieldFrame read_frame(const ResultsReader& reader, const std::string& group, const Case& c) {
+    FieldFrame frame;
+    if (const auto time = reader.attribute(group, "time")) {
+        if (const auto* value = std::get_if<double>(&*time)) frame.time = *value;
+    }
+    const std::vector<double> position = reader.read_doubles(group + "/position");
+    frame.x = component(position, 0);
+    frame.z = component(position, 2);
+    if (reader.has(group + "/velocity")) {
+        const std::vector<double> velocity = reader.read_doubles(group + "/velocity");
+        frame.velocity = component(velocity, 0);
+        frame.vertical_velocity = component(velocity, 2);
+    }
+    if (reader.has(group + "/pressure")) frame.pressure = reader.read_doubles(group + "/pressure");
+    if (reader.has(group + "/eddy_viscosity"))
+        frame.eddy_viscosity = reader.read_doubles(group + "/eddy_viscosity");
+    if (c.channel.dimensions == 3) {
+        const std::vector<double> y = component(position, 1);
+        const double middle = slice_place(c);
+        keep_particles(frame,
+                       [&](std::size_t i) { return std::abs(y[i] - middle) <= 0.5 * c.numerics.spacing; });
+    }
+    return frame;
+}
+
+/// The free surface at the recorded time nearest to each frame's, if one lies within half a record interval
+/// (records every 0.01 s by default; snapshots fall between them).
+void add_surfaces(const ResultsReader& reader, FieldPicture& picture) {
     if (!reader.has("/surface/elevation") || !reader.has("/surface/x") || !reader.has("/surface/time"))
         return;
     const std::vector<double> x = reader.read_doubles("/surface/x");
     const std::vector<double> time = reader.read_doubles("/surface/time");
-    const std::vector<double> elevation = reader.read_doubles("/surface/elevation");
-    if (time.empty() || x.empty() || elevation.size() != x.size() * time.size()) return;
-    const auto distance = [&](double t) { return std::abs(t - snapshot.time); };
-    const auto nearest = std::min_element(time.begin(), time.end(),
-                                          [&](double a, double b) { return distance(a) < distance(b); });
+    if (time.empty() || x.empty()) return;
     const double interval = time.size() > 1 ? time[1] - time[0] : 0.0;
-    if (distance(*nearest) > 0.51 * interval + 1e-9) return;
-    const auto row = static_cast<std::size_t>(nearest - time.begin());
-    const auto first = elevation.begin() + static_cast<std::ptrdiff_t>(row * x.size());
-    snapshot.surface_x = x;
-    snapshot.surface_z.assign(first, first + static_cast<std::ptrdiff_t>(x.size()));
+    for (FieldFrame& frame : picture.frames) {
+        const auto distance = [&](double t) { return std::abs(t - frame.time); };
+        const auto nearest = std::min_element(time.begin(), time.end(),
+                                              [&](double a, double b) { return distance(a) < distance(b); });
+        if (distance(*nearest) > 0.51 * interval + 1e-9) continue;
+        frame.surface_x = x;
+        frame.surface_z =
+            reader.read_rows("/surface/elevation", static_cast<std::size_t>(nearest - time.begin()), 1);
+    }
 }
 
-/// Keep the particles within half a spacing of the centreline, in half a channel those next to it.
-void slice(const std::vector<double>& y, const Case& c, Snapshot& snapshot) {
-    const double middle = c.channel.sides == Sides::half
-                              ? c.channel.simulated_width() - 0.5 * c.numerics.spacing
-                              : c.channel.centreline();
-    for (std::vector<double>* values :
-         {&snapshot.x, &snapshot.z, &snapshot.velocity, &snapshot.vertical_velocity, &snapshot.pressure,
-          &snapshot.eddy_viscosity}) {
-        if (values->size() != y.size()) continue;
-        std::size_t kept = 0;
-        for (std::size_t i = 0; i < y.size(); ++i) {
-            if (std::abs(y[i] - middle) <= 0.5 * c.numerics.spacing) (*values)[kept++] = (*values)[i];
-        }
-        values->resize(kept);
+/// Keep the particles with x below the value under which `most_particles` of the fullest frame lie.
+void shorten(FieldPicture& picture) {
+    for (const FieldFrame& frame : picture.frames) {
+        if (frame.x.size() <= most_particles) continue;
+        std::vector<double> sorted = frame.x;
+        std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(most_particles),
+                         sorted.end());
+        picture.x_end = std::min(picture.x_end, sorted[most_particles]);
+        picture.left_out = true;
     }
-    snapshot.y = middle;
+    if (!picture.left_out) return;
+    for (FieldFrame& frame : picture.frames) {
+        const std::vector<double> x = frame.x;
+        keep_particles(frame, [&](std::size_t i) { return x[i] < picture.x_end; });
+        std::size_t kept = 0;
+        for (std::size_t i = 0; i < frame.surface_x.size(); ++i) {
+            if (frame.surface_x[i] >= picture.x_end) continue;
+            frame.surface_x[kept] = frame.surface_x[i];
+            frame.surface_z[kept++] = frame.surface_z[i];
+        }
+        frame.surface_x.resize(kept);
+        frame.surface_z.resize(kept);
+    }
 }
 
-/// Keep the particles with x below the value under which `most_particles` of them lie.
-void shorten(Snapshot& snapshot) {
-    if (snapshot.x.size() <= most_particles) return;
-    std::vector<double> sorted = snapshot.x;
-    std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(most_particles),
-                     sorted.end());
-    const double limit = sorted[most_particles];
-    const std::vector<double> x = snapshot.x;
-    for (std::vector<double>* values :
-         {&snapshot.x, &snapshot.z, &snapshot.velocity, &snapshot.vertical_velocity, &snapshot.pressure,
-          &snapshot.eddy_viscosity}) {
-        if (values->size() != x.size()) continue;
-        std::size_t kept = 0;
-        for (std::size_t i = 0; i < x.size(); ++i) {
-            if (x[i] < limit) (*values)[kept++] = (*values)[i];
-        }
-        values->resize(kept);
+/// The snapshots to show: evenly spread, the first and the last among them.
+std::vector<std::string> chosen_snapshots(const ResultsReader& reader, const Case& c, FieldFrames which) {
+    std::vector<std::string> names;
+    for (const std::string& name : reader.children("/snapshots")) {
+        if (reader.has("/snapshots/" + name + "/position")) names.push_back("/snapshots/" + name);
     }
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < snapshot.surface_x.size(); ++i) {
-        if (snapshot.surface_x[i] >= limit) continue;
-        snapshot.surface_x[kept] = snapshot.surface_x[i];
-        snapshot.surface_z[kept++] = snapshot.surface_z[i];
+    if (names.empty()) return names;
+    if (which == FieldFrames::last) return {names.back()};
+    const std::size_t particles =
+        std::clamp<std::size_t>(read_frame(reader, names.back(), c).x.size(), 1, most_particles);
+    const std::size_t frames = std::clamp<std::size_t>(most_in_all / particles, 1, most_frames);
+    if (names.size() <= frames) return names;
+    std::vector<std::string> chosen;
+    for (std::size_t i = 0; i + 1 < frames; ++i)
+        chosen.push_back(names[i * (names.size() - 1) / (frames - 1)]);
+    chosen.push_back(names.back());
+    return chosen;
+}
+
+/// The spheres of the bed that the plane at y cuts.
+std::vector<Circle> sphere_cuts(const Case& c, double y) {
+    std::vector<Circle> circles;
+    if (c.bed.kind != BedKind::spheres) return circles;
+    const double radius = 0.5 * c.bed.sphere_diameter;
+    for (const auto& centre : SphereLattice(c).centres(c.channel.length, c.channel.simulated_width())) {
+        const double beside = std::abs(centre[1] - y);
+        if (beside < radius)
+            circles.push_back({centre[0], centre[2], std::sqrt(radius * radius - beside * beside)});
     }
-    snapshot.surface_x.resize(kept);
-    snapshot.surface_z.resize(kept);
-    snapshot.x_end = limit;
-    snapshot.left_out = true;
+    return circles;
 }
 
 }  // namespace
 
-std::optional<SurfaceRecord> read_surface(const ResultsReader& reader, const ReportData& data) {
-    if (!reader.has("/surface/elevation") || !reader.has("/surface/x") || !reader.has("/surface/time"))
-        return std::nullopt;
-    const std::vector<double> x = reader.read_doubles("/surface/x");
-    const std::vector<double> time = reader.read_doubles("/surface/time");
-    const std::vector<double> elevation = reader.read_doubles("/surface/elevation");
-    const std::size_t columns = x.size();
-    const std::size_t rows = columns == 0 ? 0 : std::min(time.size(), elevation.size() / columns);
-    if (rows < 2) return std::nullopt;
-
-    SurfaceRecord record;
-    record.x = x;
-    // Standard deviation over the averaging window (or all of the record before there is one), about the mean
-    // of each instant's record, so that a slow drift of the level does not count as waves.
-    double squares = 0;
-    std::size_t samples = 0;
-    for (std::size_t row = 0; row < rows; ++row) {
-        if (data.window_end > data.window_start && time[row] < data.window_start) continue;
-        const std::vector<double> line(elevation.begin() + static_cast<std::ptrdiff_t>(row * columns),
-                                       elevation.begin() + static_cast<std::ptrdiff_t>((row + 1) * columns));
-        const double mean = mean_of(line);
-        for (const double value : line) squares += (value - mean) * (value - mean);
-        samples += line.size();
+std::optional<FieldPicture> read_field(const ResultsReader& reader, const Case& c, FieldFrames frames) {
+    if (frames == FieldFrames::none || !reader.has("/snapshots")) return std::nullopt;
+    const bool space = c.channel.dimensions == 3;
+    FieldPicture picture;
+    if (space) picture.y = slice_place(c);
+    for (const std::string& group : chosen_snapshots(reader, c, frames)) {
+        FieldFrame frame = read_frame(reader, group, c);
+        if (frame.x.empty()) continue;
+        frame.bodies = space ? solid_cuts(reader, group, *picture.y) : outlines_at(c, frame.time);
+        picture.frames.push_back(std::move(frame));
     }
-    if (samples > 0) record.standard_deviation = std::sqrt(squares / static_cast<double>(samples));
-
-    const double velocity =
-        find_value(data.summary, "depth_mean_velocity")
-            .value_or(find_value(data.column_summary, "depth_mean_velocity").value_or(0.0));
-    const double stretch =
-        velocity > 0 ? crossings * data.flow.channel.length / velocity : time[rows - 1] - time[0];
-    std::size_t first = rows;
-    while (first > 0 && (rows - first < 2 || time[first - 1] >= time[rows - 1] - stretch)) --first;
-    const std::size_t stride = (rows - first + most_rows - 1) / most_rows;
-    double sum = 0;
-    for (std::size_t row = first; row < rows; row += stride) {
-        record.time.push_back(time[row]);
-        record.elevation.emplace_back(elevation.begin() + static_cast<std::ptrdiff_t>(row * columns),
-                                      elevation.begin() + static_cast<std::ptrdiff_t>((row + 1) * columns));
-        sum += mean_of(record.elevation.back());
+    if (picture.frames.empty()) return std::nullopt;
+    picture.x_end = c.channel.length;
+    add_surfaces(reader, picture);
+    shorten(picture);
+    if (space) picture.spheres = sphere_cuts(c, *picture.y);
+    for (const FieldFrame& frame : picture.frames) {
+        for (const double z : frame.z) picture.top = std::max(picture.top, z + 0.5 * c.numerics.spacing);
+        // A gate or a pier that stands high out of the water need not be seen whole.
+        for (const Outline& body : frame.bodies) {
+            for (const double z : body.z)
+                picture.top = std::max(picture.top, std::min(z, 1.5 * c.total_depth()));
+        }
     }
-    record.mean_level = sum / static_cast<double>(record.time.size());
-    return record;
-}
-
-std::optional<Snapshot> read_snapshot(const ResultsReader& reader, const Case& c) {
-    if (!reader.has("/snapshots")) return std::nullopt;
-    const std::vector<std::string> names = reader.children("/snapshots");
-    if (names.empty()) return std::nullopt;
-    const std::string group = "/snapshots/" + names.back();
-    if (!reader.has(group + "/position")) return std::nullopt;
-    Snapshot snapshot;
-    if (const auto time = reader.attribute(group, "time")) {
-        if (const auto* value = std::get_if<double>(&*time)) snapshot.time = *value;
-    }
-    const std::vector<double> position = reader.read_doubles(group + "/position");
-    snapshot.x = component(position, 0);
-    snapshot.z = component(position, 2);
-    if (snapshot.x.empty()) return std::nullopt;
-    if (reader.has(group + "/velocity")) {
-        const std::vector<double> velocity = reader.read_doubles(group + "/velocity");
-        snapshot.velocity = component(velocity, 0);
-        snapshot.vertical_velocity = component(velocity, 2);
-    }
-    if (reader.has(group + "/pressure")) snapshot.pressure = reader.read_doubles(group + "/pressure");
-    if (reader.has(group + "/eddy_viscosity")) {
-        snapshot.eddy_viscosity = reader.read_doubles(group + "/eddy_viscosity");
-    }
-    if (c.channel.dimensions == 3) slice(component(position, 1), c, snapshot);
-    if (snapshot.x.empty()) return std::nullopt;
-    snapshot.x_end = *std::max_element(snapshot.x.begin(), snapshot.x.end());
-    add_surface(reader, snapshot);
-    shorten(snapshot);
-    return snapshot;
+    return picture;
 }
 
 }  // namespace riffle

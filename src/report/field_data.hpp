@@ -1,17 +1,45 @@
 #pragma once
 
+#include <array>
 #include <optional>
+#include <string>
+#include <vector>
 
-#include "report/report_data.hpp"
+#include "case/case.hpp"
+#include "case/outline.hpp"
+#include "output/results_file.hpp"
 
 namespace riffle {
 
-/// The last stretch of the surface record: about five times the time in which the flow crosses the channel's
-/// length, thinned to what a figure can show. Nothing if the record is missing or has fewer than two rows.
-[[nodiscard]] std::optional<SurfaceRecord> read_surface(const ResultsReader& reader, const ReportData& data);
+/// The particles of one snapshot, in three dimensions of a slice along the channel, with the surface and the
+/// bodies at its time.
+struct FieldFrame {
+    double time = 0;
+    std::vector<double> x, z, velocity, vertical_velocity, pressure, eddy_viscosity;
+    std::vector<double> surface_x, surface_z;  ///< free surface at the nearest recorded time; may be empty
+    std::vector<Outline> bodies;  ///< closed outlines; in three dimensions their cuts by the slice
+};
 
-/// The last snapshot; of a long channel the first stretch that holds 20 000 particles. Nothing without
-/// snapshots. In three dimensions the particles of a slice one spacing thick along the centreline.
-[[nodiscard]] std::optional<Snapshot> read_snapshot(const ResultsReader& reader, const Case& c);
+/// A circle in the x-z plane, m.
+struct Circle {
+    double x = 0, z = 0, radius = 0;
+};
+
+/// The picture of the flow field: a few snapshots from the start to the last one.
+struct FieldPicture {
+    std::vector<FieldFrame> frames;
+    std::vector<Circle> spheres;  ///< of the bed, cut by the slice; three dimensions
+    double x_end = 0;             ///< particles with x below this are included, m
+    bool left_out = false;        ///< whether that leaves some out
+    double top = 0;               ///< height that holds all water and bodies, m
+    std::optional<double> y;      ///< three dimensions: place across the channel of the slice, m
+};
+
+/// Which snapshots a picture has.
+enum class FieldFrames { none, last, all };
+
+/// The picture from the snapshots of a results file; nothing where it has none.
+[[nodiscard]] std::optional<FieldPicture> read_field(const ResultsReader& reader, const Case& c,
+                                                     FieldFrames frames);
 
 }  // namespace riffle

@@ -57,7 +57,8 @@ Json quantity_rows(const std::vector<Quantity>& quantities) {
                         {"digits", row.digits},
                         {"simulated", estimate_json(row.simulated)},
                         {"measured", estimate_json(row.measured)},
-                        {"column", estimate_json(row.column)}});
+                        {"column", estimate_json(row.column)},
+                        {"theory", estimate_json(row.theory)}});
     }
     return rows;
 }
@@ -67,7 +68,8 @@ Json quantities_by_key(const std::vector<Quantity>& quantities) {
     for (const Quantity& row : quantities) {
         values[row.key] = {{"simulated", estimate_json(row.simulated)},
                            {"measured", estimate_json(row.measured)},
-                           {"column", estimate_json(row.column)}};
+                           {"column", estimate_json(row.column)},
+                           {"theory", estimate_json(row.theory)}};
     }
     return values;
 }
@@ -87,6 +89,13 @@ Json diagnostics_json(const std::vector<Diagnostic>& diagnostics) {
 
 Json verdict_json(const Verdict& verdict) {
     return {{"status", word(verdict.mark)}, {"headline", verdict.headline}, {"sentences", verdict.sentences}};
+}
+
+Json references_json(const std::vector<Reference>& references) {
+    Json array = Json::array();
+    for (const Reference& reference : references)
+        array.push_back({{"name", reference.name}, {"citation", reference.citation}});
+    return array;
 }
 
 Json findings_json(const Analysis& analysis) {

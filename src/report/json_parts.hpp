@@ -8,6 +8,7 @@
 #include "analysis/figure.hpp"
 #include "report/diagnostics.hpp"
 #include "report/quantities.hpp"
+#include "report/references.hpp"
 #include "report/verdict.hpp"
 
 namespace riffle {
@@ -37,6 +38,9 @@ using Json = nlohmann::ordered_json;
 [[nodiscard]] Json diagnostics_json(const std::vector<Diagnostic>& diagnostics);
 
 [[nodiscard]] Json verdict_json(const Verdict& verdict);
+
+/// The publications that a page refers to.
+[[nodiscard]] Json references_json(const std::vector<Reference>& references);
 
 /// The findings of an analysis, as analysis_to_json writes them.
 [[nodiscard]] Json findings_json(const Analysis& analysis);

@@ -44,7 +44,8 @@ PageAssets page_assets() {
                     {riffle_page_field_begin, riffle_page_field_end},
                     {riffle_page_report_begin, riffle_page_report_end}}),
             joined({shared, {riffle_page_comparison_begin, riffle_page_comparison_end}}),
-            joined({shared})};
+            joined({shared}),
+            {riffle_page_field_begin, riffle_page_field_end}};
 }
 
 }  // namespace riffle

@@ -13,7 +13,8 @@ struct PageAssets {
     std::string_view plotly;      ///< the figure library
     std::string report_script;    ///< scripts of the page of one run
     std::string comparison_script;
-    std::string shared_script;  ///< what these scripts share, for further pages
+    std::string shared_script;      ///< what these scripts share, for further pages
+    std::string_view field_script;  ///< the picture of the flow field
 };
 
 [[nodiscard]] PageAssets page_assets();

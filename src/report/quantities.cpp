@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "analysis/figure_tools.hpp"
+#include "case/flow_kind.hpp"
 #include "hydraulics/channel_laws.hpp"
 
 namespace riffle {
@@ -40,6 +41,19 @@ struct Sources {
     }
 };
 
+/// A row without values; `factor` turns SI into the unit.
+Quantity row_of(const char* key, std::string label, const char* symbol, const char* unit, double factor = 1.0,
+                int digits = 4) {
+    Quantity row;
+    row.key = key;
+    row.label = std::move(label);
+    row.symbol = symbol;
+    row.unit = unit;
+    row.factor = factor;
+    row.digits = digits;
+    return row;
+}
+
 class Table {
   public:
     void add(Quantity row, const Sources& sources) {
@@ -70,108 +84,113 @@ Sources depth_mean_velocity(const ReportData& data) {
     return sources;
 }
 
+/// The value of a finding with its interval.
+Value found(const Analysis& analysis, const char* key) {
+    const Finding* const finding = find_finding(analysis, key);
+    return finding == nullptr ? Value() : Value(SummaryValue{finding->value, finding->half_width});
+}
+
 void add_velocities(Table& table, const ReportData& data, const Sources& mean) {
-    table.add(
-        {"depth_mean_velocity", "Depth-mean velocity above the datum", "<i>U</i>", "m/s", 1, 4, {}, {}, {}},
-        mean);
+    const bool between_walls = data.flow.has_side_walls();
+    table.add(row_of("depth_mean_velocity",
+                     between_walls ? "Depth-mean velocity above the datum, over the whole width"
+                                   : "Depth-mean velocity above the datum",
+                     "<i>U</i>", "m/s"),
+              mean);
     const auto centreline = find_value(data.summary, "centreline_velocity");
-    if (centreline && data.flow.has_side_walls()) {
-        table.add({"centreline_velocity",
-                   "Depth-mean velocity around the centreline",
-                   "<i>U</i><sub>c</sub>",
-                   "m/s",
-                   1,
-                   4,
-                   {},
-                   {},
-                   {}},
+    if (centreline && between_walls) {
+        table.add(row_of("centreline_velocity", "Depth-mean velocity around the centreline",
+                         "<i>U</i><sub>c</sub>", "m/s"),
                   {SummaryValue{*centreline, find_value(data.summary, "centreline_velocity_half_width")},
                    plain(data.flow.measured.depth_mean_velocity),
                    plain(find_value(data.section_summary, "centreline_velocity"))});
     }
+    // The column twin is that of a wide channel: it stands beside nothing between side walls.
     table.add(
-        {"surface_velocity", "Velocity at the surface", "<i>u</i><sub>s</sub>", "m/s", 1, 4, {}, {}, {}},
+        row_of("surface_velocity",
+               between_walls ? "Velocity at the surface, over the whole width" : "Velocity at the surface",
+               "<i>u</i><sub>s</sub>", "m/s"),
         {plain(find_value(data.summary, "surface_velocity")),
          {},
-         plain(find_value(data.column_summary, "surface_velocity"))});
+         between_walls ? Value() : plain(find_value(data.column_summary, "surface_velocity"))});
 }
 
-void add_friction(Table& table, const ReportData& data) {
+/// Friction velocities and roughness around the centreline of a channel with side walls, where they were
+/// measured; the fits of the section twin's own profile there stand beside them.
+void add_centreline_friction(Table& table, const ReportData& data, const Analysis& analysis) {
     const Measured& measured = data.flow.measured;
-    table.add({"friction_velocity",
+    table.add(row_of("width_friction_velocity",
+                     "Friction velocity, from the stress at the crests over the whole width",
+                     "<i>u</i><sub>∗</sub>", "m/s"),
+              {plain(find_value(data.summary, "friction_velocity")), {}, {}});
+    table.add(
+        row_of("friction_velocity", "Friction velocity, from the stress at the crests around the centreline",
+               "<i>u</i><sub>∗</sub>", "m/s"),
+        {found(analysis, "friction_velocity"), plain(measured.friction_velocity),
+         found(analysis, "section_twin_friction_velocity")});
+    table.add(
+        row_of("log_law_friction_velocity", "Friction velocity, from the log-law fit around the centreline",
+               "<i>u</i><sub>∗</sub>", "m/s"),
+        {found(analysis, "log_law_friction_velocity"), plain(measured.friction_velocity),
+         found(analysis, "section_twin_log_law_friction_velocity")});
+    table.add(
+        row_of("equivalent_roughness", "Equivalent roughness, from the log-law fit around the centreline",
+               "<i>k</i><sub>s</sub>", "mm", 1000, 3),
+        {found(analysis, "equivalent_roughness"), plain(measured.equivalent_roughness),
+         found(analysis, "section_twin_equivalent_roughness")});
+}
+
+void add_friction(Table& table, const ReportData& data, const Analysis& analysis) {
+    const Measured& measured = data.flow.measured;
+    // Of the width there are no laws to fit, and nothing measured to compare with; without a mean field
+    // nothing is known of the centreline.
+    if (data.flow.has_side_walls()) {
+        if (find_finding(analysis, "width_friction_velocity") != nullptr) {
+            add_centreline_friction(table, data, analysis);
+        } else {
+            table.add(row_of("width_friction_velocity",
+                             "Friction velocity, from the stress at the crests over the whole width",
+                             "<i>u</i><sub>∗</sub>", "m/s"),
+                      {plain(find_value(data.summary, "friction_velocity")), {}, {}});
+        }
+        return;
+    }
+    table.add(
+        row_of("friction_velocity",
                data.flow.bed.kind == BedKind::spheres ? "Friction velocity, from the stress at the crests"
                                                       : "Friction velocity, from the stress at the bed",
-               "<i>u</i><sub>∗</sub>",
-               "m/s",
-               1,
-               4,
-               {},
-               {},
-               {}},
-              {plain(find_value(data.summary, "friction_velocity")), plain(measured.friction_velocity),
-               plain(find_value(data.column_summary, "friction_velocity"))});
-    Value fitted_velocity;
-    Value fitted_roughness;
-    if (data.log_law.valid) {
-        fitted_velocity =
-            SummaryValue{data.log_law.friction_velocity, data.log_law.friction_velocity_half_width};
-        fitted_roughness =
-            SummaryValue{data.log_law.equivalent_roughness, data.log_law.equivalent_roughness_half_width};
-    } else {
-        fitted_roughness = plain(find_value(data.summary, "equivalent_roughness"));
-    }
-    table.add({"log_law_friction_velocity",
-               "Friction velocity, from the log-law fit",
-               "<i>u</i><sub>∗</sub>",
-               "m/s",
-               1,
-               4,
-               {},
-               {},
-               {}},
-              {fitted_velocity, plain(measured.friction_velocity),
+               "<i>u</i><sub>∗</sub>", "m/s"),
+        {plain(find_value(data.summary, "friction_velocity")), plain(measured.friction_velocity),
+         plain(find_value(data.column_summary, "friction_velocity"))});
+    // Of the analysis, whose window may be another, else of the run itself.
+    const auto fit = [&](const char* key) {
+        Value value = found(analysis, key);
+        if (!value && find_value(data.summary, key)) {
+            value = SummaryValue{*find_value(data.summary, key),
+                                 find_value(data.summary, std::string(key) + "_half_width")};
+        }
+        return value;
+    };
+    table.add(row_of("log_law_friction_velocity", "Friction velocity, from the log-law fit",
+                     "<i>u</i><sub>∗</sub>", "m/s"),
+              {fit("log_law_friction_velocity"), plain(measured.friction_velocity),
                plain(find_value(data.column_summary, "log_law_friction_velocity"))});
-    table.add({"equivalent_roughness",
-               "Equivalent roughness, from the log-law fit",
-               "<i>k</i><sub>s</sub>",
-               "mm",
-               1000,
-               3,
-               {},
-               {},
-               {}},
-              {fitted_roughness, plain(measured.equivalent_roughness),
+    table.add(row_of("equivalent_roughness", "Equivalent roughness, from the log-law fit",
+                     "<i>k</i><sub>s</sub>", "mm", 1000, 3),
+              {fit("equivalent_roughness"), plain(measured.equivalent_roughness),
                plain(find_value(data.column_summary, "equivalent_roughness"))});
 }
 
 /// Surface level and how much it moves: as the analysis finds it, so that a page gives one value.
 void add_levels(Table& table, const ReportData& data, const Analysis& analysis) {
-    table.add({"mean_level",
-               "Mean water level above the bed level",
-               "<i>z</i><sub>s</sub>",
-               "mm",
-               1000,
-               4,
-               {},
-               {},
-               {}},
-              {plain(find_value(data.summary, "mean_level")), {}, plain(data.flow.total_depth())});
-    Value fluctuation;
-    if (const Finding* const found = find_finding(analysis, "surface_standard_deviation")) {
-        fluctuation = SummaryValue{found->value, found->half_width};
-    } else if (data.surface) {
-        fluctuation = SummaryValue{data.surface->standard_deviation, std::nullopt};
-    }
-    table.add({"surface_standard_deviation",
-               "Surface fluctuation, standard deviation",
-               "<i>σ</i><sub>η</sub>",
-               "mm",
-               1000,
-               3,
-               {},
-               {},
-               {}},
-              {fluctuation, plain(data.flow.measured.surface_standard_deviation), {}});
+    table.add(
+        row_of("mean_level", "Mean water level above the bed level", "<i>z</i><sub>s</sub>", "mm", 1000, 4),
+        {plain(find_value(data.summary, "mean_level")), {}, plain(data.flow.total_depth())});
+    table.add(row_of("surface_standard_deviation", "Surface fluctuation, standard deviation",
+                     "<i>σ</i><sub>η</sub>", "mm", 1000, 3),
+              {found(analysis, "surface_standard_deviation"),
+               plain(data.flow.measured.surface_standard_deviation),
+               {}});
 }
 
 /// Numbers of hydraulics that follow from the depth-mean velocity, for a wide channel (no side walls, as the
@@ -182,54 +201,103 @@ void add_channel_numbers(Table& table, const ReportData& data, const Sources& me
     if (c.channel.slope <= 0) return;  // no mean flow to characterise
     const double component = c.streamwise_gravity();
     const double slope = c.channel.slope;
-    table.add({"friction_factor", "Friction factor (Darcy and Weisbach)", "<i>f</i>", "1", 1, 4, {}, {}, {}},
+    table.add(row_of("friction_factor", "Friction factor (Darcy and Weisbach)", "<i>f</i>", "1"),
               mean.through([=](double u) { return friction_factor(component, depth, u); }));
-    table.add({"manning", "Manning's coefficient", "<i>n</i>", "s/m<sup>1/3</sup>", 1, 4, {}, {}, {}},
+    table.add(row_of("manning", "Manning's coefficient", "<i>n</i>", "s/m<sup>1/3</sup>"),
               mean.through([=](double u) { return manning_coefficient(slope, depth, u); }));
-    table.add({"chezy", "Chezy's coefficient", "<i>C</i>", "m<sup>1/2</sup>/s", 1, 4, {}, {}, {}},
+    table.add(row_of("chezy", "Chezy's coefficient", "<i>C</i>", "m<sup>1/2</sup>/s"),
               mean.through([=](double u) { return chezy_coefficient(slope, depth, u); }));
-    table.add({"froude", "Froude number", "Fr", "1", 1, 3, {}, {}, {}},
+    table.add(row_of("froude", "Froude number", "Fr", "1", 1, 3),
               mean.through([=, g = c.fluid.gravity](double u) { return froude_number(u, g, depth); }));
-    table.add({"reynolds", "Reynolds number", "Re", "1", 1, 4, {}, {}, {}},
+    table.add(row_of("reynolds", "Reynolds number", "Re", "1"),
               mean.through(
                   [=, nu = c.fluid.kinematic_viscosity](double u) { return reynolds_number(u, depth, nu); }));
 }
 
 void add_forces(Table& table, const ReportData& data) {
     if (data.flow.channel.slope <= 0) return;
-    table.add({"drag_over_gravity", "Drag of the bed elements / weight component", "", "1", 1, 4, {}, {}, {}},
+    table.add(row_of("drag_over_gravity", "Drag of the bed elements / weight component", "", "1"),
               {plain(find_value(data.summary, "drag_over_gravity")),
                {},
                plain(find_value(data.flow.has_side_walls() ? data.section_summary : data.column_summary,
                                 "drag_share"))});
     if (const auto side = find_value(data.summary, "side_wall_over_gravity");
         side && data.flow.has_side_walls()) {
-        table.add({"side_wall_over_gravity",
-                   "Drag of the side walls / weight component",
-                   "",
-                   "1",
-                   1,
-                   4,
-                   {},
-                   {},
-                   {}},
+        table.add(row_of("side_wall_over_gravity", "Drag of the side walls / weight component", "", "1"),
                   {plain(side), {}, plain(find_value(data.section_summary, "side_wall_share"))});
     }
     // A bed that acts by its elements alone has no wall friction to report.
     const auto wall = find_value(data.summary, "wall_over_gravity");
     const auto column_wall = find_value(data.column_summary, "wall_share");
     if (wall.value_or(0.0) == 0.0 && column_wall.value_or(0.0) == 0.0) return;
-    table.add({"wall_over_gravity", "Wall friction / weight component", "", "1", 1, 3, {}, {}, {}},
+    table.add(row_of("wall_over_gravity", "Wall friction / weight component", "", "1", 1, 3),
               {plain(wall), {}, plain(column_wall)});
+}
+
+void add_forces_on_bodies(Table& table, const ReportData& data, const Analysis& analysis) {
+    for (const auto& [key, label] :
+         {std::pair{"drag_over_gravity", "Drag of the bed elements / weight component"},
+          std::pair{"wall_over_gravity", "Force of walls and bodies / weight component"},
+          std::pair{"side_wall_over_gravity", "Drag of the side walls / weight component"}}) {
+        const auto value = find_value(data.summary, key);
+        if (value.value_or(0.0) != 0.0) table.add(row_of(key, label, "", "1"), {plain(value), {}, {}});
+    }
+    table.add(row_of("solid_force_share", "of these the force on the bodies", "", "1"),
+              {found(analysis, "solid_force_share"), {}, {}});
+    table.add(row_of("solid_form_drag_share", "of these by pressure, their form drag", "", "1"),
+              {found(analysis, "solid_form_drag_share"), {}, {}});
+}
+
+/// Rows that are findings of the analysis, with what theory says beside them.
+void add_findings(Table& table, const Analysis& analysis,
+                  const std::vector<std::pair<const char*, const char*>>& keys_and_symbols) {
+    for (const auto& [key, symbol] : keys_and_symbols) {
+        const Finding* const finding = find_finding(analysis, key);
+        if (finding == nullptr) continue;
+        const bool millimetres = finding->unit == "m";
+        std::string label = finding->label;
+        if (!label.empty() && label.front() >= 'a' && label.front() <= 'z')
+            label.front() = static_cast<char>(label.front() - 'a' + 'A');
+        const std::string unit = millimetres ? "mm" : finding->unit == "m2/s" ? "m²/s" : finding->unit;
+        Quantity row = row_of(key, std::move(label), symbol, unit.c_str(), millimetres ? 1000.0 : 1.0);
+        row.theory = plain(finding->reference);
+        table.add(std::move(row), {SummaryValue{finding->value, finding->half_width}, {}, {}});
+    }
 }
 
 }  // namespace
 
 std::vector<Quantity> summarize(const ReportData& data, const Analysis& analysis) {
     Table table;
+    const FlowKind kind = flow_kind(data.flow);
+    if (is_undriven(kind)) {
+        add_findings(table, analysis,
+                     {{"front_speed", ""},
+                      {"mode_period", "<i>T</i>"},
+                      {"mode_decay_rate", ""},
+                      {"velocity_decay_rate", ""},
+                      {"kinetic_energy_largest", ""},
+                      {"energy_change", ""},
+                      {"volume_change_largest", ""}});
+        if (kind == FlowKind::tank && data.flow.channel.top == Top::free_surface) {
+            table.add(row_of("mean_level", "Mean level of the wet places, over the averaging window",
+                             "<i>z</i><sub>s</sub>", "mm", 1000, 4),
+                      {plain(find_value(data.summary, "mean_level")), {}, {}});
+        }
+        return table.take();
+    }
     const Sources mean = depth_mean_velocity(data);
     add_velocities(table, data, mean);
-    add_friction(table, data);
+    if (kind == FlowKind::channel_with_bodies) {
+        add_findings(table, analysis,
+                     {{"unit_discharge", "<i>q</i>"},
+                      {"highest_level", ""},
+                      {"lowest_level", ""},
+                      {"largest_froude", "Fr"}});
+        add_forces_on_bodies(table, data, analysis);
+        return table.take();
+    }
+    add_friction(table, data, analysis);
     add_levels(table, data, analysis);
     add_channel_numbers(table, data, mean);
     add_forces(table, data);

@@ -24,10 +24,12 @@ struct Quantity {
     double factor = 1;
     int digits = 4;  ///< significant digits shown
     std::optional<SummaryValue> simulated, measured, column;
+    std::optional<SummaryValue> theory{};  ///< of flows that theory knows: a wave, a dam break, vortices
 };
 
-/// The rows of the summary table, those without any value left out. The surface's fluctuation is that of the
-/// analysis, where it has one.
+/// The rows of the summary table by the kind of flow, those without any value left out. What the analysis
+/// finds is taken from there: the surface's fluctuation, what stands at the centreline between side walls,
+/// what a channel with bodies and a flow that nothing drives are known by.
 [[nodiscard]] std::vector<Quantity> summarize(const ReportData& data, const Analysis& analysis = {});
 
 /// The row with this key; nullptr if it is not there.

@@ -9,8 +9,7 @@
 #include <variant>
 
 #include "base/error.hpp"
-#include "report/field_data.hpp"
-#include "report/profile_data.hpp"
+#include "column/column.hpp"
 
 namespace riffle {
 
@@ -27,13 +26,18 @@ constexpr std::array series_names = {"time",
                                      "particle_order",
                                      "density_deviation_minimum",
                                      "density_deviation_maximum",
-                                     "kinetic_energy"};
+                                     "kinetic_energy",
+                                     "maximum_velocity",
+                                     "total_mean_velocity"};
 
 constexpr std::array summary_names = {"depth_mean_velocity",
                                       "depth_mean_velocity_half_width",
                                       "surface_velocity",
                                       "friction_velocity",
+                                      "log_law_friction_velocity",
+                                      "log_law_friction_velocity_half_width",
                                       "equivalent_roughness",
+                                      "equivalent_roughness_half_width",
                                       "zero_plane",
                                       "drag_over_gravity",
                                       "wall_over_gravity",
@@ -54,7 +58,9 @@ constexpr std::array summary_names = {"depth_mean_velocity",
                                       "velocity_error_above_rms",
                                       "velocity_error_above_maximum",
                                       "velocity_error_below_rms",
-                                      "velocity_error_below_maximum"};
+                                      "velocity_error_below_maximum",
+                                      "lost_particles",
+                                      "lost_share"};
 
 constexpr std::array column_value_names = {
     "depth_mean_velocity",  "total_mean_velocity", "surface_velocity",          "friction_velocity",
@@ -90,16 +96,6 @@ Values read_values(const ResultsReader& reader, const std::string& group, const 
     return values;
 }
 
-/// Series of a run that was stopped between two appends may differ in length: keep the common rows.
-Columns read_series(const ResultsReader& reader) {
-    Columns columns = read_columns(reader, "/time_series", series_names);
-    std::size_t rows = SIZE_MAX;
-    for (const auto& [name, values] : columns) rows = std::min(rows, values.size());
-    for (auto& [name, values] : columns) values.resize(rows);
-    if (!has_column(columns, "time")) columns.clear();
-    return columns;
-}
-
 void read_window(const ResultsReader& reader, ReportData& data) {
     const auto of = [&](const char* name) {
         if (reader.has("/profiles")) {
@@ -112,32 +108,46 @@ void read_window(const ResultsReader& reader, ReportData& data) {
     data.profile_samples = of("samples");
 }
 
-void note_gaps(ReportData& data) {
-    const bool profiles = has_column(data.profiles, "z");
-    if (!profiles) {
-        const std::string why =
-            data.complete
-                ? "the run ended before time averages were taken."
-                : "time averages have not started yet; make the report again when the run has gone on.";
-        for (const char* figure : {"velocity", "log-law", "gradient", "deviation", "stress", "pressure"}) {
-            data.notes[figure] = why;
-        }
-    } else if (!data.log_law.valid) {
-        data.notes["log-law"] = data.flow.bed.kind == BedKind::spheres
-                                    ? "the simulated profile could not be fitted to the rough log law."
-                                    : "the bed is smooth, so there is no roughness to scale with.";
+/// Those of the named one-dimensional datasets of a group that exist.
+template <typename Names>
+Columns read_columns(const ResultsReader& reader, const std::string& group, const Names& names) {
+    Columns columns;
+    for (const char* name : names) {
+        const std::string path = group + "/" + name;
+        if (reader.has(path)) columns[name] = reader.read_doubles(path);
     }
-    if (profiles && !has_column(data.column, "z")) {
-        data.notes["deviation"] = "the results file holds no column twin to compare with.";
+    return columns;
+}
+
+/// Series of a run that was stopped between two appends may differ in length: keep the common rows.
+Columns read_series(const ResultsReader& reader) {
+    Columns columns = read_columns(reader, "/time_series", series_names);
+    std::size_t rows = SIZE_MAX;
+    for (const auto& [name, values] : columns) rows = std::min(rows, values.size());
+    for (auto& [name, values] : columns) values.resize(rows);
+    if (!has_column(columns, "time")) columns.clear();
+    return columns;
+}
+
+/// Solve the column twin for those of its values that the results file lacks; nothing where the case has
+/// none.
+void complete_column(ReportData& data) {
+    Values& values = data.column_summary;
+    const bool whole = find_value(values, "depth_mean_velocity") &&
+                       find_value(values, "log_law_friction_velocity") &&
+                       find_value(values, "relaxation_time") && find_value(values, "drag_share");
+    if (whole || !has_column(data.flow)) return;
+    const ColumnResult column = solve_column(data.flow);
+    values.try_emplace("depth_mean_velocity", column.depth_mean_velocity);
+    values.try_emplace("surface_velocity", column.surface_velocity);
+    values.try_emplace("friction_velocity", column.friction_velocity);
+    values.try_emplace("drag_share", column.drag_share);
+    values.try_emplace("wall_share", column.wall_share);
+    if (std::isfinite(column.relaxation_time)) values.try_emplace("relaxation_time", column.relaxation_time);
+    if (column.log_law.valid) {
+        values.try_emplace("equivalent_roughness", column.log_law.equivalent_roughness);
+        values.try_emplace("log_law_friction_velocity", column.log_law.friction_velocity);
     }
-    if (!has_column(data.series, "time")) {
-        data.notes["history"] = data.notes["health"] = "the results file holds no time series yet.";
-    }
-    if (!data.snapshot) {
-        data.notes["field"] =
-            "the results file holds no snapshot ([output] snapshot_interval sets how often one is kept).";
-    }
-    if (!data.surface) data.notes["surface"] = "the results file holds no record of the surface elevation.";
 }
 
 }  // namespace
@@ -153,7 +163,7 @@ bool has_column(const Columns& columns, const std::string& name) {
     return found != columns.end() && !found->second.empty();
 }
 
-ReportData collect_report_data(const std::filesystem::path& results) {
+ReportData collect_report_data(const std::filesystem::path& results, FieldFrames frames) {
     const ResultsReader reader(results);
     ReportData data;
     data.source = results;
@@ -182,16 +192,9 @@ ReportData collect_report_data(const std::filesystem::path& results) {
     data.column_summary = read_values(reader, "/column", column_value_names);
     data.section_summary = read_values(reader, "/section", section_value_names);
     data.series = read_series(reader);
-    data.profiles = read_profiles(reader);
-    data.column = read_column(reader);
     complete_column(data);
     read_window(reader, data);
-    add_hydrostatic_pressure(data);
-    add_log_law(data);
-    data.measured_profile = measured_profile(data);
-    data.surface = read_surface(reader, data);
-    data.snapshot = read_snapshot(reader, data.flow);
-    note_gaps(data);
+    data.field = read_field(reader, data.flow, frames);
     return data;
 }
 

@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 
-#include "hydraulics/channel_laws.hpp"
+#include "case/flow_kind.hpp"
+#include "report/base64.hpp"
 #include "report/json_parts.hpp"
 #include "report/run_facts.hpp"
 #include "report/summary_json.hpp"
@@ -14,151 +17,161 @@ namespace riffle {
 
 namespace {
 
-Json object_of(const Columns& columns, std::size_t stride = 1) {
-    Json object = Json::object();
-    for (const auto& [name, values] : columns) object[name] = array_of(values, stride);
-    return object;
-}
-
 Json geometry_json(const ReportData& data) {
     const Case& c = data.flow;
-    return {{"slope", c.channel.slope},
-            {"depth", c.channel.depth},
-            {"length", c.channel.length},
+    const bool closed = c.channel.ends == Ends::walls;
+    return {{"length", c.channel.length},
             {"datum", c.datum()},
             {"crest", c.crest()},
-            {"total_depth", c.total_depth()},
-            {"mean_level", find_value(data.summary, "mean_level").value_or(c.total_depth())},
             {"spacing", c.numerics.spacing},
             {"rough", c.bed.kind == BedKind::spheres},
-            {"periodic", c.channel.ends == Ends::periodic}};
+            {"bed", c.channel.top != Top::periodic},
+            {"lid", c.channel.top == Top::wall ? Json(c.total_depth()) : Json(nullptr)},
+            {"ends", closed ? Json(c.channel.wall_height.value_or(1.5 * c.total_depth())) : Json(nullptr)},
+            {"periodic", !closed}};
 }
 
-Json profiles_json(const ReportData& data) {
-    if (!has_column(data.profiles, "z")) return nullptr;
-    Json object = object_of(data.profiles);
-    object["window_start"] = data.window_start;
-    object["window_end"] = data.window_end;
-    object["samples"] = data.profile_samples;
-    return object;
-}
-
-Json column_json(const ReportData& data) {
-    if (data.column.empty() && data.column_summary.empty()) return nullptr;
-    Json object = object_of(data.column);
-    for (const auto& [name, value] : data.column_summary) object[name] = exact(value);
-    return object;
-}
-
-Json measured_json(const ReportData& data) {
-    const Measured& measured = data.flow.measured;
-    Json object = {{"uniform", measured.uniform}, {"source", measured.source}};
-    if (measured.depth_mean_velocity) object["depth_mean_velocity"] = *measured.depth_mean_velocity;
-    if (data.measured_profile) {
-        const MeasuredProfile& profile = *data.measured_profile;
-        object["profile"] = {{"kind", profile.from_law ? "law" : "points"},
-                             {"z", array_of(profile.z)},
-                             {"velocity", array_of(profile.velocity)},
-                             {"uncertainty", array_of(profile.uncertainty)}};
+/// Values as 16-bit steps between the ends of their range, base64; not-a-number is the highest step.
+std::string packed(const std::vector<double>& values, double low, double high) {
+    constexpr double steps = 65534.0;
+    constexpr std::uint16_t none = 65535;
+    std::vector<std::uint8_t> bytes;
+    bytes.reserve(2 * values.size());
+    for (const double value : values) {
+        const double share = high > low ? std::clamp((value - low) / (high - low), 0.0, 1.0) : 0.0;
+        const auto step =
+            std::isfinite(value) ? static_cast<std::uint16_t>(std::lround(steps * share)) : none;
+        bytes.push_back(static_cast<std::uint8_t>(step & 255U));
+        bytes.push_back(static_cast<std::uint8_t>(step >> 8U));
     }
-    return object;
+    return base64(bytes);
 }
 
-Json log_law_json(const ReportData& data) {
-    const LogLawFit& fit = data.log_law;
-    if (!fit.valid) return {{"valid", false}};
-    return {{"valid", true},
-            {"kappa", log_law_kappa},
-            {"friction_velocity", fit.friction_velocity},
-            {"friction_velocity_half_width", exact(fit.friction_velocity_half_width)},
-            {"equivalent_roughness", fit.equivalent_roughness},
-            {"equivalent_roughness_half_width", exact(fit.equivalent_roughness_half_width)},
-            {"zero_plane", fit.zero_plane},
-            {"from", fit.from},
-            {"to", fit.to},
-            {"residual_rms", exact(fit.residual_rms)},
-            {"z", array_of(data.log_law_z)},
-            {"velocity", array_of(data.log_law_velocity)}};
-}
+/// A quantity of the field's picture: its name, its values, and their range over all frames.
+struct FieldQuantity {
+    const char* name;
+    std::vector<double> FieldFrame::*values;
+    double low = std::numeric_limits<double>::infinity();
+    double high = -std::numeric_limits<double>::infinity();
+    bool whole = true;  ///< each frame has a value for each particle
+};
 
-Json window_json(const ReportData& data) {
-    Json object = {{"start", data.window_start}, {"end", data.window_end}};
-    object["mean"] = exact(find_value(data.summary, "depth_mean_velocity").value_or(NAN));
-    object["half_width"] = exact(find_value(data.summary, "depth_mean_velocity_half_width").value_or(NAN));
-    return object;
-}
-
-Json series_json(const ReportData& data) {
-    if (!has_column(data.series, "time")) return nullptr;
-    // Every n-th row where a figure could not show more.
-    constexpr std::size_t most_rows = 5000;
-    const std::size_t stride = (data.series.at("time").size() + most_rows - 1) / most_rows;
-    return object_of(data.series, std::max<std::size_t>(stride, 1));
-}
-
-Json surface_json(const ReportData& data) {
-    if (!data.surface) return nullptr;
-    Json elevation = Json::array();
-    for (const auto& row : data.surface->elevation) {
-        Json line = Json::array();
-        // Waves are a thousandth of the level and less: keep nanometres, not six digits.
-        for (const double value : row)
-            line.push_back(std::isfinite(value) ? Json(std::round(value * 1e9) / 1e9) : Json(nullptr));
-        elevation.push_back(std::move(line));
+std::vector<FieldQuantity> field_quantities(const FieldPicture& picture) {
+    std::vector<FieldQuantity> quantities = {{"x", &FieldFrame::x},
+                                             {"z", &FieldFrame::z},
+                                             {"velocity", &FieldFrame::velocity},
+                                             {"vertical_velocity", &FieldFrame::vertical_velocity},
+                                             {"pressure", &FieldFrame::pressure},
+                                             {"eddy_viscosity", &FieldFrame::eddy_viscosity}};
+    for (FieldQuantity& quantity : quantities) {
+        for (const FieldFrame& frame : picture.frames) {
+            const std::vector<double>& values = frame.*quantity.values;
+            quantity.whole = quantity.whole && values.size() == frame.x.size();
+            for (const double value : values) {
+                if (!std::isfinite(value)) continue;
+                quantity.low = std::min(quantity.low, value);
+                quantity.high = std::max(quantity.high, value);
+            }
+        }
     }
-    return {{"x", array_of(data.surface->x)},
-            {"time", array_of(data.surface->time)},
-            {"elevation", std::move(elevation)},
-            {"mean_level", data.surface->mean_level},
-            {"standard_deviation", data.surface->standard_deviation},
-            {"velocity",
-             exact(find_value(data.summary, "depth_mean_velocity")
-                       .value_or(find_value(data.column_summary, "depth_mean_velocity").value_or(NAN)))}};
+    std::erase_if(quantities, [](const FieldQuantity& q) { return !q.whole || !(q.low <= q.high); });
+    return quantities;
 }
 
-Json snapshot_json(const ReportData& data) {
-    if (!data.snapshot) return nullptr;
-    const Snapshot& snapshot = *data.snapshot;
-    Json object = {{"time", snapshot.time},
-                   {"spacing", data.flow.numerics.spacing},
-                   {"x_end", snapshot.left_out ? snapshot.x_end : data.flow.channel.length},
-                   {"left_out", snapshot.left_out},
-                   {"x", array_of(snapshot.x)},
-                   {"z", array_of(snapshot.z)},
-                   {"velocity", array_of(snapshot.velocity)},
-                   {"vertical_velocity", array_of(snapshot.vertical_velocity)},
-                   {"pressure", array_of(snapshot.pressure)},
-                   {"eddy_viscosity", array_of(snapshot.eddy_viscosity)},
-                   {"surface", {{"x", array_of(snapshot.surface_x)}, {"z", array_of(snapshot.surface_z)}}}};
-    if (snapshot.y) object["y"] = *snapshot.y;
+Json outlines_json(const std::vector<Outline>& outlines) {
+    Json array = Json::array();
+    for (const Outline& outline : outlines)
+        array.push_back({{"x", array_of(outline.x)}, {"z", array_of(outline.z)}});
+    return array;
+}
+
+Json field_json(const ReportData& data) {
+    if (!data.field) return nullptr;
+    const FieldPicture& picture = *data.field;
+    const std::vector<FieldQuantity> quantities = field_quantities(picture);
+    Json ranges = Json::object();
+    for (const FieldQuantity& quantity : quantities) ranges[quantity.name] = {quantity.low, quantity.high};
+    Json frames = Json::array();
+    for (const FieldFrame& frame : picture.frames) {
+        Json object = {{"time", frame.time}, {"count", frame.x.size()}};
+        for (const FieldQuantity& quantity : quantities)
+            object[quantity.name] = packed(frame.*quantity.values, quantity.low, quantity.high);
+        object["surface"] = {{"x", array_of(frame.surface_x)}, {"z", array_of(frame.surface_z)}};
+        object["bodies"] = outlines_json(frame.bodies);
+        frames.push_back(std::move(object));
+    }
+    Json spheres = Json::array();
+    for (const Circle& circle : picture.spheres)
+        spheres.push_back({rounded(circle.x), rounded(circle.z), rounded(circle.radius)});
+    Json object = {
+        {"spacing", data.flow.numerics.spacing}, {"x_end", picture.x_end},      {"top", picture.top},
+        {"left_out", picture.left_out},          {"ranges", std::move(ranges)}, {"frames", std::move(frames)},
+        {"spheres", std::move(spheres)}};
+    if (picture.y) object["y"] = *picture.y;
     return object;
+}
+
+/// The chapters in the order of the page, before and after the picture of the flow field; those of neither
+/// list follow at the end, and `particles` stands with the diagnostics.
+Json chapters_json(FlowKind kind) {
+    const auto lists = [](const std::vector<std::string>& first, const std::vector<std::string>& then) {
+        return Json{{"first", first}, {"then", then}};
+    };
+    switch (kind) {
+        case FlowKind::uniform_channel:
+            return lists({"profiles", "statistics"},
+                         {"section", "secondary", "bed", "fits", "surface", "subsurface", "forces"});
+        case FlowKind::channel_with_bodies:
+            return lists({"along", "forces"},
+                         {"statistics", "profiles", "section", "secondary", "surface", "subsurface"});
+        case FlowKind::tank:
+        case FlowKind::standing_wave:
+        case FlowKind::periodic_box:
+            break;
+    }
+    return lists({"course"}, {"profiles", "forces", "section"});
 }
 
 std::string summary_note(const ReportData& data) {
-    std::string note =
-        "The column twin is the steady one-dimensional solution of the same equations, closure and drag: "
-        "what the "
-        "particles would give with perfect numerics. ";
-    if (data.flow.has_side_walls()) {
-        note +=
-            "Between side walls the twin's mean and centreline velocities and shares are those of the "
-            "section "
-            "twin, the steady flow over the cross-section; what was measured stands beside the centreline. ";
+    const FlowKind kind = flow_kind(data.flow);
+    if (is_undriven(kind)) {
+        return "Theory stands beside what it knows: the references are named in the chapter on the course of "
+               "the flow.";
     }
-    if (data.flow.bed.kind == BedKind::spheres) {
+    std::string note;
+    if (kind == FlowKind::channel_with_bodies) {
+        note =
+            "Levels are time means above the bed level along the channel; forces are shares of the component "
+            "of the "
+            "water's weight down the slope. ";
+    } else if (has_column(data.flow)) {
+        note =
+            "The column twin is the steady one-dimensional solution of the same equations, closure and drag: "
+            "what the "
+            "particles would give with perfect numerics. ";
+    }
+    if (data.flow.has_side_walls() && kind == FlowKind::uniform_channel) {
+        note +=
+            "Between side walls the twin is that of the section, the steady flow over the cross-section, and "
+            "what was "
+            "measured at the centreline stands beside the simulated centreline: means over the length and a "
+            "period of the "
+            "bed's elements across the channel. ";
+    }
+    if (data.flow.bed.kind == BedKind::spheres && kind == FlowKind::uniform_channel) {
         note +=
             "The datum lies below the crests of the bed elements; depth-mean values are taken above it. "
-            "Friction velocity "
-            "and equivalent roughness from the fit: rough log law <i>u</i>/<i>u</i><sub>∗</sub> = "
+            "Friction velocity and equivalent roughness from the fit: rough log law "
+            "<i>u</i>/<i>u</i><sub>∗</sub> = "
             "ln((<i>z</i> − <i>z</i><sub>0</sub>)/<i>k</i><sub>s</sub>)/0.41 + 8.5 with <i>z</i><sub>0</sub> "
             "at the datum. ";
     }
-    note +=
-        "Channel numbers are for a wide channel: hydraulic radius = depth above the datum; those of the "
-        "measured flow "
-        "follow from its depth-mean velocity in the same way.";
-    const auto measured = data.notes.find("measured");
-    if (measured != data.notes.end()) note += " Note: " + measured->second;
+    if (data.flow.channel.slope > 0 && kind == FlowKind::uniform_channel) {
+        note +=
+            "Channel numbers are for a wide channel: hydraulic radius = depth above the datum; those of the "
+            "measured "
+            "flow follow from its depth-mean velocity in the same way.";
+    }
     return note;
 }
 
@@ -166,27 +179,24 @@ std::string summary_note(const ReportData& data) {
 
 std::string page_json(const ReportData& data, const Analysis& analysis) {
     const std::vector<Quantity> quantities = summarize(data, analysis);
-    const std::vector<Diagnostic> diagnostics = diagnose(data);
+    const std::vector<Diagnostic> diagnostics = diagnose(data, analysis);
     Json facts = Json::array();
     for (const Fact& fact : run_facts(data)) facts.push_back({{"label", fact.label}, {"value", fact.value}});
-    const Json object = {{"kicker", flow_line(data)},
-                         {"description", data.flow.description},
-                         {"verdict", verdict_json(judge(data, quantities, diagnostics))},
-                         {"quantities", quantity_rows(quantities)},
-                         {"summary_note", summary_note(data)},
-                         {"geometry", geometry_json(data)},
-                         {"profiles", profiles_json(data)},
-                         {"column", column_json(data)},
-                         {"measured", measured_json(data)},
-                         {"log_law", log_law_json(data)},
-                         {"window", window_json(data)},
-                         {"series", series_json(data)},
-                         {"surface", surface_json(data)},
-                         {"snapshot", snapshot_json(data)},
-                         {"diagnostics", diagnostics_json(diagnostics)},
-                         {"run", std::move(facts)},
-                         {"notes", data.notes},
-                         {"case_text", data.flow.text}};
+    const Json object = {
+        {"kicker", flow_line(data)},
+        {"description", data.flow.description},
+        {"flow_kind", flow_kind_word(flow_kind(data.flow))},
+        {"verdict", verdict_json(judge(data, quantities, diagnostics))},
+        {"quantities", quantity_rows(quantities)},
+        {"summary_note", summary_note(data)},
+        {"twin", data.flow.has_side_walls() ? "Section twin" : "Column twin"},
+        {"chapters", chapters_json(flow_kind(data.flow))},
+        {"geometry", geometry_json(data)},
+        {"field", field_json(data)},
+        {"diagnostics", diagnostics_json(diagnostics)},
+        {"run", std::move(facts)},
+        {"references", references_json(cited_references({analysis}, {data.flow.measured.source}))},
+        {"case_text", data.flow.text}};
     return json_text(object, -1);
 }
 

@@ -2,17 +2,20 @@
 
 #include <fmt/format.h>
 
+#include "case/flow_kind.hpp"
+
 namespace riffle {
 
 Json summary_object(const ReportData& data, const Analysis& analysis) {
     const std::vector<Quantity> quantities = summarize(data, analysis);
-    const std::vector<Diagnostic> diagnostics = diagnose(data);
+    const std::vector<Diagnostic> diagnostics = diagnose(data, analysis);
     return {{"format", "riffle-report-summary"},
             {"title", data.title},
             {"riffle_version", data.riffle_version},
             {"build", data.build},
             {"results", data.source.string()},
             {"complete", data.complete},
+            {"flow_kind", flow_kind_word(flow_kind(data.flow))},
             {"converged", find_value(data.summary, "converged").value_or(0.0) != 0.0},
             {"window", {{"start", data.window_start}, {"end", data.window_end}}},
             {"quantities", quantities_by_key(quantities)},

@@ -4,6 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
+
+#include "case/flow_kind.hpp"
+#include "column/column.hpp"
 
 namespace riffle {
 
@@ -17,9 +22,10 @@ std::string against(double value, double reference) {
                        share > 0 ? "above" : "below");
 }
 
-std::string velocity_sentence(const Quantity& mean) {
+/// `where`: of which part of the water, `twin`: "column" or "section".
+std::string velocity_sentence(const Quantity& mean, const char* where, const char* twin) {
     const SummaryValue& simulated = *mean.simulated;
-    std::string text = fmt::format("The depth-mean velocity above the datum is {:.4g}", simulated.value);
+    std::string text = fmt::format("The depth-mean velocity {} is {:.4g}", where, simulated.value);
     if (simulated.half_width) text += fmt::format(" ± {:.2g}", *simulated.half_width);
     text += " m/s";
     if (simulated.half_width) text += " (95 % interval)";
@@ -30,8 +36,8 @@ std::string velocity_sentence(const Quantity& mean) {
         joint = ", ";
     }
     if (mean.column && mean.column->value != 0) {
-        text += fmt::format("{}{} the column twin's {:.4g} m/s", joint,
-                            against(simulated.value, mean.column->value), mean.column->value);
+        text += fmt::format("{}{} the {} twin's {:.4g} m/s", joint,
+                            against(simulated.value, mean.column->value), twin, mean.column->value);
     }
     return text + ".";
 }
@@ -88,13 +94,110 @@ std::string steady_headline(bool converged, Health worst) {
 
 }  // namespace
 
+namespace {
+
+Health worst_of(const std::vector<Diagnostic>& diagnostics) {
+    Health worst = Health::none;
+    for (const Diagnostic& row : diagnostics) {
+        if (row.mark == Health::none) continue;
+        worst = worst == Health::none ? row.mark : std::max(worst, row.mark);
+    }
+    return worst;
+}
+
+/// Headline of a run that is to reach its end, not to converge.
+std::string ended_headline(bool complete, Health worst) {
+    const std::string state = complete ? "The run is complete" : "The run has not ended";
+    switch (worst) {
+        case Health::none:
+            return state + "; it was not checked for health.";
+        case Health::good:
+            return state + (complete ? " and is healthy." : ", and is healthy so far.");
+        case Health::caution:
+            return state + "; something should be watched.";
+        case Health::bad:
+            break;
+    }
+    return state + ", but it is not healthy.";
+}
+
+/// "q = 0.012 ± 0.001 m2/s", of a row of the summary.
+std::optional<std::string> quantity_text(const std::vector<Quantity>& quantities, const char* key,
+                                         const char* name) {
+    const Quantity* const found = find_quantity(quantities, key);
+    if (found == nullptr || !found->simulated) return std::nullopt;
+    const SummaryValue& value = *found->simulated;
+    std::string text = fmt::format("{} {:.4g}", name, found->factor * value.value);
+    if (value.half_width) text += fmt::format(" ± {:.2g}", found->factor * *value.half_width);
+    if (found->unit != "1") text += " " + found->unit;
+    return text;
+}
+
+void judge_uniform(const ReportData& data, const std::vector<Quantity>& quantities, Verdict& verdict) {
+    // Between side walls the measured velocity is that of the centreline.
+    const Quantity* const centre = find_quantity(quantities, "centreline_velocity");
+    if (centre != nullptr && centre->simulated)
+        verdict.sentences.push_back(
+            velocity_sentence(*centre, "above the datum around the centreline", "section"));
+    const char* const twin = data.flow.has_side_walls() ? "section" : "column";
+    const char* const where =
+        data.flow.has_side_walls() ? "above the datum over the whole width" : "above the datum";
+    verdict.sentences.push_back(
+        velocity_sentence(*find_quantity(quantities, "depth_mean_velocity"), where, twin));
+    add_friction(verdict.sentences, quantities);
+    if (const auto reason = why_no_column(data.flow)) {
+        verdict.sentences.push_back("There is no twin to compare with: " + *reason + ".");
+    }
+}
+
+void judge_bodies(const ReportData& data, const std::vector<Quantity>& quantities, Verdict& verdict) {
+    std::string text = "Mean flow around the bodies:";
+    const char* joint = " ";
+    for (const auto& [key, name] :
+         {std::pair{"unit_discharge", "discharge per unit width"},
+          std::pair{"depth_mean_velocity", "depth-mean velocity"},
+          std::pair{"highest_level", "highest mean level"}, std::pair{"lowest_level", "lowest"},
+          std::pair{"largest_froude", "largest Froude number"}}) {
+        if (const auto part = quantity_text(quantities, key, name)) {
+            text += joint + *part;
+            joint = ", ";
+        }
+    }
+    verdict.sentences.push_back(text + ".");
+    const Quantity* const bodies = find_quantity(quantities, "solid_force_share");
+    if (bodies != nullptr && bodies->simulated) {
+        verdict.sentences.push_back(fmt::format("The bodies take {:.1f} % of the water's weight component.",
+                                                100.0 * bodies->simulated->value));
+    }
+    if (const auto reason = why_no_column(data.flow))
+        verdict.sentences.push_back("There is no twin to compare with: " + *reason + ".");
+}
+
+void judge_course(const ReportData& data, const std::vector<Quantity>& quantities, Verdict& verdict) {
+    std::string text;
+    for (const Quantity& row : quantities) {
+        if (!row.theory || !row.simulated || row.theory->value == 0.0) continue;
+        text += fmt::format("{}{} {:.4g} {}, {} theory's {:.4g}", text.empty() ? "" : "; ", row.label,
+                            row.factor * row.simulated->value, row.unit,
+                            against(row.simulated->value, row.theory->value), row.factor * row.theory->value);
+    }
+    if (!text.empty()) verdict.sentences.push_back(text + ".");
+    const double time = has_column(data.series, "time") ? data.series.at("time").back() : 0.0;
+    verdict.sentences.push_back(
+        fmt::format("A {}, {:.4g} s of it; nothing drives a steady mean flow, so none is judged.",
+                    flow_kind_name(flow_kind(data.flow)), time));
+}
+
+}  // namespace
+
 Verdict judge(const ReportData& data, const std::vector<Quantity>& quantities,
               const std::vector<Diagnostic>& diagnostics) {
     Verdict verdict;
+    const FlowKind kind = flow_kind(data.flow);
     const Quantity* const mean = find_quantity(quantities, "depth_mean_velocity");
     const bool averaged = mean != nullptr && mean->simulated.has_value();
     const double time = has_column(data.series, "time") ? data.series.at("time").back() : 0.0;
-    if (!averaged) {
+    if (is_channel(kind) ? !averaged : time <= 0.0) {
         verdict.headline =
             data.complete ? "The run ended without time averages." : "The run has no time averages yet.";
         if (time > 0)
@@ -103,24 +206,29 @@ Verdict judge(const ReportData& data, const std::vector<Quantity>& quantities,
         return verdict;
     }
 
-    Health worst = Health::none;
-    for (const Diagnostic& row : diagnostics) {
-        if (row.mark == Health::none) continue;
-        worst = worst == Health::none ? row.mark : std::max(worst, row.mark);
-    }
+    const Health worst = worst_of(diagnostics);
     verdict.mark = worst;
-    if (data.flow.channel.slope > 0) {
+    // Only flows with a column twin are tested for convergence.
+    if (has_column(data.flow)) {
         const bool converged = find_value(data.summary, "converged").value_or(0.0) != 0.0;
         if (!converged && verdict.mark == Health::good) verdict.mark = Health::caution;
         verdict.headline = steady_headline(converged, worst);
-        verdict.sentences.push_back(velocity_sentence(*mean));
-        add_friction(verdict.sentences, quantities);
     } else {
-        verdict.headline = std::string(data.complete ? "The run is complete" : "The run has not ended") +
-                           (worst == Health::bad       ? ", but it is not healthy."
-                            : worst == Health::caution ? "; something should be watched."
-                                                       : ".");
-        verdict.sentences.emplace_back("The bed has no slope, so nothing drives a mean flow in this case.");
+        if (!data.complete && verdict.mark == Health::good) verdict.mark = Health::caution;
+        verdict.headline = ended_headline(data.complete, worst);
+    }
+    switch (kind) {
+        case FlowKind::uniform_channel:
+            judge_uniform(data, quantities, verdict);
+            break;
+        case FlowKind::channel_with_bodies:
+            judge_bodies(data, quantities, verdict);
+            break;
+        case FlowKind::tank:
+        case FlowKind::standing_wave:
+        case FlowKind::periodic_box:
+            judge_course(data, quantities, verdict);
+            break;
     }
     if (worst != Health::none) verdict.sentences.push_back(health_sentence(diagnostics, worst));
     if (!data.flow.measured.uniform) {

@@ -16,6 +16,8 @@ struct Verdict {
     std::vector<std::string> sentences;
 };
 
+/// Judge a run by its kind of flow: whether it has come to its end or converged, what came out, and which
+/// diagnostics stand outside of their ranges. No headline calls a run good whose diagnostics do not.
 [[nodiscard]] Verdict judge(const ReportData& data, const std::vector<Quantity>& quantities,
                             const std::vector<Diagnostic>& diagnostics);
 

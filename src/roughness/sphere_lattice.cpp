@@ -54,6 +54,21 @@ double SphereLattice::shape_factor(double x, double y, double z) const {
     return sum;
 }
 
+std::vector<std::array<double, 3>> SphereLattice::centres(double length, double width) const {
+    const double row_distance = hexagonal_ ? 0.5 * period_y_ : period_y_;
+    const auto first = static_cast<long long>(std::ceil((-radius_ - origin_y_) / row_distance));
+    const auto last = static_cast<long long>(std::floor((width + radius_ - origin_y_) / row_distance));
+    std::vector<std::array<double, 3>> result;
+    for (long long row = first; row <= last; ++row) {
+        const double shift = hexagonal_ && row % 2 != 0 ? 0.5 : 0.0;
+        const double y = origin_y_ + static_cast<double>(row) * row_distance;
+        // A hair off the end, so that rounding sets no sphere on both sides of a periodic channel.
+        for (double place = shift; place * period_x_ < length * (1.0 - 1e-9); place += 1.0)
+            result.push_back({place * period_x_, y, centre_z_});
+    }
+    return result;
+}
+
 double SphereLattice::plan_mean(double z) const {
     // Over the plane at distance d from the centres, r dr = rho d rho: the integral of phi(r) 2 pi r dr from
     // d.

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <vector>
+
 #include "case/case.hpp"
 
 namespace riffle {
@@ -15,6 +18,10 @@ class SphereLattice {
     /// phi at a point: 1 inside a sphere, 0 outside, linear over the ramp around its surface; the sum over
     /// the spheres, which is 1 where two of them touch.
     [[nodiscard]] double shape_factor(double x, double y, double z) const;
+
+    /// Centres (x, y, z) of the spheres that stand in a stretch of the bed, 0 <= x < length, or reach into it
+    /// from beside it, 0 <= y <= width, m.
+    [[nodiscard]] std::vector<std::array<double, 3>> centres(double length, double width) const;
 
     /// Mean of phi over a horizontal plane, closed form.
     [[nodiscard]] double plan_mean(double z) const;

@@ -82,7 +82,8 @@ FlowState flow_state(const SimulationIn<D>& simulation, const FluidView* fluid) 
             .wall_z = &fields.wall_acceleration_z,
             .side_wall_x = &fields.side_wall_acceleration_x,
             .pressure = &fields.pressure,
-            .shear_stress = fields.shear_stress};
+            .shear_stress = fields.shear_stress,
+            .solids = simulation.solid_forces()};
 }
 
 template FlowState flow_state(const SimulationIn<2>&, const FluidView*);
@@ -167,7 +168,10 @@ void Recorder::record(SimulationIn<D>& simulation) {
         snapshots_.record(simulation);
     }
     if constexpr (D == 3) {
-        simulation.drop_fields();
+        // The snapshot of the last state may still want the viscosity.
+        if (!snapshots_.shows_viscosity()) {
+            simulation.drop_fields();
+        }
     }
     if (fluid_due) {
         // One view of the fluid serves the surface and all instruments.

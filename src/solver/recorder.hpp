@@ -44,6 +44,12 @@ class Recorder {
         return pending_bytes() > pending_limit || mean_field_.has_closed_window();
     }
 
+    /// Record what belongs to the state that the run ends in: a last snapshot. Its fields must be up to date.
+    template <int D>
+    void record_end(const SimulationIn<D>& simulation) {
+        snapshots_.record_last(simulation);
+    }
+
     [[nodiscard]] const TimeSeries& series() const { return series_; }
     [[nodiscard]] const ProfileSampler& profiles() const { return profiles_; }
     [[nodiscard]] double mean_level() const { return mean_level_; }

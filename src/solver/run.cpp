@@ -53,13 +53,10 @@ void check_runnable(const Case& c) {
     if (has_column(c)) {
         column = solve_column(c);
     } else if (c.run.until == RunUntil::converged) {
-        throw InputError(
-            "[run] until = \"converged\" tests the mean velocity against the relaxation time of the steady "
-            "channel flow; "
-            "this case has no such flow (no slope, no friction, closed ends, solids or periodic top): give a "
-            "time, "
-            "until = "
-            "\"10 s\"");
+        throw InputError(fmt::format(
+            "[run] until = \"converged\" tests the mean velocity against the relaxation time of the "
+            "steady uniform flow, and the case has none: {}; or give a time, until = \"10 s\"",
+            *why_no_column(c)));
     }
     (void)ProbeSet(c, largest_step(c, make_scheme(c, column ? &*column : nullptr)));
 }

@@ -17,6 +17,7 @@ struct RunFiles {
     std::filesystem::path folder;
     [[nodiscard]] std::filesystem::path results() const { return folder / "results.h5"; }
     [[nodiscard]] std::filesystem::path xdmf() const { return folder / "results.xdmf"; }
+    [[nodiscard]] std::filesystem::path boundary_xdmf() const { return folder / "boundaries.xdmf"; }
     [[nodiscard]] std::filesystem::path mean_field_xdmf() const { return folder / "mean_field.xdmf"; }
     [[nodiscard]] std::filesystem::path checkpoint() const { return folder / "checkpoint.h5"; }
     [[nodiscard]] std::filesystem::path log() const { return folder / "run.log"; }

@@ -187,6 +187,14 @@ void write_indexes(const RunFiles& files, const Recorder& recorder) {
     if (!snapshots.entries().empty()) {
         write_xdmf(files.xdmf(), results, snapshots.entries(), snapshots.fields());
     }
+    const BoundaryContent& boundaries = snapshots.boundaries();
+    write_boundary_xdmf(files.boundary_xdmf(), results,
+                        {.walls = boundaries.walls(),
+                         .vertices = boundaries.vertices(),
+                         .corners = boundaries.corners(),
+                         .triangles = boundaries.triangles(),
+                         .spheres = boundaries.spheres(),
+                         .moved = boundaries.moves() ? snapshots.entries() : std::vector<SnapshotEntry>()});
     const MeanField& field = recorder.mean_field();
     if (field.on() && !field.window_ends().empty()) {
         write_grid_xdmf(files.mean_field_xdmf(), results,

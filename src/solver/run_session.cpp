@@ -31,6 +31,9 @@ constexpr const char* no_steady_flow = "no steady flow to converge to";
 /// Share of the time that writing may take before it is done less often.
 constexpr double write_share = 0.02;
 
+/// Wall-clock time to the first write after the start, s.
+constexpr double first_write = 2.0;
+
 /// Simulated time between two convergence tests, s.
 constexpr double test_interval = 1.0;
 
@@ -139,6 +142,7 @@ void RunSession<D>::start() {
     }
     Content content = run_head(case_, twins_);
     content.compression = case_.output.compression;
+    recorder_->snapshots().boundaries().add(content);
     recorder_->record(*simulation_);
     add_identity(content, run_id_, inputs_);
     add_run_attributes(content, Moment::on_the_way);
@@ -205,14 +209,18 @@ bool RunSession<D>::finished() const {
 }
 
 template <int D>
+double RunSession<D>::fields_due() const {
+    // The end comes with the time of the case, or with a test of convergence.
+    return std::min({recorder_->fields_due(), next_test_, case_.run.time * (1.0 - 1e-12)});
+}
+
+template <int D>
 RunOutcome RunSession<D>::advance() {
     bool stopped = false;
-    while (!finished()) {
-        if (options_.stop_signal != nullptr && options_.stop_signal->load() != 0) {
-            stopped = true;
-            break;
-        }
-        step();
+    while (!finished() && !stopped) {
+        // Asked to stop, it makes one more step, whose fields are those of the last snapshot.
+        stopped = options_.stop_signal != nullptr && options_.stop_signal->load() != 0;
+        step(stopped ? 0.0 : fields_due());
         recorder_->record(*simulation_);
         if (simulation_->clock().time >= next_test_) {
             next_test_ = (std::floor(simulation_->clock().time / test_interval + 1e-9) + 1.0) * test_interval;
@@ -221,15 +229,26 @@ RunOutcome RunSession<D>::advance() {
         if (seconds_since(last_progress_) >= case_.output.progress_interval) {
             report_progress();
         }
-        const double wait = std::max(case_.output.checkpoint_interval, write_seconds_ / write_share);
+        if (stopped) {
+            break;
+        }
+        // Soon at first, so that those who watch see something within seconds; then ever less often.
+        const double usual = std::clamp(0.5 * seconds_since(begin_), first_write,
+                                        std::max(first_write, case_.output.checkpoint_interval));
+        const double wait =
+            std::max(std::min(usual, case_.output.checkpoint_interval), write_seconds_ / write_share);
         if (seconds_since(last_write_) >= wait) {
             write_out(Moment::on_the_way);
         } else if (recorder_->should_be_written()) {
             write_results(Moment::on_the_way);
         }
     }
+    stopped = stopped && !finished();
     if (!stopped) {
         update_convergence(true);
+    }
+    if (simulation_->clock().steps > first_step_) {
+        recorder_->record_end(*simulation_);
     }
     report_progress();
     write_out(stopped ? Moment::stopped : Moment::complete);
@@ -274,9 +293,9 @@ void RunSession<D>::update_convergence(bool final_test) {
 }
 
 template <int D>
-void RunSession<D>::step() {
+void RunSession<D>::step(double fields_due) {
     try {
-        simulation_->step(recorder_->fields_due());
+        simulation_->step(fields_due);
     } catch (const RunError& error) {
         throw RunError(leave_failure(error));
     }

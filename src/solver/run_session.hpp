@@ -36,7 +36,7 @@ class RunSession {
     void restore(const std::filesystem::path& checkpoint);
     RunOutcome advance();
     void make_simulation_of_case(bool from_start);
-    void step();
+    void step(double fields_due);
     /// Write what a run that fails leaves, and tell of it: the message of the error to be thrown.
     std::string leave_failure(const RunError& error);
     void write_out(Moment moment);
@@ -45,6 +45,8 @@ class RunSession {
     void add_run_attributes(Content& content, Moment moment) const;
     void update_convergence(bool final_test);
     void report_progress();
+    /// Time from which a step must bring the fields of the particles up to date.
+    [[nodiscard]] double fields_due() const;
     [[nodiscard]] bool finished() const;
     [[nodiscard]] double seconds_since(Clock::time_point t) const;
 

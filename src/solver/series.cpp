@@ -8,6 +8,7 @@
 
 #include "base/parallel.hpp"
 #include "particles/lattice.hpp"
+#include "sph/elastic_energy.hpp"
 
 namespace riffle {
 
@@ -29,7 +30,10 @@ struct Totals {
     double mass = 0.0, momentum = 0.0, above = 0.0, above_mass = 0.0, energy = 0.0;
     double drag = 0.0, wall = 0.0, pairs = 0.0;
     double side_wall = 0.0, centre = 0.0, centre_mass = 0.0, secondary = 0.0;
+    double potential = 0.0, elastic = 0.0, volume = 0.0;
     double fastest = 0.0;
+    double first_x = std::numeric_limits<double>::infinity();
+    double last_x = -std::numeric_limits<double>::infinity();
     double s_low = std::numeric_limits<double>::infinity();
     double s_high = -std::numeric_limits<double>::infinity();
     std::vector<Layer> layers;
@@ -38,10 +42,13 @@ struct Totals {
         for (double Totals::*const sum :
              {&Totals::mass, &Totals::momentum, &Totals::above, &Totals::above_mass, &Totals::energy,
               &Totals::drag, &Totals::wall, &Totals::pairs, &Totals::side_wall, &Totals::centre,
-              &Totals::centre_mass, &Totals::secondary}) {
+              &Totals::centre_mass, &Totals::secondary, &Totals::potential, &Totals::elastic,
+              &Totals::volume}) {
             this->*sum += other.*sum;
         }
         fastest = std::max(fastest, other.fastest);
+        first_x = std::min(first_x, other.first_x);
+        last_x = std::max(last_x, other.last_x);
         s_low = std::min(s_low, other.s_low);
         s_high = std::max(s_high, other.s_high);
         for (std::size_t k = 0; k < layers.size(); ++k) {
@@ -65,6 +72,10 @@ Totals sums_over(const SimulationIn<D>& simulation, const Case& c, std::size_t b
     const double datum = c.datum();
     const double centreline = c.channel.centreline();
     const double half_strip = centreline_half_strip(c);
+    const Scheme& scheme = simulation.scheme();
+    // Between closed ends the weight acts along the bed too; along a periodic channel it has no potential
+    // there.
+    const double along = c.channel.ends == Ends::walls ? scheme.streamwise_gravity : 0.0;
     Totals sum;
     sum.layers.resize(static_cast<std::size_t>(lattice.rows));
     for (std::size_t i = begin; i < end; ++i) {
@@ -91,7 +102,12 @@ Totals sums_over(const SimulationIn<D>& simulation, const Case& c, std::size_t b
         sum.mass += mass;
         sum.momentum += mass * u;
         sum.energy += 0.5 * mass * speed_squared;
+        sum.potential += mass * (scheme.normal_gravity * z - along * p.position[0][i]);
+        sum.elastic += mass * elastic_energy(scheme.state, p.density_deviation[i]);
+        sum.volume += mass / (1.0 + p.density_deviation[i]);
         sum.fastest = std::max(sum.fastest, speed_squared);
+        sum.first_x = std::min(sum.first_x, p.position[0][i]);
+        sum.last_x = std::max(sum.last_x, p.position[0][i]);
         sum.above += above * u;
         sum.above_mass += above;
         sum.drag -= mass * f.drag_acceleration_x[i];
@@ -152,6 +168,16 @@ TimeSeries::TimeSeries(const Case& c) : case_(c) {
     const bool space = c.channel.dimensions == 3;
     add("kinetic_energy", space ? "J" : "J/m", space ? "kinetic energy" : "kinetic energy per unit width");
     add("time_step", "s", "time step");
+    add("potential_energy", space ? "J" : "J/m",
+        space ? "potential energy above the bed level"
+              : "potential energy above the bed level per unit width");
+    add("elastic_energy", space ? "J" : "J/m",
+        space ? "energy of the compression" : "energy of the compression per unit width");
+    add("water_volume", space ? "m3" : "m2",
+        space ? "volume of the water: mass over density of the particles"
+              : "volume of the water per unit width: mass over density of the particles");
+    add("first_particle", "m", "place along the channel of the first particle");
+    add("last_particle", "m", "place along the channel of the last particle");
     if (space) {
         add("side_wall_over_gravity", "1", "drag of the side walls' layers over the weight component");
         add("centreline_velocity", "m/s",
@@ -205,6 +231,11 @@ void TimeSeries::sample(const SimulationIn<D>& simulation, double mean_level) {
                           order / n,
                           sum.energy,
                           simulation.clock().time_step,
+                          sum.potential,
+                          sum.elastic,
+                          sum.volume / case_.fluid.density,
+                          sum.first_x,
+                          sum.last_x,
                           over_weight(sum.side_wall),
                           sum.centre_mass > 0.0 ? sum.centre / sum.centre_mass : 0.0,
                           std::sqrt(sum.secondary / n)};

@@ -11,6 +11,7 @@
 #include "boundary/wall.hpp"
 #include "case/case.hpp"
 #include "column/column.hpp"
+#include "instruments/instrument.hpp"
 #include "particles/particles.hpp"
 #include "particles/sparse_values.hpp"
 #include "particles/working_values.hpp"
@@ -129,6 +130,9 @@ class SimulationIn {
 
     [[nodiscard]] const Particles<D>& particles() const { return particles_; }
     [[nodiscard]] const ParticleFields& fields() const { return fields_; }
+    /// Forces of the water on the solids at the last evaluation of the forces, at the same times as fields();
+    /// empty without solids.
+    [[nodiscard]] const std::vector<ForceOnSolid>& solid_forces() const { return solid_forces_; }
     [[nodiscard]] const SimulationClock& clock() const { return clock_; }
     [[nodiscard]] const Scheme& scheme() const { return scheme_; }
     [[nodiscard]] const std::vector<double>& wall_density_deviation() const { return wall_deviation_; }
@@ -146,6 +150,7 @@ class SimulationIn {
   protected:
     Particles<D> particles_;
     ParticleFields fields_;
+    std::vector<ForceOnSolid> solid_forces_;
     SimulationClock clock_;
     Scheme scheme_;
     WallParticles<D> walls_;

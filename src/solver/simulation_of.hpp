@@ -45,6 +45,7 @@ class SimulationOf final : public SimulationIn<D> {
   private:
     using SimulationIn<D>::particles_;
     using SimulationIn<D>::fields_;
+    using SimulationIn<D>::solid_forces_;
     using SimulationIn<D>::clock_;
     using SimulationIn<D>::scheme_;
     using SimulationIn<D>::walls_;
@@ -55,6 +56,7 @@ class SimulationOf final : public SimulationIn<D> {
     /// Results, inputs and buffers of one task.
     struct Task {
         BlockWork<D, Real> sums;
+        BlockWork<D, Real> solid;  ///< the force pass of one solid alone
         ParticleWork<D, Real> particles;
         std::array<LaneArray<double>, static_cast<std::size_t>(D)> repulsion;  ///< of the walls, m/s2
     };
@@ -102,6 +104,14 @@ class SimulationOf final : public SimulationIn<D> {
     void keep_out_of_solids(std::size_t begin, std::size_t end);
     /// Error where water stands more than a spacing deep in a solid.
     void check_solids() const;
+    // Forces on the solids (simulation_solids.cpp).
+    /// Lists of the walls of each solid alone, and room for the sums; once for each build of the lists.
+    void list_solids();
+    /// The forces of the pairs of a block with each solid, in an evaluation that keeps the fields.
+    void sum_solid_forces(Task& task, std::size_t begin, std::size_t end);
+    /// The sums over the blocks, in their order.
+    void gather_solid_forces();
+
     /// wet_wall() of all wall particles, by their density deviation.
     void wet_walls();
     void wet_wall(std::size_t slot, std::size_t particle, double pressure);
@@ -243,6 +253,10 @@ class SimulationOf final : public SimulationIn<D> {
     NeighbourList fluid_fluid_;
     NeighbourList fluid_wall_;
     NeighbourList wall_fluid_;
+    std::vector<NeighbourList> solid_lists_;        ///< of fluid_wall_, the pairs with each solid
+    NeighbourList no_list_;                         ///< without any neighbour, for as many clusters
+    std::int64_t solids_listed_ = -1;               ///< SimulationClock::list_builds of these lists
+    std::vector<ForceOnSolid> block_solid_forces_;  ///< by block and solid
     std::vector<std::unique_ptr<PairSweep<D, Real>>> sweeps_;  ///< options beside the pair loops
     std::unique_ptr<GhostNodes<D>> ghosts_;  ///< of walls that look into the water at their mirror images
     SweepOrder order_;

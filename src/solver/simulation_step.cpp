@@ -180,6 +180,7 @@ void SimulationOf<D, Real>::take_step(double fields_due) {
     keep_fields_ = clock_.time + dt >= fields_due;
     if (keep_fields_) {
         fields_.template reset<Real>(particles_.size(), D, scheme_.density);
+        list_solids();
     }
     if (stepper_) {
         take_step_by_rates(dt, filtered);
@@ -193,6 +194,9 @@ void SimulationOf<D, Real>::take_step(double fields_due) {
         // Density, pressure, walls, forces, velocity, position, each with the newest of the others (numerics
         // of the default scheme, docs/theory.md). The drag is implicit: u1 + dt beta u1|u1| = u*.
         evaluate({.density = dt, .wall = dt, .motion = dt});
+    }
+    if (keep_fields_ && !solid_lists_.empty()) {
+        gather_solid_forces();
     }
     clock_.time_step = dt;
     clock_.time += dt;

@@ -215,6 +215,9 @@ void SimulationOf<D, Real>::evaluate_forces(Task& task, std::size_t begin, std::
     const std::size_t block = begin / block_clusters;
     fetch_for_motion(begin, end);
     timed(block_seconds_[block].forces, [&] { loops_.force(data_, begin, end, task.sums); });
+    if (keep_fields_ && !solid_lists_.empty()) {
+        sum_solid_forces(task, begin, end);
+    }
     ++block_seconds_[block].measurements;
     if (drag_) {
         find_drag(task, begin, end);

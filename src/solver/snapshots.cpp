@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <numeric>
+#include <span>
 #include <sstream>
 #include <utility>
 
@@ -44,7 +45,7 @@ std::vector<float> triples(const std::array<std::vector<double>, static_cast<std
 
 }  // namespace
 
-SnapshotRecorder::SnapshotRecorder(const Case& c) : case_(c) {
+SnapshotRecorder::SnapshotRecorder(const Case& c) : case_(c), boundaries_(c) {
     std::istringstream words(c.output.snapshot_fields);
     for (std::string field; words >> field;) {
         chosen_fields_.push_back(field);
@@ -152,11 +153,26 @@ void SnapshotRecorder::record(const SimulationIn<D>& simulation) {
         }
     }
     new_.attributes.push_back({.path = group, .name = "time", .value = entry.time});
+    new_bytes_ += boundaries_.add_moved(new_, group, entry.time);
     entries_.push_back(entry);
+}
+
+template <int D>
+void SnapshotRecorder::record_last(const SimulationIn<D>& simulation) {
+    if (case_.output.snapshot_interval <= 0.0) {
+        return;
+    }
+    if (!entries_.empty() && entries_.back().time >= simulation.clock().time) {
+        return;
+    }
+    record(simulation);
+    has_last_ = true;
 }
 
 template void SnapshotRecorder::record(const SimulationIn<2>&);
 template void SnapshotRecorder::record(const SimulationIn<3>&);
+template void SnapshotRecorder::record_last(const SimulationIn<2>&);
+template void SnapshotRecorder::record_last(const SimulationIn<3>&);
 
 Content SnapshotRecorder::take() {
     new_bytes_ = 0;
@@ -166,7 +182,7 @@ Content SnapshotRecorder::take() {
 void SnapshotRecorder::save(Content& checkpoint) const {
     std::vector<double> times;
     std::vector<double> particles;
-    for (const SnapshotEntry& entry : entries_) {
+    for (const SnapshotEntry& entry : std::span(entries_).first(entries_.size() - (has_last_ ? 1 : 0))) {
         times.push_back(entry.time);
         particles.push_back(static_cast<double>(entry.particles));
     }

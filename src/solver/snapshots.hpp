@@ -10,6 +10,7 @@
 #include "output/checkpoint_file.hpp"
 #include "output/dataset.hpp"
 #include "output/xdmf.hpp"
+#include "solver/boundary_content.hpp"
 #include "solver/simulation.hpp"
 
 namespace riffle {
@@ -22,6 +23,16 @@ class SnapshotRecorder {
     /// Add a snapshot of the present state.
     template <int D>
     void record(const SimulationIn<D>& simulation);
+    /// Add one of the state that a run ends in, unless there is one. It stands outside of the sequence: a run
+    /// that is resumed forgets it, and has the snapshots of an uninterrupted one.
+    template <int D>
+    void record_last(const SimulationIn<D>& simulation);
+
+    [[nodiscard]] const BoundaryContent& boundaries() const { return boundaries_; }
+    /// Whether snapshots are made and hold the eddy viscosity.
+    [[nodiscard]] bool shows_viscosity() const {
+        return case_.output.snapshot_interval > 0.0 && has("eddy_viscosity");
+    }
 
     /// The snapshots so far, and what each holds, for their index.
     [[nodiscard]] const std::vector<SnapshotEntry>& entries() const { return entries_; }
@@ -48,8 +59,10 @@ class SnapshotRecorder {
     [[nodiscard]] std::size_t points_in(std::size_t particles) const;
 
     Case case_;
+    BoundaryContent boundaries_;
     std::vector<std::string> chosen_fields_;
     std::vector<SnapshotEntry> entries_;
+    bool has_last_ = false;  ///< the last entry is that of record_last()
     Content new_;
     std::size_t new_bytes_ = 0;
 };

@@ -73,13 +73,6 @@ double start_velocity(const Case& c, const Scheme& scheme, const ColumnResult* c
 
 }  // namespace
 
-bool has_column(const Case& c) {
-    const bool friction = c.bed.kind != BedKind::slip;
-    return c.channel.ends == Ends::periodic && c.channel.top != Top::periodic && friction &&
-           c.channel.slope > 0.0 && c.solids.empty() && c.start.water_x.empty() &&
-           c.channel.lid_velocity == 0.0;
-}
-
 template <int D>
 Particles<D> initial_particles(const Case& c, const Scheme& scheme, const ColumnResult* column,
                                const SectionVelocity& section) {

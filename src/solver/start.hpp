@@ -9,9 +9,6 @@
 
 namespace riffle {
 
-/// Whether the case has a steady shear flow that the column twin can solve.
-[[nodiscard]] bool has_column(const Case& c);
-
 /// Streamwise velocity over the cross-section, m/s, at (y, z), m.
 using SectionVelocity = std::function<double(double y, double z)>;
 

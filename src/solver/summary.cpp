@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "case/solid_mesh.hpp"
 #include "hydraulics/channel_laws.hpp"
 #include "hydraulics/log_law.hpp"
 
@@ -69,23 +70,46 @@ void add_column_departures(const Case& c, const Profiles& p, RunSummary& summary
     summary.set("velocity_error_below_maximum", below.largest);
 }
 
+/// Height below which bodies carry a part of the weight by the pressure on their faces, m: 0 without bodies.
+double top_of_solids(const Case& c) {
+    double top = 0.0;
+    if (c.channel.dimensions == 3 && !c.solids.empty()) {
+        for (const SolidMesh& mesh : meshes_of(c)) {
+            top = std::max(top, mesh.upper()[2]);
+        }
+    }
+    for (const Solid& solid : c.solids) {
+        for (const double z : solid.z) {
+            top = std::max(top, z);
+        }
+    }
+    return top;
+}
+
 void add_stresses(const Case& c, const Profiles& p, RunSummary& summary) {
     const double crest_stress = c.fluid.density * c.streamwise_gravity() * (c.total_depth() - c.crest());
     if (crest_stress <= 0.0 || p.z.size() < 6) {
         return;
     }
+    const double from = std::max(c.crest(), top_of_solids(c));
     Norms spurious;
     Norms error;
     for (std::size_t k = 0; k + 4 < p.z.size(); ++k) {
-        if (p.bin_upper[k] < c.crest()) {
+        if (p.bin_upper[k] < from) {
             continue;
         }
         spurious.add(p.pair_stress[k] / crest_stress);
         error.add((p.total_stress[k] - p.analytic_stress[k]) / crest_stress);
     }
+    if (spurious.count == 0) {
+        return;  // bodies stand through the whole depth
+    }
     summary.set("spurious_stress_rms", spurious.rms());
     summary.set("spurious_stress_maximum", spurious.largest);
     summary.set("stress_error_rms", error.rms());
+    if (!c.solids.empty()) {
+        return;  // the stress at the bed is not the one that continues the line
+    }
     if (const std::optional<StressLine> line = fit_stress_line(c, p)) {
         summary.set("friction_velocity", std::sqrt(std::max(0.0, line->crest_stress / c.fluid.density)));
     }
@@ -128,16 +152,21 @@ void RunSummary::set(const std::string& name, double number) {
 }
 
 std::optional<StressLine> fit_stress_line(const Case& c, const Profiles& p) {
+    return fit_stress_line(c, p.bin_upper, p.total_stress);
+}
+
+std::optional<StressLine> fit_stress_line(const Case& c, const std::vector<double>& height,
+                                          const std::vector<double>& total_stress) {
     constexpr std::size_t top_layers = 4;
     if (c.streamwise_gravity() <= 0.0 || c.total_depth() <= c.crest()) return std::nullopt;
     std::vector<double> line;
     std::vector<double> stress;
     double products = 0.0;
     double squares = 0.0;
-    for (std::size_t k = 0; k + top_layers < p.total_stress.size() && k < p.bin_upper.size(); ++k) {
-        if (p.bin_upper[k] < c.crest()) continue;
-        line.push_back((c.total_depth() - p.bin_upper[k]) / (c.total_depth() - c.crest()));
-        stress.push_back(p.total_stress[k]);
+    for (std::size_t k = 0; k + top_layers < total_stress.size() && k < height.size(); ++k) {
+        if (height[k] < c.crest()) continue;
+        line.push_back((c.total_depth() - height[k]) / (c.total_depth() - c.crest()));
+        stress.push_back(total_stress[k]);
         products += stress.back() * line.back();
         squares += line.back() * line.back();
     }

@@ -33,6 +33,9 @@ struct StressLine {
 
 /// None without a slope or with too few layers above the crest.
 [[nodiscard]] std::optional<StressLine> fit_stress_line(const Case& c, const Profiles& profiles);
+/// The same of stresses at these heights above the bed level, from below; the four highest are left out.
+[[nodiscard]] std::optional<StressLine> fit_stress_line(const Case& c, const std::vector<double>& height,
+                                                        const std::vector<double>& total_stress);
 
 /// Summarise the averaging window: means with their intervals, friction velocities, departures from the
 /// twin (the section where there is one, else the column) and from the stress line. Velocities are compared

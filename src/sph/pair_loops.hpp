@@ -156,6 +156,9 @@ struct BlockWork {
     WallResult<D, Real> wall;
     FilterResult<D, Real> filter;
     std::vector<std::int32_t> slots;  ///< neighbours of one cluster; at least NeighbourList::buffer_size()
+    /// Lists that the force pass takes in place of those of PairData; null: those.
+    const NeighbourList* fluid_fluid = nullptr;
+    const NeighbourList* fluid_wall = nullptr;
 };
 
 /// Everything the loops read. Fluid records by fluid slot, wall records by wall slot; each array ends with

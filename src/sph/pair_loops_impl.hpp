@@ -405,6 +405,8 @@ template <int D, class Real, class Kernel, class Viscosity, class Record>
     const Kernel kernel = kernel_of<Kernel>(c);
     const Real scale = Kernel::template gradient_constant<Real>() * c.gradient_scale;
     const std::vector<Record>& records = stress_records<Record>(data);
+    const NeighbourList& fluid_list = *(work.fluid_fluid != nullptr ? work.fluid_fluid : data.fluid_fluid);
+    const NeighbourList* const wall_list = work.fluid_wall != nullptr ? work.fluid_wall : data.fluid_wall;
     for (std::size_t cluster = begin; cluster < end; ++cluster) {
         const std::size_t slot = cluster * cluster_size;
         const Record* own = &records[slot];
@@ -418,7 +420,7 @@ template <int D, class Real, class Kernel, class Viscosity, class Record>
         Components<W, D> tensor{};
         Components<W, D> viscous{};
         for_turns<Real>(
-            *data.fluid_fluid, cluster, work.slots.data(),
+            fluid_list, cluster, work.slots.data(),
             [&](std::size_t slot_a, std::size_t slot_b, const std::int32_t* ahead) {
                 prefetch<Real>(data.motion, ahead);
                 prefetch<Real>(records, ahead);
@@ -455,7 +457,7 @@ template <int D, class Real, class Kernel, class Viscosity, class Record>
 
         Components<W, D> wall_tensor{};
         Components<W, D> wall_viscous{};
-        if (data.fluid_wall != nullptr) {
+        if (wall_list != nullptr) {
             // (p_i + p_j) I, or (p_i + p_j) B_i where the wall continues the fluid, in the rows of B from
             // first_continued_row on.
             const W pressure = gather<Real, Real>(own, [](const auto& r) { return r.pressure; });
@@ -472,7 +474,7 @@ template <int D, class Real, class Kernel, class Viscosity, class Record>
                 }
             }
             for_turns<Real>(
-                *data.fluid_wall, cluster, work.slots.data(),
+                *wall_list, cluster, work.slots.data(),
                 [&](std::size_t slot_a, std::size_t slot_b, const std::int32_t* ahead) {
                     (void)ahead;
                     const WallForceRecord<D, Real>& a = data.wall_force[slot_a];

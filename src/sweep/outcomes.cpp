@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <variant>
 
+#include "analysis/chapters.hpp"
+#include "analysis/figure_tools.hpp"
 #include "analysis/run_record.hpp"
 #include "analysis/space_time.hpp"
 #include "analysis/surface_parts.hpp"
@@ -111,6 +113,25 @@ void add_error_half_width(std::map<std::string, OutcomeValue>& outcomes, const s
     }
 }
 
+/// Friction and roughness of a channel with side walls are those around its centreline, as `riffle analyse`
+/// finds them beside the same fits of the section twin: the mean over the width has no law to be fitted to.
+void put_centreline(const std::filesystem::path& results, std::map<std::string, OutcomeValue>& outcomes) {
+    const Analysis fits = analyse(RunRecord(results), "fits");
+    const auto value_of = [&](const std::string& key) {
+        const Finding* const finding = find_finding(fits, key);
+        return finding == nullptr ? nan : finding->value;
+    };
+    for (const char* const key : {"friction_velocity", "log_law_friction_velocity", "equivalent_roughness"}) {
+        const Finding* const finding = find_finding(fits, key);
+        if (finding == nullptr || find_finding(fits, "width_friction_velocity") == nullptr) {
+            outcomes.erase(key);
+            continue;
+        }
+        outcomes[key] = {finding->value, finding->half_width.value_or(nan),
+                         value_of(std::string("section_twin_") + key)};
+    }
+}
+
 /// The fluctuation of the surface, as `riffle analyse` finds it.
 OutcomeValue read_surface(const std::filesystem::path& results) {
     try {
@@ -204,6 +225,9 @@ std::map<std::string, OutcomeValue> read_outcomes(const std::filesystem::path& r
         if (std::isfinite(found.value)) {
             outcomes.emplace(outcome.key, found);
         }
+    }
+    if (reader.has("/section")) {
+        put_centreline(results, outcomes);
     }
     add_error_half_width(outcomes, "depth_mean_velocity");
     add_error_half_width(outcomes, "total_mean_velocity");

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <system_error>
 
 namespace riffle {
@@ -49,6 +50,19 @@ std::string duration(double seconds) {
                              : fmt::format("{:.1f} days", seconds / 86'400);
 }
 
+/// The end of a log, without the line that the cut may have gone through; empty if it cannot be read.
+std::string end_of(const fs::path& log) {
+    constexpr std::streamoff most = 16'384;
+    std::ifstream file(log, std::ios::binary);
+    file.seekg(0, std::ios::end);
+    const std::streamoff size = file.tellg();
+    if (!file || size <= 0) return {};
+    file.seekg(std::max<std::streamoff>(0, size - most));
+    std::string text(std::istreambuf_iterator<char>(file), {});
+    if (size > most) text.erase(0, text.find('\n') + 1);
+    return text;
+}
+
 }  // namespace
 
 const char* word(RunState state) {
@@ -87,14 +101,16 @@ std::optional<LogLine> last_line(std::string_view log) {
     return std::nullopt;
 }
 
-std::optional<LogLine> last_line_of(const fs::path& log) {
-    constexpr std::streamoff most = 16'384;
-    std::ifstream file(log, std::ios::binary);
-    file.seekg(0, std::ios::end);
-    const std::streamoff size = file.tellg();
-    if (!file || size <= 0) return std::nullopt;
-    file.seekg(std::max<std::streamoff>(0, size - most));
-    return last_line(std::string(std::istreambuf_iterator<char>(file), {}));
+std::optional<LogLine> last_line_of(const fs::path& log) { return last_line(end_of(log)); }
+
+std::vector<std::string> last_lines_of(const fs::path& log, std::size_t most) {
+    std::istringstream text(end_of(log));
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(text, line);) {
+        lines.push_back(line);
+        if (lines.size() > most) lines.erase(lines.begin());
+    }
+    return lines;
 }
 
 RunStanding judge_state(const RunSigns& signs) {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "output/folder_lock.hpp"
 
@@ -38,6 +39,9 @@ struct LogLine {
 
 /// The same of a file, of which only the end is read; nothing if it cannot be read.
 [[nodiscard]] std::optional<LogLine> last_line_of(const std::filesystem::path& log);
+
+/// The last lines of a log, of which only the end is read; empty if it cannot be read.
+[[nodiscard]] std::vector<std::string> last_lines_of(const std::filesystem::path& log, std::size_t most);
 
 /// What can be known of a run from outside.
 struct RunSigns {

@@ -5,10 +5,15 @@
 
 #include <algorithm>
 #include <exception>
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <system_error>
 #include <utility>
 
+#include "analysis/analysis_json.hpp"
+#include "analysis/chapters.hpp"
+#include "analysis/run_record.hpp"
 #include "base/error.hpp"
 #include "output/folder_lock.hpp"
 #include "report/report_data.hpp"
@@ -41,6 +46,22 @@ std::shared_ptr<const std::string> error_json(const std::string& message) {
     return std::make_shared<const std::string>(dump({{"error", message}}));
 }
 
+/// The chapters that follow a run as it goes; the others need its end to be worth their time.
+Analysis watched_analysis(const fs::path& results) {
+    const RunRecord record(results);
+    Analysis analysis;
+    analysis.name = record.name();
+    analysis.source = record.source();
+    const std::set<std::string> followed = {"course", "along", "statistics", "profiles", "particles"};
+    for (const Chapter& chapter : analysis_chapters()) {
+        if (followed.count(chapter.name) == 0 || !applies(chapter, record)) continue;
+        Analysis part = analyse(record, chapter.name);
+        std::move(part.findings.begin(), part.findings.end(), std::back_inserter(analysis.findings));
+        std::move(part.figures.begin(), part.figures.end(), std::back_inserter(analysis.figures));
+    }
+    return analysis;
+}
+
 }  // namespace
 
 fs::path results_file_to_watch(const fs::path& path) {
@@ -70,13 +91,13 @@ void RunWatcher::read() {
                                      version_->changed);
         std::optional<Progress> progress;
         try {
-            ReportData report = collect_report_data(results_);
-            report.snapshot.reset();  // the page does not show it
+            const ReportData report = collect_report_data(results_, FieldFrames::last);
+            const Analysis analysis = watched_analysis(results_);
             progress = read_progress(ResultsReader(results_), report);
             const auto& before = progress_ && progress_->steps != progress->steps ? progress_ : earlier_;
-            data_.json = std::make_shared<const std::string>(
-                fmt::format(R"({{"title":{},"progress":{},"report":{}}})", dump(Json(report.title)),
-                            progress_json(*progress, before), page_json(report)));
+            data_.json = std::make_shared<const std::string>(fmt::format(
+                R"({{"title":{},"progress":{},"report":{},"analyses":{}}})", dump(Json(report.title)),
+                progress_json(*progress, before), page_json(report, analysis), analysis_to_json({analysis})));
         } catch (const Error& error) {
             data_.json = error_json(error.what());
         } catch (const std::exception& error) {
@@ -126,6 +147,7 @@ std::string RunWatcher::status_json() {
                  {"revision", data_.revision},
                  {"age", signs.seconds_since_write ? Json(*signs.seconds_since_write) : Json(nullptr)},
                  {"write_interval", write_interval_},
+                 {"log", in_place ? last_lines_of(log, 12) : std::vector<std::string>()},
                  {"results", results_.string()}});
 }
 

@@ -31,7 +31,7 @@ class RunWatcher {
     explicit RunWatcher(std::filesystem::path results);
 
     /// How the run stands now, JSON: `state`, `reason`, `revision` of the newest data, `age` of the results
-    /// file (s), `write_interval` (s), `results` (path).
+    /// file (s), `write_interval` (s), `log` (its last lines), `results` (path).
     [[nodiscard]] std::string status_json();
 
     /// The newest data; of a file that is missing or cannot be read, the reason.

@@ -6,8 +6,6 @@ extern const char riffle_watch_html_begin[];
 extern const char riffle_watch_html_end[];
 extern const char riffle_watch_style_begin[];
 extern const char riffle_watch_style_end[];
-extern const char riffle_watch_figures_begin[];
-extern const char riffle_watch_figures_end[];
 extern const char riffle_watch_script_begin[];
 extern const char riffle_watch_script_end[];
 }
@@ -17,7 +15,6 @@ namespace riffle {
 WatchAssets watch_assets() {
     return {{riffle_watch_html_begin, riffle_watch_html_end},
             {riffle_watch_style_begin, riffle_watch_style_end},
-            {riffle_watch_figures_begin, riffle_watch_figures_end},
             {riffle_watch_script_begin, riffle_watch_script_end}};
 }
 

@@ -7,10 +7,9 @@ namespace riffle {
 /// The parts of the watch page, embedded in the binary from web/ (cmake/web.cmake). Style and figure library
 /// are those embedded for the report (report/page_assets.hpp).
 struct WatchAssets {
-    std::string_view html;     ///< the page
-    std::string_view style;    ///< CSS beside the report's
-    std::string_view figures;  ///< the report's builders of figures
-    std::string_view script;   ///< follows the run
+    std::string_view html;    ///< the page
+    std::string_view style;   ///< CSS beside the report's
+    std::string_view script;  ///< follows the run
 };
 
 [[nodiscard]] WatchAssets watch_assets();

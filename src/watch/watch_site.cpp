@@ -20,15 +20,16 @@ struct FixedFile {
     std::string_view path, content_type, body;
 };
 
-std::array<FixedFile, 6> fixed_files() {
+std::array<FixedFile, 7> fixed_files() {
     constexpr std::string_view script = "text/javascript; charset=utf-8", style = "text/css; charset=utf-8";
-    const PageAssets report = page_assets();
+    static const PageAssets report = page_assets();  // the files refer to its texts
     const WatchAssets watch = watch_assets();
     return {{{"/", "text/html; charset=utf-8", watch.html},
              {"/report.css", style, report.style},
              {"/watch.css", style, watch.style},
              {"/plotly.js", script, report.plotly},
-             {"/figures.js", script, watch.figures},
+             {"/shared.js", script, report.shared_script},
+             {"/field.js", script, report.field_script},
              {"/watch.js", script, watch.script}}};
 }
 

@@ -1,10 +1,11 @@
 #!/usr/bin/python3
-"""Open DIR/results.xdmf, and DIR/mean_field.xdmf where there is one, with the XDMF readers of ParaView and compare what
-they show with DIR/results.h5.
+"""Open DIR/results.xdmf, and DIR/boundaries.xdmf and DIR/mean_field.xdmf where there are any, with the XDMF readers of
+ParaView and compare what they show with DIR/results.h5.
 
 Usage: check_xdmf.py DIR
 
-Compares the times, the number of particles, the points and each array of each snapshot, and the times, the grid and each
+Compares the times, the number of particles, the points and each array of each snapshot, the points of walls, solids and
+spheres, and the times, the grid and each
 array of each window of the mean field, value by value.
 Exit status: 0 everything agrees, 1 something differs, 77 a reader or h5py is not installed (packages python3-paraview,
 python3-h5py; the Python of Debian, /usr/bin/python3, has them).
@@ -16,8 +17,9 @@ from pathlib import Path
 
 SKIPPED = 77
 POSITION = "position"
-FOR_THE_INDEX = {"point"}  # datasets of a snapshot that are no arrays of its particles
+FOR_THE_INDEX = {"point", "wall_position", "solid_vertices"}  # datasets of a snapshot that are no arrays of its particles
 FIELD = "mean_field"
+BOUNDARIES = "boundaries"
 
 
 def write_reference(results, target):
@@ -33,6 +35,13 @@ def write_reference(results, target):
             for field, data in group.items():
                 if field not in FOR_THE_INDEX:
                     arrays[f"{name}/field/{field}"] = data[...]
+        bodies = file.get(BOUNDARIES, {})
+        moved = sorted(file["snapshots"])[-1:] if "snapshots" in file else []
+        for name, path in (("walls", "walls/position"), ("solids", "solids/vertices"), ("spheres", "spheres/centre")):
+            last = {"walls": "wall_position", "solids": "solid_vertices"}.get(name)
+            if path in bodies:
+                now = [file["snapshots"][group][last] for group in moved if last in file["snapshots"][group]] if last else []
+                arrays[f"{BOUNDARIES}/field/{name}"] = (now or [bodies[path]])[0][...]
         for name, data in file.get(FIELD, {}).items():
             arrays[f"{FIELD}/field/{name}"] = data[...]
     numpy.savez(target, **arrays)
@@ -51,8 +60,8 @@ def load_reference(results):
             for key, value in data.items():
                 name, _, field = key.partition("/")
                 snapshots.setdefault(name, {})[field.removeprefix("field/")] = value
-    field = snapshots.pop(FIELD, None)
-    return [snapshots[name] for name in sorted(snapshots)], field
+    field, boundaries = snapshots.pop(FIELD, None), snapshots.pop(BOUNDARIES, None)
+    return [snapshots[name] for name in sorted(snapshots)], field, boundaries
 
 
 def leaf(data):
@@ -106,6 +115,37 @@ def check_field(reader, path, reference):
     return len(times)
 
 
+def leaves(data):
+    """All grids in what a reader gives."""
+    if data is None:
+        return []
+    if not data.IsA("vtkMultiBlockDataSet"):
+        return [data]
+    return [grid for i in range(data.GetNumberOfBlocks()) for grid in leaves(data.GetBlock(i))]
+
+
+def check_boundaries(reader, path, reference):
+    """Walls, solids and spheres at the last time: their points, each of them drawn."""
+    import numpy
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+    from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Pipeline
+
+    reader.SetFileName(str(path))
+    reader.UpdateInformation()
+    times = reader.GetOutputInformation(0).Get(Pipeline.TIME_STEPS())
+    if times:
+        reader.UpdateTimeStep(float(times[-1]))
+    else:
+        reader.Update()
+    grids = leaves(reader.GetOutputDataObject(0))
+    shown = [vtk_to_numpy(grid.GetPoints().GetData()) for grid in grids]
+    assert len(grids) == len(reference), f"{len(grids)} grids, not {sorted(reference)}"
+    for name, points in reference.items():
+        assert any(each.shape == points.shape and numpy.allclose(each, points, atol=1e-7) for each in shown), f"{name} differ"
+    assert all(grid.GetNumberOfCells() > 0 for grid in grids), "a grid without cells"
+    return len(grids)
+
+
 def check_reader(reader, path, reference):
     import numpy
     from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -146,7 +186,7 @@ def main():
         print(__doc__)
         return 2
     folder = Path(sys.argv[1]).resolve()  # the XDMF 3 reader needs the folder to find the HDF5 file
-    reference, field = load_reference(folder / "results.h5")
+    reference, field, boundaries = load_reference(folder / "results.h5")
     try:
         from vtkmodules.vtkIOXdmf2 import vtkXdmfReader
         from vtkmodules.vtkIOXdmf3 import vtkXdmf3Reader
@@ -158,6 +198,9 @@ def main():
         try:
             count = check_reader(make_reader(), folder / "results.xdmf", reference)
             print(f"{make_reader.__name__}: {count} snapshots agree with results.h5")
+            if boundaries is not None and (folder / "boundaries.xdmf").exists():
+                count = check_boundaries(make_reader(), folder / "boundaries.xdmf", boundaries)
+                print(f"{make_reader.__name__}: {count} kinds of boundaries agree with results.h5")
             # The XDMF 3 reader shows no part of a dataset, of which each window is one.
             if make_reader is vtkXdmfReader and field is not None and len(field["time"]) > 0:
                 count = check_field(make_reader(), folder / "mean_field.xdmf", field)

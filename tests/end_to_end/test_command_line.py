@@ -205,6 +205,13 @@ class CommandLine(CommandLineTest):
         self.fail_with(2, "section", CASE, *self.CHANNEL, "--csv", files["csv"], says=[str(files["csv"]), "--force"])
         self.fail_with(2, "section", CASE, says=["channel.sides", "riffle column"])
 
+    def test_a_twin_that_does_not_apply_says_the_true_reason(self):
+        checks = SOURCE / "cases/checks"
+        for verb in ("column", "section"):
+            self.fail_with(2, verb, checks / "flow-over-step.toml", says=["twin", '"step"'])
+            self.fail_with(2, verb, checks / "dam-break.toml", says=["twin", "channel.ends"])
+            self.fail_with(2, verb, checks / "standing-wave.toml", says=["twin", "channel.slope = 0"])
+
     def test_calibrate_writes_the_fitted_values_into_a_valid_case(self):
         case = self.folder / "fitted.toml"
         fitted = json.loads(self.succeed("calibrate", CASE, "--json").stdout)["parameters"]

@@ -104,6 +104,34 @@ class Report(CommandLineTest):
         self.succeed("report", folder)
         self.look_at(folder / "report.html")
 
+    def run_check(self, name, *options):
+        """A case of cases/checks, short and coarse, with its report; gives the page and its summary."""
+        folder = self.folder / name
+        self.succeed("run", SOURCE / f"cases/checks/{name}.toml", "-o", folder, "-q", *options)
+        self.succeed("report", folder)
+        return folder / "report.html", json.loads((folder / "summary.json").read_text())
+
+    def test_each_kind_of_flow_has_its_verdict(self):
+        """A dam break, a step, a wave and vortices are not judged as uniform channels."""
+        runs = {
+            "dam-break": ("tank", ["--set", "numerics.spacing=10mm", *until(0.25), *every(snapshot=0.05)]),
+            "flow-over-step": ("bodies", ["--set", "numerics.spacing=2mm", *until(3), "--set", "run.average_from=2", *every(snapshot=0.5)]),
+            "standing-wave": ("wave", ["--set", "numerics.spacing=5mm", *until(1)]),
+            "taylor-green": ("box", ["--set", "numerics.spacing=40mm", *until(0.5)]),
+        }
+        kinds = {"tank": "tank", "bodies": "channel-with-bodies", "wave": "standing-wave", "box": "periodic-box"}
+        for name, (kind, options) in runs.items():
+            with self.subTest(name):
+                page, summary = self.run_check(name, *options)
+                self.assertEqual(summary["flow_kind"], kinds[kind])
+                words = json.dumps([summary["verdict"], [row["key"] for row in summary["diagnostics"]]])
+                for wrong in ("column twin's", "spurious shear stress", "drift of the water level", "velocity_error", "depth_drift" if kind != "bodies" else "twin's"):
+                    self.assertNotIn(wrong, words)
+                self.assertIn(summary["verdict"]["status"], ("good", "caution"), summary["verdict"])
+                for row in summary["quantities"].values():
+                    self.assertIsNone(row["column"])
+                self.look_at(page, "--kind", kind)
+
     def test_every_kind_of_figure_in_a_browser(self):
         self.sample_pages()
         self.look_at(self.folder / "report.html", "--figures", "settling,elevation_density,"

@@ -11,13 +11,13 @@ UNITS = {"m", "s", "m/s", "1/s", "m2/s", "m2/s2", "Pa", "kg/m3", "N/m3", "N/m", 
 
 def documented(dimensions=2):
     """Rows of docs/results-format.md: (paths of datasets, their units or none), and the attributes of /summary. What its
-    section on three dimensions says comes after, and instead of, the rest."""
+    section on three dimensions says comes after, and instead of, the rest; that on solids is left out."""
     rows, summary = [], set()
-    space = False
+    space = of_solids = False
     for line in (SOURCE / "docs/results-format.md").read_text().splitlines():
         if line.startswith("## "):
-            space = line == "## Three dimensions"
-        if space and dimensions == 2:
+            space, of_solids = line == "## Three dimensions", line == "## Solids"
+        if (space and dimensions == 2) or of_solids:
             continue
         cells = [cell.strip() for cell in line.strip("| ").split(" | ")]
         if len(cells) < 2 or not cells[0].startswith("`/"):
@@ -73,6 +73,41 @@ class Results(CommandLineTest):
         summary |= {"side_wall_over_gravity", "centreline_velocity", "centreline_velocity_half_width",
                     "secondary_velocity"}
         self.assert_documented(folder, documents, summary)
+
+    def test_solids_their_motion_and_the_forces_on_them_are_there(self):
+        folder = self.folder / "gate"
+        self.succeed("run", SOURCE / "cases/checks/gate.toml", "-o", folder, "-q", "--set", "numerics.spacing=10mm", *until(0.35), *every(snapshot=0.1))
+        import h5py
+
+        with h5py.File(folder / "results.h5", "r") as file:
+            for name in ("walls/position", "walls/body", "solids/vertices", "solids/body"):
+                self.assertIn(name, file["boundaries"])
+            last = file["snapshots"][sorted(file["snapshots"])[-1]]
+            # The gate rises by 3 m/s for 0.05 s.
+            rise = last["solid_vertices"][:, 2] - file["boundaries/solids/vertices"][:, 2]
+            self.assertTrue((abs(rise - 0.15) < 3e-3).all(), rise)
+            force = file["probes/standard_force"]
+            for name in ("solid_force_1", "solid_form_drag_1", "solid_lift_1"):
+                self.assertEqual(force[name].attrs["units"], "N/m")
+            # Before it is pulled the gate holds the reservoir: rho g h^2 / 2.
+            time, held = force["time"][:], force["solid_force_1"][:]
+            mean = held[(time > 0.15) & (time < 0.3)].mean()
+            self.assertAlmostEqual(mean / (0.5 * 9810 * 0.1**2), 1, delta=0.1)
+
+    def test_a_run_shorter_than_its_snapshots_keeps_the_last_state(self):
+        import h5py
+
+        folder = self.run_small("short", 0.1, *every(snapshot=5))
+        with h5py.File(folder / "results.h5", "r") as file:
+            names = sorted(file["snapshots"])
+            self.assertEqual(len(names), 2)
+            self.assertAlmostEqual(file["snapshots"][names[-1]].attrs["time"], file["summary"].attrs["simulated_time"])
+        whole = self.run_small("whole", 0.2, *every(snapshot=5))
+        self.succeed("resume", folder, "-q", *until(0.2))
+        with h5py.File(folder / "results.h5", "r") as one, h5py.File(whole / "results.h5", "r") as other:
+            self.assertEqual(sorted(one["snapshots"]), sorted(other["snapshots"]))
+            for name in one["snapshots"]:
+                self.assertTrue((one[f"snapshots/{name}/position"][:] == other[f"snapshots/{name}/position"][:]).all())
 
     def assert_documented(self, folder, documents, summary):
         import h5py

@@ -62,11 +62,11 @@ const drawn = () => [...document.querySelectorAll('.js-plotly-plot')].map(plot =
 
 async function look(page, where) {
   const plots = await page.evaluate(drawn);
-  for (const id of ['plot-history', 'plot-velocity', 'plot-deviation', 'plot-surface', 'plot-health']) {
+  for (const id of ['plot-velocity_history', 'plot-velocity_profile', 'plot-velocity_error_profile', 'plot-mean_level_history', 'plot-fluctuation_history', 'plot-field']) {
     const plot = plots.find(one => one.id === id);
     check(plot, `${where}: ${id} is missing`);
     if (!plot) continue;
-    check(plot.curves >= 1 && plot.titles >= 2, `${where}: ${id} has ${plot.curves} curves and ${plot.titles} axis titles`);
+    check((plot.curves >= 1 || id === 'plot-field') && plot.titles >= 2, `${where}: ${id} has ${plot.curves} curves and ${plot.titles} axis titles`);
     check(plot.caption > 40, `${where}: ${id} has no caption`);
     check(plot.width > 200 && plot.width <= plot.column + 1, `${where}: ${id} is ${plot.width} px wide, its column ${plot.column} px`);
   }
@@ -84,13 +84,13 @@ try {
   console.log('waiting');
 
   await state(page, 'running');
-  await page.waitForSelector('#plot-history .scatterlayer path', patience);
+  await page.waitForSelector('#plot-velocity_history .scatterlayer path', patience);
   const first = await simulated(page);
   await page.waitForFunction(before => parseFloat(document.querySelector('#progress-facts [data-key="time"] dd').textContent) > before, first, patience);
   check(/steps\/s$/.test(await page.textContent('#progress-facts [data-key="rate"] dd')), 'no speed while running');
   check(/\d/.test(await page.textContent('#progress-facts [data-key="left"] dd')), 'no time left while running');
   check(await page.getAttribute('#state-headline', 'role') === 'status', 'a change of state is not announced');
-  await page.waitForSelector('#plot-velocity .scatterlayer path', patience);
+  await page.waitForSelector('#plot-velocity_profile .scatterlayer path', patience);
   await picture(page, 'running');
   console.log('advanced');
 
@@ -110,7 +110,7 @@ try {
   await picture(page, 'light');
   for (const [width, scheme] of [[1280, 'dark'], [420, 'light']]) {
     const other = await open(width, scheme);
-    await other.page.waitForSelector('#plot-health .scatterlayer path', patience);
+    await other.page.waitForSelector('#plot-fluctuation_history .scatterlayer path', patience);
     await other.page.waitForTimeout(300);
     await look(other.page, `${width} px, ${scheme}`);
     await picture(other.page, `${scheme}-${width}`);

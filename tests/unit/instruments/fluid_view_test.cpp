@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "water.hpp"
 
@@ -73,6 +74,21 @@ TEST(FluidView, IsDryAboveTheSurface) {
     EXPECT_TRUE(std::isfinite(view.velocity_at({0.05, 0.0, 0.04 - 0.0002}).u));
     EXPECT_TRUE(std::isnan(view.velocity_at({0.05, 0.0, 0.04 + 0.0002}).u));
     EXPECT_TRUE(std::isnan(view.velocity_at({0.05, 0.0, 0.07}).w));
+}
+
+TEST(FluidView, SeesTheWaterAtAnEndWallAsHighAsBesideIt) {
+    Case c = small_water();
+    c.channel.slope = 0.0;
+    c.channel.ends = Ends::walls;
+    const Water water = Water(c, 0.3).with_velocity([](double, double z) { return 12.0 * z; },
+                                                    [](double, double) { return 0.0; });
+    const FluidViewIn<2> view = water.view();
+    // Disordered by up to 0.3 spacings, the surface is found to half a spacing. Without the water behind the
+    // wall it would stand a smoothing length lower, two spacings, and the point near it would be dry.
+    for (const double x : {0.0, 0.001, 0.099, 0.1}) {
+        EXPECT_NEAR(view.surface_at(std::vector<Vec<2>>{{x, 0.0}})[0], 0.04, 0.5 * 0.002) << x;
+        EXPECT_NEAR(view.velocity_at({x, 0.0, 0.037}).u, 12.0 * 0.037, 1e-12) << x;
+    }
 }
 
 TEST(FluidView, FindsNeighboursInTheShortestPeriodicChannel) {

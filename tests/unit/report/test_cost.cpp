@@ -48,10 +48,11 @@ TEST_F(Costs, StandBesideTheThesisInTheSameDimensions) {
 
 TEST_F(Costs, ReportOfThreeDimensionsShowsASliceAlongTheCentreline) {
     const ReportData data = collect_report_data(folder_ / "space.h5");
-    ASSERT_TRUE(data.snapshot.has_value());
-    ASSERT_TRUE(data.snapshot->y.has_value());
-    EXPECT_DOUBLE_EQ(*data.snapshot->y, data.flow.channel.centreline());
-    EXPECT_FALSE(data.snapshot->x.empty());
+    ASSERT_TRUE(data.field.has_value());
+    ASSERT_TRUE(data.field->y.has_value());
+    EXPECT_DOUBLE_EQ(*data.field->y, data.flow.channel.centreline());
+    ASSERT_FALSE(data.field->frames.empty());
+    EXPECT_FALSE(data.field->frames.back().x.empty());
     // Between side walls the mean over the width has no measured value beside it.
     const auto quantities = summarize(data);
     const Quantity* const mean = find_quantity(quantities, "depth_mean_velocity");

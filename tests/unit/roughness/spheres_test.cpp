@@ -176,5 +176,26 @@ TEST(SideWallPartition, CarriesTheWholeWeight) {
     EXPECT_NEAR(side_wall_partition(0.056, 1e6, 0.04).bed_share, 1.0, 1e-6);
 }
 
+TEST(SphereLattice, CentresLieWhereTheSpheresAre) {
+    Case c;
+    c.channel.dimensions = 3;
+    c.channel.slope = 0.004;
+    c.channel.length = 0.05;
+    c.channel.width = 0.0866;
+    c.bed.roughness_height = 0.010;
+    const SphereLattice lattice(c);
+    const auto centres = lattice.centres(c.channel.length, c.channel.width);
+    double within = 0.0;
+    for (const auto& centre : centres) {
+        EXPECT_EQ(centre[2], lattice.centre_height());
+        EXPECT_DOUBLE_EQ(lattice.shape_factor(centre[0], centre[1], centre[2]), 1.0);
+        // Beyond its radius along the row the next one begins.
+        EXPECT_NEAR(lattice.shape_factor(centre[0], centre[1], centre[2] + 0.51 * c.bed.sphere_diameter), 0.4,
+                    1e-9);
+        within += centre[1] >= 0.0 && centre[1] < c.channel.width * (1.0 - 1e-9) ? 1.0 : 0.0;
+    }
+    EXPECT_NEAR(within, lattice.spheres_per_area() * c.channel.length * c.channel.width, 0.5);
+}
+
 }  // namespace
 }  // namespace riffle

@@ -1,0 +1,183 @@
+// The flow along a channel with bodies: bed, bodies, level and energy line over x.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "analysis/bodies.hpp"
+#include "analysis/chapters.hpp"
+#include "analysis/figure_tools.hpp"
+#include "statistics/confidence.hpp"
+
+namespace riffle {
+
+namespace {
+
+constexpr const char* chapter = "along";
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// Time means along the channel.
+struct LongProfile {
+    std::vector<double> x, level, half_width, lowest, highest;
+};
+
+LongProfile long_profile(const SpaceTime& surface) {
+    LongProfile profile;
+    for (std::size_t i = 0; i < surface.columns; ++i) {
+        const std::vector<double> record = surface.record(i);
+        double low = std::numeric_limits<double>::infinity();
+        double high = -low;
+        for (const double value : record) {
+            if (!std::isfinite(value)) continue;
+            low = std::min(low, value);
+            high = std::max(high, value);
+        }
+        const bool wet = low <= high;
+        const MeanEstimate mean = wet ? mean_with_confidence(record) : MeanEstimate{};
+        profile.x.push_back(surface.x(i));
+        profile.level.push_back(wet ? mean.mean : nan);
+        profile.half_width.push_back(wet ? mean.half_width : nan);
+        profile.lowest.push_back(wet ? low : nan);
+        profile.highest.push_back(wet ? high : nan);
+    }
+    return profile;
+}
+
+/// Discharge per unit width, m2/s: the mean over the flow-rate sections, which all carry the same in steady
+/// flow.
+std::optional<MeanEstimate> unit_discharge(const FlowRecord& record) {
+    const Case& c = *record.flow();
+    const double width = c.channel.dimensions == 3 ? c.channel.simulated_width() : 1.0;
+    for (const ScalarProbe& probe : record.scalar_probes()) {
+        if (probe.kind != "flow_rate" || probe.quantity.rfind("flow_rate", 0) != 0 || probe.value.size() < 2)
+            continue;
+        MeanEstimate mean = mean_with_confidence(probe.value);
+        mean.mean /= width;
+        mean.half_width /= width;
+        return mean;
+    }
+    return std::nullopt;
+}
+
+void add_extreme(const LongProfile& profile, bool highest, Analysis& analysis) {
+    std::size_t at = profile.x.size();
+    for (std::size_t i = 0; i < profile.x.size(); ++i) {
+        if (!std::isfinite(profile.level[i])) continue;
+        const bool further = at == profile.x.size() || (highest ? profile.level[i] > profile.level[at]
+                                                                : profile.level[i] < profile.level[at]);
+        if (further) at = i;
+    }
+    if (at == profile.x.size()) return;
+    Finding finding =
+        make_finding(chapter, highest ? "highest_level" : "lowest_level",
+                     highest ? "highest mean level along the channel" : "lowest mean level along the channel",
+                     "m", profile.level[at], profile.half_width[at]);
+    finding.remark = fmt::format("above the bed level, at x = {:.4g} mm", 1000.0 * profile.x[at]);
+    analysis.findings.push_back(std::move(finding));
+}
+
+/// Velocities and heads of the mean flow, as far as one discharge per width gives them: in two dimensions.
+struct Heads {
+    std::vector<double> velocity, froude, energy, critical;
+};
+
+Heads heads_of(const Case& c, const LongProfile& profile, const std::vector<Outline>& bodies,
+               double discharge) {
+    Heads heads;
+    const double gravity = c.normal_gravity();
+    const double critical_depth = std::cbrt(discharge * discharge / gravity);
+    for (std::size_t i = 0; i < profile.x.size(); ++i) {
+        const double blocked =
+            std::isfinite(profile.level[i]) ? blocked_height(bodies, profile.x[i], profile.level[i]) : nan;
+        const double depth = profile.level[i] - blocked;
+        const double velocity = depth > 0.0 ? discharge / depth : nan;
+        heads.velocity.push_back(velocity);
+        heads.froude.push_back(velocity / std::sqrt(gravity * depth));
+        heads.energy.push_back(profile.level[i] + velocity * velocity / (2.0 * gravity));
+        heads.critical.push_back(blocked + critical_depth);
+    }
+    return heads;
+}
+
+void add_velocity(const LongProfile& profile, const Heads& heads, Analysis& analysis) {
+    Figure velocity =
+        make_figure(chapter, "velocity_along", "Mean velocity along the channel",
+                    "Discharge per unit width over the height of the water that bodies leave free.", "",
+                    make_axis("distance along the channel x", "m"), make_axis("velocity q/h", "m/s"));
+    velocity.y.from = 0.0;
+    velocity.curves.push_back(
+        make_curve("simulated", Origin::simulated, Mark::line, profile.x, heads.velocity));
+    analysis.figures.push_back(std::move(velocity));
+    Figure froude =
+        make_figure(chapter, "froude_along", "Froude number along the channel",
+                    "Mean velocity over the celerity of long waves on the water's height; above 1 the flow "
+                    "is supercritical.",
+                    "", make_axis("distance along the channel x", "m"), make_axis("Froude number Fr", "1"));
+    froude.y.from = 0.0;
+    froude.curves.push_back(make_curve("simulated", Origin::simulated, Mark::line, profile.x, heads.froude));
+    froude.guides.push_back({"critical", false, 1.0, 1.0});
+    analysis.figures.push_back(std::move(froude));
+    double most = 0.0;
+    for (const double value : heads.froude) most = std::isfinite(value) ? std::max(most, value) : most;
+    analysis.findings.push_back(
+        make_finding(chapter, "largest_froude", "largest Froude number along the channel", "1", most));
+}
+
+}  // namespace
+
+void analyse_along(const FlowRecord& record, Analysis& analysis) {
+    if (record.flow() == nullptr || record.origin() != Origin::simulated) return;
+    const Case& c = *record.flow();
+    const bool space = c.channel.dimensions == 3;
+    Figure figure = make_figure(
+        chapter, "long_profile", "Long profile",
+        fmt::format(
+            "Bed, bodies and the time mean of the surface along the {}, above the bed level, which falls "
+            "with the slope {:.4g}; band: 95 % interval of the mean; dashes: lowest and highest recorded "
+            "level.",
+            space ? "centreline" : "channel", c.channel.slope),
+        "", make_axis("distance along the channel x", "m"), make_axis("height above the bed level z", "m"));
+    figure.x.from = 0.0;
+    figure.x.to = c.channel.length;
+    figure.y.from = 0.0;
+    const SpaceTime& surface = record.surface();
+    if (surface.rows() < 2) {
+        add_missing(record, analysis, std::move(figure),
+                    "the results file holds no record of the surface in the window");
+        return;
+    }
+    const LongProfile profile = long_profile(surface);
+    const std::vector<Outline> bodies = outlines_at(c, record.window().from);
+    for (Curve& body : body_curves(c, record.window().from)) figure.curves.push_back(std::move(body));
+    Curve level = make_curve("mean level", Origin::simulated, Mark::line, profile.x, profile.level);
+    level.y_half_width = profile.half_width;
+    figure.curves.push_back(std::move(level));
+    figure.curves.push_back(
+        make_curve("lowest level", Origin::reference, Mark::line, profile.x, profile.lowest, 1));
+    figure.curves.push_back(
+        make_curve("highest level", Origin::reference, Mark::line, profile.x, profile.highest, 2));
+
+    const std::optional<MeanEstimate> discharge = unit_discharge(record);
+    std::optional<Heads> heads;
+    if (discharge) {
+        analysis.findings.push_back(make_finding(chapter, "unit_discharge", "discharge per unit width q",
+                                                 "m2/s", discharge->mean, discharge->half_width));
+    }
+    if (discharge && discharge->mean > 0.0 && !space) {
+        heads = heads_of(c, profile, bodies, discharge->mean);
+        figure.curves.push_back(make_curve("energy line, level + (q/h)²/(2g)", Origin::simulated, Mark::line,
+                                           profile.x, heads->energy, 1));
+        figure.curves.push_back(
+            make_curve("critical level", Origin::theory, Mark::line, profile.x, heads->critical, 1));
+        figure.caption +=
+            " The energy line and the critical level take one velocity over the height of the water, q/h.";
+    }
+    analysis.figures.push_back(std::move(figure));
+    add_extreme(profile, true, analysis);
+    add_extreme(profile, false, analysis);
+    if (heads) add_velocity(profile, *heads, analysis);
+}
+
+}  // namespace riffle

@@ -1,0 +1,70 @@
+// Signs of health of the particles over time: how they fluctuate, how they lie, how dense they are.
+
+#include "analysis/chapters.hpp"
+#include "analysis/figure_tools.hpp"
+
+namespace riffle {
+
+namespace {
+
+constexpr const char* chapter = "particles";
+constexpr std::size_t most_points = 3000;
+
+/// A curve of such a figure: its series, its name.
+struct Sign {
+    const char* series;
+    const char* name;
+};
+
+void add_signs(const FlowRecord& record, Figure figure, const std::vector<Sign>& signs, Analysis& analysis) {
+    const SeriesTable& series = record.series();
+    const auto time = series.find("time");
+    int variant = 0;
+    for (const Sign& sign : signs) {
+        const auto values = series.find(sign.series);
+        if (time == series.end() || values == series.end() || time->second.size() < 2) continue;
+        figure.curves.push_back(make_curve(sign.name, Origin::simulated, Mark::line,
+                                           thinned(time->second, most_points),
+                                           thinned(values->second, most_points), variant++));
+    }
+    if (figure.curves.empty()) {
+        add_missing(record, analysis, std::move(figure), "the results file holds no such time series yet");
+        return;
+    }
+    mark_window(record, figure);
+    analysis.figures.push_back(std::move(figure));
+}
+
+}  // namespace
+
+void analyse_particles(const FlowRecord& record, Analysis& analysis) {
+    if (record.flow() == nullptr || record.origin() != Origin::simulated) return;
+    const auto figure = [](const char* key, const char* title, const char* caption, const char* label,
+                           const char* unit) {
+        return make_figure(chapter, key, title, caption, "", make_axis("time t", "s"),
+                           make_axis(label, unit));
+    };
+    add_signs(record,
+              figure("fluctuation_history", "Fluctuation of the particles",
+                     "Rms departure of the particle velocities from the mean of their layer.",
+                     "velocity fluctuation", "m/s"),
+              {{"velocity_fluctuation", "velocity fluctuation"}}, analysis);
+    Figure order =
+        figure("order_history", "Order of the particles",
+               "Layering of the particles: 1: perfect rows, 0: none.", "order of the particles", "1");
+    order.y.from = 0.0;
+    order.y.to = 1.05;
+    add_signs(record, std::move(order), {{"particle_order", "order"}}, analysis);
+    add_signs(
+        record,
+        figure("density_history", "Extremes of the density",
+               "Largest and smallest density of a particle, relative to that of water at rest under no load.",
+               "relative density deviation", "1"),
+        {{"density_deviation_maximum", "largest"}, {"density_deviation_minimum", "smallest"}}, analysis);
+    add_signs(record,
+              figure("speed_history", "Largest speed of a particle", "Speed of the fastest particle.",
+                     "largest speed", "m/s"),
+              {{"maximum_velocity", "fastest particle"}}, analysis);
+}
+
+}  // namespace riffle

@@ -1,0 +1,105 @@
+#include "case/flow_kind.hpp"
+
+#include <fmt/format.h>
+
+namespace riffle {
+
+namespace {
+
+bool is_driven(const Case& c) { return c.streamwise_gravity() > 0.0 || c.channel.lid_velocity != 0.0; }
+
+/// Whether the bed holds the water back.
+bool bed_resists(const Bed& bed) {
+    switch (bed.kind) {
+        case BedKind::spheres:
+            return bed.drag_coefficient > 0.0 && bed.roughness_height > 0.0;
+        case BedKind::no_slip:
+            return true;
+        case BedKind::slip:
+            break;
+    }
+    return false;
+}
+
+}  // namespace
+
+FlowKind flow_kind(const Case& c) {
+    if (c.channel.top == Top::periodic) return FlowKind::periodic_box;
+    if (c.start.kind == StartKind::standing_wave) return FlowKind::standing_wave;
+    if (c.channel.ends != Ends::periodic || !is_driven(c)) return FlowKind::tank;
+    if (!c.solids.empty()) return FlowKind::channel_with_bodies;
+    return c.start.water_x.empty() ? FlowKind::uniform_channel : FlowKind::tank;
+}
+
+const char* flow_kind_word(FlowKind kind) {
+    switch (kind) {
+        case FlowKind::uniform_channel:
+            return "uniform-channel";
+        case FlowKind::channel_with_bodies:
+            return "channel-with-bodies";
+        case FlowKind::tank:
+            return "tank";
+        case FlowKind::standing_wave:
+            return "standing-wave";
+        case FlowKind::periodic_box:
+            break;
+    }
+    return "periodic-box";
+}
+
+const char* flow_kind_name(FlowKind kind) {
+    switch (kind) {
+        case FlowKind::uniform_channel:
+            return "uniform channel";
+        case FlowKind::channel_with_bodies:
+            return "channel with bodies";
+        case FlowKind::tank:
+            return "closed tank or transient flow";
+        case FlowKind::standing_wave:
+            return "standing wave";
+        case FlowKind::periodic_box:
+            break;
+    }
+    return "periodic box";
+}
+
+std::optional<std::string> why_no_column(const Case& c) {
+    if (c.channel.top == Top::periodic) {
+        return "the box repeats itself over its height too (channel.top = \"periodic\"): it has neither a "
+               "bed nor "
+               "a surface between which a flow could be uniform";
+    }
+    if (c.channel.ends == Ends::walls) {
+        return "walls close the channel at its ends (channel.ends = \"walls\"), so no steady flow runs along "
+               "it: a "
+               "uniform flow needs channel.ends = \"periodic\" and channel.slope > 0";
+    }
+    if (!c.solids.empty()) {
+        return fmt::format(
+            "the flow meets the solid \"{}\"{}, around which it is not uniform: the balance of a column has "
+            "no "
+            "drag of bodies. Without the [[solid]] the case has a uniform flow to compare with",
+            c.solids.front().name,
+            c.solids.size() > 1 ? fmt::format(" and {} more", c.solids.size() - 1) : std::string());
+    }
+    if (c.channel.lid_velocity != 0.0) {
+        return "a moving lid drives the flow (channel.lid_velocity), which the balance of the column does "
+               "not have";
+    }
+    if (!(c.streamwise_gravity() > 0.0)) {
+        return "nothing drives a steady flow (channel.slope = 0): a uniform flow needs channel.slope > 0";
+    }
+    if (!c.start.water_x.empty()) {
+        return "the water starts within an outline (start.water_x), so the depth of its uniform flow is not "
+               "that of "
+               "the case: leave the outline out";
+    }
+    if (!bed_resists(c.bed)) {
+        return "nothing resists the flow down the slope, so it has no steady state: a slip bed, or spheres "
+               "without drag. Give bed.kind = \"spheres\" with bed.roughness_height > 0 and "
+               "bed.drag_coefficient > 0, or bed.kind = \"no-slip\"";
+    }
+    return std::nullopt;
+}
+
+}  // namespace riffle

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "case/case.hpp"
+
+namespace riffle {
+
+/// The kinds of flow that a case can describe. What a run is judged by, which chapters its analysis has and
+/// what its report shows follow from the kind.
+enum class FlowKind {
+    uniform_channel,      ///< driven along a channel, the same everywhere along it
+    channel_with_bodies,  ///< driven along a channel and around bodies that stand in it
+    tank,           ///< nothing drives a steady flow along it: dam breaks, gates, sloshing, paddles, cavities
+    standing_wave,  ///< a wave that stands over a periodic reach
+    periodic_box    ///< periodic in all directions, without bed and surface
+};
+
+[[nodiscard]] FlowKind flow_kind(const Case& c);
+
+/// The word for machines, e.g. "channel-with-bodies".
+[[nodiscard]] const char* flow_kind_word(FlowKind kind);
+
+/// The name for readers, e.g. "channel with bodies".
+[[nodiscard]] const char* flow_kind_name(FlowKind kind);
+
+/// Whether the flow is driven along a channel, so that it can come to a steady mean.
+[[nodiscard]] inline bool is_channel(FlowKind kind) {
+    return kind == FlowKind::uniform_channel || kind == FlowKind::channel_with_bodies;
+}
+
+/// Whether the water keeps within closed ends or repeats itself, and nothing drives it steadily.
+[[nodiscard]] inline bool is_undriven(FlowKind kind) { return !is_channel(kind); }
+
+/// Why the case has no steady uniform flow, the one that the column twin solves: a sentence with what to
+/// change. Nothing where it has one.
+[[nodiscard]] std::optional<std::string> why_no_column(const Case& c);
+
+}  // namespace riffle

@@ -1,0 +1,240 @@
+// Diagnostics of flows that are driven along a channel, with and without bodies.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "case/flow_kind.hpp"
+#include "report/diagnostic_rows.hpp"
+#include "statistics/confidence.hpp"
+
+namespace riffle {
+
+namespace {
+
+class ChannelRows : public DiagnosticRows {
+  public:
+    ChannelRows(const ReportData& data, const Analysis& analysis)
+        : DiagnosticRows(data, analysis),
+          stirred_(data.flow.stirring.acceleration > 0),
+          space_(data.flow.channel.dimensions == 3),
+          bodies_(!data.flow.solids.empty()) {}
+
+    void interval() {
+        const auto mean = value("depth_mean_velocity");
+        const auto half = value("depth_mean_velocity_half_width");
+        if (!mean || !half || *mean == 0) return;
+        const double share = *half / std::abs(*mean);
+        const double bar = data_.flow.run.tolerance;
+        add({"velocity_interval", "Certainty of the depth-mean velocity", "± " + percent(share),
+             "at most ± " + percent(bar),
+             "Half-width of the 95 % confidence interval of the time mean, with the correlation of "
+             "successive values "
+             "taken into account. If it is too wide, run longer.",
+             mark_of(share, bar)});
+    }
+
+    /// Whether the window is long enough to tell: an interval from a handful of independent samples is a
+    /// guess.
+    void samples() {
+        const Finding* const found = finding("effective_samples");
+        const Finding* const change = finding("velocity_range_in_window");
+        if (found == nullptr) return;
+        constexpr double fewest = 10;
+        // A record that stays within a tenth of the tolerance needs no statistics.
+        const bool constant = change != nullptr && change->value <= 0.1 * data_.flow.run.tolerance;
+        add({"independent_samples", "Independent samples in the averaging window",
+             constant ? fmt::format("{:.1f}, but the velocity stays within {} of its mean", found->value,
+                                    percent(change->value, 3))
+                      : fmt::format("{:.1f}", found->value),
+             "10 make an interval; or a velocity that does not vary",
+             "Length of the window over twice the integral time scale of the depth-mean velocity. With fewer "
+             "the interval of "
+             "the mean is only a rough estimate, and slow changes are not seen.",
+             constant || found->value >= fewest ? Health::good
+             : found->value >= 0.5 * fewest     ? Health::caution
+                                                : Health::bad});
+    }
+
+    /// Whether the flow is still on its way to another state.
+    void growth() {
+        const Finding* const found = finding("velocity_fluctuation_growth");
+        if (found == nullptr) return;
+        constexpr double bar = 0.25;
+        const double least = found->value - found->half_width.value_or(0.0);
+        add({"fluctuation_growth", "Growth of the particles' fluctuation in the window",
+             signed_percent(found->value), "at most 25 %, as far as its interval tells",
+             "By the trend of the logarithm of the velocity fluctuation. One that grows says that the "
+             "particles are "
+             "leaving the order they started in: the flow is on its way to another state, with another mean.",
+             least <= bar         ? Health::good
+             : least <= 2.0 * bar ? Health::caution
+                                  : Health::bad});
+    }
+
+    void start_up() {
+        const auto relaxation = find_value(data_.column_summary, "relaxation_time");
+        if (!relaxation || *relaxation <= 0 || data_.window_end <= data_.window_start) return;
+        const double times = data_.window_start / *relaxation;
+        add({"start_up", "Time before averaging", fmt::format("{:.1f} relaxation times", times), "at least 3",
+             fmt::format("Departures from the steady flow die out with an e-folding time of {:.2f} s. "
+                         "Averages taken too "
+                         "early still carry the start.",
+                         *relaxation),
+             times >= 3   ? Health::good
+             : times >= 1 ? Health::caution
+                          : Health::bad});
+    }
+
+    void budget() {
+        const auto drag = value("drag_over_gravity");
+        if (!drag || data_.flow.channel.slope <= 0) return;
+        const double wall = value("wall_over_gravity").value_or(0.0);
+        const double share = *drag + wall + value("side_wall_over_gravity").value_or(0.0);
+        add({"force_budget",
+             bodies_ ? "Force on bed, walls and bodies over the weight component"
+                     : "Drag and wall friction over the weight component",
+             percent(share), "100 ± 1 %",
+             bodies_ ? "In steady flow bed, walls and bodies together must carry the whole component of the "
+                       "water's "
+                       "weight down the slope, the bodies by the pressure on their faces (form drag) and by "
+                       "friction. "
+                       "More: the flow still slows down; less: it still speeds up."
+                     : "In steady uniform flow the bed must carry the whole component of the water's weight "
+                       "down the "
+                       "slope. More: the flow still slows down, or numerical friction acts; less: it still "
+                       "speeds up.",
+             mark_of(std::abs(share - 1), 0.01)});
+    }
+
+    void bodies_share() {
+        const Finding* const found = finding("solid_force_share");
+        if (found == nullptr) return;
+        std::string text = percent(found->value, 1);
+        if (const Finding* const pressure = finding("solid_form_drag_share"))
+            text += fmt::format(", by pressure {}", percent(pressure->value, 1));
+        add({"form_drag", "Force on the bodies over the weight component", text, "what the bodies take",
+             "Streamwise force of the water on the bodies: form drag, by the pressure on their faces, and "
+             "friction. The "
+             "rest of the weight component goes to the bed and the walls.",
+             Health::none});
+    }
+
+    void spurious_stress() {
+        const auto share = value("spurious_stress_rms");
+        if (!share) return;
+        const double bar = space_ ? 0.01 : stirred_ ? 0.015 : 0.005;
+        add({"spurious_stress",
+             bodies_ ? "Spurious shear stress of the pressure, above the bodies"
+                     : "Spurious shear stress of the pressure",
+             percent(*share) + " of the bed stress",
+             bodies_ ? "below their tops pressure carries form drag" : "at most " + percent(bar, 1),
+             "Pressure alone must not drag layers along each other. In a particle method it can, when "
+             "particles lie "
+             "unevenly; a few percent of the bed stress would act as an additional roughness. Rms over the "
+             "depth.",
+             bodies_ ? Health::none : mark_of(*share, bar)});
+    }
+
+    void stress_error() {
+        const auto share = value("stress_error_rms");
+        if (!share || bodies_) return;
+        const double bar = space_ ? 0.035 : 0.015;
+        add({"stress_error", "Total shear stress against the analytic line",
+             percent(*share) + " of the stress at the crests", "at most " + percent(bar, 1),
+             "In steady uniform flow the shear stress grows linearly from the surface down. Rms departure "
+             "above the "
+             "crests.",
+             mark_of(*share, bar)});
+    }
+
+    void velocity_errors() {
+        // The bars of three dimensions are wider: the spheres stand at their places, which no twin knows.
+        if (space_) {
+            velocity_error("above", "above the crests", 0.02, 0.04);
+            velocity_error("below", "below the crests", 0.10, 0.15);
+            return;
+        }
+        velocity_error("above", "above the crests", 0.01, 0.02);
+        // The thin layers between the bed elements are harder to resolve; less so with a wide kernel.
+        const bool wide = data_.flow.numerics.smoothing_ratio >= 2;
+        velocity_error("below", "below the crests", wide ? 0.025 : 0.03, wide ? 0.04 : 0.06);
+    }
+
+    void depth_drift() {
+        if (!has_column(data_.series, "mean_level") || !has_column(data_.series, "time")) return;
+        auto levels = in_window("mean_level");
+        auto times = in_window("time");
+        // A run's first rows may precede the first sample of the surface.
+        while (!levels.empty() && !std::isfinite(levels.front())) {
+            levels = levels.subspan(1);
+            times = times.subspan(1);
+        }
+        constexpr std::size_t fewest = 20;
+        if (levels.size() < fewest) return;
+        const double interval = (times.back() - times.front()) / static_cast<double>(times.size() - 1);
+        if (!(interval > 0)) return;
+        const TrendEstimate trend = trend_with_confidence(levels);
+        const double minute = 60.0 / interval;
+        const double depth = data_.flow.total_depth();
+        add({"depth_drift", "Drift of the water level",
+             fmt::format("{:+.3f} ± {:.3f} mm per minute", 1000 * trend.slope * minute,
+                         1000 * trend.half_width * minute),
+             fmt::format("at most {:.2f} mm per minute, 0.5 % of the depth", 1000 * 0.005 * depth),
+             "Water is neither lost nor added, so the level must stay. A drift means that the particles' "
+             "volume changes.",
+             drift_mark(std::abs(trend.slope) * minute / depth, trend.half_width * minute / depth)});
+    }
+
+  private:
+    /// A drift counts as bad only where it stands out of its own uncertainty.
+    static Health drift_mark(double drift, double half_width) {
+        constexpr double bar = 0.005;
+        const Health mark = mark_of(drift, bar);
+        return mark == Health::bad && drift - half_width <= bar ? Health::caution : mark;
+    }
+
+    void velocity_error(const std::string& part, const std::string& where, double rms_bar,
+                        double maximum_bar) {
+        const auto rms = value("velocity_error_" + part + "_rms");
+        const auto maximum = value("velocity_error_" + part + "_maximum");
+        if (!rms || !maximum) return;
+        const char* const twin = data_.flow.has_side_walls() ? "section twin" : "column twin";
+        add({"velocity_error_" + part, fmt::format("Velocity {} against the {}", where, twin),
+             fmt::format("rms {}, largest {}", percent(*rms), percent(*maximum)),
+             fmt::format("rms at most {}, largest at most {}", percent(rms_bar, 1), percent(maximum_bar, 0)),
+             fmt::format("The {} is the exact steady solution of the same equations, so this is the error of "
+                         "the particles, "
+                         "not of the model.",
+                         twin),
+             std::max(mark_of(*rms, rms_bar), mark_of(*maximum, maximum_bar))});
+    }
+
+    bool stirred_;
+    bool space_;
+    bool bodies_;
+};
+
+}  // namespace
+
+std::vector<Diagnostic> diagnose_channel(const ReportData& data, const Analysis& analysis) {
+    ChannelRows rows(data, analysis);
+    rows.interval();
+    rows.samples();
+    rows.growth();
+    rows.start_up();
+    rows.budget();
+    rows.bodies_share();
+    rows.spurious_stress();
+    rows.stress_error();
+    rows.velocity_errors();
+    rows.depth_drift();
+    rows.density();
+    rows.particles_lost();
+    rows.order();
+    rows.fluctuation();
+    return rows.take();
+}
+
+}  // namespace riffle

@@ -1,0 +1,130 @@
+// Diagnostics of flows that nothing drives steadily: what a closed flow must keep, and what theory says of a
+// wave and of vortices.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "case/flow_kind.hpp"
+#include "report/diagnostic_rows.hpp"
+
+namespace riffle {
+
+namespace {
+
+class CourseRows : public DiagnosticRows {
+  public:
+    using DiagnosticRows::DiagnosticRows;
+
+    void volume() {
+        const Finding* const found = finding("volume_change_largest");
+        if (found == nullptr) return;
+        constexpr double bar = 0.01;
+        add({"volume", "Largest change of the water's volume", signed_percent(found->value), "within ± 1 %",
+             "The water is closed in, so its volume must stay, but for the slight compression by impacts and "
+             "by its own "
+             "weight.",
+             mark_of(std::abs(found->value), bar)});
+    }
+
+    void energy() {
+        const Finding* const gain = finding("energy_gain");
+        const Finding* const change = finding("energy_change");
+        if (gain == nullptr || change == nullptr) return;
+        // What a moving body or lid adds cannot be told from what the scheme does; still water has no motion
+        // to compare with.
+        const Case& c = data_.flow;
+        const bool moved = c.channel.lid_velocity != 0.0 ||
+                           std::any_of(c.solids.begin(), c.solids.end(),
+                                       [](const Solid& solid) { return solid.motion != SolidMotion::fixed; });
+        const bool judged = !moved && !still();
+        constexpr double bar = 0.02;
+        add({"energy", "Change of the water's energy",
+             fmt::format("{} of the largest kinetic energy; largest gain {}", signed_percent(change->value),
+                         percent(gain->value)),
+             judged  ? "no gain above 2 %"
+             : moved ? "moving walls and bodies add energy"
+                     : "the water is nearly still",
+             "Kinetic, potential and elastic energy together, since the start. Friction takes energy away, "
+             "and so does the "
+             "density diffusion; nothing at rest may add any.",
+             judged ? mark_of(gain->value, bar) : Health::none});
+    }
+
+    /// Of water that is at rest: how fast its particles still are in the end.
+    void rest() {
+        if (!still() || !has_column(data_.series, "maximum_velocity")) return;
+        const double speed = data_.series.at("maximum_velocity").back();
+        const double scale = std::sqrt(data_.flow.normal_gravity() * data_.flow.total_depth());
+        add({"largest_speed", "Fastest particle in the end",
+             fmt::format("{:.2g} mm/s, {:.1e} of √(gH)", 1000 * speed, speed / scale), "at rest: none",
+             "Still water must stay still. Particles that lie unevenly find no rest beside inclined faces; "
+             "the order of "
+             "magnitude is that of the spurious currents.",
+             Health::none});
+    }
+
+    void momentum() {
+        if (flow_kind(data_.flow) != FlowKind::periodic_box ||
+            !has_column(data_.series, "total_mean_velocity"))
+            return;
+        const auto& mean = data_.series.at("total_mean_velocity");
+        double most = 0.0;
+        for (const double value : mean) most = std::max(most, std::abs(value - mean.front()));
+        const double scale = data_.flow.start.velocity.value_or(0.0);
+        if (!(scale > 0.0)) return;
+        constexpr double bar = 1e-3;
+        add({"momentum", "Change of the mean velocity", percent(most / scale, 4) + " of the initial velocity",
+             "at most 0.1 %", "No force acts on the water of a periodic box, so its momentum must stay.",
+             mark_of(most / scale, bar)});
+    }
+
+    void decay() { against_theory("velocity_decay_rate", "decay", "Rate at which the vortices decay", 0.03); }
+    void period() {
+        against_theory("mode_period", "period", "Period of the first mode of the surface", 0.01);
+    }
+    void front() { against_theory("front_speed", "front", "Speed of the front against Ritter's", 0.05); }
+
+  private:
+    /// Whether the fastest water ever moves at less than a hundredth of sqrt(g H).
+    [[nodiscard]] bool still() const {
+        const double scale = std::sqrt(data_.flow.normal_gravity() * data_.flow.total_depth());
+        const Finding* const energy = finding("kinetic_energy_largest");
+        if (!(scale > 0.0) || energy == nullptr || !has_column(data_.series, "maximum_velocity"))
+            return false;
+        const auto& fastest = data_.series.at("maximum_velocity");
+        return *std::max_element(fastest.begin(), fastest.end()) < 0.02 * scale;
+    }
+
+    void against_theory(const char* key, const char* row, const char* label, double bar) {
+        const Finding* const found = finding(key);
+        if (found == nullptr || !found->reference || *found->reference == 0.0) return;
+        const double share = found->value / *found->reference - 1.0;
+        const double known = found->half_width ? std::abs(*found->half_width / *found->reference) : 0.0;
+        const Health mark = mark_of(std::abs(share), bar);
+        add({row, label,
+             fmt::format("{:.4g} {}, {} of {}", found->value, found->unit, signed_percent(share), "theory"),
+             fmt::format("within {} of {:.4g} {}", percent(bar, 0), *found->reference, found->unit),
+             fmt::format("Theory: {}.", found->reference_name),
+             mark == Health::bad && std::abs(share) - known <= bar ? Health::caution : mark});
+    }
+};
+
+}  // namespace
+
+std::vector<Diagnostic> diagnose_course(const ReportData& data, const Analysis& analysis) {
+    CourseRows rows(data, analysis);
+    rows.volume();
+    rows.particles_lost();
+    rows.density();
+    rows.energy();
+    rows.rest();
+    rows.momentum();
+    rows.decay();
+    rows.period();
+    rows.front();
+    return rows.take();
+}
+
+}  // namespace riffle

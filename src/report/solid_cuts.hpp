@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "case/outline.hpp"
+#include "output/results_file.hpp"
+
+namespace riffle {
+
+/// Outlines in which the plane at y cuts the solids of a run in three dimensions, from /boundaries/solids of
+/// its results, at the time of a snapshot. Empty for files without them.
+[[nodiscard]] std::vector<Outline> solid_cuts(const ResultsReader& reader, const std::string& snapshot,
+                                              double y);
+
+}  // namespace riffle

@@ -1,0 +1,182 @@
+// What a run is judged by follows from the kind of its flow, and no verdict is better than what the page
+// knows.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "report/diagnostics.hpp"
+#include "report/quantities.hpp"
+#include "report/references.hpp"
+#include "report/verdict.hpp"
+
+namespace riffle {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+ReportData channel() {
+    ReportData data;
+    data.complete = true;
+    data.flow.channel.slope = 0.004;
+    data.flow.channel.depth = 0.05;
+    data.flow.bed.roughness_height = 0.010;
+    data.summary = {{"depth_mean_velocity", 0.33},
+                    {"depth_mean_velocity_half_width", 3e-4},
+                    {"drag_over_gravity", 1.0},
+                    {"wall_over_gravity", 0.0},
+                    {"converged", 1.0},
+                    {"spurious_stress_rms", 3e-5},
+                    {"stress_error_rms", 1e-3},
+                    {"simulated_time", 18.0}};
+    data.column_summary = {{"depth_mean_velocity", 0.335}};
+    data.window_start = 10;
+    data.window_end = 18;
+    for (int i = 0; i <= 900; ++i) {
+        data.series["time"].push_back(0.02 * i);
+        data.series["mean_level"].push_back(0.056);
+        data.series["maximum_velocity"].push_back(0.4);
+    }
+    return data;
+}
+
+Finding finding(const char* key, double value, const char* unit = "1") {
+    Finding result;
+    result.key = key;
+    result.label = key;
+    result.unit = unit;
+    result.value = value;
+    return result;
+}
+
+Verdict verdict_of(const ReportData& data, const Analysis& analysis = {}) {
+    return judge(data, summarize(data, analysis), diagnose(data, analysis));
+}
+
+const Diagnostic* row(const std::vector<Diagnostic>& rows, const std::string& key) {
+    const auto found =
+        std::find_if(rows.begin(), rows.end(), [&](const Diagnostic& d) { return d.key == key; });
+    return found == rows.end() ? nullptr : &*found;
+}
+
+std::string text_of(const Verdict& verdict) {
+    std::string text = verdict.headline;
+    for (const std::string& sentence : verdict.sentences) text += " " + sentence;
+    return text;
+}
+
+TEST(Kinds, ASteadyUniformChannelIsGood) {
+    Analysis analysis;
+    analysis.findings = {finding("effective_samples", 42), finding("velocity_range_in_window", 0.004),
+                         finding("velocity_fluctuation_growth", 0.1)};
+    const Verdict verdict = verdict_of(channel(), analysis);
+    EXPECT_EQ(verdict.mark, Health::good);
+    EXPECT_EQ(verdict.headline, "The run has converged and is healthy.");
+}
+
+TEST(Kinds, AFluctuationThatGrowsOrTooFewSamplesAreNotGood) {
+    Analysis growing;
+    growing.findings = {finding("effective_samples", 42), finding("velocity_fluctuation_growth", 33)};
+    EXPECT_EQ(verdict_of(channel(), growing).mark, Health::bad);
+    EXPECT_THAT(text_of(verdict_of(channel(), growing)), HasSubstr("growth of the particles' fluctuation"));
+    Analysis brief;
+    brief.findings = {finding("effective_samples", 1.6), finding("velocity_range_in_window", 0.002)};
+    EXPECT_NE(verdict_of(channel(), brief).mark, Health::good);
+    EXPECT_THAT(text_of(verdict_of(channel(), brief)), HasSubstr("independent samples"));
+    // A laminar flow that does not vary has few independent samples, and needs none.
+    Analysis laminar;
+    laminar.findings = {finding("effective_samples", 1.2), finding("velocity_range_in_window", 1e-5)};
+    EXPECT_EQ(verdict_of(channel(), laminar).mark, Health::good);
+}
+
+TEST(Kinds, BodiesBookTheirDragAndHaveNoTwin) {
+    ReportData data = channel();
+    Solid& step = data.flow.solids.emplace_back();
+    step.name = "step";
+    step.x = {0.03, 0.05, 0.05, 0.03};
+    step.z = {0.0, 0.0, 0.01, 0.01};
+    data.column_summary.clear();
+    data.summary["drag_over_gravity"] = 0.3;
+    data.summary["wall_over_gravity"] = 0.7;
+    data.summary["spurious_stress_rms"] = 2.45;  // form drag, to a flow without bodies
+    Analysis analysis;
+    analysis.findings = {finding("unit_discharge", 0.017, "m2/s"), finding("solid_force_share", 0.7),
+                         finding("solid_form_drag_share", 0.66)};
+    const Verdict verdict = verdict_of(data, analysis);
+    EXPECT_EQ(verdict.mark, Health::good) << text_of(verdict);
+    EXPECT_THAT(text_of(verdict), HasSubstr("\"step\""));
+    EXPECT_THAT(text_of(verdict), Not(HasSubstr("converged")));
+    EXPECT_THAT(text_of(verdict), HasSubstr("70.0 % of the water's weight component"));
+    const std::vector<Diagnostic> rows = diagnose(data, analysis);
+    ASSERT_NE(row(rows, "force_budget"), nullptr);
+    EXPECT_EQ(row(rows, "force_budget")->mark, Health::good);
+    EXPECT_EQ(row(rows, "spurious_stress")->mark, Health::none);
+    EXPECT_EQ(row(rows, "velocity_error_above"), nullptr);
+    for (const Quantity& quantity : summarize(data, analysis)) EXPECT_FALSE(quantity.column) << quantity.key;
+}
+
+TEST(Kinds, AClosedFlowIsJudgedByWhatItMustKeep) {
+    ReportData data = channel();
+    data.flow.channel.slope = 0.0;
+    data.flow.channel.ends = Ends::walls;
+    data.flow.bed.kind = BedKind::slip;
+    data.column_summary.clear();
+    // A dam break: the mean level of the wet places falls by a half, which is no loss of water.
+    for (std::size_t i = 0; i < 900; ++i)
+        data.series["mean_level"][i] = 0.05 * (1.0 - 0.5 * static_cast<double>(i) / 900);
+    Analysis analysis;
+    Finding front = finding("front_speed", 1.9, "m/s");
+    front.reference = 1.98;
+    front.reference_name = "Ritter 1892, 2 sqrt(g h0)";
+    analysis.findings = {finding("kinetic_energy_largest", 11.0, "J/m"), finding("energy_gain", 0.001),
+                         finding("energy_change", -0.2), finding("volume_change_largest", 0.002), front};
+    const std::vector<Diagnostic> rows = diagnose(data, analysis);
+    EXPECT_EQ(row(rows, "depth_drift"), nullptr);
+    EXPECT_EQ(row(rows, "front")->mark, Health::good);
+    EXPECT_EQ(row(rows, "energy")->mark, Health::good);
+    EXPECT_EQ(verdict_of(data, analysis).mark, Health::good);
+    EXPECT_EQ(verdict_of(data, analysis).headline, "The run is complete and is healthy.");
+    analysis.findings[1].value = 0.3;  // energy from nowhere
+    EXPECT_EQ(verdict_of(data, analysis).mark, Health::bad);
+    analysis.findings[1].value = 0.0;
+    analysis.findings[3].value = -0.04;  // water lost
+    EXPECT_EQ(verdict_of(data, analysis).mark, Health::bad);
+    data.summary["lost_particles"] = 30;
+    data.summary["lost_share"] = 0.03;
+    EXPECT_EQ(row(diagnose(data, analysis), "lost_water")->mark, Health::bad);
+}
+
+TEST(Kinds, VorticesAreJudgedByTheirDecay) {
+    ReportData data = channel();
+    data.flow.channel.slope = 0.0;
+    data.flow.channel.top = Top::periodic;
+    data.flow.start.kind = StartKind::taylor_green;
+    data.flow.start.velocity = 1.0;
+    data.column_summary.clear();
+    data.series["total_mean_velocity"].assign(901, 1e-5);
+    Analysis analysis;
+    Finding rate = finding("velocity_decay_rate", 0.79, "1/s");
+    rate.reference = 0.7896;
+    analysis.findings = {finding("kinetic_energy_largest", 240.0, "J/m"), rate};
+    EXPECT_EQ(verdict_of(data, analysis).mark, Health::good);
+    EXPECT_NE(row(diagnose(data, analysis), "momentum"), nullptr);
+    analysis.findings[1].value = 0.70;
+    EXPECT_EQ(verdict_of(data, analysis).mark, Health::bad);
+}
+
+TEST(References, AreThoseThatAPageNames) {
+    Analysis analysis;
+    analysis.findings = {finding("front_speed", 1.9, "m/s")};
+    analysis.findings.front().reference_name = "Ritter 1892, 2 sqrt(g h0)";
+    const auto cited = cited_references({analysis});
+    ASSERT_EQ(cited.size(), 1U);
+    EXPECT_THAT(cited.front().citation, HasSubstr("Fortpflanzung der Wasserwellen"));
+    const auto thesis = cited_references({}, {"thesis, Table 3.1"});
+    ASSERT_EQ(thesis.size(), 1U);
+    EXPECT_THAT(thesis.front().citation, HasSubstr("Gabreil, E. (2017)"));
+}
+
+}  // namespace
+}  // namespace riffle

@@ -1,0 +1,138 @@
+// Forces of the water on each solid, and what the results say of solids and walls.
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "output/results_file.hpp"
+#include "small_case.hpp"
+#include "solver/boundary_content.hpp"
+#include "solver/snapshots.hpp"
+
+namespace riffle {
+namespace {
+
+Solid rectangle(const char* name, double from, double to, double bottom, double top) {
+    Solid solid;
+    solid.name = name;
+    solid.x = {from, to, to, from};
+    solid.z = {bottom, bottom, top, top};
+    solid.surface = SolidSurface::slip;
+    return solid;
+}
+
+/// Still water, 50 mm deep, over two blocks on the floor of a tank: 20 and 30 mm long, 20 and 10 mm high.
+Case tank_with_blocks() {
+    Case c;
+    c.channel.depth = 0.05;
+    c.channel.length = 0.12;
+    c.channel.ends = Ends::walls;
+    c.bed.kind = BedKind::slip;
+    c.bed.datum_below_crest = 0.0;
+    c.turbulence.closure = ClosureKind::none;
+    c.numerics.spacing = 0.0025;
+    c.start.kind = StartKind::rest;
+    c.solids = {rectangle("first", 0.02, 0.04, 0.0, 0.02), rectangle("second", 0.07, 0.1, 0.0, 0.01)};
+    return c;
+}
+
+std::unique_ptr<Simulation> started(const Case& c) {
+    auto simulation =
+        make_simulation<2>(c, nullptr, initial_particles<2>(c, make_scheme(c, nullptr), nullptr));
+    simulation->step();
+    return simulation;
+}
+
+TEST(SolidForce, OfStillWaterIsTheWeightAboveEach) {
+    const Case c = tank_with_blocks();
+    const auto simulation = started(c);
+    const std::vector<ForceOnSolid>& forces = simulation->solid_forces();
+    ASSERT_EQ(forces.size(), 2U);
+    const double weight = c.fluid.density * c.fluid.gravity;
+    // Pressures on faces resolved by eight and twelve particles: a few percent of them.
+    EXPECT_NEAR(forces[0].pressure[2], -weight * 0.03 * 0.02, 0.06 * weight * 0.03 * 0.02);
+    EXPECT_NEAR(forces[1].pressure[2], -weight * 0.04 * 0.03, 0.06 * weight * 0.04 * 0.03);
+    for (const ForceOnSolid& force : forces) {
+        EXPECT_NEAR(force.pressure[0], 0.0, 0.01 * weight * 0.05 * 0.05);
+        EXPECT_EQ(force.friction[0], 0.0);  // slip faces
+        EXPECT_EQ(force.pressure[1], 0.0);
+    }
+}
+
+TEST(SolidForce, OfAllWallsAsSolidsIsTheForceOfTheWalls) {
+    // A block as long as the channel but for the ends, so that its top is the bed: no other wall is near its
+    // water.
+    Case c = tank_with_blocks();
+    c.channel.ends = Ends::periodic;
+    c.solids = {rectangle("first", 0.02, 0.05, 0.0, 0.02)};
+    c.solids.front().surface = SolidSurface::no_slip;
+    c.start.kind = StartKind::uniform;
+    c.start.velocity = 0.1;
+    const auto simulation = started(c);
+    const ForceOnSolid& force = simulation->solid_forces().front();
+    const ParticleFields& fields = simulation->fields();
+    const auto& mass = simulation->particles().mass;
+    const double along =
+        -std::inner_product(mass.begin(), mass.end(), fields.wall_acceleration_x.begin(), 0.0);
+    // The bed slips: along it only the block holds the water back.
+    const double size = c.fluid.density * c.fluid.gravity * 0.05 * 0.05;
+    EXPECT_NEAR(force.pressure[0] + force.friction[0], along, 1e-3 * size);
+    EXPECT_NE(force.friction[0], 0.0);
+}
+
+const Dataset& dataset(const Content& content, const std::string& path) {
+    for (const Dataset& each : content.datasets) {
+        if (each.path == path) return each;
+    }
+    throw std::logic_error("no dataset " + path);
+}
+
+TEST(Boundaries, OutlinesStandWhereTheCaseHasThemAndMoveWithTheirMotion) {
+    Case c = tank_with_blocks();
+    c.solids[1].motion = SolidMotion::constant;
+    c.solids[1].velocity_z = 0.1;
+    c.solids[1].start = 0.5;
+    const BoundaryContent boundaries(c);
+    EXPECT_EQ(boundaries.vertices(), 8U);
+    EXPECT_EQ(boundaries.corners(), (std::vector<std::size_t>{4, 4}));
+    EXPECT_TRUE(boundaries.moves());
+    Content content;
+    boundaries.add(content);
+    const auto& start = std::get<std::vector<float>>(dataset(content, "/boundaries/solids/vertices").values);
+    EXPECT_FLOAT_EQ(start[3 * 1], 0.04F);
+    Content later;
+    boundaries.add_moved(later, "/snapshots/00007", 0.7);
+    const auto& moved =
+        std::get<std::vector<float>>(dataset(later, "/snapshots/00007/solid_vertices").values);
+    for (std::size_t corner = 0; corner < 8; ++corner) {
+        const float rise = corner < 4 ? 0.0F : 0.02F;  // 0.1 m/s for 0.2 s
+        EXPECT_FLOAT_EQ(moved[3 * corner], start[3 * corner]);
+        EXPECT_NEAR(moved[3 * corner + 2], start[3 * corner + 2] + rise, 1e-6F);
+    }
+    const auto& bodies =
+        std::get<std::vector<std::int32_t>>(dataset(content, "/boundaries/walls/body").values);
+    const auto& walls = std::get<std::vector<float>>(dataset(later, "/snapshots/00007/wall_position").values);
+    ASSERT_EQ(walls.size(), 3 * bodies.size());
+    EXPECT_GT(std::count(bodies.begin(), bodies.end(), first_solid + 1), 0);
+}
+
+TEST(Snapshots, TheLastStateIsKeptAndForgottenOnResume) {
+    const Case c = tank_with_blocks();
+    const auto simulation = started(c);
+    SnapshotRecorder snapshots(c);
+    snapshots.record(*simulation);
+    snapshots.record_last(*simulation);  // the same instant: nothing to add
+    EXPECT_EQ(snapshots.entries().size(), 1U);
+    simulation->step();
+    snapshots.record_last(*simulation);
+    ASSERT_EQ(snapshots.entries().size(), 2U);
+    EXPECT_EQ(snapshots.entries().back().time, simulation->clock().time);
+    Content checkpoint;
+    snapshots.save(checkpoint);
+    SnapshotRecorder resumed(c);
+    resumed.restore(checkpoint);
+    EXPECT_EQ(resumed.entries().size(), 1U);
+}
+
+}  // namespace
+}  // namespace riffle
