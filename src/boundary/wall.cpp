@@ -140,73 +140,76 @@ WallParticles<3> wall_particles<3>(const Case& c) {
         lattice.arrangement == StartLattice::body_centred
             ? static_cast<int>(std::ceil(layers * c.numerics.spacing / lattice.dz - 1e-9))
             : layers;
-    const bool closed = c.channel.sides != Sides::periodic;
+    const bool sides = c.channel.sides != Sides::periodic;
+    const bool ends = c.channel.ends == Ends::walls;
     const double width = c.channel.simulated_width();
+    const double length = c.channel.length;
     WallParticles<3> wall;
     if (c.numerics.wall == WallKind::repulsive) {
         return wall;
     }
     const bool dynamic = c.numerics.wall == WallKind::dynamic;
-    const auto add = [&](const Vec<3>& x, const Vec<3>& n, double depth) {
-        const bool corner = n[1] == 0.0 && n[2] == 0.0;
+    // A place beyond the bed, a side or an end; beyond two or three of them it is an edge or a corner. There
+    // all motion counts but that along the edge.
+    const auto add = [&](const Vec<3>& x, const std::array<int, 3>& faces, double depth) {
+        const int walls = std::abs(faces[0]) + std::abs(faces[1]) + std::abs(faces[2]);
         for (std::size_t k = 0; k < 3; ++k) {
             wall.position[k].push_back(x[k]);
-            wall.normal[k].push_back(n[k]);
+            wall.normal[k].push_back(walls == 1 ? faces[k] : 0.0);
             for (std::size_t l = 0; l < 3; ++l) {
-                // In the edge between bed and side wall all motion but that along the channel.
-                const double within = k == l && k != 0 ? 1.0 : 0.0;
-                wall.projector[3 * k + l].push_back(corner ? within : n[k] * n[l]);
+                wall.projector[3 * k + l].push_back(k == l && faces[k] != 0 ? 1.0 : 0.0);
             }
         }
         wall.volume.push_back(lattice.volume<3>());
         wall.depth.push_back(depth);
         wall.body.push_back(resting_body);
     };
-    const int beyond = closed ? layers : 0;
-    // Side walls stand half a depth above the still water, as end walls do.
-    const int top = lattice.rows + lattice.rows / 2;
+    const int beside = sides ? layers : 0;
+    const int beyond = ends ? layers : 0;
+    const int top = end_wall_rows(c, lattice);
     // Layers of dynamic particles stand half a spacing apart, every other one shifted by half a spacing along
     // both of its directions (thesis; SPHysics); dummy particles on the continuation of the lattice.
     const auto shifted_x = [&](int column, int layer) {
         const double x = (column + 0.5 + (layer % 2 == 1 ? 0.5 : 0.0)) * lattice.dx;
-        return std::fmod(x, c.channel.length);
+        return std::fmod(x, length);
     };
-    const auto add_below = [&](int column, int file, int layer) {
-        const bool side = file < 0 || file >= lattice.files;
-        const Vec<3> normal = side ? Vec<3>{} : Vec<3>{0.0, 0.0, 1.0};
+    const auto add_below = [&](int column, int file, int layer, const std::array<int, 3>& faces) {
         if (!dynamic) {
-            add({lattice.x(column, -1 - layer), lattice.y(file, -1 - layer), lattice.z(-1 - layer)}, normal,
+            add({lattice.x(column, -1 - layer), lattice.y(file, -1 - layer), lattice.z(-1 - layer)}, faces,
                 (layer + 0.5) * lattice.dz);
             return;
         }
         const bool shifted = layer % 2 == 1;
         // A shifted layer has a particle below each side wall, and as many beyond the one as the other.
-        if (closed && shifted && file == lattice.files + beyond - 1) return;
+        if (sides && shifted && file == lattice.files + beside - 1) return;
         const double behind = 0.5 * (layer + 1) * lattice.dz;
         const double y = (file + (shifted ? 1.0 : 0.5)) * lattice.dy;
-        add({shifted_x(column, layer), closed ? y : std::fmod(y, width), -behind}, normal, behind);
+        add({shifted_x(column, layer), sides ? y : std::fmod(y, width), -behind}, faces, behind);
     };
-    const auto add_beside = [&](int column, int file, int row) {
+    const auto add_beside = [&](int column, int file, int row, const std::array<int, 3>& faces) {
         const bool left = file < 0;
-        const Vec<3> normal{0.0, left ? 1.0 : -1.0, 0.0};
         if (!dynamic) {
+            const double x = lattice.x(column, row);
             const double y = lattice.y(file, row);
-            add({lattice.x(column, row), y, lattice.z(row)}, normal, left ? -y : y - width);
+            const double behind_end = faces[0] == 0 ? 0.0 : faces[0] > 0 ? -x : x - length;
+            const double behind_side = faces[1] == 0 ? 0.0 : faces[1] > 0 ? -y : y - width;
+            add({x, y, lattice.z(row)}, faces, std::max(behind_end, behind_side));
             return;
         }
         const int layer = left ? -1 - file : file - lattice.files;
         const double behind = 0.5 * (layer + 1) * lattice.dy;
         const double z = lattice.z(row) + (layer % 2 == 1 ? 0.5 * lattice.dz : 0.0);
-        add({shifted_x(column, layer), left ? -behind : width + behind, z}, normal, behind);
+        add({shifted_x(column, layer), left ? -behind : width + behind, z}, faces, behind);
     };
-    for (int column = 0; column < lattice.columns; ++column) {
-        for (int file = -beyond; file < lattice.files + beyond; ++file) {
-            const bool side = file < 0 || file >= lattice.files;
+    for (int column = -beyond; column < lattice.columns + beyond; ++column) {
+        const int end = column < 0 ? 1 : column >= lattice.columns ? -1 : 0;
+        for (int file = -beside; file < lattice.files + beside; ++file) {
+            const int side = file < 0 ? 1 : file >= lattice.files ? -1 : 0;
             for (int layer = 0; layer < layers_below; ++layer) {
-                add_below(column, file, layer);
+                add_below(column, file, layer, {end, side, 1});
             }
-            for (int row = 0; row < top && side; ++row) {
-                add_beside(column, file, row);
+            for (int row = 0; row < top && (end != 0 || side != 0); ++row) {
+                add_beside(column, file, row, {end, side, 0});
             }
         }
     }

@@ -34,9 +34,9 @@ struct WallLaw {
 /// Wall particles of a case: layers of dummy particles (Adami et al. 2012) below a bed, above a top wall
 /// and behind end walls, on the continuation of the fluid's lattice; or two staggered layers of dynamic
 /// particles; and the dummy particles of the solids. Empty for a fully periodic case, and with repulsive
-/// walls (repulsive_wall.hpp). In three dimensions (periodic ends, free surface) such layers below the bed
-/// and behind the side walls, of dummy particles also behind a plane of symmetry, and the places of the
-/// lattice in the solids.
+/// walls (repulsive_wall.hpp). In three dimensions (free surface) such layers below the bed, behind end walls
+/// (dummy particles only) and side walls, of dummy particles also behind a plane of symmetry, and the places
+/// of the lattice in the solids.
 template <int D = 2>
 [[nodiscard]] WallParticles<D> wall_particles(const Case& c);
 

@@ -31,8 +31,7 @@ class WallMotion {
     [[nodiscard]] bool any() const { return lid_velocity_ != 0.0 || solids_move_; }
     /// Whether wall particles change their place.
     [[nodiscard]] bool displaces() const { return solids_move_; }
-    /// State of all bodies at a time, by body. A solid rests before its start; one that oscillates is then at
-    /// the middle of its swing and sets off at full speed. After its stop it rests where it has come to.
+    /// State of all bodies at a time, by body (case/solid_motion.hpp).
     [[nodiscard]] std::vector<BodyState> at(double time) const;
 
   private:

@@ -109,6 +109,8 @@ struct Numerics {
     EddyStress eddy_stress = EddyStress::two_point;
     double artificial_viscosity = 0.02;  ///< alpha of viscosity = "artificial"
     double tensile_correction = 0.0;     ///< epsilon of Monaghan (2000); 0: none
+    double impact_dissipation = 0.0;     ///< eta of Zhang, Hu & Adams (2017); 0: none
+    double acoustic_damping = 0.0;       ///< bulk viscosity over h c0; 0: none
     double xsph = 0.0;
     Stepping stepping = Stepping::semi_implicit_euler;
     StepRule step_rule = StepRule::acoustic;

@@ -10,6 +10,7 @@
 #include "case/case_text.hpp"
 #include "case/key.hpp"
 #include "case/nearest.hpp"
+#include "case/presets.hpp"
 
 namespace riffle {
 
@@ -160,10 +161,41 @@ Case paper() {
     return c;
 }
 
+/// Water that breaks against the far wall of a tank, in the proportions of Buchner (2002) and Lobovsky et al.
+/// (2014).
+Case dam_break() {
+    Case c;
+    c.title = "Dam break against a wall: 0.3 m of water in a tank of 1.61 m";
+    c.channel.depth = 0.3;
+    c.channel.length = 1.61;
+    c.channel.ends = Ends::walls;
+    c.channel.wall_height = 0.6;
+    c.bed.kind = BedKind::slip;
+    c.bed.datum_below_crest = 0.0;
+    c.turbulence.closure = ClosureKind::none;
+    c.numerics = preset_numerics(Preset::violent);
+    c.numerics.spacing = 0.005;
+    c.start.kind = StartKind::rest;
+    c.start.water_x = {0.0, 0.6, 0.6, 0.0};
+    c.start.water_z = {0.0, 0.0, 0.3, 0.3};
+    c.run.until = RunUntil::time;
+    c.run.time = 3.0;
+    c.output.series_interval = 0.005;
+    c.output.snapshot_interval = 0.05;
+    Probe gauges;
+    gauges.name = "wall_pressure";
+    gauges.kind = ProbeKind::pressure;
+    gauges.sampling_frequency = 1500.0;
+    gauges.x = {1.61};
+    gauges.z = {0.003, 0.015, 0.03, 0.04, 0.06, 0.08};
+    c.probes = {gauges};
+    return c;
+}
+
 }  // namespace
 
 std::vector<std::string> builtin_case_names() {
-    std::vector<std::string> names{"rough-bed"};
+    std::vector<std::string> names{"rough-bed", "dam-break"};
     for (std::size_t number = 1; number <= conditions.size(); ++number) {
         names.push_back(fmt::format("condition-{}", number));
     }
@@ -188,6 +220,8 @@ Case builtin_case(std::string_view name) {
     Case c;
     if (name == "rough-bed") {
         c = rough_bed();
+    } else if (name == "dam-break") {
+        c = dam_break();
     } else if (name == "paper-2016") {
         c = paper();
     } else {

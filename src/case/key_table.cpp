@@ -29,10 +29,13 @@ SectionKeys numerics() {
                          .at_least(1)
                          .at_most(4)
                          .because("fewer neighbours do not sum up, more are not worth their time"));
-    s.keys.push_back(key("sound_speed", &Numerics::sound_speed, "Artificial speed of sound c0.")
-                         .measured_in(velocity)
-                         .greater_than(0)
-                         .unset_by("auto", "max(20 U_max, 10 sqrt(g H))"));
+    s.keys.push_back(
+        key("sound_speed", &Numerics::sound_speed, "Artificial speed of sound c0.")
+            .measured_in(velocity)
+            .greater_than(0)
+            .unset_by("auto",
+                      "max(20 U_max, 10 sqrt(g H)); U_max of water that starts with an outline: that of its "
+                      "fall over half of its height"));
     s.keys.push_back(key("equation_of_state", &Numerics::equation_of_state, "Pressure from density."));
     s.keys.push_back(key("pressure_form", &Numerics::pressure_form, "Form of the pressure force."));
     s.keys.push_back(key("velocity_gradient", &Numerics::velocity_gradient,
@@ -70,6 +73,18 @@ SectionKeys numerics() {
                          .at_most(1)
                          .because("0.2 is usual")
                          .applies_with("numerics.kernel", {"cubic-spline"}));
+    s.keys.push_back(
+        key("impact_dissipation", &Numerics::impact_dissipation,
+            "Dissipation between particles that approach each other, that of a Riemann problem, with "
+            "this factor of its limiter; 0: none. 3 in impacts; the Riemann forms have it.")
+            .at_least(0)
+            .at_most(20));
+    s.keys.push_back(
+        key("acoustic_damping", &Numerics::acoustic_damping,
+            "Bulk viscosity over h c0, which damps sound and leaves flow without divergence alone; 0: "
+            "none. 0.2 in impacts.")
+            .at_least(0)
+            .at_most(2));
     s.keys.push_back(key("xsph", &Numerics::xsph, "Smoothing of the particles' transport velocity; 0: none.")
                          .at_least(0)
                          .at_most(1)
@@ -137,10 +152,11 @@ SectionKeys start() {
             .with_example(example)
             .applies_with(kind, {"rest", "uniform"}, true);
     };
-    s.keys.push_back(water("water_x", &Start::water_x,
-                           "Corners of the outline of the water along the channel, in two dimensions; the "
-                           "depth then only sets the spacing of the rows.",
-                           "[\"0 mm\", \"100 mm\", \"100 mm\", \"0 mm\"]"));
+    s.keys.push_back(
+        water("water_x", &Start::water_x,
+              "Corners of the outline of the water along the channel, across all of its width; the "
+              "depth then only sets the spacing of the rows.",
+              "[\"0 mm\", \"100 mm\", \"100 mm\", \"0 mm\"]"));
     s.keys.push_back(water("water_z", &Start::water_z, "Heights of the same corners above the bed level.",
                            "[\"0 mm\", \"0 mm\", \"200 mm\", \"200 mm\"]"));
     s.keys.push_back(

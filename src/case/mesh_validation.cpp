@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -23,18 +24,21 @@ void check_place(const Case& c, const SolidMesh& mesh,
         return fmt::format("{} to {}", shown_length(low[k]), shown_length(high[k]));
     };
     const double width = c.channel.simulated_width();
+    const double height = std::max(c.total_depth(), c.channel.wall_height.value_or(0.0));
     const bool open_sides = c.channel.sides == Sides::periodic;
+    const bool open_ends = c.channel.ends == Ends::periodic;
     const auto crosses = [&](std::size_t k, double extent) {
         const bool goes_through = low[k] <= 0.0 && high[k] >= extent;
         return !goes_through && (low[k] < 0.0 || high[k] > extent);
     };
-    if (crosses(0, c.channel.length) || (open_sides && crosses(1, width)) || low[1] >= width ||
-        high[1] <= 0.0 || high[2] <= 0.0 || low[2] >= c.total_depth()) {
+    if ((open_ends && crosses(0, c.channel.length)) || (open_sides && crosses(1, width)) ||
+        low[0] >= c.channel.length || high[0] <= 0.0 || low[1] >= width || high[1] <= 0.0 || high[2] <= 0.0 ||
+        low[2] >= height) {
         say("place", fmt::format("lies outside of the channel, or across its periodic ends: x {}, y {}, z "
                                  "{}; expected x from 0 to {}, y from 0 to {} (or all of it) and a part of z "
                                  "from 0 to {}; see `place` and `scale` (the length of the file's unit)",
                                  range(0), range(1), range(2), shown_length(c.channel.length),
-                                 shown_length(width), shown_length(c.total_depth())));
+                                 shown_length(width), shown_length(height)));
     }
     const auto covers = [&](double share) {
         return mesh.contains({share * c.channel.length, share * width, share * c.total_depth()});

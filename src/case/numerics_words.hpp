@@ -11,8 +11,9 @@ namespace riffle {
 
 template <>
 struct Words<Preset> {
-    static constexpr std::array<Word, 3> list{{
-        {"riffle", "the verified scheme of this program"},
+    static constexpr std::array<Word, 4> list{{
+        {"riffle", "the verified scheme of this program, for channels and calm water"},
+        {"violent", "for water that falls, breaks and hits: dam breaks, impacts, sloshing, jets"},
         {"thesis", "the numerics of the thesis (cubic spline, symmetric pressure form), for study"},
         {"paper", "the numerics of the 2016 paper (as the thesis, linear equation of state), for study"},
     }};

@@ -6,7 +6,7 @@ namespace riffle {
 // case so that the loops over particles, which know options but no case, are not compiled anew for each new
 // key.
 
-enum class Preset { riffle, thesis, paper };
+enum class Preset { riffle, violent, thesis, paper };
 enum class Ends { periodic, walls };
 enum class Top { free_surface, wall, periodic };
 enum class Sides { periodic, walls, half };
@@ -43,6 +43,6 @@ enum class SurfaceDetection { volume_fraction, position_divergence, density_rati
 enum class SolidSurface { no_slip, slip };
 enum class SolidMotion { fixed, constant, oscillating };
 enum class RunUntil { time, converged };
-enum class ProbeKind { velocity, wave, surface_line, grid, flow_rate, force };
+enum class ProbeKind { velocity, wave, surface_line, grid, flow_rate, pressure, force };
 
 }  // namespace riffle

@@ -4,6 +4,17 @@ namespace riffle {
 
 namespace {
 
+/// The default scheme with what impacts ask for: a density that follows the motion exactly, and dissipation
+/// of what collides and of sound.
+Numerics violent_numerics() {
+    Numerics n;
+    n.preset = Preset::violent;
+    n.stepping = Stepping::leapfrog;
+    n.impact_dissipation = 3.0;
+    n.acoustic_damping = 0.2;
+    return n;
+}
+
 /// The set-up of the thesis.
 Numerics thesis_numerics(int dimensions) {
     Numerics n;
@@ -42,6 +53,8 @@ Numerics preset_numerics(Preset preset, int dimensions) {
     switch (preset) {
         case Preset::riffle:
             return {};
+        case Preset::violent:
+            return violent_numerics();
         case Preset::thesis:
             return thesis_numerics(dimensions);
         case Preset::paper:

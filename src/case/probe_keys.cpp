@@ -32,25 +32,26 @@ SectionKeys probe_keys() {
                          .with_example("\"100 Hz\""));
     s.keys.push_back(
         key("start", &Probe::start, "Simulated time after which it records.").measured_in(time).at_least(0));
-    s.keys.push_back(key("x", &Probe::x, "Positions along the channel; velocity: one, or as many as z.")
-                         .measured_in(length)
-                         .with_default_note("required for these kinds")
-                         .with_example("[\"100 mm\"]")
-                         .applies_with(kind, {"velocity", "wave", "flow_rate"}, true));
     s.keys.push_back(
-        key("y", &Probe::y,
-            "Positions across a three-dimensional channel: one, or as many as x (velocity: as the "
-            "points).")
+        key("x", &Probe::x, "Positions along the channel; velocity and pressure: one, or as many as z.")
             .measured_in(length)
-            .may_be_empty()
-            .with_default_note("the centreline")
+            .with_default_note("required for these kinds")
             .with_example("[\"100 mm\"]")
-            .applies_with(kind, {"velocity", "wave", "surface_line", "grid"}, true));
+            .applies_with(kind, {"velocity", "wave", "flow_rate", "pressure"}, true));
+    s.keys.push_back(key("y", &Probe::y,
+                         "Positions across a three-dimensional channel: one, or as many as x (velocity and "
+                         "pressure: as the "
+                         "points).")
+                         .measured_in(length)
+                         .may_be_empty()
+                         .with_default_note("the centreline")
+                         .with_example("[\"100 mm\"]")
+                         .applies_with(kind, {"velocity", "wave", "surface_line", "grid", "pressure"}, true));
     s.keys.push_back(key("z", &Probe::z, "Heights above the bed level; one, or as many as x.")
                          .measured_in(length)
-                         .with_default_note("required for this kind")
+                         .with_default_note("required for these kinds")
                          .with_example("[\"20 mm\", \"30 mm\"]")
-                         .applies_with(kind, {"velocity"}, true));
+                         .applies_with(kind, {"velocity", "pressure"}, true));
     s.keys.push_back(key("sampling_length", &Probe::sampling_length,
                          "Height of the measuring volume, over which the velocity is averaged; 0: a point.")
                          .measured_in(length)

@@ -51,6 +51,10 @@ class ProbeValidation {
                 check_positions();
                 check_sections();
                 break;
+            case ProbeKind::pressure:
+                check_positions();
+                check_heights();
+                break;
             case ProbeKind::force:
                 break;
         }
@@ -114,7 +118,8 @@ class ProbeValidation {
             add("y", "y: positions across the channel go with [channel] dimensions = 3; remove the key");
             return;
         }
-        const std::size_t points = std::max(p_.x.size(), p_.kind == ProbeKind::velocity ? p_.z.size() : 1);
+        const bool has_heights = p_.kind == ProbeKind::velocity || p_.kind == ProbeKind::pressure;
+        const std::size_t points = std::max(p_.x.size(), has_heights ? p_.z.size() : 1);
         if (p_.y.size() > 1 && p_.y.size() != points) {
             add("y", fmt::format("y has {} positions: expected one, or {} as there are points", p_.y.size(),
                                  points));
@@ -127,9 +132,14 @@ class ProbeValidation {
         }
     }
 
-    /// Greatest height that an instrument may have: waves may rise above the depth.
+    /// Greatest height that an instrument may have: waves may rise above the depth, and a gauge may sit high
+    /// on a wall.
     [[nodiscard]] double highest() const {
-        return (c_.channel.top == Top::free_surface ? 1.5 : 1.0) * c_.total_depth();
+        if (c_.channel.top != Top::free_surface) {
+            return c_.total_depth();
+        }
+        const double waves = 1.5 * c_.total_depth();
+        return p_.kind == ProbeKind::pressure ? std::max(waves, c_.channel.wall_height.value_or(0.0)) : waves;
     }
 
     void check_heights() {
@@ -140,11 +150,12 @@ class ProbeValidation {
                             kind(), shown_length(0.5 * c_.total_depth())));
         }
         for (const double z : p_.z) {
-            if (z <= 0.0 || z > highest()) {
+            const bool gauge = p_.kind == ProbeKind::pressure;  // which may sit on the bed
+            if (z < 0.0 || (z == 0.0 && !gauge) || z > highest()) {
                 add("z",
-                    fmt::format("z = {} is outside of the water: expected more than 0 (the bed level) and at "
-                                "most {}",
-                                shown_length(z), shown_length(highest())));
+                    fmt::format("z = {} is outside of the water: expected {} (the bed level) and at most {}",
+                                shown_length(z), gauge ? "at least 0" : "more than 0",
+                                shown_length(highest())));
             }
         }
         if (p_.x.size() > 1 && p_.z.size() > 1 && p_.x.size() != p_.z.size()) {

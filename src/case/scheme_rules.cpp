@@ -61,6 +61,21 @@ const std::vector<SchemeRule>& scheme_rules() {
          [](const Case& c) {
              return c.numerics.viscosity == ViscosityForm::artificial && c.numerics.has_riemann_problem();
          }},
+        {{"numerics.impact_dissipation", "numerics.pressure_form"},
+         "`impact_dissipation` above 0 with a Riemann `pressure_form`",
+         "the Riemann forms have this dissipation already; set it to 0, or choose pressure_form = "
+         "\"corrected\"",
+         [](const Case& c) {
+             return c.numerics.impact_dissipation > 0.0 && c.numerics.has_riemann_problem();
+         }},
+        {{"numerics.impact_dissipation", "numerics.viscosity"},
+         "`impact_dissipation` above 0 with `viscosity = \"artificial\"`",
+         "both damp approaching particles, and no viscosity of the water would be left; set it to 0, or "
+         "choose "
+         "viscosity = \"morris\"",
+         [](const Case& c) {
+             return c.numerics.impact_dissipation > 0.0 && c.numerics.viscosity == ViscosityForm::artificial;
+         }},
         {{"numerics.viscosity", "turbulence.closure", "numerics.eddy_stress"},
          "`viscosity = \"artificial\"` with a closure and `eddy_stress = \"two-point\"`",
          "artificial viscosity acts between approaching particles alone, so the eddy viscosity cannot act "
@@ -111,6 +126,14 @@ const std::vector<SchemeRule>& scheme_rules() {
          "repulsive walls have no particles that complete the kernel, and the correction would take them for "
          "a free surface; choose pressure_form = \"symmetric\" or \"riemann\", or wall = \"dummy\"",
          [](const Case& c) { return repels(c) && c.numerics.pressure_form == PressureForm::corrected; }},
+        {{"numerics.wall", "channel.ends"},
+         "`wall = \"dynamic\"` with end walls in three dimensions",
+         "the staggered layers are there below the bed and behind side walls; choose wall = \"dummy\", or "
+         "[channel] ends = \"periodic\"",
+         [](const Case& c) {
+             return c.numerics.wall == WallKind::dynamic && c.channel.dimensions == 3 &&
+                    c.channel.ends == Ends::walls;
+         }},
         {{"numerics.wall", "channel.sides"},
          "`wall = \"repulsive\"` or `\"dynamic\"` with `channel.sides = \"half\"`",
          "a plane of symmetry must mirror the water and neither push nor hold it; choose [channel] sides = "

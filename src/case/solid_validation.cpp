@@ -7,6 +7,7 @@
 
 #include "case/mesh_validation.hpp"
 #include "case/outline.hpp"
+#include "case/solid_motion.hpp"
 #include "case/units.hpp"
 #include "case/words.hpp"
 
@@ -68,8 +69,14 @@ class SolidValidation {
         if (water) {
             check_water();
         }
+        bool sound = true;
         for (std::size_t k = 0; k < c_.solids.size(); ++k) {
             check_solid(k);
+            const Outline outline{c_.solids[k].x, c_.solids[k].z};
+            sound = sound && c_.channel.dimensions == 2 && outline_fault(outline).empty();
+        }
+        if (sound) {
+            check_overlaps();
         }
     }
 
@@ -133,7 +140,6 @@ class SolidValidation {
     void check_water() {
         const Outline water{c_.start.water_x, c_.start.water_z};
         const std::string key = c_.start.water_x.empty() ? "start.water_z" : "start.water_x";
-        check_plane(key, "[start] water_x, water_z");
         const std::string fault = outline_fault(water);
         if (!fault.empty()) {
             add({key, "start.water_z"}, fmt::format("[start] water_x, water_z: {}", fault));
@@ -235,6 +241,27 @@ class SolidValidation {
         if (solid.motion != SolidMotion::fixed) {
             check_motion(solid, *left, *right, *low, say);
         }
+    }
+
+    /// Solids that move through each other press the water between them out of the world.
+    void check_overlaps() {
+        const auto overlap = first_overlap(c_);
+        if (!overlap) {
+            return;
+        }
+        const Solid& a = c_.solids[overlap->first];
+        const Solid& b = c_.solids[overlap->second];
+        const std::string place = fmt::format("solid[{}]", overlap->second);
+        const std::string where =
+            fmt::format("at x = {:.4g} m, z = {:.4g} m", overlap->place[0], overlap->place[1]);
+        add({place + ".motion", place},
+            overlap->time == 0.0
+                ? fmt::format("[[solid]] {}: stands in the solid \"{}\" at the start, {}; move one of them",
+                              b.name, a.name, where)
+                : fmt::format(
+                      "[[solid]] {}: meets the solid \"{}\" at t = {:.4g} s, {}, and would move through "
+                      "it; let it stop before (stop), or give it another way",
+                      b.name, a.name, overlap->time, where));
     }
 
     template <class Say>

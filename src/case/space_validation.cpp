@@ -78,7 +78,6 @@ class SpaceValidation {
 
     void check_kinds() {
         const Case& c = c_;
-        refuse(c.channel.ends != Ends::periodic, "channel.ends", word(c.channel.ends), "\"periodic\"");
         refuse(c.channel.top != Top::free_surface, "channel.top", word(c.channel.top), "\"free-surface\"");
         refuse(c.bed.kind == BedKind::spheres && c.bed.drag_form == DragForm::paper, "bed.drag_form",
                word(c.bed.drag_form), R"("consistent", "slice" or "thesis")");

@@ -110,8 +110,8 @@ class Warnings {
         }
         if (n.has_riemann_problem()) {
             add("numerics.pressure_form: a Riemann form keeps the spurious shear stress of the symmetric "
-                "one, and "
-                "the mean velocity is low with it; use \"corrected\" unless this is what you study");
+                "one, and the mean velocity is low with it; use \"corrected\" unless this is what you study, and "
+                "preset = \"violent\" for impacts");
         }
         if (n.density_diffusion == DensityDiffusion::molteni && c_.channel.top == Top::free_surface) {
             add("numerics.density_diffusion: \"molteni\" diffuses the hydrostatic difference too, and moves "
@@ -245,7 +245,28 @@ class Warnings {
         }
     }
 
+    /// Whether the water falls, or meets a wall of a tank that it does not fill.
+    [[nodiscard]] bool breaks() const {
+        const auto& x = c_.start.water_x;
+        const auto& z = c_.start.water_z;
+        if (x.empty() || c_.channel.ends != Ends::walls) {
+            return false;
+        }
+        const auto [left, right] = std::minmax_element(x.begin(), x.end());
+        const auto [low, high] = std::minmax_element(z.begin(), z.end());
+        // The front of a breaking dam without friction runs at twice sqrt(g h) (Ritter 1892).
+        const double gap = std::max(*left, c_.channel.length - *right);
+        const double front = 2.0 * std::sqrt(c_.normal_gravity() * *high);
+        const bool arrives = gap > c_.numerics.spacing && c_.run.time * front > gap;
+        return arrives || *low > c_.numerics.spacing;
+    }
+
     void beginning() {
+        if (breaks() && c_.numerics.preset != Preset::violent) {
+            add("numerics.preset: in this run water breaks against a wall or falls; such flows are verified with "
+                "preset = \"violent\", and with \"{}\" spray may end the run and pressures scatter",
+                word(c_.numerics.preset));
+        }
         if (c_.start.lattice == StartLattice::body_centred && c_.start.kind != StartKind::rest) {
             add("start.lattice: \"body-centred\" has no layers that slide in a shear flow (spurious stress "
                 "of "

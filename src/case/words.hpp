@@ -208,13 +208,14 @@ struct Words<RunUntil> {
 
 template <>
 struct Words<ProbeKind> {
-    static constexpr std::array<Word, 6> list{{
+    static constexpr std::array<Word, 7> list{{
         {"velocity", "u and w at points, as an acoustic Doppler velocimeter gives them"},
         {"wave", "elevation of the surface at positions along the channel"},
         {"surface_line", "elevation of the surface on an even line over the whole channel"},
         {"grid",
          "means and second moments of u and w on a grid, window by window, as from image velocimetry"},
         {"flow_rate", "discharge per unit width through sections, and the depth there"},
+        {"pressure", "pressure at points of walls or in the water, as transducers give it"},
         {"force", "drag and friction of the bed, its normal force, and the weight component, per unit width"},
     }};
 };

@@ -96,6 +96,9 @@ void print_outcome(const RunOutcome& outcome, const Case& c, const RunFiles& fil
     fmt::print("{} at t = {:.4g} s after {} steps, {} ({:.2f} M particle updates/s)\n{}\n", end, outcome.time,
                outcome.steps, duration_text(outcome.wall_seconds), outcome.updates_per_second * 1e-6,
                outcome.convergence);
+    if (outcome.lost.particles > 0) {
+        fmt::print("{} left: {}\n", lost_text(outcome.lost), outcome.ways_out);
+    }
     const RunSummary& s = outcome.summary;
     const double none = std::nan("");
     // The laboratory measures on the centreline.

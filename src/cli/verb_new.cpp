@@ -19,6 +19,7 @@ namespace {
 struct NewOptions {
     std::string file;
     std::string from = "rough-bed";
+    bool violent = false;
     bool force = false;
 };
 
@@ -28,8 +29,9 @@ void write_new_case(const NewOptions& options) {
         throw InputError(fmt::format(
             "{}: the file exists already; give another name, or --force to overwrite it", options.file));
     }
-    const bool from_file = std::filesystem::is_regular_file(options.from);
-    const Case c = from_file ? read_case(options.from) : builtin_case(options.from);
+    const std::string from = options.violent ? "dam-break" : options.from;
+    const bool from_file = std::filesystem::is_regular_file(from);
+    const Case c = from_file ? read_case(from) : builtin_case(from);
     write_text_atomically(file, case_template(c));
     fmt::print("{} written; `riffle check {}` says what it will cost, `riffle run {}` runs it\n",
                options.file, options.file, options.file);
@@ -44,13 +46,17 @@ void add_verb_new(CLI::App& app) {
     verb->add_option(
             "--from", options->from,
             "Case file to take the values from, or a built-in case: rough-bed, condition-1 to condition-8, "
-            "paper-2016")
+            "paper-2016, dam-break")
         ->capture_default_str();
+    verb->add_flag("--violent", options->violent,
+                   "A case of water that falls and breaks, with the numerics for it: the same as --from dam-break")
+        ->excludes("--from");
     verb->add_flag("--force", options->force, "Overwrite an existing file");
     verb->footer(
         "Examples:\n"
         "  riffle new my-flume.toml\n"
         "  riffle new my-flume.toml --from condition-2\n"
+        "  riffle new my-tank.toml --violent             water that falls, breaks and hits\n"
         "  riffle new other.toml --from my-flume.toml   its values, with the comments of all keys");
     verb->callback([options] { write_new_case(*options); });
 }

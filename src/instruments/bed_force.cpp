@@ -64,7 +64,7 @@ class BedForce final : public Instrument {
         end_row();
     }
     [[nodiscard]] bool looks_at_fluid() const override { return false; }
-    [[nodiscard]] bool needs_forces() const override { return true; }
+    [[nodiscard]] bool needs_fields() const override { return true; }
     [[nodiscard]] std::size_t points() const override { return 1; }
 
   private:

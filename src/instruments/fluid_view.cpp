@@ -178,16 +178,14 @@ FluidViewIn<D>::FluidViewIn(const Case& c, const Particles<D>& particles, double
 }
 
 template <int D>
-template <std::size_t N, class Values>
-std::array<double, N> FluidViewIn<D>::interpolate(const Vec<3>& point, const Values& values_of) const {
+template <class F>
+void FluidViewIn<D>::weigh_around(const Vec<3>& point, const F& f) const {
     Vec<D> at{};
     at[0] = point[0];
     if constexpr (D == 3) {
         at[1] = point[1];
     }
     at[D - 1] = point[2];
-    Moments<D, N> m;
-    const std::size_t n = particles_.size();
     const double inverse_h = 1.0 / h_;
     visit_kernel<D>(kernel_, [&](auto kernel) {
         cells_.around(at, [&](std::size_t j) {
@@ -205,12 +203,22 @@ std::array<double, N> FluidViewIn<D>::interpolate(const Vec<3>& point, const Val
                 weight *= inverse_h;
             }
             weight *= decltype(kernel)::value(std::sqrt(squared));
-            if (j >= n) {
-                m.images += weight;
-                return;
-            }
-            m.add(weight, r, values_of(j));
+            f(j, weight, r);
         });
+    });
+}
+
+template <int D>
+template <std::size_t N, class Values>
+std::array<double, N> FluidViewIn<D>::interpolate(const Vec<3>& point, const Values& values_of) const {
+    Moments<D, N> m;
+    const std::size_t n = particles_.size();
+    weigh_around(point, [&](std::size_t j, double weight, const Vec<D>& r) {
+        if (j >= n) {
+            m.images += weight;
+            return;
+        }
+        m.add(weight, r, values_of(j));
     });
     std::array<double, N> result;
     if (m.one + m.images < wet_share) {
@@ -256,6 +264,19 @@ FluidView::Flow FluidViewIn<D>::flow_at(const Vec<3>& point, const WorkingValues
         });
         return {{u, v, w}, p, tau};
     }
+}
+
+template <int D>
+FluidView::Pressure FluidViewIn<D>::pressure_at(const Vec<3>& point, const WorkingValues& pressure,
+                                                double weight) const {
+    const std::size_t n = particles_.size();
+    double share = 0.0;
+    double sum = 0.0;
+    weigh_around(point, [&](std::size_t j, double kernel, const Vec<D>& r) {
+        share += kernel;
+        sum += kernel * (pressure[j < n ? j : mirrored_.of[j - n]] + weight * r[D - 1] * h_);
+    });
+    return {sum / std::max(share, least_wet_share), share};
 }
 
 template <int D>

@@ -17,6 +17,9 @@ namespace riffle {
 /// and 1/2 on the surface and on the bed.
 inline constexpr double wet_share = 0.5;
 
+/// Share below which the pressure at a point fades out: that in the corner of three walls is 1/8.
+inline constexpr double least_wet_share = 0.1;
+
 /// The flow at one instant as instruments look at it, in two or three dimensions. Points are (x, y, z); in
 /// two dimensions y is not looked at.
 class FluidView {
@@ -41,6 +44,15 @@ class FluidView {
     /// values of the particles, Pa.
     [[nodiscard]] virtual Flow flow_at(const Vec<3>& point, const WorkingValues& pressure,
                                        std::span<const double> shear_stress) const = 0;
+    struct Pressure {
+        double pressure;   ///< Pa
+        double wet_share;  ///< share of the kernel's support that is water
+    };
+    /// Pressure at a point from that of the particles, Pa: the mean with the kernel's weights, carried to the
+    /// point's height with the weight of the water (Pa/m), as walls are given theirs (Adami et al. 2012).
+    /// Where less than `least_wet_share` of the support is filled, as much smaller: to 0 where there is none.
+    [[nodiscard]] virtual Pressure pressure_at(const Vec<3>& point, const WorkingValues& pressure,
+                                               double weight) const = 0;
 
     /// Elevation of the surface over each place (x, y), m above the bed level, found as the case says
     /// (sph/free_surface.hpp), with the mirror images; NaN where there is no water.
@@ -66,6 +78,8 @@ class FluidViewIn final : public FluidView {
     [[nodiscard]] Velocity velocity_at(const Vec<3>& point) const override;
     [[nodiscard]] Flow flow_at(const Vec<3>& point, const WorkingValues& pressure,
                                std::span<const double> shear_stress) const override;
+    [[nodiscard]] Pressure pressure_at(const Vec<3>& point, const WorkingValues& pressure,
+                                       double weight) const override;
     [[nodiscard]] std::vector<double> surface_at(std::span<const Vec<2>> at) const override;
     [[nodiscard]] Section section_at(double x) const override;
 
@@ -82,6 +96,10 @@ class FluidViewIn final : public FluidView {
     /// dry. `values_of(j)` gives those of particle j.
     template <std::size_t N, class Values>
     [[nodiscard]] std::array<double, N> interpolate(const Vec<3>& point, const Values& values_of) const;
+    /// f(number, weight, distance in smoothing lengths) for the particles and images around a point, with the
+    /// weights V W of the kernel.
+    template <class F>
+    void weigh_around(const Vec<3>& point, const F& f) const;
 
     const Particles<D>& particles_;
     Domain<D> domain_;

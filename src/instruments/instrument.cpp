@@ -70,6 +70,8 @@ std::unique_ptr<Instrument> make_instrument(const Probe& probe, const Case& c) {
             return probe.averaging_time > 0.0 ? make_velocity_grid(probe, c) : make_velocity_plane(probe, c);
         case ProbeKind::flow_rate:
             return make_flow_rate_sections(probe, c);
+        case ProbeKind::pressure:
+            return make_pressure_gauges(probe, c);
         case ProbeKind::force:
             return make_bed_force(probe, c);
     }

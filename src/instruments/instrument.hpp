@@ -26,17 +26,15 @@ struct FlowState {
     double streamwise_gravity = 0.0;    ///< m/s2
     std::span<const double> mass = {};  ///< by particle, kg; in two dimensions per width, kg/m
     const FluidView* fluid = nullptr;   ///< where an instrument `looks_at_fluid`
-    /// Accelerations by particle, m/s2, where an instrument `needs_forces`; of the side walls' drag in three
-    /// dimensions only.
+    /// Where an instrument `needs_fields`, by particle: accelerations, m/s2, those of the side walls' drag in
+    /// three dimensions only; pressure, Pa; stress tau_xz of viscosity and closure, Pa.
     const SparseValues* drag_x = nullptr;
     const SparseValues* wall_x = nullptr;
     const SparseValues* wall_z = nullptr;
     const SparseValues* side_wall_x = nullptr;
-    /// By particle, where an instrument `needs_forces`: pressure, Pa; stress tau_xz of viscosity and closure,
-    /// Pa.
     const WorkingValues* pressure = nullptr;
     std::span<const double> shear_stress = {};
-    std::span<const ForceOnSolid> solids = {};  ///< by solid, where an instrument `needs_forces`
+    std::span<const ForceOnSolid> solids = {};  ///< so, by solid
 };
 
 /// An array that an instrument fills: one row per sample, or per averaging window.
@@ -70,9 +68,9 @@ class Instrument {
     /// Take one sample; adds a row, or part of one that is averaged.
     virtual void sample(const FlowState& state) = 0;
 
-    /// Whether sample() uses FlowState::fluid, and the forces and stresses.
+    /// Whether sample() uses FlowState::fluid, and the fields by particle.
     [[nodiscard]] virtual bool looks_at_fluid() const { return true; }
-    [[nodiscard]] virtual bool needs_forces() const { return false; }
+    [[nodiscard]] virtual bool needs_fields() const { return false; }
 
     /// Points of a sample, for the forecast.
     [[nodiscard]] virtual std::size_t points() const = 0;
@@ -135,6 +133,7 @@ struct GridAxes {
 [[nodiscard]] std::unique_ptr<Instrument> make_velocity_grid(const Probe& probe, const Case& c);
 [[nodiscard]] std::unique_ptr<Instrument> make_velocity_plane(const Probe& probe, const Case& c);
 [[nodiscard]] std::unique_ptr<Instrument> make_flow_rate_sections(const Probe& probe, const Case& c);
+[[nodiscard]] std::unique_ptr<Instrument> make_pressure_gauges(const Probe& probe, const Case& c);
 [[nodiscard]] std::unique_ptr<Instrument> make_bed_force(const Probe& probe, const Case& c);
 
 /// The instrument of an entry of [[probe]]. The one place where a kind is registered.

@@ -109,10 +109,16 @@ bool ProbeSet::due_for_fluid(double time) const {
                        [&](const Member& m) { return time >= m.due && m.instrument->looks_at_fluid(); });
 }
 
+bool ProbeSet::due_for_fields_in_fluid(double time) const {
+    return std::any_of(members_.begin(), members_.end(), [&](const Member& m) {
+        return time >= m.due && m.instrument->looks_at_fluid() && m.instrument->needs_fields();
+    });
+}
+
 double ProbeSet::forces_due() const {
     double due = std::numeric_limits<double>::infinity();
     for (const Member& m : members_) {
-        due = m.instrument->needs_forces() ? std::min(due, m.due) : due;
+        due = m.instrument->needs_fields() ? std::min(due, m.due) : due;
     }
     return due;
 }

@@ -24,7 +24,9 @@ class ProbeSet {
 
     /// Whether something that is due at `time` looks at the fluid.
     [[nodiscard]] bool due_for_fluid(double time) const;
-    /// Time from which something is due that needs the forces on the particles.
+    /// Whether something that is due at `time` looks at the fluid and needs the fields of the particles.
+    [[nodiscard]] bool due_for_fields_in_fluid(double time) const;
+    /// Time from which something is due that needs the fields of the particles.
     [[nodiscard]] double forces_due() const;
 
     /// Sample what is due at the state's time, of the instruments that look at the fluid or of the others.

@@ -71,7 +71,7 @@ class VelocityGrid final : public Instrument {
             window_end_ = window_after(state.time);
         }
     }
-    [[nodiscard]] bool needs_forces() const override { return true; }
+    [[nodiscard]] bool needs_fields() const override { return true; }
     [[nodiscard]] std::size_t points() const override { return sums_.size(); }
     [[nodiscard]] double row_frequency() const override { return 1.0 / probe().averaging_time; }
 

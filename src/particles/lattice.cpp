@@ -40,6 +40,20 @@ double still_surface(const Case& c, double x, double z) {
 
 namespace {
 
+/// How high above all that a case names a splash may rise and still fall back: where the start or a solid can
+/// drive a jet. It gathers the energy of much water in little: spray of a breaking dam rises to several times
+/// the height of the dam. Elsewhere one depth.
+double headroom(const Case& c) {
+    const bool violent = !c.start.water_x.empty() ||
+                         std::any_of(c.solids.begin(), c.solids.end(),
+                                     [](const Solid& s) { return s.motion != SolidMotion::fixed; });
+    const auto highest = std::max_element(c.start.water_z.begin(), c.start.water_z.end());
+    const double head =
+        highest != c.start.water_z.end() ? std::max(*highest, c.total_depth()) : c.total_depth();
+    constexpr double heads = 5.0;
+    return violent ? heads * head : c.total_depth();
+}
+
 /// Top of all that a case names: the water at its depth, the outline of the water, walls and solids.
 double highest_part(const Case& c) {
     double top = std::max(c.total_depth(), c.channel.wall_height.value_or(0.0));
@@ -56,13 +70,22 @@ double highest_part(const Case& c) {
     return top;
 }
 
-/// Where the water starts in two dimensions.
+/// Where the water starts: in its outline and out of the solids.
 class WetPlaces {
   public:
     explicit WetPlaces(const Case& c) : case_(c), water_{c.start.water_x, c.start.water_z} {
+        if (c.channel.dimensions == 3) {
+            meshes_ = meshes_of(c);
+            return;
+        }
         for (const Solid& solid : c.solids) {
             solids_.push_back({solid.x, solid.z});
         }
+    }
+
+    [[nodiscard]] bool contain(const Point3& p) const {
+        return contain(p[0], p[2]) && std::none_of(meshes_->begin(), meshes_->end(),
+                                                   [&](const auto& mesh) { return mesh.contains(p); });
     }
 
     [[nodiscard]] bool contain(double x, double z) const {
@@ -84,6 +107,7 @@ class WetPlaces {
     const Case& case_;
     Outline water_;
     std::vector<Outline> solids_;
+    std::shared_ptr<const std::vector<SolidMesh>> meshes_;
 };
 
 }  // namespace
@@ -92,7 +116,7 @@ template <int D>
 Domain<D> domain_of(const Case& c) {
     const double depth = c.total_depth();
     const double wall = (c.numerics.wall_layers + 1) * c.numerics.spacing;
-    // Room for waves and splashes: a particle beyond it has left the simulated water.
+    // Room for waves and splashes: a particle beyond it has left the simulated water, and is taken out.
     const double margin = wall + depth;
     Domain<D> domain;
     const auto set = [&](std::size_t axis, bool periodic, double extent) {
@@ -105,6 +129,9 @@ Domain<D> domain_of(const Case& c) {
         set(1, c.channel.sides == Sides::periodic, c.channel.simulated_width());
     }
     set(D - 1, c.channel.top == Top::periodic, highest_part(c));
+    if (!domain.periodic[D - 1]) {
+        domain.upper[D - 1] = highest_part(c) + (wall + headroom(c));
+    }
     return domain;
 }
 
@@ -119,14 +146,11 @@ Particles<D> lattice_particles(const Case& c) {
     }
     const bool everywhere = c.start.water_x.empty() && c.solids.empty();
     const WetPlaces wet(c);
-    const auto meshes = D == 3 ? meshes_of(c) : nullptr;
     const auto is_wet = [&](int column, int file, int row) {
         if constexpr (D == 2) {
             return wet.contain(lattice.x(column, row), lattice.z(row));
         } else {
-            const Point3 p{lattice.x(column, row), lattice.y(file, row), lattice.z(row)};
-            return std::none_of(meshes->begin(), meshes->end(),
-                                [&](const auto& mesh) { return mesh.contains(p); });
+            return wet.contain(Point3{lattice.x(column, row), lattice.y(file, row), lattice.z(row)});
         }
     };
     constexpr double takes_a_while = 2e6;

@@ -7,7 +7,7 @@ namespace riffle {
 namespace {
 template <class T>
 void permute_array(std::vector<T>& values, const std::vector<std::int32_t>& order, std::vector<T>& scratch) {
-    scratch.resize(values.size());
+    scratch.resize(order.size());
     parallel_blocks(order.size(), 16384, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             scratch[i] = values[static_cast<std::size_t>(order[i])];

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "particles/domain.hpp"
+#include "particles/lost_particle.hpp"
 
 namespace riffle {
 
@@ -34,6 +35,7 @@ struct Particles {
     std::vector<double> mass;
     std::vector<std::int32_t> id;  ///< number at creation, kept through sorting
     PreviousStep<D> previous;
+    std::vector<LostParticle> lost;  ///< the ledger of those that have left the domain, in order of time
     /// Position at the last build of the neighbour lists. Part of a saved state, so that a resumed run has
     /// the same lists in the same order, and the same bits, as an uninterrupted one; empty otherwise.
     std::array<std::vector<double>, static_cast<std::size_t>(D)> listed_position;
@@ -50,7 +52,8 @@ struct Particles {
         id.resize(n);
     }
 
-    /// Reorder all arrays but the listed positions: particle i becomes the old particle order[i].
+    /// Reorder all arrays but the listed positions: particle i becomes the old particle order[i]. An order of
+    /// fewer particles drops the others.
     void permute(const std::vector<std::int32_t>& order);
 };
 

@@ -3,7 +3,10 @@
 #include <array>
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <utility>
+#include <vector>
 
 namespace riffle {
 
@@ -41,6 +44,20 @@ class SparseValues {
         return run != nullptr ? (*run)[particle % run_length] : 0.0;
     }
     [[nodiscard]] std::size_t size() const { return size_; }
+
+    /// Keep those of these particles alone, in this order.
+    void keep(const std::vector<std::int32_t>& particles) {
+        if (size_ == 0) {
+            return;
+        }
+        SparseValues before;
+        std::swap(runs_, before.runs_);
+        std::swap(size_, before.size_);
+        reset(particles.size());
+        for (std::size_t i = 0; i < particles.size(); ++i) {
+            set(i, before[static_cast<std::size_t>(particles[i])]);
+        }
+    }
 
     [[nodiscard]] std::size_t bytes() const {
         std::size_t taken = run_count() * sizeof(Run*);

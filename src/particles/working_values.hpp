@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace riffle {
@@ -29,9 +30,25 @@ class WorkingValues {
     [[nodiscard]] double operator[](std::size_t i) const {
         return factor_ * (single_.empty() ? double_[i] : static_cast<double>(single_[i]));
     }
+    /// Keep those of these particles alone, in this order, which is that of the numbers.
+    void keep(const std::vector<std::int32_t>& particles) {
+        keep_values(single_, particles);
+        keep_values(double_, particles);
+    }
     [[nodiscard]] std::size_t size() const { return single_.size() + double_.size(); }
     [[nodiscard]] std::size_t bytes() const {
         return single_.capacity() * sizeof(float) + double_.capacity() * sizeof(double);
+    }
+
+    template <class T>
+    static void keep_values(std::vector<T>& values, const std::vector<std::int32_t>& particles) {
+        if (values.empty()) {
+            return;
+        }
+        for (std::size_t i = 0; i < particles.size(); ++i) {
+            values[i] = values[static_cast<std::size_t>(particles[i])];
+        }
+        values.resize(particles.size());
     }
 
   private:

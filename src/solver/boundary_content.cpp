@@ -71,11 +71,11 @@ BoundaryContent::BoundaryContent(const Case& c) : motion_(c) {
         corners_.push_back(solid.x.size());
     }
     if (!space) return;
-    const std::vector<SolidMesh> meshes = meshes_of(c);
-    for (std::size_t k = 0; k < meshes.size(); ++k) {
+    const auto meshes = meshes_of(c);
+    for (std::size_t k = 0; k < meshes->size(); ++k) {
         // The corners that triangles share are written once.
         std::map<Point3, std::int32_t> numbers;
-        for (const auto& triangle : meshes[k].tree().triangles()) {
+        for (const auto& triangle : (*meshes)[k].tree().triangles()) {
             for (const Point3& corner : triangle) {
                 const auto [place, fresh] =
                     numbers.try_emplace(corner, static_cast<std::int32_t>(vertex_body_.size()));

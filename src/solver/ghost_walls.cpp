@@ -17,12 +17,9 @@ void SimulationOf<D, Real>::update_walls_by_ghosts(std::size_t begin, std::size_
         // Without water near its image a particle is as dry as one a spacing above the surface.
         const double dry = -scheme_.normal_gravity * case_.numerics.spacing;
         wall_deviation_[i] = ghost.found ? ghost.deviation : scheme_.state.deviation(dry);
-        const double pressure = scheme_.state.pressure(wall_deviation_[i]);
-        wet_wall(slot, i, pressure);
+        wet_wall(slot, i, scheme_.state.pressure(wall_deviation_[i]));
         auto& record = data_.wall_force[slot];
-        // The symmetric form divides pressures by the squares of the densities.
-        const double ratio = weighs_by_volume(case_) ? 1.0 : 1.0 + wall_deviation_[i];
-        record.pressure = ghost.found ? static_cast<Real>(pressure / (ratio * ratio)) : Real(0);
+        record.pressure = ghost.found ? static_cast<Real>(pair_pressure(wall_deviation_[i])) : Real(0);
         record.u = {};
         if (wall_law_.no_slip) {
             // The wall stands halfway between the particle and its image; a lid may move along the channel.

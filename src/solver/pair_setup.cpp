@@ -38,12 +38,13 @@ bool weighs_by_volume(const Case& c) { return c.numerics.pressure_form != Pressu
 
 LoopOptions loop_options(const Case& c) {
     const Numerics& n = c.numerics;
-    return {.kernel = n.kernel,
-            .viscosity = n.viscosity,
-            .gradients = needs_gradients(c),
-            .directional = has_directional_viscosity(c),
-            .midway = n.stepping == Stepping::leapfrog,
-            .pair_pressure = n.has_riemann_problem() || n.tensile_correction > 0.0};
+    return {
+        .kernel = n.kernel,
+        .viscosity = n.viscosity,
+        .gradients = needs_gradients(c),
+        .directional = has_directional_viscosity(c),
+        .midway = n.stepping == Stepping::leapfrog,
+        .pair_pressure = n.has_riemann_problem() || n.impact_dissipation > 0.0 || n.tensile_correction > 0.0};
 }
 
 double pair_viscosity(const Case& c, const Scheme& scheme) {
@@ -64,8 +65,10 @@ PairForm<Real> pair_form(const Case& c, const Scheme& scheme, const DirectionalV
     if (n.has_riemann_problem()) {
         form.own = Real(n.pressure_form == PressureForm::riemann_non_conservative ? 2 : 0);
         form.impact = Real(3);
-        form.sound_speed = static_cast<Real>(scheme.state.sound_speed);
+    } else {
+        form.impact = static_cast<Real>(n.impact_dissipation);
     }
+    form.sound_speed = static_cast<Real>(scheme.state.sound_speed);
     if (n.tensile_correction > 0.0) {
         form.tensile = static_cast<Real>(n.tensile_correction);
         form.tensile_scale = static_cast<Real>(visit_kernel<D>(
@@ -102,7 +105,7 @@ PairConstants<D, Real> pair_constants(const Case& c, const Scheme& scheme, const
         static_cast<Real>(diffusion == DensityDiffusion::molteni ? 0.0 : scheme.normal_gravity / (c0 * c0));
     constants.correct_pressure = by_gradient && c.numerics.pressure_form == PressureForm::corrected;
     constants.correct_gradient = by_gradient && c.numerics.velocity_gradient == VelocityGradient::corrected;
-    constants.correct_along = !c.solids.empty();
+    constants.correct_along = !c.solids.empty() || (D == 3 && c.channel.ends == Ends::walls);
     if (has_directional_viscosity(c)) {
         const auto weights = pair_direction_weights(static_cast<Real>(spanwise_ratio(c)));
         constants.directional = {.slope = weights.slope,
@@ -139,9 +142,17 @@ ParticleData<D> particle_constants(const Case& c, const Scheme& scheme, const Do
     ParticleData<D> data;
     data.domain = domain;
     data.fixed_point = FixedPoint<D>(domain);
+    for (std::size_t k = 0; k < D; ++k) {
+        // Taken out while it still has an integer position: no step moves a particle by a smoothing length.
+        const double edge = domain.periodic[k] ? 0.0 : scheme.smoothing_length;
+        data.stay_from[k] = data.fixed_point.lowest(k) + edge;
+        data.stay_to[k] = data.fixed_point.highest(k) - edge;
+    }
     data.state = scheme.state;
     data.density = scheme.density;
     data.viscosity = pair_viscosity(c, scheme);
+    data.bulk_viscosity = scheme.bulk_viscosity;
+    data.sound_rate = scheme.state.sound_speed / scheme.smoothing_length;
     data.gravity[0] = scheme.streamwise_gravity;
     data.gravity[D - 1] = -scheme.normal_gravity;
     data.corrected = weighs_by_volume(c);
@@ -196,13 +207,18 @@ class Continuation {
     }
 
     [[nodiscard]] double beside_walls(std::size_t i) const {
-        const bool standing = D == 2 ? c_.channel.ends == Ends::walls : c_.channel.sides != Sides::periodic;
-        if (!standing) {
-            return 0.0;
+        double continued = 0.0;
+        const auto beside = [&](bool standing, std::size_t axis, double extent) {
+            if (standing) {
+                const double x = walls_.position[axis][i];
+                continued = std::max(continued, faded(std::min(x, extent - x)));
+            }
+        };
+        beside(c_.channel.ends == Ends::walls, 0, c_.channel.length);
+        if constexpr (D == 3) {
+            beside(c_.channel.sides != Sides::periodic, 1, c_.channel.simulated_width());
         }
-        const double extent = D == 2 ? c_.channel.length : c_.channel.simulated_width();
-        const double x = walls_.position[D - 2][i];
-        return faded(std::min(x, extent - x));
+        return continued;
     }
 
     [[nodiscard]] double beside_solids(std::size_t i) const {

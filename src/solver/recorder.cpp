@@ -161,17 +161,22 @@ void Recorder::record(SimulationIn<D>& simulation) {
             }
         }
     }
-    if constexpr (D == 3) {
-        simulation.drop_fields(false);
+    // Fields that an instrument looks up in the fluid stay until then; the viscosity for the snapshot of the
+    // last state.
+    const bool looked_up = started && probes_.due_for_fields_in_fluid(time);
+    const auto drop_fields = [&](bool with_viscosity) {
+        if constexpr (D == 3) {
+            simulation.drop_fields(with_viscosity);
+        }
+    };
+    if (!looked_up) {
+        drop_fields(false);
     }
     if (is_due(time, output.snapshot_interval, due_.snapshot)) {
         snapshots_.record(simulation);
     }
-    if constexpr (D == 3) {
-        // The snapshot of the last state may still want the viscosity.
-        if (!snapshots_.shows_viscosity()) {
-            simulation.drop_fields();
-        }
+    if (!looked_up && !snapshots_.shows_viscosity()) {
+        drop_fields(true);
     }
     if (fluid_due) {
         // One view of the fluid serves the surface and all instruments.
@@ -185,6 +190,9 @@ void Recorder::record(SimulationIn<D>& simulation) {
         if (started) {
             probes_.record(flow_state(simulation, &fluid), true);
         }
+    }
+    if (looked_up) {
+        drop_fields(!snapshots_.shows_viscosity());
     }
     if (series_due) {
         series_.set_mean_level(mean_level_);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "case/case.hpp"
+#include "particles/lost_particle.hpp"
 #include "solver/summary.hpp"
 
 namespace riffle {
@@ -67,6 +68,8 @@ struct RunOutcome {
     double updates_per_second = 0.0;
     RunSummary summary;
     std::string convergence;
+    LostWater lost;        ///< water that left the domain
+    std::string ways_out;  ///< how many particles on which way
 };
 
 /// Refuse what only shows when a run is set up, before anything is written: probes that the time step cannot

@@ -7,6 +7,7 @@
 #include <exception>
 #include <initializer_list>
 #include <map>
+#include <numeric>
 #include <system_error>
 #include <utility>
 
@@ -177,6 +178,7 @@ void RunSession<D>::restore(const std::filesystem::path& checkpoint) {
         earlier_wall_seconds_ = saved.number("/", "wall_seconds");
         next_test_ = saved.number("/", "next_test");
         first_step_ = simulation_->clock().steps;
+        told_losses_ = simulation_->particles().lost.size();
     }
     // From here on the folder is changed. Another checkpoint than the newest becomes it first: with that one
     // the results that are cut back could not be gone on with.
@@ -222,6 +224,7 @@ RunOutcome RunSession<D>::advance() {
         stopped = options_.stop_signal != nullptr && options_.stop_signal->load() != 0;
         step(stopped ? 0.0 : fields_due());
         recorder_->record(*simulation_);
+        report_losses();
         if (simulation_->clock().time >= next_test_) {
             next_test_ = (std::floor(simulation_->clock().time / test_interval + 1e-9) + 1.0) * test_interval;
             update_convergence(false);
@@ -267,6 +270,8 @@ RunOutcome RunSession<D>::advance() {
                                  std::max(1e-9, seconds_since(begin_));
     outcome.summary = current_summary(case_, twins_, *recorder_, convergence_);
     outcome.convergence = convergence_.reason;
+    outcome.lost = lost();
+    outcome.ways_out = exits_text(simulation_->particles().lost);
     log_.info(fmt::format("{} at t = {:.6g} s after {} steps: {}", stopped ? "stopped" : "finished",
                           outcome.time, outcome.steps, convergence_.reason));
     return outcome;
@@ -299,6 +304,32 @@ void RunSession<D>::step(double fields_due) {
     } catch (const RunError& error) {
         throw RunError(leave_failure(error));
     }
+}
+
+template <int D>
+LostWater RunSession<D>::lost() const {
+    const Particles<D>& p = simulation_->particles();
+    return lost_water(p.lost, std::accumulate(p.mass.begin(), p.mass.end(), 0.0));
+}
+
+template <int D>
+void RunSession<D>::report_losses() {
+    const std::vector<LostParticle>& ledger = simulation_->particles().lost;
+    // The first ones each, then once for every doubling: a tank that overflows must not fill the log.
+    constexpr std::size_t told_each = 10;
+    if (ledger.size() <= told_losses_ || (told_losses_ >= told_each && ledger.size() < 2 * told_losses_)) {
+        return;
+    }
+    for (std::size_t i = told_losses_; i < std::min(ledger.size(), told_each); ++i) {
+        const LostParticle& p = ledger[i];
+        log_.warning(fmt::format(
+            "particle {} left {} and was taken out at t = {:.6g} s: x = {:.4g} m, z = "
+            "{:.4g} m, velocity ({:.3g}, {:.3g}) m/s",
+            p.id, exit_text(p.exit), p.time, p.position[0], p.position[2], p.velocity[0], p.velocity[2]));
+    }
+    told_losses_ = ledger.size();
+    const LostWater water = lost();
+    log_.warning(fmt::format("so far {}: {}", lost_text(water), exits_text(ledger)));
 }
 
 template <int D>

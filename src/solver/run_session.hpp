@@ -47,6 +47,9 @@ class RunSession {
     void report_progress();
     /// Time from which a step must bring the fields of the particles up to date.
     [[nodiscard]] double fields_due() const;
+    /// Say in the log which particles have left the domain since the last call.
+    void report_losses();
+    [[nodiscard]] LostWater lost() const;
     [[nodiscard]] bool finished() const;
     [[nodiscard]] double seconds_since(Clock::time_point t) const;
 
@@ -64,6 +67,7 @@ class RunSession {
     double next_test_ = 1.0;
     double earlier_wall_seconds_ = 0.0;
     std::int64_t first_step_ = 0;
+    std::size_t told_losses_ = 0;  ///< lost particles that the log knows of
     Clock::time_point begin_ = Clock::now();
     Clock::time_point last_write_ = begin_;
     Clock::time_point last_progress_ = begin_;

@@ -115,6 +115,11 @@ void RunSession<D>::add_run_attributes(Content& content, Moment moment) const {
     attribute("/summary", "convergence", convergence_.reason);
     attribute("/summary", "particles", static_cast<std::int64_t>(simulation_->particles().size()));
     attribute("/summary", "wall_particles", static_cast<std::int64_t>(simulation_->walls().size()));
+    const LostWater water = lost();
+    attribute("/summary", "lost_particles", static_cast<std::int64_t>(water.particles));
+    attribute("/summary", "lost_mass", water.mass);
+    attribute("/summary", "lost_share", water.share);
+    attribute("/summary", "lost_ways", exits_text(simulation_->particles().lost));
     attribute("/summary", "steps", simulation_->clock().steps);
     attribute("/summary", "simulated_time", simulation_->clock().time);
     attribute("/summary", "sound_speed", simulation_->scheme().state.sound_speed);

@@ -17,9 +17,10 @@ double expected_velocity(const Case& c, const ColumnResult* column) {
     }
     double velocity = std::max(c.start.velocity.value_or(0.0), largest_wall_speed(c));
     if (!c.start.water_z.empty()) {
-        // Half the speed of Ritter's front, 2 sqrt(g h): the sound is ten times as fast as that.
-        const auto [low, high] = std::minmax_element(c.start.water_z.begin(), c.start.water_z.end());
-        velocity = std::max(velocity, std::sqrt(c.fluid.gravity * (*high - *low)));
+        // Half the speed of Ritter's front, 2 sqrt(g h): the sound is ten times as fast as that. Water that
+        // stands above the bed falls on it.
+        const double high = *std::max_element(c.start.water_z.begin(), c.start.water_z.end());
+        velocity = std::max(velocity, std::sqrt(c.fluid.gravity * high));
     }
     if (column != nullptr) {
         for (const double u : column->profile.velocity) {
@@ -57,6 +58,10 @@ Scheme make_scheme(const Case& c, const ColumnResult* column) {
         stiffness *= c.channel.dimensions + 2.0;  // its force along a line of centres is as much stronger
     }
     scheme.acoustic_step = std::min(scheme.acoustic_step, 0.125 * h * h / stiffness);
+    scheme.bulk_viscosity = c.numerics.acoustic_damping * h * scheme.state.sound_speed;
+    if (scheme.bulk_viscosity > 0.0) {
+        scheme.acoustic_step = std::min(scheme.acoustic_step, 0.25 * h * h / scheme.bulk_viscosity);
+    }
     if (c.numerics.viscosity == ViscosityForm::artificial) {
         const double viscosity = c.numerics.artificial_viscosity * h * scheme.state.sound_speed /
                                  (2.0 * (c.channel.dimensions + 2.0));

@@ -13,8 +13,9 @@ struct Scheme {
     double depth = 0.0;             ///< total depth H
     double maximum_velocity = 0.0;  ///< expected, sets the sound speed
     StateEquation state;
-    double density = 0.0;    ///< rho0
-    double viscosity = 0.0;  ///< nu0
+    double density = 0.0;         ///< rho0
+    double viscosity = 0.0;       ///< nu0
+    double bulk_viscosity = 0.0;  ///< against sound, zeta/rho0, m2/s
     double streamwise_gravity = 0.0;
     double normal_gravity = 0.0;
     double acoustic_step = 0.0;  ///< Courant number * h / c0

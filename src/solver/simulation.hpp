@@ -51,6 +51,8 @@ struct ParticleFields {
             (this->*force).reset(n);
         }
     }
+    /// Keep those of these particles alone, in this order, which is that of their numbers.
+    void keep(const std::vector<std::int32_t>& particles);
     /// Free all but the eddy viscosity, which snapshots show, or that too.
     void release(bool with_viscosity);
     [[nodiscard]] std::size_t bytes() const;
@@ -100,9 +102,9 @@ class SimulationIn {
   public:
     virtual ~SimulationIn() = default;
 
-    /// One time step. Throws ParticleFault naming particle, place and time when the state is no longer finite
-    /// or a particle has left the domain; the step is then not completed. fields() are brought up to date by
-    /// steps that end at or after `fields_due`, s.
+    /// One time step. Throws ParticleFault naming particle, place and time when the state is no longer finite;
+    /// the step is then not completed. Particles that have left the domain are taken out at its end, into
+    /// particles().lost. fields() are brought up to date by steps that end at or after `fields_due`, s.
     virtual void step(double fields_due) = 0;
     void step() { step(0.0); }
 
@@ -139,8 +141,9 @@ class SimulationIn {
     [[nodiscard]] const WallParticles<D>& walls() const { return walls_; }
 
     /// Coordinates of the particles from `first` on at the last build of the neighbour lists, m: part of the
-    /// state that a checkpoint holds.
+    /// state that a checkpoint holds, unless the lists are out of date.
     virtual void listed_positions(std::size_t axis, std::size_t first, std::span<double> values) const = 0;
+    [[nodiscard]] virtual bool lists_out_of_date() const = 0;
 
     /// Put back the particles of a checkpoint, with their listed positions and in their saved order, and its
     /// clock.

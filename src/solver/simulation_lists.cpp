@@ -65,6 +65,7 @@ void SimulationOf<D, Real>::build_lists(bool sort) {
     loose_ = has_loose_particles();
     clusters_.release_boxes();
     data_.fluid_fluid = &fluid_fluid_;
+    unlisted_ = false;
     allocate();
     repack();
 }
@@ -170,6 +171,9 @@ bool SimulationOf<D, Real>::displacements_due() const {
 // water, which it does not know either.
 template <int D, class Real>
 bool SimulationOf<D, Real>::lists_valid(double fraction) {
+    if (unlisted_) {
+        return false;
+    }
     const double limit = fraction * displacement_limit();
     if (clock_.displacement_bound <= limit || loose_ || ghosts_ || motion_.displaces()) {
         return clock_.displacement_bound <= limit;

@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <chrono>
 #include <span>
+#include <type_traits>
 
 #include "base/parallel.hpp"
+#include "boundary/mesh_contact.hpp"
 #include "boundary/repulsive_wall.hpp"
 #include "boundary/solid_contact.hpp"
 #include "boundary/wall_motion.hpp"
-#include "case/solid_mesh.hpp"
 #include "roughness/bed_drag.hpp"
 #include "solver/ghost_nodes.hpp"
 #include "solver/simulation.hpp"
@@ -39,6 +40,7 @@ class SimulationOf final : public SimulationIn<D> {
     void measure_profile(bool on) override;
     [[nodiscard]] StepProfile profile() const override;
     void listed_positions(std::size_t axis, std::size_t first, std::span<double> values) const override;
+    [[nodiscard]] bool lists_out_of_date() const override { return unlisted_; }
     void restore(Particles<D> particles, const SimulationClock& clock,
                  std::vector<double> wall_deviation) override;
 
@@ -88,6 +90,15 @@ class SimulationOf final : public SimulationIn<D> {
     [[nodiscard]] bool displacements_due() const;
     [[nodiscard]] bool has_loose_particles() const;
 
+    // Particles that leave (simulation_losses.cpp).
+    [[nodiscard]] bool stays(std::size_t particle) const;
+    /// Whether all particles of a block have integer positions.
+    [[nodiscard]] bool can_be_packed(std::size_t begin, std::size_t end) const;
+    /// Error where a particle is no longer finite or beyond all integer positions.
+    void check_state() const;
+    /// Take the particles that stand beyond the domain out of the water and into the ledger.
+    void take_out_leaving();
+
     // Walls (simulation_walls.cpp).
     void make_walls();
     /// Sort the walls in space and cut them into clusters; the order that they had before.
@@ -115,6 +126,9 @@ class SimulationOf final : public SimulationIn<D> {
     /// wet_wall() of all wall particles, by their density deviation.
     void wet_walls();
     void wet_wall(std::size_t slot, std::size_t particle, double pressure);
+    /// What a wall particle of a density deviation brings to the pressure sum of its pairs, m2/s2: p/rho0, in
+    /// the symmetric form over (1 + s)^2, as water at its place would.
+    [[nodiscard]] double pair_pressure(double deviation) const;
     void update_wall(std::size_t slot, std::size_t particle, const WallResult<D, Real>& sums,
                      std::size_t lane, double step);
 
@@ -167,7 +181,6 @@ class SimulationOf final : public SimulationIn<D> {
     void take_step(double fields_due);
     void take_step_by_rates(double dt, bool filtered);
     [[nodiscard]] double choose_step() const;
-    void check_state() const;
 
     /// Call f(first particle, end, lane of the first) for the clusters of a block.
     template <class F>
@@ -225,11 +238,10 @@ class SimulationOf final : public SimulationIn<D> {
     Case case_;
     WallLaw wall_law_;
     WallMotion motion_;
-    SolidContact contact_;
-    std::shared_ptr<const std::vector<SolidMesh>> meshes_;  ///< of the solids, in three dimensions
-    std::vector<BodyState> bodies_after_;                   ///< at the end of the step; empty without solids
-    std::vector<double> contact_depth_;                     ///< by block, the largest of the step, m
-    std::vector<BodyState> bodies_;  ///< at the begin of the step; empty where no wall moves
+    std::conditional_t<D == 2, SolidContact, MeshContact> contact_;
+    std::vector<BodyState> bodies_after_;  ///< at the end of the step; empty without solids
+    std::vector<double> contact_depth_;    ///< by block, the largest of the step, m
+    std::vector<BodyState> bodies_;        ///< at the begin of the step; empty where no wall moves
     std::unique_ptr<const Closure> closure_;
     std::unique_ptr<const BedDrag> drag_;
     bool side_drag_ = false;      ///< side walls with drag
@@ -267,7 +279,9 @@ class SimulationOf final : public SimulationIn<D> {
 
     bool keep_fields_ = true;                      ///< in this step
     std::vector<AdvanceResult<D>> block_advance_;  ///< by block
-    bool loose_ = false;  ///< drops beyond the reach of the water, which no list knows
+    bool leaving_ = false;                         ///< particles stand beyond the domain
+    bool unlisted_ = false;  ///< particles have been taken out since the lists were built
+    bool loose_ = false;     ///< drops beyond the reach of the water, which no list knows
     std::array<std::vector<double>, static_cast<std::size_t>(D)> smoothed_velocity_;  ///< XSPH, by particle
     std::unique_ptr<Stepper<D>> stepper_;  ///< none: the semi-implicit Euler method
     int evaluation_ = 0;                   ///< of the stepper, in progress

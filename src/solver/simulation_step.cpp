@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 
-#include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "particles/lattice.hpp"
 #include "roughness/side_wall_partition.hpp"
@@ -39,6 +38,19 @@ void ParticleFields::release(bool with_viscosity) {
     }
 }
 
+void ParticleFields::keep(const std::vector<std::int32_t>& particles) {
+    pressure.keep(particles);
+    eddy_viscosity.keep(particles);
+    shear.keep(particles);
+    for (std::vector<double>* const values :
+         {&pair_acceleration_x, &viscous_acceleration_x, &shear_stress, &lateral_shear_stress}) {
+        WorkingValues::keep_values(*values, particles);
+    }
+    for (SparseValues ParticleFields::*const force : near_walls(3)) {
+        (this->*force).keep(particles);
+    }
+}
+
 std::size_t ParticleFields::bytes() const {
     std::size_t total = pressure.bytes() + eddy_viscosity.bytes() + shear.bytes();
     for (const SparseValues ParticleFields::*const force : near_walls(3)) {
@@ -56,8 +68,6 @@ SimulationOf<D, Real>::SimulationOf(const Case& c, const ColumnResult* column, P
     : case_(c),
       wall_law_(wall_law(c)),
       motion_(c),
-      contact_(D == 2 ? SolidContact(c) : SolidContact()),
-      meshes_(D == 3 ? meshes_of(c) : nullptr),
       closure_(make_closure(c)),
       drag_(make_bed_drag(c)),
       stirring_(c, c.stirring.celerity.value_or(column != nullptr ? column->total_mean_velocity : 0.0)),
@@ -70,6 +80,11 @@ SimulationOf<D, Real>::SimulationOf(const Case& c, const ColumnResult* column, P
     particles_ = std::move(particles);
     scheme_ = make_scheme(c, column);
     walls_ = wall_particles<D>(c);
+    if constexpr (D == 2) {
+        contact_ = SolidContact(c);
+    } else {
+        contact_ = MeshContact(c, walls_);
+    }
     wall_deviation_.resize(walls_.size());
     for (std::size_t i = 0; i < walls_.size(); ++i) {
         wall_deviation_[i] = scheme_.hydrostatic_deviation(walls_.position[vertical][i]);
@@ -125,34 +140,6 @@ double SimulationOf<D, Real>::choose_step() const {
 }
 
 template <int D, class Real>
-void SimulationOf<D, Real>::check_state() const {
-    for (std::size_t i = 0; i < particles_.size(); ++i) {
-        bool finite = std::isfinite(particles_.density_deviation[i]);
-        bool inside = true;
-        std::array<double, 3> x{};  // x, y, z; y of a plane is 0
-        std::array<double, 3> u{};
-        for (std::size_t k = 0; k < axes; ++k) {
-            const std::size_t axis = k == vertical ? 2 : k;
-            x[axis] = particles_.position[k][i];
-            u[axis] = particles_.velocity[k][i];
-            finite = finite && std::isfinite(x[axis]) && std::isfinite(u[axis]);
-            inside = inside && fixed_point_.in_range(x[axis], k);
-        }
-        if (finite && inside) {
-            continue;
-        }
-        const std::string y = D == 3 ? fmt::format("y = {:.6g} m, ", x[1]) : "";
-        const std::string v = D == 3 ? fmt::format("{:.4g}, ", u[1]) : "";
-        throw ParticleFault(
-            i, fmt::format(
-                   "{}: particle {} at x = {:.6g} m, {}z = {:.6g} m, velocity ({:.4g}, {}{:.4g}) m/s, "
-                   "density deviation {:.4g}, at t = {:.6g} s (step {})",
-                   finite ? "a particle left the domain" : "the state is no longer finite", particles_.id[i],
-                   x[0], y, x[2], u[0], v, u[2], particles_.density_deviation[i], clock_.time, clock_.steps));
-    }
-}
-
-template <int D, class Real>
 void SimulationOf<D, Real>::step(double fields_due) {
     timed(profile_.total, [&] { take_step(fields_due); });
 }
@@ -201,6 +188,9 @@ void SimulationOf<D, Real>::take_step(double fields_due) {
     clock_.time_step = dt;
     clock_.time += dt;
     ++clock_.steps;
+    if (leaving_) {
+        take_out_leaving();
+    }
 }
 
 template <int D, class Real>

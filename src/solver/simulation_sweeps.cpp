@@ -83,8 +83,8 @@ void SimulationOf<D, Real>::evaluate_wave(std::size_t wave, const StageSteps& st
     for_blocks(
         clusters_.size(), order_.packing.blocks(wave),
         [&](Task&, std::size_t begin, std::size_t end) {
-            // A faulty position has no integer code; it is reported below.
-            if (!block_advance_[begin / block_clusters].fault) {
+            // A faulty position may have no integer code; it is reported below.
+            if (!block_advance_[begin / block_clusters].fault || can_be_packed(begin, end)) {
                 particle_loops_.pack(particle_data_, data_, moved, begin, end);
             }
         },
@@ -285,6 +285,7 @@ void SimulationOf<D, Real>::gather_motion(double step) {
     }
     if (fault) {
         check_state();
+        leaving_ = true;
     }
     add_wall_motion(step, slowest, fastest);
     if (wall_over_bed_ > 0.0) {
@@ -371,8 +372,9 @@ void SimulationOf<D, Real>::advance_by_rates(Task& task, std::size_t begin, std:
                     x += x < domain_.lower[k] ? domain_.extent(static_cast<int>(k)) : 0.0;
                     x -= x >= domain_.upper[k] ? domain_.extent(static_cast<int>(k)) : 0.0;
                 }
-                fault = fault || !fixed_point_.in_range(x, k) || !std::isfinite(particles_.velocity[k][i]);
+                fault = fault || !std::isfinite(particles_.velocity[k][i]);
             }
+            fault = fault || !stays(i);
         }
     });
     block_advance_[begin / block_clusters] = {.largest = largest, .fault = fault};

@@ -128,27 +128,29 @@ void SimulationOf<D, Real>::add_wall_motion(double step, Vec<D>& slowest, Vec<D>
 
 template <int D, class Real>
 void SimulationOf<D, Real>::keep_out_of_solids(std::size_t begin, std::size_t end) {
-    if constexpr (D == 2) {
-        double deepest = 0.0;
-        for (std::size_t cluster = begin; cluster < end; ++cluster) {
-            if (fluid_wall_.run_begin[cluster] == fluid_wall_.run_begin[cluster + 1]) {
-                continue;
-            }
-            for_clusters(cluster, cluster + 1, [&](std::size_t first, std::size_t last, std::size_t) {
-                for (std::size_t i = first; i < last; ++i) {
-                    Vec<D> x{particles_.position[0][i], particles_.position[1][i]};
-                    Vec<D> u{particles_.velocity[0][i], particles_.velocity[1][i]};
-                    const double depth = contact_.resolve(bodies_after_, x, u);
-                    for (std::size_t k = 0; k < axes && depth > 0.0; ++k) {
-                        particles_.position[k][i] = x[k];
-                        particles_.velocity[k][i] = u[k];
-                    }
-                    deepest = std::max(deepest, depth);
-                }
-            });
+    double deepest = 0.0;
+    for (std::size_t cluster = begin; cluster < end; ++cluster) {
+        if (fluid_wall_.run_begin[cluster] == fluid_wall_.run_begin[cluster + 1]) {
+            continue;
         }
-        contact_depth_[begin / block_clusters] = deepest;
+        for_clusters(cluster, cluster + 1, [&](std::size_t first, std::size_t last, std::size_t) {
+            for (std::size_t i = first; i < last; ++i) {
+                Vec<D> x{};
+                Vec<D> u{};
+                for (std::size_t k = 0; k < axes; ++k) {
+                    x[k] = particles_.position[k][i];
+                    u[k] = particles_.velocity[k][i];
+                }
+                const double depth = contact_.resolve(bodies_after_, x, u);
+                for (std::size_t k = 0; k < axes && depth > 0.0; ++k) {
+                    particles_.position[k][i] = x[k];
+                    particles_.velocity[k][i] = u[k];
+                }
+                deepest = std::max(deepest, depth);
+            }
+        });
     }
+    contact_depth_[begin / block_clusters] = deepest;
 }
 
 template <int D, class Real>
@@ -156,28 +158,23 @@ void SimulationOf<D, Real>::check_solids() const {
     const double spacing = case_.numerics.spacing;
     const std::vector<BodyState> bodies = motion_.at(clock_.time);
     for (std::size_t k = 0; k < case_.solids.size(); ++k) {
-        const auto is_deep = [&](const Vec<D>& place) {
-            if constexpr (D == 3) {
-                const SolidMesh& mesh = (*meshes_)[k];
-                return mesh.contains(place) && !mesh.nearest(place, spacing);
-            } else {
-                return contact_.depth(k, bodies, place) > spacing;
-            }
-        };
         for (std::size_t i = 0; i < particles_.size(); ++i) {
             Vec<D> place{};
             for (std::size_t axis = 0; axis < axes; ++axis) {
                 place[axis] = particles_.position[axis][i];
             }
-            if (is_deep(place)) {
+            if (contact_.depth(k, bodies, place) > spacing) {
+                const Solid& solid = case_.solids[k];
                 throw ParticleFault(
-                    i, fmt::format("water has entered the solid \"{}\": particle {} at x = {:.6g} m, z = "
-                                   "{:.6g} m, velocity "
-                                   "({:.4g}, {:.4g}) m/s, at t = {:.6g} s; take a smaller spacing, let the "
-                                   "solid move more "
-                                   "slowly, or keep [numerics] density_diffusion = \"fourtakas\"",
-                                   case_.solids[k].name, particles_.id[i], place[0], place[vertical],
-                                   particles_.velocity[0][i], particles_.velocity[vertical][i], clock_.time));
+                    i, fmt::format(
+                           "water has entered the solid \"{}\": particle {} at x = {:.6g} m, z = {:.6g} m, "
+                           "velocity ({:.4g}, {:.4g}) m/s, at t = {:.6g} s; take a smaller step ([numerics] "
+                           "courant_number){}",
+                           solid.name, particles_.id[i], place[0], place[vertical], particles_.velocity[0][i],
+                           particles_.velocity[vertical][i], clock_.time,
+                           solid.motion == SolidMotion::fixed
+                               ? " or spacing"
+                               : ", a smaller spacing, or let the solid move more slowly"));
             }
         }
     }
@@ -194,6 +191,14 @@ void SimulationOf<D, Real>::wet_walls() {
     }
 }
 
+// To the symmetric form (thesis 2.42) a wall particle with a density of its own is a particle like any other:
+// its term is p_w/rho_w^2.
+template <int D, class Real>
+double SimulationOf<D, Real>::pair_pressure(double deviation) const {
+    const double ratio = weighs_by_volume(case_) ? 1.0 : 1.0 + deviation;
+    return scheme_.state.pressure(deviation) / (ratio * ratio);
+}
+
 template <int D, class Real>
 void SimulationOf<D, Real>::update_wall(std::size_t slot, std::size_t i, const WallResult<D, Real>& sums,
                                         std::size_t lane, double step) {
@@ -205,7 +210,7 @@ void SimulationOf<D, Real>::update_wall(std::size_t slot, std::size_t i, const W
     if (wall_law_.dynamic) {
         double& s = wall_deviation_[i];
         s += step * (1.0 + s) * static_cast<double>(sums.density_rate[lane]);
-        pressure = scheme_.state.pressure(s);
+        pressure = pair_pressure(s);
     } else if (weight > 0.0) {
         // Adami et al. (2012), eq. 27: p_w = [sum p_f W + (g - a_w) . sum rho r_wf W] / sum W.
         pressure = static_cast<double>(sums.pressure[lane]) -

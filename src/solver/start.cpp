@@ -107,10 +107,7 @@ Particles<D> initial_particles(const Case& c, const Scheme& scheme, const Column
     }
     const Domain<D> domain = domain_of<D>(c);
     for (std::size_t i = 0; i < n; ++i) {
-        double surface = scheme.depth;
-        if constexpr (D == 2) {
-            surface = still_surface(c, particles.position[0][i], still_height[i]);
-        }
+        const double surface = still_surface(c, particles.position[0][i], still_height[i]);
         const double hydrostatic = scheme.normal_gravity * (surface - still_height[i]);
         const double s = scheme.state.deviation(hydrostatic + extra_pressure[i]);
         particles.density_deviation[i] = s;

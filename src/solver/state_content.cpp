@@ -18,6 +18,8 @@ namespace riffle {
 
 namespace {
 
+constexpr const char* lost_group = "/lost_particles";
+
 template <int D>
 constexpr auto axis_names = [] {
     if constexpr (D == 2) {
@@ -63,21 +65,78 @@ void add_previous_step(Content& content, const std::string& group, const Previou
              rates ? "rate of change of rho/rho0 of the step before" : "rho/rho0 - 1 before the last step");
 }
 
-/// The numbers of so many particles. Throws FileError.
-std::vector<std::int32_t> particle_numbers(const ContentReader& file, const std::string& path,
-                                           std::size_t count) {
+void add_lost_particles(Content& content, const std::vector<LostParticle>& lost, int dimensions) {
+    const auto column = [&](const char* name, const char* unit, const char* long_name, const auto& value) {
+        std::vector<double> values(lost.size());
+        std::transform(lost.begin(), lost.end(), values.begin(), value);
+        add_array(content, fmt::format("{}/{}", lost_group, name), std::move(values), unit, long_name);
+    };
+    const auto whole = [&](const char* name, const char* long_name, const auto& value) {
+        std::vector<std::int64_t> values(lost.size());
+        std::transform(lost.begin(), lost.end(), values.begin(), value);
+        content.datasets.push_back({.path = fmt::format("{}/{}", lost_group, name),
+                                    .shape = {lost.size()},
+                                    .values = std::move(values),
+                                    .unit = "1",
+                                    .long_name = long_name});
+    };
+    whole("id", "number of the particle", [](const auto& p) { return std::int64_t{p.id}; });
+    whole("exit", "way out", [](const auto& p) { return static_cast<std::int64_t>(p.exit); });
+    column("time", "s", "simulated time at which it was taken out", [](const auto& p) { return p.time; });
+    column("mass", dimensions == 2 ? "kg/m" : "kg", dimensions == 2 ? "mass per unit width" : "mass",
+           [](const auto& p) { return p.mass; });
+    for (std::size_t k = 0; k < 3; ++k) {
+        const char axis = "xyz"[k];
+        column(fmt::format("position_{}", axis).c_str(), "m", "place where it was taken out",
+               [k](const auto& p) { return p.position[k]; });
+        column(fmt::format("velocity_{}", axis).c_str(), "m/s", "velocity with which it left",
+               [k](const auto& p) { return p.velocity[k]; });
+    }
+}
+
+/// So many whole numbers from 0 to `most`. Throws FileError.
+std::vector<std::int64_t> whole_numbers(const ContentReader& file, const std::string& path, std::size_t count,
+                                        std::int64_t most) {
     const Dataset dataset = file.read(path);
     const auto* const saved = std::get_if<std::vector<std::int64_t>>(&dataset.values);
-    constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max();
     const bool whole =
         saved != nullptr && saved->size() == count &&
-        std::all_of(saved->begin(), saved->end(), [](std::int64_t id) { return id >= 0 && id <= most; });
+        std::all_of(saved->begin(), saved->end(), [most](std::int64_t i) { return i >= 0 && i <= most; });
     if (!whole) {
         throw FileError(
-            fmt::format("{}: {} does not hold the numbers of particles: the file has been altered",
-                        file.path().string(), path));
+            fmt::format("{}: {} does not hold {} numbers from 0 to {}: the file has been altered",
+                        file.path().string(), path, count, most));
     }
-    return {saved->begin(), saved->end()};
+    return *saved;
+}
+
+constexpr std::int64_t largest_id = std::numeric_limits<std::int32_t>::max();
+
+std::vector<LostParticle> saved_lost_particles(const CheckpointReader& checkpoint) {
+    const auto path = [](const std::string& name) { return fmt::format("{}/{}", lost_group, name); };
+    const std::vector<std::size_t> shape = checkpoint.shape(path("id"));
+    const std::size_t n = shape.empty() ? 0 : shape[0];
+    const auto column = [&](const std::string& name) { return checkpoint.doubles(path(name), n); };
+    const auto id = whole_numbers(checkpoint, path("id"), n, largest_id);
+    const auto exit = whole_numbers(checkpoint, path("exit"), n, last_exit);
+    const auto time = column("time");
+    const auto mass = column("mass");
+    std::vector<LostParticle> lost(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        lost[i].id = static_cast<std::int32_t>(id[i]);
+        lost[i].exit = static_cast<Exit>(exit[i]);
+        lost[i].time = time[i];
+        lost[i].mass = mass[i];
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+        const auto position = column(fmt::format("position_{}", "xyz"[k]));
+        const auto velocity = column(fmt::format("velocity_{}", "xyz"[k]));
+        for (std::size_t i = 0; i < n; ++i) {
+            lost[i].position[k] = position[i];
+            lost[i].velocity[k] = velocity[i];
+        }
+    }
+    return lost;
 }
 
 }  // namespace
@@ -90,6 +149,9 @@ void add_state(Content& content, const std::string& group, const SimulationIn<D>
         const std::string axis = axis_names<D>[k];
         add_lent(content, group + "/position_" + axis, lent(p.position[k]), "m", "position " + axis);
         add_lent(content, group + "/velocity_" + axis, lent(p.velocity[k]), "m/s", "velocity along " + axis);
+        if (simulation.lists_out_of_date()) {
+            continue;  // the run builds them anew, here as after a resume
+        }
         const auto listed = [&simulation, k](std::size_t first, std::span<double> block) {
             simulation.listed_positions(k, first, block);
         };
@@ -115,6 +177,7 @@ void add_state(Content& content, const std::string& group, const SimulationIn<D>
 
 template <int D>
 void add_clock(Content& content, const std::string& group, const SimulationIn<D>& simulation) {
+    add_lost_particles(content, simulation.particles().lost, D);
     const SimulationClock& clock = simulation.clock();
     const auto attribute = [&](const char* name, AttributeValue value) {
         add_attribute(content, group, name, std::move(value));
@@ -145,7 +208,9 @@ void restore_state(const CheckpointReader& checkpoint, const std::string& group,
         const std::string axis = axis_names<D>[k];
         p.position[k] = doubles("position_" + axis);
         p.velocity[k] = doubles("velocity_" + axis);
-        p.listed_position[k] = doubles("listed_position_" + axis);
+        if (checkpoint.has(group + "/listed_position_" + axis)) {
+            p.listed_position[k] = doubles("listed_position_" + axis);
+        }
     }
     p.density_deviation = doubles("density_deviation");
     p.mass = doubles("mass");
@@ -155,7 +220,9 @@ void restore_state(const CheckpointReader& checkpoint, const std::string& group,
         }
         p.previous.density = doubles("previous_density");
     }
-    p.id = particle_numbers(checkpoint, group + "/id", n);
+    const auto numbers = whole_numbers(checkpoint, group + "/id", n, largest_id);
+    p.id.assign(numbers.begin(), numbers.end());
+    p.lost = saved_lost_particles(checkpoint);
     const auto number = [&](const char* name) { return checkpoint.number(group, name); };
     SimulationClock clock;
     clock.time = number("time");
@@ -229,7 +296,8 @@ Particles<D> particles_from_results(const Case& c, const Scheme& scheme, const R
     }
     p.density_deviation = doubles("density_deviation");
     p.mass = doubles("mass");
-    p.id = particle_numbers(results, "/state/id", n);
+    const auto numbers = whole_numbers(results, "/state/id", n, largest_id);
+    p.id.assign(numbers.begin(), numbers.end());
     const auto sound_speed = results.attribute("/state", "sound_speed");
     const StateEquation old{
         .kind = other.numerics.equation_of_state,

@@ -25,9 +25,13 @@ struct ParticleData {
 
     Domain<D> domain;
     FixedPoint<D> fixed_point;
+    Vec<D> stay_from{};  ///< a particle stays within [stay_from, stay_to): the domain without its edge
+    Vec<D> stay_to{};
     StateEquation state;
-    double density = 0.0;    ///< rho0
-    double viscosity = 0.0;  ///< nu0
+    double density = 0.0;         ///< rho0
+    double viscosity = 0.0;       ///< nu0
+    double bulk_viscosity = 0.0;  ///< against sound, m2/s
+    double sound_rate = 0.0;      ///< c0/h, 1/s: how fast spray loses its pressure
     std::array<double, static_cast<std::size_t>(D)> gravity{};
     bool corrected = true;    ///< pressure form: Q = p B with weight V_j, else p/rho^2 with m_j/rho0
     bool closure = false;     ///< an eddy viscosity is wanted

@@ -8,6 +8,7 @@
 #include "sph/pair_terms.hpp"
 #include "sph/particle_loops.hpp"
 #include "sph/record_lanes.hpp"
+#include "sph/spray.hpp"
 
 namespace riffle::RIFFLE_ISA {
 
@@ -223,13 +224,30 @@ template <int D, class Real>
         const std::int32_t correction_lane = data.correction_of(cluster);
         with_members(*p.clusters, cluster, [&](const auto& members) {
             Doubles s = members.load(p.density_deviation);
-            const Doubles rate = (1.0 + s) * convert<double>(load_lanes(&work.gradient.density_rate[lane])) +
-                                 convert<double>(load_lanes(&work.gradient.diffusion[lane]));
+            const Doubles compression = convert<double>(load_lanes(&work.gradient.density_rate[lane]));
+            Doubles rate =
+                (1.0 + s) * compression + convert<double>(load_lanes(&work.gradient.diffusion[lane]));
+            Doubles water(1.0);
+            bool spray = false;
+            if (tensor) {
+                const T regularity = load_lanes(&work.gradient.regularity[lane]);
+                spray = stdx::any_of(regularity < T(Real(spray_end)));
+                if (spray) {
+                    water = convert<double>(share_of_water<T>(regularity));
+                    rate -= (1.0 - water) * (p.sound_rate * s);
+                }
+            }
             s += step * rate;
             store_lanes(rate, &own.density_rate[lane]);
             members.store(s, p.density_deviation);
 
-            const Doubles pressure_double = pressure_of(p.state, s);
+            Doubles pressure_double = pressure_of(p.state, s);
+            if (spray) {
+                pressure_double -= (1.0 - water) * stdx::min(pressure_double, Doubles(0.0));
+            }
+            if (p.bulk_viscosity > 0.0) {
+                pressure_double += p.bulk_viscosity * (water * compression);
+            }
             const T pressure = convert<Real>(pressure_double);
             store_lanes(pressure, &own.pressure[lane]);
             const T density_ratio = convert<Real>(Doubles(1.0 + s));  // rho/rho0
@@ -419,8 +437,7 @@ template <int D, class Real>
                     stdx::where(x >= p.domain.upper[k], x) = x - extent;
                 }
                 members.store(x, p.position[k]);
-                fine = fine && x >= p.fixed_point.lowest(k) && x < p.fixed_point.highest(k) &&
-                       abs(u[k]) <= 1e300;
+                fine = fine && x >= p.stay_from[k] && x < p.stay_to[k] && abs(u[k]) <= 1e300;
             }
             good = good && stdx::all_of(fine);
         });

@@ -79,6 +79,12 @@ kind = "flow_rate"
 sampling_frequency = "40 Hz"
 x = [0, 0.01, 0.02, 0.03, 0.04, 0.05]
 [[probe]]
+name = "transducers"
+kind = "pressure"
+sampling_frequency = "85 Hz"
+x = "30 mm"
+z = [0, "20 mm"]
+[[probe]]
 name = "forces"
 kind = "force"
 sampling_frequency = "50 Hz"
@@ -88,6 +94,7 @@ sampling_frequency = "50 Hz"
 SPACE_PROBES = (PROBES.replace('x = "30 mm"', 'x = "30 mm"\ny = "12 mm"')
                 .replace('x = [0, "28 mm"]', 'x = [0, "28 mm"]\ny = ["10 mm", "20 mm"]')
                 .replace('"surface_line"', '"surface_line"\ny = "15 mm"')
+                .replace('"pressure"', '"pressure"\ny = "40 mm"')
                 .replace('"grid"', '"grid"\ny = "40 mm"').replace(", 0.05]", "]"))
 
 

@@ -136,6 +136,10 @@ MARTIN_MOYCE_HEIGHT = numpy.array([
     (0.56, 0.94), (0.77, 0.89), (0.93, 0.83), (1.08, 0.78), (1.28, 0.72), (1.46, 0.67), (1.66, 0.61), (1.84, 0.56), (2.00, 0.50),
     (2.21, 0.44)])
 
+# Buchner (2002): pressure of a disc from 0.133 to 0.267 depths above the bed, in rho g H at t sqrt(g/H): when it first
+# feels the water, its first maximum, and the level on which it stands afterwards, within some 0.01.
+BUCHNER_PRESSURE = numpy.array([(2.45, 0.0), (2.77, 0.69), (3.2, 0.56), (3.7, 0.54), (4.2, 0.56), (4.7, 0.54), (5.2, 0.52)])
+
 # Ghia, Ghia & Shin (1982), tables I and II: u on the vertical centre line, w on the horizontal one, over the lid's velocity.
 GHIA_Z = numpy.array([0.0547, 0.0625, 0.0703, 0.1016, 0.1719, 0.2813, 0.4531, 0.5000, 0.6172, 0.7344, 0.8516, 0.9531, 0.9609, 0.9688, 0.9766])
 GHIA_X = numpy.array([0.0625, 0.0703, 0.0781, 0.0938, 0.1563, 0.2266, 0.2344, 0.5000, 0.8047, 0.8594, 0.9063, 0.9453, 0.9531, 0.9609, 0.9688])

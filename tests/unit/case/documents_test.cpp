@@ -12,6 +12,7 @@
 
 #include "case/case_documents.hpp"
 #include "case/flow_conditions.hpp"
+#include "case/presets.hpp"
 #include "case/key_table.hpp"
 #include "case_test.hpp"
 
@@ -110,7 +111,10 @@ TEST_P(Builtin, ShippedFileHoldsTheSame) {
         return;  // the plain example has no file
     }
     const bool space = name.find("-3d") != std::string::npos;
-    const char* const folder = name == "paper-2016" ? "" : space ? "rough-bed-3d" : "rough-bed-2d";
+    const char* const folder = name == "paper-2016"  ? ""
+                               : name == "dam-break" ? "violent"
+                               : space               ? "rough-bed-3d"
+                                                     : "rough-bed-2d";
     const auto file =
         source_folder / "cases" / folder / (std::regex_replace(name, std::regex("-3d"), "") + ".toml");
     EXPECT_TRUE(read_case(file).same_parameters(builtin_case(name)));
@@ -158,6 +162,7 @@ TEST(ShippedCases, StayWithinTheVerifiedEnvelope) {
     // Some checks leave it on purpose; their files say why.
     const std::map<std::string, std::vector<std::string>> deliberate = {
         {"beach", {"numerics.viscosity"}},
+        {"column-collapse", {"numerics.preset"}},
         {"hydrostatic-tank", {"numerics.smoothing_ratio", "numerics.density_diffusion"}},
         {"piston", {"numerics.smoothing_ratio"}},
         {"tank-with-wedge", {"numerics.smoothing_ratio"}},
@@ -245,6 +250,22 @@ TEST(Warnings, WallsThatNeedMoreOrGiveLess) {
     EXPECT_THAT(modified("fourtakas"), IsEmpty());
     EXPECT_THAT(warnings_with({{"numerics.wall", "repulsive"}, {"numerics.pressure_form", "symmetric"}}),
                 Contains(HasSubstr("\"repulsive\" walls hold the water and give no more")));
+}
+
+TEST(Warnings, WaterThatBreaksAsksForItsPreset) {
+    const Case dam = builtin_case("dam-break");
+    EXPECT_THAT(case_warnings(dam), IsEmpty());
+    Case plain = dam;
+    plain.numerics = preset_numerics(Preset::riffle);
+    plain.numerics.spacing = 0.005;
+    EXPECT_THAT(case_warnings(plain), Contains(HasSubstr("preset = \"violent\"")));
+    plain.run.time = 0.2;  // over before the front has come to the wall
+    EXPECT_THAT(case_warnings(plain), IsEmpty());
+    plain.run.time = 3.0;
+    plain.start.water_x = {0.0, 1.61, 1.61, 0.0};  // fills the tank
+    EXPECT_THAT(case_warnings(plain), IsEmpty());
+    plain.start.water_z = {0.1, 0.1, 0.3, 0.3};  // and falls
+    EXPECT_THAT(case_warnings(plain), Contains(HasSubstr("preset = \"violent\"")));
 }
 
 TEST(Warnings, SoundSpeedAgainstTheMeasuredVelocity) {

@@ -206,12 +206,15 @@ Probe any_probe(const Case& c, const std::string& name) {
         return list;
     };
     const bool section = p.kind == ProbeKind::flow_rate;
-    if (p.kind == ProbeKind::velocity || p.kind == ProbeKind::wave || section) {
+    const bool points = p.kind == ProbeKind::velocity || p.kind == ProbeKind::pressure;
+    if (points || p.kind == ProbeKind::wave || section) {
         p.x = positions(c.channel.length);
     }
-    if (p.kind == ProbeKind::velocity) {
+    if (points) {
         p.x.resize(1);
         p.z = positions(0.02);
+    }
+    if (p.kind == ProbeKind::velocity) {
         p.sampling_length = *number_between(0.0, 0.01);
     }
     if (p.kind == ProbeKind::surface_line || p.kind == ProbeKind::grid) {
@@ -239,6 +242,7 @@ Case any_case() {
                                          "numerics.preset",
                                          "numerics.spacing",
                                          "numerics.smoothing_ratio",
+                                         "numerics.impact_dissipation",
                                          "bed.sphere_diameter",
                                          "bed.roughness_height",
                                          "bed.datum_below_crest",

@@ -75,7 +75,7 @@ TEST(SchemeRules, NameKeysThatExistAndSayWhatToDo) {
 }
 
 TEST(SchemeRules, HoldForThePresets) {
-    for (const Preset preset : {Preset::riffle, Preset::thesis, Preset::paper}) {
+    for (const Preset preset : {Preset::riffle, Preset::violent, Preset::thesis, Preset::paper}) {
         Case c;
         c.numerics = preset_numerics(preset);
         for (const SchemeRule& rule : scheme_rules()) {

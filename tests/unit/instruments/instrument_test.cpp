@@ -151,7 +151,7 @@ TEST(VelocityGrid, GivesMeansOfPressureAndShearStress) {
     EXPECT_NEAR(pressure[5], 9810.0 * 0.02 + 2.5, 1e-4);
     EXPECT_NEAR(stress[5], 0.75 + 0.25 * 0.03, 1e-6);
     EXPECT_TRUE(std::isnan(pressure[19]));
-    EXPECT_TRUE(instrument->needs_forces());
+    EXPECT_TRUE(instrument->needs_fields());
     Case laminar = small_water();
     laminar.turbulence.closure = ClosureKind::none;
     EXPECT_THROW((void)values_of(*make_instrument(grid(), laminar), "shear_stress"), std::logic_error);

@@ -1,0 +1,116 @@
+// Particles that leave the domain, and states that are no longer finite.
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "base/error.hpp"
+#include "solver/simulation_of.hpp"
+
+namespace riffle {
+
+namespace {
+
+/// Components of a vector as (x, y, z); y of a plane is 0.
+template <int D>
+std::array<double, 3> in_space(const std::array<std::vector<double>, static_cast<std::size_t>(D)>& components,
+                               std::size_t i) {
+    std::array<double, 3> v{};
+    for (std::size_t k = 0; k < D; ++k) {
+        v[k == D - 1 ? 2 : k] = components[k][i];
+    }
+    return v;
+}
+
+}  // namespace
+
+template <int D, class Real>
+bool SimulationOf<D, Real>::stays(std::size_t particle) const {
+    for (std::size_t k = 0; k < axes; ++k) {
+        const double x = particles_.position[k][particle];
+        if (!(x >= particle_data_.stay_from[k] && x < particle_data_.stay_to[k])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+template <int D, class Real>
+bool SimulationOf<D, Real>::can_be_packed(std::size_t begin, std::size_t end) const {
+    bool possible = true;
+    for_clusters(begin, end, [&](std::size_t first, std::size_t last, std::size_t) {
+        for (std::size_t i = first; i < last; ++i) {
+            for (std::size_t k = 0; k < axes; ++k) {
+                possible = possible && fixed_point_.in_range(particles_.position[k][i], k);
+            }
+        }
+    });
+    return possible;
+}
+
+template <int D, class Real>
+void SimulationOf<D, Real>::check_state() const {
+    for (std::size_t i = 0; i < particles_.size(); ++i) {
+        bool finite = std::isfinite(particles_.density_deviation[i]);
+        bool inside = true;
+        std::array<double, 3> x{};  // x, y, z; y of a plane is 0
+        std::array<double, 3> u{};
+        for (std::size_t k = 0; k < axes; ++k) {
+            const std::size_t axis = k == vertical ? 2 : k;
+            x[axis] = particles_.position[k][i];
+            u[axis] = particles_.velocity[k][i];
+            finite = finite && std::isfinite(x[axis]) && std::isfinite(u[axis]);
+            inside = inside && fixed_point_.in_range(x[axis], k);
+        }
+        if (finite && inside) {
+            continue;
+        }
+        const std::string y = D == 3 ? fmt::format("y = {:.6g} m, ", x[1]) : "";
+        const std::string v = D == 3 ? fmt::format("{:.4g}, ", u[1]) : "";
+        throw ParticleFault(
+            i, fmt::format("{}: particle {} at x = {:.6g} m, {}z = {:.6g} m, velocity ({:.4g}, {}{:.4g}) m/s, "
+                        "density deviation {:.4g}, at t = {:.6g} s (step {})",
+                        finite ? "a particle left the domain at one bound" : "the state is no longer finite",
+                        particles_.id[i], x[0], y, x[2], u[0], v, u[2], particles_.density_deviation[i],
+                        clock_.time, clock_.steps));
+    }
+}
+
+// The lists still count the particles that go: they are built anew at the next step, and a saved state has
+// none of them.
+template <int D, class Real>
+void SimulationOf<D, Real>::take_out_leaving() {
+    leaving_ = false;
+    std::vector<std::int32_t> kept;
+    kept.reserve(particles_.size());
+    for (std::size_t i = 0; i < particles_.size(); ++i) {
+        if (stays(i)) {
+            kept.push_back(static_cast<std::int32_t>(i));
+            continue;
+        }
+        LostParticle lost{.id = particles_.id[i],
+                          .time = clock_.time,
+                          .mass = particles_.mass[i],
+                          .position = in_space<D>(particles_.position, i),
+                          .velocity = in_space<D>(particles_.velocity, i)};
+        lost.exit = exit_of(case_, lost.position, lost.velocity);
+        particles_.lost.push_back(lost);
+    }
+    if (kept.size() == particles_.size()) {
+        return;  // back within the second half of the step
+    }
+    if (kept.empty()) {
+        throw RunError(fmt::format("all water has left the domain ({}) at t = {:.6g} s",
+                                   exits_text(particles_.lost), clock_.time));
+    }
+    fields_.keep(kept);
+    particles_.permute(kept);
+    unlisted_ = true;
+}
+
+template class SimulationOf<2, float>;
+template class SimulationOf<2, double>;
+template class SimulationOf<3, float>;
+template class SimulationOf<3, double>;
+
+}  // namespace riffle

@@ -1,0 +1,105 @@
+// What keeps water out of solids in three dimensions.
+
+#include "boundary/mesh_contact.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "boundary/wall.hpp"
+#include "particles/lattice.hpp"
+#include "stl_box.hpp"
+
+namespace riffle {
+namespace {
+
+/// A tank of 60 by 60 by 40 mm, particles 2 mm apart, and a box in it from 20 to 40 mm, up to 20 mm high. With
+/// `shift` its sides at x and y lie that far beyond a face of the lattice's cells.
+struct TankWithBox {
+    Case parameters;
+    WallParticles<3> walls;
+    MeshContact contact;
+
+    explicit TankWithBox(double shift = 0.0) {
+        Case& c = parameters;
+        c.channel.dimensions = 3;
+        c.channel.ends = Ends::walls;
+        c.channel.sides = Sides::walls;
+        c.bed.kind = BedKind::slip;
+        c.bed.datum_below_crest = 0.0;
+        c.channel.depth = 0.04;
+        c.channel.length = 0.06;
+        c.channel.width = 0.06;
+        c.numerics.spacing = 0.002;
+        Solid s;
+        s.name = "box";
+        s.file = std::string(testing::TempDir()) + "riffle_contact_box.stl";
+        test::write_stl_box(s.file, {0.02 - shift, 0.02 - shift, -0.01}, {0.04 + shift, 0.04 + shift, 0.02});
+        c.solids = {s};
+        walls = wall_particles<3>(c);
+        contact = MeshContact(c, walls);
+    }
+};
+
+TEST(MeshContact, LeavesWaterOutsideAlone) {
+    const TankWithBox tank;
+    for (const Vec<3> place : {Vec<3>{0.0199, 0.03, 0.01}, Vec<3>{0.03, 0.03, 0.0201}, Vec<3>{0.05, 0.01, 0.02}}) {
+        Vec<3> x = place;
+        Vec<3> u{1.0, 2.0, 3.0};
+        EXPECT_EQ(tank.contact.resolve({}, x, u), 0.0);
+        EXPECT_EQ(x, place);
+        EXPECT_EQ(u, (Vec<3>{1.0, 2.0, 3.0}));
+        EXPECT_EQ(tank.contact.depth(0, {}, place), 0.0);
+    }
+}
+
+// On the lattice the first layer stands half a spacing behind the face, as that of any wall: none of it is the
+// water's.
+TEST(MeshContact, PutsWaterBackOntoTheFace) {
+    const TankWithBox tank;
+    Vec<3> x{0.0206, 0.031, 0.009};
+    Vec<3> u{2.0, 0.5, -0.3};
+    EXPECT_NEAR(tank.contact.depth(0, {}, x), 0.0006, 1e-9);
+    EXPECT_NEAR(tank.contact.resolve({}, x, u), 0.0006, 1e-9);
+    EXPECT_NEAR(x[0], 0.02, 1e-8);
+    EXPECT_LE(x[0], 0.02);
+    EXPECT_EQ(x[1], 0.031);
+    EXPECT_EQ(x[2], 0.009);
+    EXPECT_EQ(u[0], 0.0);
+    EXPECT_EQ(u[1], 0.5);
+    EXPECT_EQ(u[2], -0.3);
+    // What leaves already keeps its velocity.
+    x = {0.03, 0.03, 0.0195};
+    u = {0.1, 0.0, 0.7};
+    EXPECT_GT(tank.contact.resolve({}, x, u), 0.0);
+    EXPECT_EQ(u, (Vec<3>{0.1, 0.0, 0.7}));
+    EXPECT_GE(x[2], 0.02);
+}
+
+// A face 0.6 mm beyond that of the cells: the first layer still stands where the lattice has its places, 1.6 mm
+// deep, and water comes to rest 1 mm before it.
+TEST(MeshContact, LeavesTheWaterItsPlaceBeforeTheFirstLayer) {
+    const TankWithBox tank(0.0006);
+    Vec<3> x{0.0194 + 0.0005, 0.031, 0.009};
+    const Vec<3> before = x;
+    Vec<3> u{2.0, 0.0, 0.0};
+    EXPECT_EQ(tank.contact.resolve({}, x, u), 0.0);
+    EXPECT_EQ(x, before);
+    x[0] = 0.0194 + 0.0009;
+    EXPECT_NEAR(tank.contact.resolve({}, x, u), 0.0003, 1e-9);
+    EXPECT_NEAR(x[0], 0.02, 1e-8);
+    EXPECT_EQ(u[0], 0.0);
+}
+
+TEST(MeshContact, LeavesWhatIsDeeperThanASpacingToTheError) {
+    const TankWithBox tank;
+    Vec<3> x{0.03, 0.03, 0.0105};
+    Vec<3> u{0.0, 0.0, -1.0};
+    const Vec<3> before = x;
+    EXPECT_EQ(tank.contact.resolve({}, x, u), 0.0);
+    EXPECT_EQ(x, before);
+    EXPECT_NEAR(tank.contact.depth(0, {}, x), 0.0095, 1e-9);
+}
+
+}  // namespace
+}  // namespace riffle

@@ -1,0 +1,152 @@
+// Particles that leave the domain: the ledger, and that the others go on as if nothing had happened.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "base/error.hpp"
+#include "base/parallel.hpp"
+#include "small_case.hpp"
+
+namespace riffle {
+namespace {
+
+/// Still water and some drops over it that fly up and out of the domain, one after the other.
+template <int D>
+struct WaterWithDrops {
+    Case parameters = test::small_channel(D);
+    std::size_t water = 0;
+    std::unique_ptr<SimulationIn<D>> simulation;
+
+    explicit WaterWithDrops(Stepping stepping = Stepping::semi_implicit_euler, double speed = 4.0) {
+        Case& c = parameters;
+        c.channel.slope = 0.0;
+        c.bed.kind = BedKind::slip;
+        c.bed.roughness_height = 0.0;
+        c.bed.datum_below_crest = 0.0;
+        c.turbulence.closure = ClosureKind::none;
+        c.start.kind = StartKind::rest;
+        c.start.jitter = 0.1;
+        c.numerics.stepping = stepping;
+        c.numerics.courant_number = stepping == Stepping::verlet ? 0.2 : 0.4;
+        Particles<D> p = initial_particles<D>(c, make_scheme(c, nullptr), nullptr);
+        water = p.size();
+        constexpr std::size_t drops = 3;
+        p.resize(water + drops);
+        for (std::size_t i = water; i < p.size(); ++i) {
+            p.id[i] = static_cast<std::int32_t>(i);
+            p.mass[i] = p.mass.front();
+            p.position[0][i] = 0.02 * static_cast<double>(i - water) + 0.01;
+            if constexpr (D == 3) {
+                p.position[1][i] = 0.5 * c.channel.width;
+            }
+            p.position[D - 1][i] =
+                c.total_depth() + (6.0 + 3.0 * static_cast<double>(i - water)) * c.numerics.spacing;
+            p.velocity[D - 1][i] = speed;
+        }
+        simulation = make_simulation<D>(c, nullptr, p);
+    }
+    void advance(int steps) const {
+        for (int i = 0; i < steps; ++i) {
+            simulation->step();
+        }
+    }
+    [[nodiscard]] const Particles<D>& particles() const { return simulation->particles(); }
+};
+
+template <int D>
+void check_ledger(Stepping stepping) {
+    const WaterWithDrops<D> water(stepping);
+    const auto sum = [](const std::vector<double>& mass) {
+        return std::accumulate(mass.begin(), mass.end(), 0.0);
+    };
+    const double before = sum(water.particles().mass);
+    std::size_t last = 0;
+    for (int i = 0; i < 300 && last < 3; ++i) {
+        water.advance(1);
+        last = water.particles().lost.size();
+        // Everything by particle has as many rows.
+        ASSERT_EQ(water.particles().size() + last, water.water + 3);
+        ASSERT_EQ(water.particles().position[0].size(), water.particles().size());
+        ASSERT_EQ(water.simulation->fields().pressure.size(), water.particles().size());
+        ASSERT_EQ(water.simulation->state().mass.size(), water.particles().size());
+    }
+    const auto& lost = water.particles().lost;
+    ASSERT_EQ(lost.size(), 3U);
+    water.advance(20);
+    double mass = sum(water.particles().mass);
+    double time = 0.0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        // The highest left first.
+        EXPECT_EQ(lost[i].id, static_cast<std::int32_t>(water.water + 2 - i));
+        EXPECT_EQ(lost[i].exit, Exit::above);
+        EXPECT_GT(lost[i].position[2], 2.0 * water.parameters.total_depth());
+        EXPECT_NEAR(lost[i].velocity[2], 4.0 - 9.81 * lost[i].time, 1e-9);
+        EXPECT_GT(lost[i].time, time);
+        time = lost[i].time;
+        mass += lost[i].mass;
+    }
+    EXPECT_NEAR(mass, before, 1e-12 * before);
+    auto ids = water.particles().id;
+    std::sort(ids.begin(), ids.end());
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+        ASSERT_EQ(ids[i], static_cast<std::int32_t>(i));
+    }
+}
+
+class Losses : public testing::TestWithParam<Stepping> {};
+
+TEST_P(Losses, StandInTheLedger2D) { check_ledger<2>(GetParam()); }
+TEST_P(Losses, StandInTheLedger3D) { check_ledger<3>(GetParam()); }
+
+INSTANTIATE_TEST_SUITE_P(, Losses,
+                         testing::Values(Stepping::semi_implicit_euler, Stepping::predictor_corrector,
+                                         Stepping::verlet, Stepping::symplectic, Stepping::beeman),
+                         [](const auto& chosen) {
+                             return "method" + std::to_string(static_cast<int>(chosen.param));
+                         });
+
+TEST(Losses, LeaveTheSameBitsForAnyNumberOfThreads) {
+    set_thread_count(1);
+    const WaterWithDrops<2> one;
+    one.advance(300);
+    set_thread_count(2);
+    const WaterWithDrops<2> two;
+    two.advance(300);
+    set_thread_count(0);
+    ASSERT_EQ(one.particles().lost.size(), 3U);
+    EXPECT_EQ(one.particles().lost, two.particles().lost);
+    test::expect_same_bits(one.particles(), two.particles());
+}
+
+// Saved between the loss and the next step, when the lists still count the particle, and after it.
+TEST(Losses, LeaveTheSameBitsAfterAResume) {
+    for (const int later : {0, 1, 7}) {
+        const WaterWithDrops<2> straight;
+        while (straight.particles().lost.empty()) {
+            straight.advance(1);
+        }
+        straight.advance(later);
+        const Particles<2> saved = straight.simulation->state();
+        const SimulationClock clock = straight.simulation->clock();
+        const auto walls = straight.simulation->wall_density_deviation();
+        const WaterWithDrops<2> resumed;
+        resumed.simulation->restore(saved, clock, walls);
+        straight.advance(150);
+        resumed.advance(150);
+        test::expect_same_bits(straight.particles(), resumed.particles());
+        EXPECT_EQ(straight.particles().lost, resumed.particles().lost);
+        EXPECT_EQ(straight.simulation->clock().time, resumed.simulation->clock().time);
+        EXPECT_EQ(straight.simulation->clock().list_builds, resumed.simulation->clock().list_builds);
+    }
+}
+
+// A step that throws a particle out by more than a smoothing length is no flight but a failure.
+TEST(Losses, OfAWildStepAreAnError) {
+    const WaterWithDrops<2> water(Stepping::semi_implicit_euler, 500.0);
+    EXPECT_THROW(water.advance(50), RunError);
+}
+
+}  // namespace
+}  // namespace riffle

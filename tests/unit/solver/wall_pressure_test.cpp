@@ -1,0 +1,55 @@
+// What a wall particle with a density of its own brings to the pressure sum of its pairs.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "particles/lattice.hpp"
+#include "small_case.hpp"
+
+namespace riffle {
+namespace {
+
+// In the symmetric form, sum m_j (p_i/rho_i^2 + p_j/rho_j^2) grad W, a particle of a dynamic wall counts as water
+// would at its place. Water and wall compressed alike by 4 %: the force of the walls on each particle must be the
+// sum over them with p/rho^2 on both sides, to the rounding of the single-precision weights.
+TEST(DynamicWall, PushesAsWaterOfItsDensityWould) {
+    Case c = test::small_channel();
+    c.numerics.pressure_form = PressureForm::symmetric;
+    c.numerics.wall = WallKind::dynamic;
+    c.numerics.precision = Precision::double_precision;
+    c.numerics.time_step = 1e-12;
+    const test::Channel channel(c);
+    SimulationIn<2>& simulation = *channel.simulation;
+    constexpr double s = 0.04;
+    Particles<2> water = simulation.particles();
+    std::fill(water.density_deviation.begin(), water.density_deviation.end(), s);
+    simulation.restore(water, simulation.clock(), std::vector<double>(simulation.walls().size(), s));
+    simulation.step();
+
+    const double h = simulation.scheme().smoothing_length;
+    const double length = c.channel.length;
+    const double term = simulation.scheme().state.pressure(s) / ((1.0 + s) * (1.0 + s));  // p rho0/rho^2
+    const auto& p = simulation.particles();
+    const auto& walls = simulation.walls();
+    double largest = 0.0;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        double expected = 0.0;
+        for (std::size_t j = 0; j < walls.size(); ++j) {
+            double x = p.position[0][i] - walls.position[0][j];
+            x -= length * std::round(x / length);
+            const double z = p.position[1][i] - walls.position[1][j];
+            const double q = std::hypot(x, z) / h;
+            const double factor = -35.0 / (4.0 * std::numbers::pi) * std::pow(std::max(1.0 - 0.5 * q, 0.0), 3) /
+                                  std::pow(h, 4);
+            expected -= walls.volume[j] * 2.0 * term * factor * z;
+        }
+        largest = std::max(largest, expected);
+        EXPECT_NEAR(simulation.fields().wall_acceleration_z[i], expected, 1e-6 * std::max(expected, 1.0));
+    }
+    EXPECT_GT(largest, 1.0);
+}
+
+}  // namespace
+}  // namespace riffle
