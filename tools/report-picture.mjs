@@ -23,11 +23,13 @@ const browser = await chromium.launch({
 try {
   const page = await browser.newPage({ viewport: { width: 1280, height: 900 }, colorScheme: 'light' });
   await page.goto(pathToFileURL(resolve(report)).href);
-  await page.waitForSelector('.js-plotly-plot .main-svg');
-  await page.waitForTimeout(1500);
   const shots = [];
   for (const name of names) {
+    // Figures are drawn when they come into view.
+    await page.locator(`#figure-${name}`).scrollIntoViewIfNeeded();
     const plot = page.locator(`#figure-${name} .js-plotly-plot`).first();
+    await plot.locator('.main-svg').first().waitFor();
+    await page.waitForTimeout(1000);
     shots.push((await plot.screenshot()).toString('base64'));
   }
   const sheet = await browser.newPage({ viewport: { width: 1280, height: 900 } });

@@ -2,7 +2,7 @@
 # Runs what the thesis' chapters on simulations and the paper of 2016 need, and makes their figures:
 #
 #   4      the seven uniform flow conditions in two dimensions, conditions 3 and 6 at a second spacing and with the
-#          original SPS closure at two spacings, and condition 2 at 1.5 mm
+#          original SPS closure at two spacings, and condition 2 at 2 mm
 #   paper  the case of the paper, with both closures
 #   5      conditions 1, 2, 5 and 8 in three dimensions between side walls, 2 and 5 at a second spacing, 1 with a lower
 #          roughness
@@ -62,7 +62,7 @@ run() {
         # along the channel (4.18, 4.19, 5.34).
         {
             cat "$case"
-            printf '\n[[probe]]\nname = "means"\nkind = "grid"\nspacing = "4 mm"\naveraging_time = "1 s"\n'
+            printf '\n[[probe]]\nname = "means"\nkind = "grid"\nspacing = "4 mm"\naveraging_time = "0.5 s"\n'
             printf 'sampling_frequency = "20 Hz"\n'
             printf '\n[[probe]]\nname = "plane"\nkind = "grid"\naveraging_time = 0\nspacing = "5 mm"\nsampling_frequency = "50 Hz"\n'
             printf '\n[[probe]]\nname = "surface"\nkind = "surface_line"\nspacing = "5 mm"\nsampling_frequency = "50 Hz"\n'
@@ -82,7 +82,7 @@ if wanted 4; then
     for number in 1 2 3 5 6 7 8; do
         run "condition-$number" "cases/rough-bed-2d/condition-$number.toml"
     done
-    run condition-2-1.5mm cases/rough-bed-2d/condition-2.toml --set numerics.spacing='"1.5 mm"'
+    run condition-2-2mm cases/rough-bed-2d/condition-2.toml --set numerics.spacing='"2 mm"'
     for number in 3 6; do
         case=cases/rough-bed-2d/condition-$number.toml
         velocity=$([ $number = 3 ] && echo 0.26 || echo 0.42)

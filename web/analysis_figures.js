@@ -240,7 +240,7 @@ const analysis_figures = (() => {
     const flat = traces.some(trace => trace.type === 'bar');
     const legend = legend_height(names, width, several);
     return { traces, height: (width < 400 ? 340 : 400) + legend, legend_height: legend,
-      layout: figures.layout({ ...guides_of(entries, x, y), barmode: 'overlay', bargap: 0, showlegend: names.length > 1 || several, xaxis: axis_layout(x, {}, width - 80),
+      layout: figures.layout({ ...guides_of(entries, x, y), barmode: 'overlay', bargap: 0, showlegend: names.length > 1 || several || entries[0].figure.curves.some(({ origin }) => origin in depth), xaxis: axis_layout(x, {}, width - 80),
         yaxis: axis_layout(y, { ...(flat && !y.logarithmic && !range_of(y).range ? { rangemode: 'tozero' } : {}), ...(y.equal_scale && x.factor === y.factor ? { scaleanchor: 'x' } : {}) }, on_paper ? 165 : 300) }) };
   }
 

@@ -6,12 +6,16 @@ _LISTS = {
     "profiles": ("layer", ["z", "bin_lower", "bin_upper"]),
     "column": ("z", ["z"]),
     "snapshots": ("particle", ["id"]),
+    "lost_particles": ("particle", ["id"]),
 }
 
 _PLACES = ("x", "y", "z")
 
 # Arrays of a snapshot that are not of its particles, where solids move.
 _OF_BOUNDARIES = {"wall_position": ("wall", "axis"), "solid_vertices": ("vertex", "axis")}
+
+# First dimension of the arrays of a group of /boundaries.
+_BOUNDARIES = {"walls": "wall", "solids": "vertex", "spheres": "sphere"}
 
 # Dimensions of the fields over places of a group; its arrays of these names are their coordinates.
 _FIELDS = {
@@ -34,6 +38,10 @@ def dimensions(kind, group, arrays):
         return {name: (name,) if name in axes else places[:array.ndim] for name, array in arrays.items()}, axes
     if kind == "probes":
         return _of_probe(group, arrays)
+    if kind == "boundaries":
+        first = _BOUNDARIES[group.name.rsplit("/", 1)[-1]]
+        return {name: ("triangle", "corner") if name == "triangles" else (first, "axis")[:array.ndim]
+                for name, array in arrays.items()}, []
     first, coordinates = _LISTS[kind]
     return {name: _OF_BOUNDARIES.get(name, (first, "axis"))[:array.ndim] for name, array in arrays.items()}, coordinates
 
@@ -59,7 +67,7 @@ def _of_probe(group, arrays):
 
 def with_names(kind, dataset):
     """The dataset with coordinates that name its axes, where the file gives them otherwise."""
-    if kind == "snapshots" and "axis" in dataset.dims:
+    if kind in ("snapshots", "boundaries") and "axis" in dataset.dims:
         return dataset.assign_coords(axis=["x", "y", "z"])
     if kind == "profile_blocks" and "quantities" in dataset.attrs:
         return dataset.assign_coords(quantity=dataset.attrs.pop("quantities").split())

@@ -93,7 +93,7 @@ class Results:
         if not self._file:
             return f"<riffle results {self.path}, closed>"
         parts = [name for name in ("time_series", "profiles", "profile_blocks", "mean_field", "surface", "surface_map", "column",
-                                   "section") if name in self._file]
+                                   "section", "lost_particles") if name in self._file]
         return (f"<riffle results {self.path}\n  title: {self.title}\n  complete: {self.complete}\n"
                 f"  datasets: {', '.join(parts)}\n  snapshots: {len(self.snapshot_names)}\n"
                 f"  probes: {', '.join(self.probe_names) or 'none'}>")
@@ -208,6 +208,23 @@ class Results:
         if name not in self.probe_names:
             raise ResultsError(f"{self.path}: has no probe {name!r}; it has {', '.join(self.probe_names) or 'none'}")
         return self._read(self._file["probes"][name], "probes")
+
+    @property
+    def lost_particles(self):
+        """The particles that left the domain, over `particle`: when, where, by which way out, with which velocity."""
+        return self._dataset("lost_particles")
+
+    @property
+    def boundary_names(self):
+        """What bounds the water: "walls", and where there are any "solids" and "spheres"."""
+        return sorted(self._file["boundaries"]) if "boundaries" in self._file else []
+
+    def boundary(self, name):
+        """The particles of the walls over `wall`, the corners of the solids over `vertex` (names in the attributes, a line
+        each; triangles in three dimensions) or the bed's spheres over `sphere`, at t = 0."""
+        if name not in self.boundary_names:
+            raise ResultsError(f"{self.path}: has no boundary {name!r}; it has {', '.join(self.boundary_names) or 'none'}")
+        return self._read(self._file["boundaries"][name], "boundaries")
 
     def _group(self, name):
         if name not in self._file:

@@ -57,11 +57,18 @@ void add_friction_figure(const Case& c, Origin origin, const Analysis& analysis,
 
 void add_channel_numbers(const FlowRecord& record, Analysis& analysis) {
     const Case& c = *record.flow();
-    const double velocity = bulk_velocity(record);
+    // Between side walls the centreline is what was measured, and what is nearest to a wide channel.
+    const std::vector<double> centreline = c.has_side_walls() && record.origin() == Origin::simulated
+                                               ? within_window(record, "centreline_velocity")
+                                               : std::vector<double>{};
+    const bool at_centreline = centreline.size() > 1;
+    const std::vector<double> samples =
+        at_centreline ? centreline : within_window(record, "depth_mean_velocity");
+    const MeanEstimate mean = samples.size() > 1 ? mean_with_confidence(samples) : MeanEstimate{};
+    const double velocity = at_centreline ? mean.mean : bulk_velocity(record);
     if (velocity <= 0.0) return;
-    const std::vector<double> samples = within_window(record, "depth_mean_velocity");
-    const double half_width = samples.size() > 1 ? mean_with_confidence(samples).half_width
-                                                 : std::numeric_limits<double>::quiet_NaN();
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    const double half_width = samples.size() > 1 ? trusted_half_width(mean).value_or(unknown) : unknown;
     const double depth = c.channel.depth;
     const auto add = [&](const char* key, const char* label, const char* unit,
                          const std::function<double(double)>& law) {
@@ -72,6 +79,7 @@ void add_channel_numbers(const FlowRecord& record, Analysis& analysis) {
             finding =
                 against(std::move(finding), law(*c.measured.depth_mean_velocity), "from the measured U");
         }
+        if (at_centreline) finding.remark = "with the depth-mean velocity around the centreline";
         analysis.findings.push_back(std::move(finding));
     };
     add("friction_factor", "friction factor f (2.6), wide channel", "1",

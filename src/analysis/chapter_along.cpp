@@ -38,7 +38,7 @@ LongProfile long_profile(const SpaceTime& surface) {
         const MeanEstimate mean = wet ? mean_with_confidence(record) : MeanEstimate{};
         profile.x.push_back(surface.x(i));
         profile.level.push_back(wet ? mean.mean : nan);
-        profile.half_width.push_back(wet ? mean.half_width : nan);
+        profile.half_width.push_back(wet ? trusted_half_width(mean).value_or(nan) : nan);
         profile.lowest.push_back(wet ? low : nan);
         profile.highest.push_back(wet ? high : nan);
     }
@@ -152,7 +152,11 @@ void analyse_along(const FlowRecord& record, Analysis& analysis) {
     const std::vector<Outline> bodies = outlines_at(c, record.window().from);
     for (Curve& body : body_curves(c, record.window().from)) figure.curves.push_back(std::move(body));
     Curve level = make_curve("mean level", Origin::simulated, Mark::line, profile.x, profile.level);
-    level.y_half_width = profile.half_width;
+    // A band where each place has enough independent samples for one.
+    if (std::all_of(profile.half_width.begin(), profile.half_width.end(),
+                    [](double half_width) { return std::isfinite(half_width); })) {
+        level.y_half_width = profile.half_width;
+    }
     figure.curves.push_back(std::move(level));
     figure.curves.push_back(
         make_curve("lowest level", Origin::reference, Mark::line, profile.x, profile.lowest, 1));
@@ -162,8 +166,8 @@ void analyse_along(const FlowRecord& record, Analysis& analysis) {
     const std::optional<MeanEstimate> discharge = unit_discharge(record);
     std::optional<Heads> heads;
     if (discharge) {
-        analysis.findings.push_back(make_finding(chapter, "unit_discharge", "discharge per unit width q",
-                                                 "m2/s", discharge->mean, discharge->half_width));
+        analysis.findings.push_back(make_finding(chapter, "unit_discharge", "discharge per unit width",
+                                                 "m2/s", discharge->mean, trusted_half_width(*discharge)));
     }
     if (discharge && discharge->mean > 0.0 && !space) {
         heads = heads_of(c, profile, bodies, discharge->mean);

@@ -56,7 +56,7 @@ void add_instruments(const FlowRecord& record, const char* kind, Figure figure, 
                                          thinned(probe.value, most), variant++));
         const MeanEstimate mean = mean_with_confidence(probe.value);
         Finding finding = make_finding(chapter, probe.name + "_" + probe.quantity, probe.label, probe.unit,
-                                       mean.mean, mean.half_width);
+                                       mean.mean, trusted_half_width(mean));
         finding.remark = "instrument " + probe.name;
         // Below this it is rounding of a force that does not vary.
         if (mean.standard_deviation > 1e-12 * std::abs(mean.mean))
@@ -90,8 +90,10 @@ void add_solid_shares(const FlowRecord& record, Analysis& analysis) {
         }
         if (sum.empty()) return;
         const MeanEstimate mean = mean_with_confidence(sum);
-        analysis.findings.push_back(
-            make_finding(chapter, key, label, "1", mean.mean / whole.mean, mean.half_width / whole.mean));
+        Finding share =
+            make_finding(chapter, key, label, "1", mean.mean / whole.mean, trusted_half_width(mean));
+        if (share.half_width) *share.half_width /= whole.mean;
+        analysis.findings.push_back(std::move(share));
     };
     add("solid_force_", "solid_force_share", "force on the bodies over the weight component");
     add("solid_form_drag_", "solid_form_drag_share", "form drag of the bodies over the weight component");
@@ -172,14 +174,16 @@ void analyse_forces(const FlowRecord& record, Analysis& analysis) {
         const std::vector<double> window = within_window(record, share.series);
         if (window.size() < 2) continue;
         const MeanEstimate mean = mean_with_confidence(window);
+        const std::optional<double> half_width = trusted_half_width(mean);
         // The shares move against each other: their sum row by row has its own scatter.
         complete = complete && (sum_of_forces.empty() || sum_of_forces.size() == window.size());
         sum_of_forces.resize(window.size(), 0.0);
         for (std::size_t i = 0; i < window.size(); ++i) sum_of_forces[i] += window[i];
         analysis.findings.push_back(against(
-            make_finding(chapter, share.key, share.label, "1", mean.mean, mean.half_width), share.column,
+            make_finding(chapter, share.key, share.label, "1", mean.mean, half_width), share.column,
             share.variant == 2 ? "steady flow" : twin_name, share.variant == 3 ? partition_remark(c) : ""));
-        if (share.variant == 0) {
+        // Only beds of spheres have a drag of elements.
+        if (share.variant == 0 && c.bed.kind == BedKind::spheres) {
             std::optional<double> expected;
             if (drag_share) expected = *drag_share * bed_weight;
             std::string remark =
@@ -190,10 +194,12 @@ void analyse_forces(const FlowRecord& record, Analysis& analysis) {
                                       c.fluid.density * std::pow(*c.measured.friction_velocity, 2),
                                       measured_name(c));
             }
+            Finding stress = make_finding(chapter, "bed_stress", "drag of the bed elements per plan area",
+                                          "Pa", mean.mean * bed_weight, half_width);
+            if (stress.half_width) *stress.half_width *= bed_weight;
             analysis.findings.push_back(
-                against(make_finding(chapter, "bed_stress", "drag of the bed elements per plan area", "Pa",
-                                     mean.mean * bed_weight, mean.half_width * bed_weight),
-                        expected, fmt::format("rho g S0 H times the {}'s drag share", twin_name), remark));
+                against(std::move(stress), expected,
+                        fmt::format("rho g S0 H times the {}'s drag share", twin_name), remark));
         }
     }
     if (figure.curves.empty()) {
@@ -213,7 +219,7 @@ void analyse_forces(const FlowRecord& record, Analysis& analysis) {
     const MeanEstimate balance = mean_with_confidence(sum_of_forces);
     analysis.findings.push_back(
         against(make_finding(chapter, "momentum_balance", "sum of the forces over the weight", "1",
-                             balance.mean, balance.half_width),
+                             balance.mean, trusted_half_width(balance)),
                 1.0, "momentum balance"));
 }
 

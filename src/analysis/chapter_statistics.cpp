@@ -168,7 +168,8 @@ void add_stationarity(const WindowRecord& window, double tolerance, Analysis& an
         steady.remark +=
             test.p_value < 0.05 ? ": not steady (below 0.05)" : ": nothing speaks against steadiness";
         const double relative = std::abs(test.drift.value / mean.mean);
-        if (test.p_value < 0.05 && relative < tolerance) {
+        if (test.p_value < 0.05 && relative < tolerance &&
+            mean.effective_samples >= fewest_effective_samples) {
             steady.remark += fmt::format(
                 "; the drift of {:.2g} % of the mean is below run.tolerance = {:.2g} %, so the flow still "
                 "counts as converged",
@@ -180,20 +181,26 @@ void add_stationarity(const WindowRecord& window, double tolerance, Analysis& an
     }
 }
 
+std::optional<double> over(const std::optional<double>& half_width, double scale) {
+    if (!half_width) return std::nullopt;
+    return *half_width / scale;
+}
+
 /// The velocity around the centreline of a channel between side walls, where it was measured.
 void add_centreline(const FlowRecord& record, const std::string& remark, Analysis& analysis) {
     const Case& c = *record.flow();
     const std::vector<double> velocity = within_window(record, "centreline_velocity");
     if (velocity.size() < 2) return;
     const MeanEstimate mean = mean_with_confidence(velocity);
+    const std::optional<double> half_width = trusted_half_width(mean);
     analysis.findings.push_back(
         against(make_finding(chapter, "centreline_velocity", "depth-mean velocity around the centreline",
-                             "m/s", mean.mean, mean.half_width),
+                             "m/s", mean.mean, half_width),
                 c.measured.depth_mean_velocity, measured_name(c), remark));
     if (const auto twin = record.section_twin().value("centreline_velocity")) {
         analysis.findings.push_back(against(make_finding(chapter, "centreline_velocity_over_section",
                                                          "the same over that of the section twin", "1",
-                                                         mean.mean / *twin, mean.half_width / *twin),
+                                                         mean.mean / *twin, over(half_width, *twin)),
                                             1.0, "section twin"));
     }
 }
@@ -244,7 +251,7 @@ void add_means(const FlowRecord& record, Analysis& analysis) {
     const bool between_walls = c.has_side_walls();
     Finding depth_mean =
         make_finding(chapter, "depth_mean_velocity", "depth-mean velocity above the datum, U", "m/s",
-                     mean.mean, mean.half_width);
+                     mean.mean, trusted_half_width(mean));
     if (between_walls) {
         analysis.findings.push_back(against(std::move(depth_mean),
                                             record.section_twin().value("depth_mean_velocity"),
@@ -258,7 +265,7 @@ void add_means(const FlowRecord& record, Analysis& analysis) {
         analysis.findings.push_back(against(
             make_finding(chapter, "depth_mean_velocity_over_column", "the same over that of the column twin",
                          "1", mean.mean / record.column()->depth_mean_velocity,
-                         mean.half_width / record.column()->depth_mean_velocity),
+                         over(trusted_half_width(mean), record.column()->depth_mean_velocity)),
             1.0, "column twin"));
     }
     Finding scale = make_finding(chapter, "integral_time_scale", "integral time scale of U", "s",
@@ -267,11 +274,12 @@ void add_means(const FlowRecord& record, Analysis& analysis) {
                                time.back() - time.front());
     analysis.findings.push_back(std::move(scale));
     add_window_findings(record, mean, velocity, analysis);
-    if (mean.effective_samples < 10.0) {
-        analysis.warnings.push_back(
-            fmt::format("the window holds only {:.2g} independent samples of the depth-mean velocity: its "
-                        "interval is a rough estimate; simulate longer or widen --window",
-                        mean.effective_samples));
+    if (mean.effective_samples < fewest_effective_samples) {
+        analysis.warnings.push_back(fmt::format(
+            "the window holds only {:.2g} independent samples of the depth-mean velocity, too few "
+            "for an interval of its mean ({:.0f}): simulate longer, or start the window earlier "
+            "where the flow was steady before",
+            mean.effective_samples, fewest_effective_samples));
     }
     const WindowRecord record_of_velocity{"velocity", "", "U", "m/s", velocity, time.front(), interval};
     add_settling(record, record_of_velocity, analysis);
@@ -287,7 +295,7 @@ void add_means(const FlowRecord& record, Analysis& analysis) {
         if (values.size() < 2) continue;
         const MeanEstimate estimate = mean_with_confidence(values);
         analysis.findings.push_back(
-            make_finding(chapter, key, label, unit, estimate.mean, estimate.half_width));
+            make_finding(chapter, key, label, unit, estimate.mean, trusted_half_width(estimate)));
     }
 }
 
@@ -330,7 +338,7 @@ void analyse_laboratory_record(const FlowRecord& record, Analysis& analysis) {
     if (window->prefix == "point_velocity") {
         const MeanEstimate mean = mean_with_confidence(window->values);
         analysis.findings.push_back(make_finding(chapter, "point_velocity", "mean of " + window->symbol,
-                                                 window->unit, mean.mean, mean.half_width));
+                                                 window->unit, mean.mean, trusted_half_width(mean)));
     }
     add_settling(record, *window, analysis);
     add_autocorrelation(record, *window, analysis);

@@ -36,12 +36,12 @@ std::vector<ProbePointStatistics> points_of_one_place(const std::vector<ProbePoi
 
 /// The velocity probes with enough samples, each with its points at one place; what is left out of them is
 /// said.
-std::vector<Instrument> instruments_of(const FlowRecord& record, Analysis& analysis) {
-    std::vector<Instrument> result;
+std::vector<VelocityInstrument> instruments_of(const FlowRecord& record, Analysis& analysis) {
+    std::vector<VelocityInstrument> result;
     for (const VelocityProbe& probe : record.velocity_probes()) {
         if (probe.time.size() < 32) continue;
         const std::vector<ProbePointStatistics> all = probe_point_statistics(probe);
-        Instrument each{&probe, points_of_one_place(all), sampling_interval_of(probe)};
+        VelocityInstrument each{&probe, points_of_one_place(all), sampling_interval_of(probe)};
         if (each.points.empty()) continue;
         if (each.points.size() < all.size()) {
             analysis.warnings.push_back(
@@ -56,10 +56,12 @@ std::vector<Instrument> instruments_of(const FlowRecord& record, Analysis& analy
 
 /// The instrument that the chapter is about: one that the user asked for before one that a run has without
 /// asking, then the one with the most points. Null where there is none.
-const Instrument* main_instrument(const std::vector<Instrument>& instruments) {
-    const auto standard = [](const Instrument& each) { return each.probe->name.rfind("standard_", 0) == 0; };
-    const Instrument* best = nullptr;
-    for (const Instrument& each : instruments) {
+const VelocityInstrument* main_instrument(const std::vector<VelocityInstrument>& instruments) {
+    const auto standard = [](const VelocityInstrument& each) {
+        return each.probe->name.rfind("standard_", 0) == 0;
+    };
+    const VelocityInstrument* best = nullptr;
+    for (const VelocityInstrument& each : instruments) {
         if (best == nullptr || (standard(*best) && !standard(each)) ||
             (standard(*best) == standard(each) && each.points.size() > best->points.size())) {
             best = &each;
@@ -69,9 +71,10 @@ const Instrument* main_instrument(const std::vector<Instrument>& instruments) {
 }
 
 /// The instrument with the most points over each other; of several the main one.
-const Instrument* tallest_instrument(const std::vector<Instrument>& instruments, const Instrument* main) {
-    const Instrument* best = main;
-    for (const Instrument& each : instruments) {
+const VelocityInstrument* tallest_instrument(const std::vector<VelocityInstrument>& instruments,
+                                             const VelocityInstrument* main) {
+    const VelocityInstrument* best = main;
+    for (const VelocityInstrument& each : instruments) {
         if (each.points.size() > best->points.size()) best = &each;
     }
     return best;
@@ -84,7 +87,7 @@ std::vector<ProbePointStatistics> chosen(const std::vector<ProbePointStatistics>
             points[points.size() - 1 - points.size() / 6]};
 }
 
-void add_scales(const FlowRecord& record, const Instrument& instrument, Analysis& analysis) {
+void add_scales(const FlowRecord& record, const VelocityInstrument& instrument, Analysis& analysis) {
     Figure figure = make_figure(chapter, "integral_scale_profile", "Integral length scale of the velocity",
                                 "Integral length scale of u' over the depth, by Taylor's hypothesis from its "
                                 "autocorrelation in time up to "
@@ -138,7 +141,8 @@ void warn_of_sound(const FlowRecord& record, const PowerSpectrum& spectrum, cons
         where, peak, mode));
 }
 
-void add_spectra(const FlowRecord& record, const Instrument& instrument, bool vertical, Analysis& analysis) {
+void add_spectra(const FlowRecord& record, const VelocityInstrument& instrument, bool vertical,
+                 Analysis& analysis) {
     const std::vector<double>& values = vertical ? instrument.probe->w : instrument.probe->u;
     if (values.empty()) return;
     const char* const symbol = vertical ? "w" : "u";
@@ -209,7 +213,7 @@ std::vector<HeightRecord> height_records(const VelocityProbe& probe, const std::
 }
 
 void analyse_subsurface(const FlowRecord& record, Analysis& analysis) {
-    const std::vector<Instrument> instruments = instruments_of(record, analysis);
+    const std::vector<VelocityInstrument> instruments = instruments_of(record, analysis);
     if (instruments.empty()) {
         add_missing(
             record, analysis,
@@ -220,9 +224,9 @@ void analyse_subsurface(const FlowRecord& record, Analysis& analysis) {
             "kind = \"velocity\" in the case file records one");
         return;
     }
-    const Instrument& instrument = *main_instrument(instruments);
-    const Instrument& tallest = *tallest_instrument(instruments, &instrument);
-    for (const Instrument& each : instruments) {
+    const VelocityInstrument& instrument = *main_instrument(instruments);
+    const VelocityInstrument& tallest = *tallest_instrument(instruments, &instrument);
+    for (const VelocityInstrument& each : instruments) {
         if (&each == &instrument) continue;
         analysis.warnings.push_back(fmt::format(
             "the velocities of instrument {} are {}; those of {} are analysed", each.probe->name,

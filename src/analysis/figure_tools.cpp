@@ -76,6 +76,11 @@ Finding make_finding(const char* chapter, std::string key, std::string label, st
     return finding;
 }
 
+std::optional<double> trusted_half_width(const MeanEstimate& mean) {
+    if (mean.effective_samples < fewest_effective_samples) return std::nullopt;
+    return mean.half_width;
+}
+
 void mark_window(const FlowRecord& record, Figure& figure) {
     const TimeWindow window = record.window();
     const auto time = record.series().find("time");

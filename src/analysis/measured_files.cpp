@@ -182,6 +182,12 @@ void add_measured_file(const std::filesystem::path& path, const Case& c, FlowRec
     };
     switch (laboratory_kind(path)) {
         case LaboratoryKind::profile: {
+            if (measured.file) {
+                warnings.push_back(fmt::format(
+                    "{}: the flow is compared with one measured profile, and this file was named after {}, "
+                    "which is left out",
+                    path.filename().string(), measured.file->source.filename().string()));
+            }
             Case with = c;
             with.measured.velocity_profile = path;
             measured.profile =
@@ -203,7 +209,8 @@ void add_measured_file(const std::filesystem::path& path, const Case& c, FlowRec
         case LaboratoryKind::field: {
             const VelocityField field = read_velocity_field(path);
             measured.field = grid_of(field, c.datum());
-            take_profile(profiles_of(measured.field, c.fluid.density));
+            // A profile of its own counts more than the means of a field, in whatever order they are named.
+            if (!measured.file) take_profile(profiles_of(measured.field, c.fluid.density));
             warn(field.warnings);
             return;
         }

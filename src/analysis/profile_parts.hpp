@@ -10,6 +10,9 @@ namespace riffle {
 
 // The parts of the chapter on the vertical profiles.
 
+inline constexpr const char* profiles_chapter = "profiles";
+inline constexpr double normal_95 = 1.96;  ///< half-width of a 95 % interval over the standard uncertainty
+
 /// A figure of the chapter without curves: a quantity over the height above the bed level.
 [[nodiscard]] Figure profile_figure(std::string key, std::string title, std::string caption,
                                     std::string source, Axis x);
@@ -21,7 +24,49 @@ namespace riffle {
 /// What the curves of the measured profile are called.
 [[nodiscard]] std::string measured_curve_name(const FlowRecord::Measured& measured);
 
+/// A curve of the column twin, thinned to what a figure can show.
+[[nodiscard]] Curve column_curve(const ColumnProfile& column, const std::vector<double>& values);
+
+/// Whether the profiles of a run are means over a width with side walls: neither the column twin, of a wide
+/// channel, nor what was measured at the centreline is like them.
+[[nodiscard]] bool between_side_walls(const FlowRecord& record);
+
+/// The twin beside a profile over the whole plan: the column's, between side walls the section's mean over
+/// the width, where `of_section` names it.
+void add_twin(const FlowRecord& record, const std::vector<double> ColumnProfile::*of_column,
+              const std::vector<double> SectionTwin::*of_section, Figure& figure);
+
+/// A further measured quantity times a factor, with its 95 % half-widths where the file of the profile gives
+/// its uncertainty: from that file, of a measured field from its means along the bed (`values`). Nothing
+/// where it was not measured, or between side walls (between_side_walls()).
+void add_measured_turbulence(const FlowRecord& record, ProfileQuantity quantity,
+                             std::vector<double> Profiles::*values, std::string name, double factor,
+                             int variant, Figure& figure);
+
 /// Departure of u and du/dz from the measured profile and the column twin, with the thesis' MSEP.
 void add_profile_errors(const FlowRecord& record, const Profiles& p, Analysis& analysis);
+
+/// Shear stress on horizontal planes and its parts, with the analytic line and what was measured.
+void add_stresses(const FlowRecord& record, const Profiles& p, Analysis& analysis);
+
+/// Eddy viscosity of the closure and of the column twin.
+void add_closure(const FlowRecord& record, const Profiles& p, Analysis& analysis);
+
+/// The mixing length: of the particles what their eddy viscosity and gradient come to, and that of the
+/// column.
+void add_mixing_length(const FlowRecord& record, const Profiles& p, Analysis& analysis);
+
+/// The drag term of the momentum equation, of beds of spheres.
+void add_drag(const FlowRecord& record, const Profiles& p, Analysis& analysis);
+
+/// Turbulence intensities over the friction velocity, with Nezu's curves and what was measured.
+void add_intensities(const FlowRecord& record, const Profiles& p, Analysis& analysis);
+
+/// Whether the water of a flow that nothing drives stands level on the average of the profiles' window, so
+/// that its layers have one depth.
+[[nodiscard]] bool stands_level(const FlowRecord& record, const Profiles& p);
+
+/// Pressure against hydrostatic, and its departure.
+void add_pressure(const FlowRecord& record, const Profiles& p, Analysis& analysis);
 
 }  // namespace riffle

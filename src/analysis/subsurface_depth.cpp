@@ -49,7 +49,8 @@ void add_influence_depth(const std::vector<HeightCorrelation>& found, double top
 
 }  // namespace
 
-void add_depth_correlation(const FlowRecord& record, const Instrument& instrument, Analysis& analysis) {
+void add_depth_correlation(const FlowRecord& record, const VelocityInstrument& instrument,
+                           Analysis& analysis) {
     if (instrument.probe->w.empty() || instrument.points.size() < 3) return;
     Figure figure = make_figure(
         chapter, "depth_correlation", "Correlation of the vertical velocity over the depth",

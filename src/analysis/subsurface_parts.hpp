@@ -13,7 +13,7 @@ namespace riffle {
 // The parts of the chapter on the velocities below the surface.
 
 /// A probe with the statistics of its points.
-struct Instrument {
+struct VelocityInstrument {
     const VelocityProbe* probe = nullptr;
     std::vector<ProbePointStatistics> points;
     double interval = 0;
@@ -30,13 +30,14 @@ struct Instrument {
 
 /// w' over the depth against w' at the highest point, with the influence depth of the surface. Nothing
 /// without w or with fewer than three points.
-void add_depth_correlation(const FlowRecord& record, const Instrument& instrument, Analysis& analysis);
+void add_depth_correlation(const FlowRecord& record, const VelocityInstrument& instrument,
+                           Analysis& analysis);
 
 /// The thesis' correlation of w' between places along the stream at each height (4.8), from a plane of
 /// velocities, with its influence depth.
 void add_streamwise_correlation(const FlowRecord& record, Analysis& analysis);
 
 /// Parts of the Reynolds stress by quadrant over the depth, and against the hole size. Nothing without w.
-void add_quadrants(const FlowRecord& record, const Instrument& instrument, Analysis& analysis);
+void add_quadrants(const FlowRecord& record, const VelocityInstrument& instrument, Analysis& analysis);
 
 }  // namespace riffle

@@ -28,7 +28,7 @@ std::array<Curve, 4> curves_of_quadrants(Origin origin) {
 
 }  // namespace
 
-void add_quadrants(const FlowRecord& record, const Instrument& instrument, Analysis& analysis) {
+void add_quadrants(const FlowRecord& record, const VelocityInstrument& instrument, Analysis& analysis) {
     if (instrument.probe->w.empty()) return;
     Figure figure = make_figure(
         chapter, "quadrant_profile", "Quadrants of the Reynolds stress over the depth",

@@ -14,6 +14,8 @@ SolidContact::SolidContact(const Case& c)
         Body body{.outline = outline_of(solid), .wetted = {}};
         for (std::size_t i = 0; i < body.outline.size(); ++i) {
             body.wetted.push_back(is_wetted(c, solid, body.outline, i));
+            const double high = std::max(body.outline.z[i], body.outline.z[body.outline.next(i)]);
+            body.stands_on_bed = body.stands_on_bed || (!body.wetted[i] && high <= 1e-6 * spacing_);
         }
         const auto [left, right] = std::minmax_element(solid.x.begin(), solid.x.end());
         body.left = *left;
@@ -25,7 +27,11 @@ SolidContact::SolidContact(const Case& c)
 std::optional<Vec<2>> SolidContact::inside(const Body& body, const BodyState& state,
                                            const Vec<2>& position) const {
     double x = position[0] - state.displacement[0];
-    const double z = position[1] - state.displacement[1];
+    double z = position[1] - state.displacement[1];
+    // A drop that has hit the bed and is squeezed into it must not slip under what stands on it.
+    if (body.stands_on_bed) {
+        z = std::max(z, 1e-6 * spacing_);
+    }
     if (period_ > 0.0) {
         x += x < body.left ? period_ : 0.0;
         x -= x > body.right ? period_ : 0.0;

@@ -31,6 +31,7 @@ class SolidContact {
     struct Body {
         Outline outline;
         std::vector<bool> wetted;  ///< by edge
+        bool stands_on_bed = false;
         double left = 0.0;
         double right = 0.0;
     };

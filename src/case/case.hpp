@@ -144,7 +144,8 @@ struct Start {
     std::vector<double> water_x;  ///< corners of the outline of the water at the start, m; empty: all up to
     std::vector<double> water_z;  ///< the depth
     double jitter = 0.0;          ///< random displacement of the lattice, in units of the spacing
-    double perturbation = 0.0;  ///< random velocity without divergence, root mean square of a component, m/s
+    /// Random velocity without divergence, root mean square of a component, m/s; none: start_perturbation().
+    std::optional<double> perturbation;
     long long seed = 1;
 
     bool operator==(const Start&) const = default;

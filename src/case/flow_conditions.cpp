@@ -39,7 +39,7 @@ constexpr std::array<FlowCondition, 8> conditions{{
     {0.100, 0.43, 0.044, 0.023, 0.002, 0.022, 0.32, 0.00150},
 }};
 
-constexpr double longest_run = 120.0;
+constexpr double longest_run = 240.0;
 constexpr std::size_t not_uniform = 4;  ///< the condition that the thesis dropped
 
 Case rough_bed() {
@@ -49,9 +49,7 @@ Case rough_bed() {
     c.channel.depth = 0.050;
     c.bed.roughness_height = Diameters{0.4}.length(c.bed.sphere_diameter);
     c.run.time = longest_run;
-    // A quiet flow that keeps its layers: h = 2 dx, with a wall as deep as that kernel reaches.
-    c.numerics.smoothing_ratio = 2.0;
-    c.numerics.wall_layers = 4;
+    choose_resolution(c, {});
     return c;
 }
 
@@ -63,16 +61,7 @@ Case flow_condition(std::size_t number) {
     c.channel.slope = row.slope;
     c.channel.depth = row.depth;
     c.bed.roughness_height = Diameters{row.diameters}.length(c.bed.sphere_diameter);
-    // Finer where the crests are low (five rows below them), and in the slow flow of condition 3, whose
-    // lowest row loses its order at 2 mm.
-    c.numerics.spacing = row.diameters < 0.4 || number == 3 ? 0.0016 : 0.002;
-    if (number == 8) {
-        // Its lowest row loses its order on the square lattice; the hexagonal one rests at h = 2.1 dx.
-        c.start.lattice = StartLattice::hexagonal;
-        c.numerics.spacing = 0.00172;
-        c.numerics.smoothing_ratio = 2.1;
-        c.numerics.wall_layers = 5;
-    }
+    choose_resolution(c, {});
     c.measured.depth_mean_velocity = row.velocity;
     c.measured.friction_velocity = row.friction_velocity;
     c.measured.equivalent_roughness = row.equivalent_roughness;
@@ -103,6 +92,7 @@ Case thesis_space_condition(std::size_t number) {
     const double diameter = c.bed.sphere_diameter;
     c.channel.length = Diameters{std::round(3.0 * c.total_depth() / diameter)}.length(diameter);
     c.channel.sides = Sides::walls;
+    c.run.time = 120.0;
     c.start.kind = StartKind::section;
     c.output.snapshot_interval = 5.0;
     c.output.snapshot_fields = "velocity";
@@ -156,6 +146,7 @@ Case paper() {
     c.turbulence.stress_terms = StressTerms::shear;
     // No eddy viscosity at the bed keeps the lowest rows in order; the hexagonal lattice does better there.
     c.start.lattice = StartLattice::hexagonal;
+    c.numerics.spacing = 0.002;
     c.numerics.smoothing_ratio = 2.1;
     c.numerics.wall_layers = 5;
     return c;

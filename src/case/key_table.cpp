@@ -22,12 +22,17 @@ SectionKeys numerics() {
     s.keys.push_back(
         key("preset", &Numerics::preset, "Scheme that the other keys of this section start from."));
     s.keys.push_back(
-        key("spacing", &Numerics::spacing, "Particle spacing dx.").measured_in(length).greater_than(0));
+        key("spacing", &Numerics::spacing, "Particle spacing dx.")
+            .measured_in(length)
+            .greater_than(0)
+            .with_default_note("over spheres the smallest of 0.06 diameters, 1/5 of the roughness height "
+                               "and 1/30 of the depth; twice that in three dimensions"));
     s.keys.push_back(key("kernel", &Numerics::kernel, "Smoothing kernel."));
     s.keys.push_back(key("smoothing_ratio", &Numerics::smoothing_ratio,
                          "Smoothing length over spacing, h / dx; the kernel reaches 2 h.")
                          .at_least(1)
                          .at_most(4)
+                         .with_default_note("2 over spheres in two dimensions")
                          .because("fewer neighbours do not sum up, more are not worth their time"));
     s.keys.push_back(
         key("sound_speed", &Numerics::sound_speed, "Artificial speed of sound c0.")
@@ -105,6 +110,7 @@ SectionKeys numerics() {
                          .at_least(1)
                          .at_most(10)
                          .because("no kernel reaches farther")
+                         .with_default_note("as deep as the kernel reaches")
                          .applies_with("numerics.wall", {"dummy", "dynamic", "modified-dynamic"}));
     s.keys.push_back(key("precision", &Numerics::precision, "Precision of the pair arithmetic."));
     s.keys.push_back(
@@ -169,7 +175,11 @@ SectionKeys start() {
         key("perturbation", &Start::perturbation,
             "Random velocity without divergence that is added to the start, root mean square of a component.")
             .measured_in(velocity)
-            .at_least(0));
+            .at_least(0)
+            .unset_by(
+                "auto",
+                "a quarter of the friction velocity over spheres in two dimensions, where the flow then "
+                "starts in the state that lasts; 0 elsewhere"));
     s.keys.push_back(key("seed", &Start::seed, "Seed of the random displacement and of the perturbation.")
                          .at_least(0)
                          .at_most(9007199254740991.0)

@@ -1,5 +1,8 @@
 #include "case/presets.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace riffle {
 
 namespace {
@@ -61,6 +64,33 @@ Numerics preset_numerics(Preset preset, int dimensions) {
             return paper_numerics(dimensions);
     }
     return {};
+}
+
+void choose_resolution(Case& c, const GivenResolution& given) {
+    Numerics& n = c.numerics;
+    if (n.preset != Preset::riffle && n.preset != Preset::violent) {
+        return;
+    }
+    const bool space = c.channel.dimensions == 3;
+    if (c.bed.kind == BedKind::spheres && n.preset == Preset::riffle) {
+        // Five rows below the crests and thirty over the depth at least; in space, where each halving costs
+        // sixteen times as much, half as many.
+        const double rows = space ? 0.5 : 1.0;
+        const double finest =
+            std::min({0.06 * c.bed.sphere_diameter, 0.2 * c.bed.roughness_height, c.total_depth() / 30.0}) /
+            rows;
+        if (!given.spacing && finest > 0.0) {
+            // Rounded down to a tenth of a millimetre, or two digits.
+            const double digits = std::max(1e4, std::pow(10.0, 1.0 - std::floor(std::log10(finest))));
+            n.spacing = std::floor(finest * digits * (1.0 + 1e-9)) / digits;
+        }
+        if (!given.smoothing_ratio && !space) {
+            n.smoothing_ratio = 2.0;
+        }
+    }
+    if (!given.wall_layers) {
+        n.wall_layers = static_cast<int>(std::ceil(2.0 * n.smoothing_ratio - 1e-9));
+    }
 }
 
 }  // namespace riffle

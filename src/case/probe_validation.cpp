@@ -152,10 +152,9 @@ class ProbeValidation {
         for (const double z : p_.z) {
             const bool gauge = p_.kind == ProbeKind::pressure;  // which may sit on the bed
             if (z < 0.0 || (z == 0.0 && !gauge) || z > highest()) {
-                add("z",
-                    fmt::format("z = {} is outside of the water: expected {} (the bed level) and at most {}",
-                                shown_length(z), gauge ? "at least 0" : "more than 0",
-                                shown_length(highest())));
+                add("z", fmt::format(
+                             "z = {} is outside of the water: expected {} (the bed level) and at most {}",
+                             shown_length(z), gauge ? "at least 0" : "more than 0", shown_length(highest())));
             }
         }
         if (p_.x.size() > 1 && p_.z.size() > 1 && p_.x.size() != p_.z.size()) {

@@ -318,6 +318,9 @@ Case parse_case(const std::string& text, const std::string& name, const std::fil
     const auto values = collect_values(document, places, problems);
     Case c = assemble(values, document, places, problems);
     require_keys(c, document, places, problems);
+    choose_resolution(c, {.spacing = places.given("numerics.spacing"),
+                          .smoothing_ratio = places.given("numerics.smoothing_ratio"),
+                          .wall_layers = places.given("numerics.wall_layers")});
     for (std::size_t i = 0; i < c.probes.size(); ++i) {
         c.probe_places.push_back(places.of(fmt::format("probe[{}]", i)).text());
     }

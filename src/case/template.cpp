@@ -64,8 +64,16 @@ std::string key_comment(const Key& key) {
 
 /// The case that a file with nothing but the preset and the kind of bed would give.
 Case defaults_of(const Case& c) {
+    Case chosen = c;
+    chosen.numerics = preset_numerics(c.numerics.preset, c.channel.dimensions);
+    choose_resolution(chosen, {});
+    // The walls are as deep as the kernel that the file will say.
+    Case wide = chosen;
+    wide.numerics.smoothing_ratio = c.numerics.smoothing_ratio;
+    choose_resolution(wide, {.spacing = true, .smoothing_ratio = true});
+    chosen.numerics.wall_layers = wide.numerics.wall_layers;
     Case defaults;
-    defaults.numerics = preset_numerics(c.numerics.preset, c.channel.dimensions);
+    defaults.numerics = chosen.numerics;
     defaults.bed.kind = c.bed.kind;
     if (c.bed.kind != BedKind::spheres) {
         defaults.bed.datum_below_crest = 0.0;

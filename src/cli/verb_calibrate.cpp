@@ -50,14 +50,21 @@ std::string label(const FittedParameter& p) {
     return p.condition ? fmt::format("{} [{}]", p.name, *p.condition + 1) : p.name;
 }
 
+/// An end of the interval of a parameter; beyond its range the end of that.
+std::string end_of_interval(double value, const FittedParameter& p) {
+    return value < p.lower   ? "< " + number(p.lower)
+           : value > p.upper ? "> " + number(p.upper)
+                             : number(value);
+}
+
 void print_parameters(const CalibrationResult& r) {
-    fmt::print("  {:<22} {:>10} {:>10}   {:<22} {:<18} {}\n", "parameter", "start", "fitted",
-               "+- 95 % interval", "range", "unit");
+    fmt::print("  {:<22} {:>10} {:>10}   {:<22} {:<18} {}\n", "parameter", "start", "fitted", "95 % interval",
+               "range", "unit");
     for (const FittedParameter& p : r.parameters) {
-        const std::string interval =
-            std::isfinite(p.half_width)
-                ? fmt::format("{} to {}", number(p.value - p.half_width), number(p.value + p.half_width))
-                : "undetermined";
+        const std::string interval = std::isfinite(p.half_width)
+                                         ? fmt::format("{} to {}", end_of_interval(p.value - p.half_width, p),
+                                                       end_of_interval(p.value + p.half_width, p))
+                                         : "undetermined";
         const std::string range = fmt::format("{} to {}", number(p.lower), number(p.upper));
         print_line(fmt::format("  {:<22} {:>10} {:>10}   {:<22} {:<18} {}", label(p), number(p.start),
                                number(p.value), interval, range, p.unit));

@@ -31,7 +31,9 @@ void add_verb_help(CLI::App& app) {
         "  riffle help sweep");
     verb->callback([&app, name] {
         if (name->empty()) {
-            fmt::print("{}", app.help());
+            // help() would delegate to the verb that was given, this one.
+            fmt::print("{}",
+                       app.get_formatter()->make_help(&app, app.get_name(), CLI::AppFormatMode::Normal));
             return;
         }
         const auto asked =
@@ -39,7 +41,7 @@ void add_verb_help(CLI::App& app) {
         if (asked.empty()) {
             throw InputError(fmt::format("unknown verb `{}`{}", *name, verb_list(app, *name)));
         }
-        fmt::print("{}", asked.front()->help("riffle"));
+        fmt::print("{}", asked.front()->help(app.get_name()));
     });
 }
 

@@ -48,8 +48,9 @@ void add_verb_new(CLI::App& app) {
             "Case file to take the values from, or a built-in case: rough-bed, condition-1 to condition-8, "
             "paper-2016, dam-break")
         ->capture_default_str();
-    verb->add_flag("--violent", options->violent,
-                   "A case of water that falls and breaks, with the numerics for it: the same as --from dam-break")
+    verb->add_flag(
+            "--violent", options->violent,
+            "A case of water that falls and breaks, with the numerics for it: the same as --from dam-break")
         ->excludes("--from");
     verb->add_flag("--force", options->force, "Overwrite an existing file");
     verb->footer(

@@ -204,10 +204,10 @@ void warn_of_parameters(CalibrationResult& result, bool determined, const Eigen:
             const double correlation = result.correlation[i][j];
             if (!(std::abs(correlation) > hardly)) continue;
             result.warnings.push_back(
-                fmt::format("{} and {} can {} be told apart by these measurements (correlation {:.4f}): fit "
+                fmt::format("{} and {} {} be told apart by these measurements (correlation {:.4f}): fit "
                             "one of them{}",
                             label_of(result, p), label_of(result, result.parameters[j]),
-                            std::abs(correlation) > inseparable ? "not" : "hardly", correlation,
+                            std::abs(correlation) > inseparable ? "cannot" : "can hardly", correlation,
                             result.conditions.size() == 1 ? ", or fit several conditions together" : ""));
         }
     }

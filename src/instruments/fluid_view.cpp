@@ -271,12 +271,15 @@ FluidView::Pressure FluidViewIn<D>::pressure_at(const Vec<3>& point, const Worki
                                                 double weight) const {
     const std::size_t n = particles_.size();
     double share = 0.0;
+    double images = 0.0;
     double sum = 0.0;
     weigh_around(point, [&](std::size_t j, double kernel, const Vec<D>& r) {
-        share += kernel;
+        (j < n ? share : images) += kernel;
         sum += kernel * (pressure[j < n ? j : mirrored_.of[j - n]] + weight * r[D - 1] * h_);
     });
-    return {sum / std::max(share, least_wet_share), share};
+    // The images centre the mean beside a wall; they are no water that covers the gauge.
+    const double mean = share > 0.0 ? sum / (share + images) : 0.0;
+    return {mean * std::min(1.0, share / least_wet_share), share};
 }
 
 template <int D>

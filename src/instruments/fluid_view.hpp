@@ -51,6 +51,7 @@ class FluidView {
     /// Pressure at a point from that of the particles, Pa: the mean with the kernel's weights, carried to the
     /// point's height with the weight of the water (Pa/m), as walls are given theirs (Adami et al. 2012).
     /// Where less than `least_wet_share` of the support is filled, as much smaller: to 0 where there is none.
+    /// The mean reckons with the mirror images behind plane walls, the share with the water alone.
     [[nodiscard]] virtual Pressure pressure_at(const Vec<3>& point, const WorkingValues& pressure,
                                                double weight) const = 0;
 

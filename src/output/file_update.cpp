@@ -39,6 +39,20 @@ void complete_journal(const FileDescriptor& file, const std::filesystem::path& p
     remove_journal(path);
 }
 
+/// A file that takes this one's name and happens to begin alike, as the same run from its start does, must
+/// not be taken for the one that an interrupted change has left a journal of.
+void complete_journal_before_replacement(const std::filesystem::path& path, SealKind kind) {
+    if (!std::filesystem::exists(journal_of(path))) return;
+    try {
+        complete_journal(FileDescriptor(path, O_RDWR), path, kind);
+    } catch (const NotWhole&) {
+        remove_journal(path);  // it makes nothing whole
+    } catch (const std::system_error& error) {
+        if (error.code() != std::errc::no_such_file_or_directory) throw;
+        remove_journal(path);  // of a file that is gone
+    }
+}
+
 }  // namespace
 
 std::uint64_t chosen_change_in_place_from() {
@@ -49,6 +63,7 @@ std::uint64_t chosen_change_in_place_from() {
 std::unique_ptr<FileUpdate> FileUpdate::create(const std::filesystem::path& path, SealKind kind,
                                                const std::filesystem::path& keep_as) {
     std::unique_ptr<FileUpdate> update(new FileUpdate(behind_links(path), kind));
+    complete_journal_before_replacement(update->path_, kind);
     update->fresh_ = std::make_unique<FileReplacement>(path, keep_as);
     return update;
 }

@@ -49,9 +49,9 @@ class ChannelRows : public DiagnosticRows {
                                     percent(change->value, 3))
                       : fmt::format("{:.1f}", found->value),
              "10 make an interval; or a velocity that does not vary",
-             "Length of the window over twice the integral time scale of the depth-mean velocity. With fewer "
-             "the interval of "
-             "the mean is only a rough estimate, and slow changes are not seen.",
+             "Length of the window over twice the integral time scale of the depth-mean velocity. Fewer make "
+             "no "
+             "interval of the mean that can be trusted, and slow changes are not seen.",
              constant || found->value >= fewest ? Health::good
              : found->value >= 0.5 * fewest     ? Health::caution
                                                 : Health::bad});
@@ -64,7 +64,8 @@ class ChannelRows : public DiagnosticRows {
         constexpr double bar = 0.25;
         const double least = found->value - found->half_width.value_or(0.0);
         add({"fluctuation_growth", "Growth of the particles' fluctuation in the window",
-             signed_percent(found->value), "at most 25 %, as far as its interval tells",
+             (found->value < 0.0 ? "" : "+") + percent(found->value, 0),
+             "at most 25 %, as far as its interval tells",
              "By the trend of the logarithm of the velocity fluctuation. One that grows says that the "
              "particles are "
              "leaving the order they started in: the flow is on its way to another state, with another mean.",

@@ -144,7 +144,7 @@ std::string summary_note(const ReportData& data) {
             "Levels are time means above the bed level along the channel; forces are shares of the component "
             "of the "
             "water's weight down the slope. ";
-    } else if (has_column(data.flow)) {
+    } else if (!why_no_column(data.flow)) {
         note =
             "The column twin is the steady one-dimensional solution of the same equations, closure and drag: "
             "what the "

@@ -41,8 +41,8 @@ inline constexpr double largest_fluctuation_growth = 0.25;
                                            double tolerance, double fixed_start = -1.0);
 
 /// About where a run will end that the newest test, at `time`, found not yet converged, s: what is left of
-/// the drift falls like exp(-t/T), the half-width of the mean like one over the root of the window; at least
-/// the record that the test asks for, at most `latest`.
+/// the drift falls like exp(-t/T), the standard error of the mean like one over the root of the window, whose
+/// independent samples grow with it; at least the record that the test asks for, at most `latest`.
 [[nodiscard]] double expected_end(const Convergence& test, double time, double relaxation_time,
                                   double tolerance, double latest);
 

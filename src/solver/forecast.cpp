@@ -19,6 +19,7 @@
 #include "solver/simulation.hpp"
 #include "solver/start.hpp"
 #include "solver/state_content.hpp"
+#include "solver/write_rule.hpp"
 #include "sph/pair_loops.hpp"
 
 namespace riffle {
@@ -43,10 +44,12 @@ struct RecordedBytes {
     double probes = 0.0;
     double state = 0.0;            ///< the last state
     double mean_field_sums = 0.0;  ///< of its window, in the checkpoints
+    double snapshot = 0.0;         ///< one of them
 
-    /// What waits in memory until it is written, at its end.
+    /// What waits in memory until it is written, at its end; but for the snapshot that is written at the
+    /// start and the one that the rehearsal of a sample holds.
     [[nodiscard]] double waiting(double share) const {
-        return std::min(share * (surface + surface_map + snapshots + probes),
+        return std::min(share * (surface + surface_map + std::max(0.0, snapshots - 2.0 * snapshot) + probes),
                         static_cast<double>(pending_limit));
     }
 };
@@ -83,8 +86,9 @@ RecordedBytes recorded_bytes(const Case& c, double particles, double time) {
         std::floor(count(c.output.mean_field_interval) + 1e-9) * static_cast<double>(field.row_bytes());
     bytes.mean_field_sums = static_cast<double>(field.cells() * cell_quantities * sizeof(double));
     if (c.output.snapshot_interval > 0.0) {
-        bytes.snapshots = (count(c.output.snapshot_interval) + 1.0) * particles * snapshot_share(c) *
-                          static_cast<double>(SnapshotRecorder(c).bytes_per_particle());
+        bytes.snapshot =
+            particles * snapshot_share(c) * static_cast<double>(SnapshotRecorder(c).bytes_per_particle());
+        bytes.snapshots = (count(c.output.snapshot_interval) + 1.0) * bytes.snapshot;
     }
     bytes.state = particles * 3.0 * (1.0 + dimensions) * sizeof(double);
     return bytes;
@@ -190,8 +194,9 @@ Forecast forecast_in(const Case& c) {
     f.relaxation_time = twins.relaxation_time();
     if (f.relaxation_time) {
         if (c.run.until == RunUntil::converged) {
-            // The convergence test needs three relaxation times and one more of record.
-            f.end_time = std::min(c.run.time, 4.0 * *f.relaxation_time);
+            // Three relaxation times of start-up, and a record that holds some independent samples: condition
+            // 2 ends after 9.5.
+            f.end_time = std::min(c.run.time, 10.0 * *f.relaxation_time);
         }
     }
 
@@ -222,7 +227,8 @@ Forecast forecast_in(const Case& c) {
         recorded.probes += probe.bytes;
     }
     f.memory_bytes = at_the_begin + recorded.kept +
-                     recorded.waiting(std::min(1.0, c.output.checkpoint_interval / f.wall_seconds));
+                     recorded.waiting(std::min(
+                         1.0, wait_for_write(f.wall_seconds, c.output.checkpoint_interval) / f.wall_seconds));
     f.parts = {{"series and profiles", recorded.kept},
                {"surface", recorded.surface},
                {"surface map", recorded.surface_map},

@@ -50,6 +50,9 @@ class Recorder {
         snapshots_.record_last(simulation);
     }
 
+    /// Keep that snapshot in the results of a run that is resumed and has nothing left to do.
+    void keep_end(const ResultsReader& results, double time) { snapshots_.keep_last(results, time); }
+
     [[nodiscard]] const TimeSeries& series() const { return series_; }
     [[nodiscard]] const ProfileSampler& profiles() const { return profiles_; }
     [[nodiscard]] double mean_level() const { return mean_level_; }

@@ -21,6 +21,7 @@
 #include "solver/run_identity.hpp"
 #include "solver/start.hpp"
 #include "solver/state_content.hpp"
+#include "solver/write_rule.hpp"
 #include "sph/pair_loops.hpp"
 
 namespace riffle {
@@ -31,9 +32,6 @@ constexpr const char* no_steady_flow = "no steady flow to converge to";
 
 /// Share of the time that writing may take before it is done less often.
 constexpr double write_share = 0.02;
-
-/// Wall-clock time to the first write after the start, s.
-constexpr double first_write = 2.0;
 
 /// Simulated time between two convergence tests, s.
 constexpr double test_interval = 1.0;
@@ -179,6 +177,10 @@ void RunSession<D>::restore(const std::filesystem::path& checkpoint) {
         next_test_ = saved.number("/", "next_test");
         first_step_ = simulation_->clock().steps;
         told_losses_ = simulation_->particles().lost.size();
+        update_convergence(false);
+        if (finished()) {
+            recorder_->keep_end(results, simulation_->clock().time);
+        }
     }
     // From here on the folder is changed. Another checkpoint than the newest becomes it first: with that one
     // the results that are cut back could not be gone on with.
@@ -195,7 +197,6 @@ void RunSession<D>::restore(const std::filesystem::path& checkpoint) {
     remove_files({files_.failure(), files_.failure_xdmf()});
     log_.info(fmt::format("resumed at t = {:.6g} s, step {}, from {}", simulation_->clock().time,
                           simulation_->clock().steps, checkpoint.filename().string()));
-    update_convergence(false);
 }
 
 template <int D>
@@ -235,11 +236,8 @@ RunOutcome RunSession<D>::advance() {
         if (stopped) {
             break;
         }
-        // Soon at first, so that those who watch see something within seconds; then ever less often.
-        const double usual = std::clamp(0.5 * seconds_since(begin_), first_write,
-                                        std::max(first_write, case_.output.checkpoint_interval));
-        const double wait =
-            std::max(std::min(usual, case_.output.checkpoint_interval), write_seconds_ / write_share);
+        const double wait = std::max(wait_for_write(seconds_since(begin_), case_.output.checkpoint_interval),
+                                     write_seconds_ / write_share);
         if (seconds_since(last_write_) >= wait) {
             write_out(Moment::on_the_way);
         } else if (recorder_->should_be_written()) {

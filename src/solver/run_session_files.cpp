@@ -54,7 +54,8 @@ std::string RunSession<D>::leave_failure(const RunError& error) {
     try {
         const double saved = CheckpointReader(files_.checkpoint()).number("/", "time");
         message += fmt::format(
-            "\nThe last good checkpoint is at t = {:.6g} s ({}). To go on with a smaller step: riffle resume {} --set {}",
+            "\nThe last good checkpoint is at t = {:.6g} s ({}). To go on with a smaller step: riffle resume "
+            "{} --set {}",
             saved, files_.checkpoint().string(), files_.folder.string(), smaller_step(case_.numerics));
     } catch (const FileError& unreadable) {
         message += fmt::format("\n{}", unreadable.what());
@@ -84,7 +85,8 @@ void RunSession<D>::write_results(Moment moment) {
     } else {
         add_clock(content, "/state", *simulation_);
     }
-    ResultsFile::update(files_.results(), content);
+    // The summary whole: what it no longer says, such as an interval of too few samples, must go.
+    ResultsFile::update(files_.results(), content, {}, {}, {"/summary"});
 }
 
 template <int D>
@@ -142,6 +144,8 @@ template void RunSession<2>::write_results(Moment);
 template void RunSession<3>::write_results(Moment);
 template void RunSession<2>::write_out(Moment);
 template void RunSession<3>::write_out(Moment);
+template void RunSession<2>::write_checkpoint();
+template void RunSession<3>::write_checkpoint();
 template void RunSession<2>::add_run_attributes(Content&, Moment) const;
 template void RunSession<3>::add_run_attributes(Content&, Moment) const;
 

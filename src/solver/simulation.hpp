@@ -25,6 +25,7 @@ struct ParticleFields {
     WorkingValues pressure;                      ///< p, Pa
     WorkingValues eddy_viscosity;                ///< nu_t
     WorkingValues shear;                         ///< du/dz
+    WorkingValues regularity;                    ///< smallest eigenvalue of M; in two dimensions only
     std::vector<double> pair_acceleration_x;     ///< of the pressure pairs
     std::vector<double> viscous_acceleration_x;  ///< of viscosity and closure
     SparseValues wall_acceleration_x;            ///< part of both from walls
@@ -43,6 +44,7 @@ struct ParticleFields {
         pressure.reset<Real>(n, density);
         eddy_viscosity.reset<Real>(n);
         shear.reset<Real>(n);
+        regularity.reset<Real>(dimensions == 2 ? n : 0);
         pair_acceleration_x.assign(n, 0.0);
         viscous_acceleration_x.assign(n, 0.0);
         shear_stress.assign(n, 0.0);
@@ -102,9 +104,9 @@ class SimulationIn {
   public:
     virtual ~SimulationIn() = default;
 
-    /// One time step. Throws ParticleFault naming particle, place and time when the state is no longer finite;
-    /// the step is then not completed. Particles that have left the domain are taken out at its end, into
-    /// particles().lost. fields() are brought up to date by steps that end at or after `fields_due`, s.
+    /// One time step. Throws ParticleFault naming particle, place and time when the state is no longer
+    /// finite; the step is then not completed. Particles that have left the domain are taken out at its end,
+    /// into particles().lost. fields() are brought up to date by steps that end at or after `fields_due`, s.
     virtual void step(double fields_due) = 0;
     void step() { step(0.0); }
 

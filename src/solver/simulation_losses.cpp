@@ -68,7 +68,8 @@ void SimulationOf<D, Real>::check_state() const {
         const std::string y = D == 3 ? fmt::format("y = {:.6g} m, ", x[1]) : "";
         const std::string v = D == 3 ? fmt::format("{:.4g}, ", u[1]) : "";
         throw ParticleFault(
-            i, fmt::format("{}: particle {} at x = {:.6g} m, {}z = {:.6g} m, velocity ({:.4g}, {}{:.4g}) m/s, "
+            i,
+            fmt::format("{}: particle {} at x = {:.6g} m, {}z = {:.6g} m, velocity ({:.4g}, {}{:.4g}) m/s, "
                         "density deviation {:.4g}, at t = {:.6g} s (step {})",
                         finite ? "a particle left the domain at one bound" : "the state is no longer finite",
                         particles_.id[i], x[0], y, x[2], u[0], v, u[2], particles_.density_deviation[i],

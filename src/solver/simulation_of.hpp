@@ -112,7 +112,7 @@ class SimulationOf final : public SimulationIn<D> {
     /// Widen the range of velocities by those of the solids in the step that begins now.
     void add_wall_motion(double step, Vec<D>& slowest, Vec<D>& fastest) const;
     /// Put moved particles of a block that are in a solid back onto its face.
-    void keep_out_of_solids(std::size_t begin, std::size_t end);
+    void keep_out_of_solids(std::size_t begin, std::size_t end, double step);
     /// Error where water stands more than a spacing deep in a solid.
     void check_solids() const;
     // Forces on the solids (simulation_solids.cpp).

@@ -26,6 +26,7 @@ std::span<SparseValues ParticleFields::*const> ParticleFields::near_walls(int di
 void ParticleFields::release(bool with_viscosity) {
     pressure.release();
     shear.release();
+    regularity.release();
     for (std::vector<double>* const values :
          {&pair_acceleration_x, &viscous_acceleration_x, &shear_stress, &lateral_shear_stress}) {
         std::vector<double>().swap(*values);
@@ -42,6 +43,7 @@ void ParticleFields::keep(const std::vector<std::int32_t>& particles) {
     pressure.keep(particles);
     eddy_viscosity.keep(particles);
     shear.keep(particles);
+    regularity.keep(particles);
     for (std::vector<double>* const values :
          {&pair_acceleration_x, &viscous_acceleration_x, &shear_stress, &lateral_shear_stress}) {
         WorkingValues::keep_values(*values, particles);
@@ -52,7 +54,7 @@ void ParticleFields::keep(const std::vector<std::int32_t>& particles) {
 }
 
 std::size_t ParticleFields::bytes() const {
-    std::size_t total = pressure.bytes() + eddy_viscosity.bytes() + shear.bytes();
+    std::size_t total = pressure.bytes() + eddy_viscosity.bytes() + shear.bytes() + regularity.bytes();
     for (const SparseValues ParticleFields::*const force : near_walls(3)) {
         total += (this->*force).bytes();
     }

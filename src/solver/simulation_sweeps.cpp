@@ -176,6 +176,9 @@ void SimulationOf<D, Real>::keep_stress_fields(const Task& task, std::size_t beg
             fields_.pressure.set(i, task.particles.pressure[lane]);
             fields_.eddy_viscosity.set(i, task.particles.eddy_viscosity[lane]);
             fields_.shear.set(i, gradients ? gradient.velocity_gradient[vertical][lane] : Real(0));
+            if constexpr (D == 2) {
+                fields_.regularity.set(i, gradients ? gradient.regularity[lane] : Real(1));
+            }
             const auto twice_strain = [&](std::size_t k, std::size_t l) {
                 return gradients ? static_cast<double>(gradient.velocity_gradient[k * axes + l][lane]) +
                                        static_cast<double>(gradient.velocity_gradient[l * axes + k][lane])
@@ -255,11 +258,11 @@ void SimulationOf<D, Real>::evaluate_forces(Task& task, std::size_t begin, std::
                                                          .sum_of_drags = wall_over_bed_ > 0.0},
                                                         begin, end);
     }
-    if (!contact_.empty()) {
-        keep_out_of_solids(begin, end);
-    }
     if (keep_fields_) {
         keep_force_fields(task, begin, end);
+    }
+    if (!contact_.empty()) {
+        keep_out_of_solids(begin, end, steps.motion);
     }
 }
 

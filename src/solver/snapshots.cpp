@@ -7,7 +7,6 @@
 #include <sstream>
 #include <utility>
 
-#include "output/results_file.hpp"
 #include "solver/content.hpp"
 #include "solver/recorder.hpp"
 
@@ -206,6 +205,20 @@ void SnapshotRecorder::restore(const CheckpointReader& checkpoint) {
         }
         entries_.push_back(entry);
     }
+}
+
+void SnapshotRecorder::keep_last(const ResultsReader& results, double time) {
+    const std::string group = snapshot_group(entries_.size());
+    if (!results.has(group) || results.attribute(group, "time") != AttributeValue(time)) {
+        return;
+    }
+    SnapshotEntry entry{
+        .index = entries_.size(), .time = time, .particles = results.shape(group + "/id").front()};
+    if (case_.channel.dimensions == 3) {
+        entry.points_in = points_in(entry.particles);
+    }
+    entries_.push_back(entry);
+    has_last_ = true;
 }
 
 }  // namespace riffle

@@ -9,6 +9,7 @@
 #include "case/case.hpp"
 #include "output/checkpoint_file.hpp"
 #include "output/dataset.hpp"
+#include "output/results_file.hpp"
 #include "output/xdmf.hpp"
 #include "solver/boundary_content.hpp"
 #include "solver/simulation.hpp"
@@ -47,6 +48,9 @@ class SnapshotRecorder {
 
     void save(Content& checkpoint) const;
     void restore(const CheckpointReader& checkpoint);
+    /// Keep the snapshot of the state that the run ended in, at this time, where the results have one: for a
+    /// run that is resumed and has nothing left to do.
+    void keep_last(const ResultsReader& results, double time);
 
   private:
     struct Range {

@@ -94,10 +94,26 @@ class Modes {
 
 }  // namespace
 
+double start_perturbation(const Case& c) {
+    if (c.start.perturbation) {
+        return *c.start.perturbation;
+    }
+    const bool quiet = c.channel.dimensions == 2 && c.bed.kind == BedKind::spheres &&
+                       c.channel.ends == Ends::periodic && c.channel.top == Top::free_surface &&
+                       c.solids.empty() && c.numerics.preset == Preset::riffle;
+    const bool flows = c.start.kind == StartKind::column || c.start.kind == StartKind::uniform ||
+                       c.start.kind == StartKind::power_law;
+    if (!quiet || !flows) {
+        return 0.0;
+    }
+    return 0.25 * std::sqrt(std::max(0.0, c.streamwise_gravity() * c.channel.depth));
+}
+
 template <int D>
 void perturb_velocity(const Case& c, Particles<D>& particles) {
     const std::size_t n = particles.size();
-    if (c.start.perturbation == 0.0 || n == 0) {
+    const double wanted = start_perturbation(c);
+    if (wanted == 0.0 || n == 0) {
         return;
     }
     const double depth = c.total_depth();
@@ -134,7 +150,7 @@ void perturb_velocity(const Case& c, Particles<D>& particles) {
             squares += u[k] * u[k] / D;
         }
     }
-    const double scale = c.start.perturbation / std::sqrt(squares / static_cast<double>(n));
+    const double scale = wanted / std::sqrt(squares / static_cast<double>(n));
     for (std::size_t i = 0; i < n; ++i) {
         for (std::size_t k = 0; k < D; ++k) particles.velocity[k][i] += scale * velocity[i][k];
     }

@@ -5,11 +5,16 @@
 
 namespace riffle {
 
+/// The perturbation of a case, m/s: what it gives, or a quarter of the friction velocity sqrt(g S0 h) of a
+/// flow over spheres in two dimensions, 0 of others. Without it the particles of such a flow slide in the
+/// rows of the lattice for tens of seconds, before they break up into the state that lasts.
+[[nodiscard]] double start_perturbation(const Case& c);
+
 /// Add a random velocity without divergence to the particles of a start: the curl of a vector potential of
 /// random Fourier modes, from the depth (or the channel, where it is smaller) down to eight spacings, as many
 /// in each octave, which vanishes with its gradient at bed, surface and walls. In two dimensions the
 /// potential has its component across the channel alone. Its root mean square over the particles, of one
-/// component, is `start.perturbation`, its mean zero; the same seed gives the same field on every machine.
+/// component, is start_perturbation(), its mean zero; the same seed gives the same field on every machine.
 template <int D>
 void perturb_velocity(const Case& c, Particles<D>& particles);
 

@@ -103,9 +103,8 @@ std::vector<std::int64_t> whole_numbers(const ContentReader& file, const std::st
         saved != nullptr && saved->size() == count &&
         std::all_of(saved->begin(), saved->end(), [most](std::int64_t i) { return i >= 0 && i <= most; });
     if (!whole) {
-        throw FileError(
-            fmt::format("{}: {} does not hold {} numbers from 0 to {}: the file has been altered",
-                        file.path().string(), path, count, most));
+        throw FileError(fmt::format("{}: {} does not hold {} numbers from 0 to {}: the file has been altered",
+                                    file.path().string(), path, count, most));
     }
     return *saved;
 }

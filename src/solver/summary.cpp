@@ -74,7 +74,8 @@ void add_column_departures(const Case& c, const Profiles& p, RunSummary& summary
 double top_of_solids(const Case& c) {
     double top = 0.0;
     if (c.channel.dimensions == 3 && !c.solids.empty()) {
-        for (const SolidMesh& mesh : meshes_of(c)) {
+        const auto meshes = meshes_of(c);
+        for (const SolidMesh& mesh : *meshes) {
             top = std::max(top, mesh.upper()[2]);
         }
     }

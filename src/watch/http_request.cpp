@@ -110,7 +110,10 @@ RequestReading read_request(std::string_view received) {
     RequestReading reading;
     const std::size_t line_end = received.find('\n');
     const std::size_t end = std::min(received.find("\r\n\r\n"), received.find("\n\n"));
-    if (std::min(end, received.size()) > largest_request) {
+    // With the empty line, so that it does not matter in which pieces a request comes in.
+    const std::size_t head =
+        end == std::string_view::npos ? received.size() : end + (received[end] == '\r' ? 4 : 2);
+    if (head > largest_request) {
         reading.complete = true;
         reading.fault = line_end > largest_request ? 414 : 431;
         return reading;

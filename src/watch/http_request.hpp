@@ -8,7 +8,7 @@
 
 namespace riffle {
 
-/// Most bytes of a request, its line with all headers: browsers send some hundred.
+/// Most bytes of a request, its line with all headers and the empty line: browsers send some hundred.
 inline constexpr std::size_t largest_request = 8192;
 
 /// A request as it came in.

@@ -94,7 +94,6 @@ sampling_frequency = "50 Hz"
 SPACE_PROBES = (PROBES.replace('x = "30 mm"', 'x = "30 mm"\ny = "12 mm"')
                 .replace('x = [0, "28 mm"]', 'x = [0, "28 mm"]\ny = ["10 mm", "20 mm"]')
                 .replace('"surface_line"', '"surface_line"\ny = "15 mm"')
-                .replace('"pressure"', '"pressure"\ny = "40 mm"')
                 .replace('"grid"', '"grid"\ny = "40 mm"').replace(", 0.05]", "]"))
 
 
@@ -154,6 +153,12 @@ def contents(path, leave_out=()):
         visit("/", file)
         file.visititems(lambda name, item: visit("/" + name, item))
     return found
+
+
+def kept_files(folder):
+    """Contents of all files of a folder, by path, but for the locks, in which the last process that asked stands."""
+    return {path: path.read_bytes() for path in sorted(Path(folder).rglob("*"))
+            if path.is_file() and path.name not in (".run.lock", ".sweep.lock")}
 
 
 class CommandLineTest(unittest.TestCase):

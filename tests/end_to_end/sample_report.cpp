@@ -48,7 +48,7 @@ void write_pages(const std::filesystem::path& folder) {
         riffle::write_comparison(comparison, folder / name, riffle::summary_beside(folder / name));
     };
     write(riffle::compare({first, second, {{}, riffle::testing::sample_record("flume")}}), "comparison.html");
-    write(riffle::thesis_chapter({first, second}), "thesis.html");
+    write(riffle::thesis_figures({first, second}), "thesis.html");
     const riffle::ReportSubject space = in_space(folder);
     riffle::write_report(space.results, folder / "space.html", folder / "space-summary.json", space.analysis);
     write(riffle::compare({analysed(first.results), space}), "dimensions.html");

@@ -1,7 +1,7 @@
 """Input that is wrong: every message says what, where, what was expected; nothing is left behind."""
 import subprocess
 
-from riffle_cli import CASE, RIFFLE, SMALL, CommandLineTest, main, riffle, until
+from riffle_cli import CASE, RIFFLE, SMALL, CommandLineTest, kept_files, main, riffle, until
 
 
 class BadInput(CommandLineTest):
@@ -139,10 +139,10 @@ class BadInput(CommandLineTest):
 
     def test_results_are_not_overwritten_without_force(self):
         folder = self.run_small("run", 0.05)
-        before = {file.name: file.read_bytes() for file in folder.iterdir()}
+        before = kept_files(folder)
         self.fail_with(3, "run", CASE, "-o", folder, *SMALL, *until(0.05),
                        says=[str(folder), "already holds results", "riffle resume", "--force"])
-        self.assertEqual(before, {file.name: file.read_bytes() for file in folder.iterdir()})
+        self.assertEqual(before, kept_files(folder))
         self.run_small("run", 0.1, "--force")
 
     def test_resume_changes_only_what_leaves_the_state_valid(self):

@@ -7,7 +7,7 @@ import subprocess
 import sys
 import unittest
 
-from riffle_cli import CASE, SMALL, SOURCE, CommandLineTest, every, main, until
+from riffle_cli import CASE, SMALL, SOURCE, CommandLineTest, every, main, text, until
 
 sys.path.insert(0, str(SOURCE / "python"))
 try:
@@ -67,6 +67,9 @@ class Package(CommandLineTest):
             groups = {name: getattr(run, name) for name in names}
             groups |= {f"snapshots/{name}": run.snapshot(name) for name in run.snapshot_names}
             groups |= {f"probes/{name}": run.probe(name) for name in run.probe_names}
+            groups |= {f"boundaries/{name}": run.boundary(name) for name in run.boundary_names}
+            groups["lost_particles"] = run.lost_particles
+            self.assertIn("walls", run.boundary_names)
             self.assertGreaterEqual(len(run.snapshot_names), 3)
             for name, dataset in groups.items():
                 self.assertLessEqual(set(file[name]), set(dataset.variables), name)
@@ -75,11 +78,11 @@ class Package(CommandLineTest):
                         variable = dataset[key]
                         numpy.testing.assert_array_equal(variable.values, array[()])
                         self.assertEqual(variable.dtype, array.dtype)
-                        self.assertEqual(variable.attrs["units"], array.attrs["units"])
+                        self.assertEqual(variable.attrs["units"], text(array.attrs["units"]))
                         self.assertTrue(variable.attrs["long_name"])
                 for key, value in file[name].attrs.items():
                     if key not in ("time", "quantities"):
-                        self.assertEqual(dataset.attrs[key], value)
+                        self.assertEqual(dataset.attrs[key], text(value))
             # No group of arrays of the file is left out but those for going on with the run.
             known = {name.split("/")[0] for name in groups} | {"snapshots", "probes"}
             self.assertLessEqual(set(file) - known, {"case", "state", "summary"})
@@ -269,7 +272,8 @@ class Package(CommandLineTest):
 
     def test_the_programs_of_the_documentation_run(self):
         programs = re.findall(r"```python\n(.*?)```", (SOURCE / "docs/python.md").read_text(), re.DOTALL)
-        self.assertEqual(len(programs), 2)
+        self.assertEqual(len(programs), 3)
+        self.succeed("analyse", self.run_folder, "--json", self.shared.folder / "analysis.json")
         self.assertIn("m/s in the top layer", self.python("-W", "error", "-c", "\n".join(programs)))
 
     def test_the_example_draws(self):

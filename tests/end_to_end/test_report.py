@@ -58,7 +58,7 @@ class Report(CommandLineTest):
 
     def test_script_of_the_thesis_chapter_makes_all_its_runs(self):
         script = [SOURCE / "tools/thesis-chapter.sh", "-o", self.folder / "thesis"]
-        coarse = ["--set", "numerics.spacing=2.5mm", "--set", "channel.length=0.06", "--set", "run.until=0.1s"]
+        coarse = ["--set", "numerics.spacing=2.5mm", "--set", "channel.length=0.06", "--set", "run.until=0.6s"]
         for again in ([], ["complete"]):
             made = subprocess.run([*script, *coarse], capture_output=True, text=True, timeout=240,
                                   env={**os.environ, "RIFFLE": RIFFLE})
@@ -114,9 +114,9 @@ class Report(CommandLineTest):
     def test_each_kind_of_flow_has_its_verdict(self):
         """A dam break, a step, a wave and vortices are not judged as uniform channels."""
         runs = {
-            "dam-break": ("tank", ["--set", "numerics.spacing=10mm", *until(0.25), *every(snapshot=0.05)]),
-            "flow-over-step": ("bodies", ["--set", "numerics.spacing=2mm", *until(3), "--set", "run.average_from=2", *every(snapshot=0.5)]),
-            "standing-wave": ("wave", ["--set", "numerics.spacing=5mm", *until(1)]),
+            "dam-break": ("tank", ["--set", "numerics.spacing=5mm", *until(0.6), *every(snapshot=0.1)]),
+            "flow-over-step": ("bodies", ["--set", "numerics.spacing=1.6mm", *until(3), "--set", "run.average_from=2", *every(snapshot=0.5)]),
+            "standing-wave": ("wave", ["--set", "numerics.spacing=4mm", *until(1)]),
             "taylor-green": ("box", ["--set", "numerics.spacing=40mm", *until(0.5)]),
         }
         kinds = {"tank": "tank", "bodies": "channel-with-bodies", "wave": "standing-wave", "box": "periodic-box"}
@@ -125,9 +125,12 @@ class Report(CommandLineTest):
                 page, summary = self.run_check(name, *options)
                 self.assertEqual(summary["flow_kind"], kinds[kind])
                 words = json.dumps([summary["verdict"], [row["key"] for row in summary["diagnostics"]]])
-                for wrong in ("column twin's", "spurious shear stress", "drift of the water level", "velocity_error", "depth_drift" if kind != "bodies" else "twin's"):
+                level = ("twin's",) if kind == "bodies" else ("drift of the water level", "depth_drift")
+                for wrong in ("column twin's", "spurious shear stress", "velocity_error", *level):
                     self.assertNotIn(wrong, words)
-                self.assertIn(summary["verdict"]["status"], ("good", "caution"), summary["verdict"])
+                # But for a window that is short, so that the test is, nothing is wrong.
+                bad = {row["key"] for row in summary["diagnostics"] if row["status"] == "bad"}
+                self.assertLessEqual(bad, {"independent_samples"}, summary["verdict"])
                 for row in summary["quantities"].values():
                     self.assertIsNone(row["column"])
                 self.look_at(page, "--kind", kind)

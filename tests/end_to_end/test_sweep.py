@@ -9,7 +9,7 @@ import subprocess
 import time
 from pathlib import Path
 
-from riffle_cli import CASE, SMALL, CommandLineTest, every, main, start, until, wait_for
+from riffle_cli import CASE, SMALL, CommandLineTest, every, kept_files, main, start, until, wait_for
 
 CHROMIUM = os.environ.get("CHROMIUM", "/usr/bin/chromium")
 
@@ -17,11 +17,6 @@ CHROMIUM = os.environ.get("CHROMIUM", "/usr/bin/chromium")
 TINY = ["--set", "channel.length=0.06", *until(0.2)]
 MATRIX = ["--vary", "numerics.spacing=4mm,3mm,2.5mm", "--vary", "turbulence.lambda=0.09,0.1"]
 NAMES = [f"spacing={spacing}_lambda={factor}" for spacing in ("4mm", "3mm", "2.5mm") for factor in ("0.09", "0.1")]
-
-
-def tree(folder):
-    """Contents of all files of a folder, by path."""
-    return {path: path.read_bytes() for path in sorted(Path(folder).rglob("*")) if path.is_file()}
 
 
 class Sweep(CommandLineTest):
@@ -66,9 +61,9 @@ class Sweep(CommandLineTest):
     def test_the_same_command_again_changes_no_run(self):
         command = ["sweep", CASE, "--vary", "numerics.spacing=4mm,3mm", *TINY, "-o", self.sweep, "-q"]
         self.succeed(*command)
-        before = {path: data for path, data in tree(self.sweep).items() if path.parent != self.sweep}
+        before = {path: data for path, data in kept_files(self.sweep).items() if path.parent != self.sweep}
         self.succeed(*command, "--outcome", "mean_level", "--outcome", "drag_over_gravity")
-        self.assertEqual(before, {path: data for path, data in tree(self.sweep).items() if path.parent != self.sweep})
+        self.assertEqual(before, {path: data for path, data in kept_files(self.sweep).items() if path.parent != self.sweep})
         self.assertEqual([outcome["key"] for outcome in self.summary()["outcomes"]], ["mean_level", "drag_over_gravity"])
 
     def test_a_stopped_and_a_killed_sweep_go_on_bit_by_bit(self):
@@ -127,9 +122,9 @@ class Sweep(CommandLineTest):
     def test_results_of_another_case_are_refused_without_force(self):
         command = ["sweep", CASE, "--vary", "numerics.spacing=4mm,3mm", "--set", "channel.length=0.06", "-o", self.sweep, "-q"]
         self.succeed(*command, *until(0.2))
-        before = tree(self.sweep)
+        before = kept_files(self.sweep)
         self.fail_with(3, *command, *until(0.1), says=["spacing=4mm", "run.until", "0.2 s", "--force"])
-        self.assertEqual(before, tree(self.sweep))
+        self.assertEqual(before, kept_files(self.sweep))
         self.succeed(*command, *until(0.1), "--force")
         self.assertEqual(set(self.states().values()), {"complete"})
 

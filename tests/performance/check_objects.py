@@ -22,7 +22,9 @@ WIDEST = {"avx2": "ymm", "avx512": "zmm"}
 # allowed: no more, for then sums have left the registers that could stay.
 STORES = {
     "avx512": {},
+    # The leapfrog's gradients hold half a step of the way beside all sums.
     "avx2": {("gradient", 2, "default"): 1, ("gradient", 3, "default"): 10,
+             ("gradient", 2, "midway"): 2, ("gradient", 3, "midway"): 13,
              ("force", 3, "plain"): 1, ("force", 3, "default"): 7, ("force", 3, "directional"): 8},
 }
 # Dimensions and schemes whose sums are looked at.
@@ -59,6 +61,8 @@ def sum_of(name, instruction_set):
         return None
     if "Directional" in match[3]:  # the viscosity of an anisotropic closure
         return match[1], int(match[2]), "directional"
+    if match[1] == "gradient" and match[3].endswith("true"):  # the last argument: the leapfrog's
+        return match[1], int(match[2]), "midway"
     scheme = "default" if re.search(r"\btrue\b|StressRecord", match[3]) else "plain"
     return match[1], int(match[2]), scheme
 

@@ -5,7 +5,7 @@
 
 Each trial is a chain of kills (SIGKILL) of one kind:
 
-- run and resume, in two or three dimensions, results changed in place or written anew;
+- run and resume, in two or three dimensions, with water that leaves the domain, results changed in place or written anew;
 - resume --from checkpoint-previous.h5, killed as well;
 - a sweep, of whose runs each must end as it does alone;
 - while reports and verifications of the folder are made and killed too.
@@ -16,11 +16,12 @@ After each kill the results can be read to the last byte, every file that `riffl
 import shutil
 import time
 
-from survival import CASE, SMALL, Trials, call, contents, differences, every, space_case, start, until
+from survival import CASE, SMALL, Trials, call, contents, dam_case, differences, every, space_case, start, until
 
 SECONDS = 3
 OFTEN = every(checkpoint=0.01, snapshot=0.25, series=0.01)
 SPACE_SECONDS = 1.2
+LOSSES_SECONDS = 1.5
 MOST_KILLS = 12
 IN_PLACE = {"RIFFLE_CHANGE_IN_PLACE_FROM": "0"}
 
@@ -120,7 +121,7 @@ def sweep_trial(trials, folder):
 
 def main():
     trials = Trials(__doc__)
-    case = space_case(trials.folder)
+    case, dam = space_case(trials.folder), dam_case(trials.folder)
 
     def plane(folder):
         return ["run", CASE, "-o", folder, "-j", 1, "-q", *SMALL, *until(SECONDS), *OFTEN]
@@ -128,8 +129,11 @@ def main():
     def space(folder):
         return ["run", case, "-o", folder, "-j", 1, "-q", *until(SPACE_SECONDS), *OFTEN]
 
-    kinds = [Kind(trials, "plane", plane), Kind(trials, "plane-in-place", plane, IN_PLACE),
-             Kind(trials, "space-in-place", space, IN_PLACE)]
+    def losses(folder):
+        return ["run", dam, "-o", folder, "-j", 1, "-q", *until(LOSSES_SECONDS), *OFTEN]
+
+    kinds = [Kind(trials, "plane", plane), Kind(trials, "plane-in-place", plane, IN_PLACE), Kind(trials, "losses", losses),
+             Kind(trials, "space-in-place", space, IN_PLACE), Kind(trials, "losses-in-place", losses, IN_PLACE)]
     for number in trials:
         folder = trials.folder / f"trial-{number}"
         if number % 10 == 9:

@@ -68,6 +68,12 @@ class RiffleRun:
         v["level_drift_share"] = (depth[late].mean() - depth[early].mean()) / v["total_depth"]
 
 
+def half_width(values, name):
+    """Text of a 95 % interval, which a mean of fewer than ten independent samples does not have."""
+    width = values.get(f"{name}_half_width")
+    return "few samples" if width is None else f"{width:.4f}"
+
+
 def default_riffle():
     """The binary to run: $RIFFLE, or the one of the release or ci build."""
     candidates = [os.environ.get("RIFFLE", ""), ROOT / "build/release/bin/riffle", ROOT / "build/ci/bin/riffle"]

@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
 """Holds Riffle's channels against their bars: the column twin, the momentum balance, Table 3.1.
 
-  tests/validation/validate.py quick     condition 2 at 2 mm and its stirred twin (CI, some minutes)
+  tests/validation/validate.py quick     condition 2 and its stirred twin (CI, some minutes)
+  tests/validation/validate.py choices   each choice of the method in condition 2
   tests/validation/validate.py full      all conditions, the paper's case, spacings, stirring, SPS (about a quarter of an hour on two cores)
   tests/validation/validate.py space     three dimensions: cells of a wide channel, half channels with a side wall (about half an hour)
 
-Prints one table per part and ends with status 1 when a bar is missed. --markdown FILE writes the tables too,
+Prints one table per part and ends with status 1 when a bar is missed, or a known miss (tests/known_misses.toml) has become worse or
+has gone. --markdown FILE writes the tables too,
 --keep DIR keeps the results there, --reuse takes complete results that DIR already holds.
 """
 
@@ -14,14 +16,18 @@ import pathlib
 import sys
 import tempfile
 
+import choice_parts
 import parts
 import runs
 import space_parts
 
 
+ALL_PARTS = parts.PARTS | space_parts.SPACE_PARTS | choice_parts.CHOICE_PARTS
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("tier", choices=["quick", "full", "space"] + sorted(parts.PARTS | space_parts.SPACE_PARTS))
+    parser.add_argument("tier", choices=["quick", "full", "space"] + sorted(ALL_PARTS))
     parser.add_argument("--riffle", type=pathlib.Path, help="the binary (default: the build of this checkout)")
     parser.add_argument("--keep", type=pathlib.Path, help="keep the results in this folder")
     parser.add_argument("--reuse", action="store_true", help="take complete results from --keep")
@@ -29,7 +35,7 @@ def main():
     parser.add_argument("--markdown", type=pathlib.Path, help="write the tables to this file")
     arguments = parser.parse_args()
     riffle = arguments.riffle or runs.default_riffle()
-    names = {"quick": parts.QUICK + ["space_quick", "space_side_quick"], "full": parts.FULL, "space": space_parts.SPACE}.get(arguments.tier, [arguments.tier])
+    names = {"quick": parts.QUICK + ["space_quick", "space_side_quick"], "full": parts.FULL + ["choices"], "space": space_parts.SPACE}.get(arguments.tier, [arguments.tier])
     with tempfile.TemporaryDirectory() as scratch:
         folder = arguments.keep or pathlib.Path(scratch)
 
@@ -38,14 +44,18 @@ def main():
 
         tables = []
         for name in names:
-            tables.append((parts.PARTS | space_parts.SPACE_PARTS)[name](run))
+            tables.append(ALL_PARTS[name](run))
+            tables[-1].judge("validation", name)
             print(tables[-1].text(), flush=True)
     if arguments.markdown:
         arguments.markdown.write_text("\n".join(table.markdown() for table in tables))
     missed = [line for table in tables for line in table.missed]
+    known = [line for table in tables for line in table.known]
+    for line in known:
+        print("KNOWN MISS:", line)
     for line in missed:
         print("MISSED:", line)
-    print(f"{sum(table.checks for table in tables) - len(missed)} bars held, {len(missed)} missed")
+    print(f"{sum(table.checks for table in tables) - len(missed) - len(known)} bars held, {len(known)} known to be missed, {len(missed)} missed")
     return 1 if missed else 0
 
 

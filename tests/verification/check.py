@@ -1,11 +1,9 @@
 """One case of the verification: error norms against bars, figures, budgets, and how it was best run."""
 
-import math
-
 import numpy
 
 from flow import Energy, lost_mass, momentum_budget
-from table import Table
+from table import Table, known_misses
 
 
 class Check:
@@ -13,25 +11,23 @@ class Check:
 
     def __init__(self, name, title, text):
         self.name, self.title, self.text = name, title, text
-        self.norms = []  # (label, bar or None, value, text of the value, text of the bar, known to fail)
+        self.norms = []  # (label, bar or None, value, text of the value, text of the bar)
+        self.verdicts = {}  # of the labels with bars, by judge(): held, known or missed, and what to say
         self.figures, self.budgets, self.tables, self.remarks = [], [], [], []
         self.best, self.cost = "", ""
         self.closing = {}  # the budgets in short, by the heads of the table of all cases
 
-    def norm(self, label, value, bar=None, unit="%", digits=2, known=False):
-        """An error that must not exceed its bar in magnitude; without a bar it is stated only. Percent are given as fractions.
-
-        `known`: it is known to fail, for a reason that the text of the check gives: said openly, but no error of the run.
-        """
+    def norm(self, label, value, bar=None, unit="%", digits=2):
+        """An error that must not exceed its bar in magnitude; without a bar it is stated only. Percent are given as fractions."""
         factor = 100 if unit == "%" else 1
         shown = lambda v: f"{factor * v:.{digits}g}" + (f" {unit}" if unit else "")
-        self.norms.append((label, bar, value, shown(value), "" if bar is None else shown(bar), known))
+        self.norms.append((label, bar, value, shown(value), "" if bar is None else shown(bar)))
 
     def budget(self, quantity, value, statement, limit=None):
         """A budget; more than `limit` is a missed bar, and a row of the table of all checks then."""
         self.budgets.append((quantity, statement, f"{value:.2g}" if isinstance(value, float) else value))
         if limit is not None and not abs(value) <= limit:
-            self.norms.append((f"budget of {quantity}: {statement}", limit, value, f"{value:.1e}", f"{limit:.0e}" if limit else "0", False))
+            self.norms.append((f"budget of {quantity}: {statement}", limit, value, f"{value:.1e}", f"{limit:.0e}" if limit else "0"))
 
     def budgets_of(self, flow, energy=True, vertical=True):
         """Mass, momentum and energy of a run."""
@@ -61,25 +57,28 @@ class Check:
         self.budget("energy", f"{e.balance[-1] / available:+.3f}", "what is left: gained (+) or lost (-) by the scheme and by the sampling")
         return e
 
-    @staticmethod
-    def _held(norm):
-        return norm[1] is None or (math.isfinite(norm[2]) and abs(norm[2]) <= norm[1])
-
-    def _failures(self, known):
-        return [f"{self.title}: {norm[0]} {norm[3]} (bar {norm[4]})" for norm in self.norms if not self._held(norm) and norm[5] == known]
-
-    @property
-    def missed(self):
-        return self._failures(known=False)
-
-    @property
-    def known(self):
-        return self._failures(known=True)
+    def judge(self, misses=None, complete=False):
+        """Hold the norms against their bars and the known misses; `complete`: with all spacings, so that none may lack."""
+        misses = known_misses.read() if misses is None else misses
+        seen = set()
+        for label, bar, value, *_ in self.norms:
+            if bar is None:
+                continue
+            key = ("verification", self.name, self.title, label)
+            if key in seen:
+                raise ValueError(f"two norms are called {key}")
+            seen.add(key)
+            self.verdicts[label] = known_misses.judge(misses, key, value, bar)
+        self.missed = [text for verdict, text in self.verdicts.values() if verdict == "missed"]
+        self.known = [text for verdict, text in self.verdicts.values() if verdict == "known"]
+        if complete:
+            self.missed += [f"{name} is a known miss, but no such value came up" for name in known_misses.unseen(misses, "verification", seen)]
+        return self
 
     def rows(self):
         """Rows of the table of all checks; a missed bar is marked with !, one that is known to be missed with (fails)."""
         for i, norm in enumerate(self.norms):
-            mark = "" if self._held(norm) else " (fails)" if norm[5] else " !"
+            mark = {"held": "", "known": " (fails)", "missed": " !"}[self.verdicts.get(norm[0], ("held", ""))[0]]
             yield [self.title if i == 0 else "", norm[0], norm[4] or "stated", norm[3] + mark, self.best if i == 0 else "", self.cost if i == 0 else ""]
 
 

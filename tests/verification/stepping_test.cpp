@@ -100,3 +100,5 @@ TEST(TimeStepping, BeemanIsOfThirdOrder) { expect_order("beeman", 3.0, 0.1); }
 TEST(TimeStepping, VerletIsOfSecondOrderInSmallSteps) {
     expect_order("verlet", 2.0, 0.1, {320, 640, 1280, 2560});
 }
+
+TEST(TimeStepping, LeapfrogIsOfFirstOrderOnceFrictionCounts) { expect_order("leapfrog", 1.0, 0.1); }

@@ -10,7 +10,7 @@ import numpy
 sys.path[:0] = [str(pathlib.Path(__file__).resolve().parent), str(pathlib.Path(__file__).resolve().parents[1] / "validation")]
 
 import exact  # noqa: E402
-from check import Check, summary_table  # noqa: E402
+from check import Check, known_misses, summary_table  # noqa: E402
 from neighbours import neighbour_pairs, velocity_gradients  # noqa: E402
 
 
@@ -92,12 +92,42 @@ class Bars(unittest.TestCase):
         check.norm("stated", 0.5)
         check.norm("missed", -0.02, 0.01)
         check.norm("not a number", math.nan, 0.01)
-        check.norm("known", 0.02, 0.01, known=True)
-        table = summary_table([check])
+        check.norm("known", 0.02, 0.01)
+        table = summary_table([check.judge(_known(check, known={"value": 0.02, "worst": 0.021}))])
         self.assertEqual(table.checks, 4)
-        self.assertEqual([line.split()[1] for line in table.missed], ["missed", "not"])
+        self.assertEqual(len(table.missed), 2)
+        self.assertIn("missed is -0.02", table.missed[0])
         self.assertEqual(len(check.known), 1)
         self.assertEqual([row[3] for row in table.rows], ["0.9 %", "50 %", "-2 % !", "nan % !", "2 % (fails)"])
+
+    def test_known_misses_may_neither_grow_nor_go(self):
+        for value, said in ((0.02, None), (0.022, "worse than"), (0.005, "holds its bar"), (0.0095, None)):
+            check = Check("name", "Title", "text")
+            check.norm("rms", value, 0.01)
+            check.judge(_known(check, rms={"value": 0.02, "worst": 0.021}))
+            self.assertEqual(len(check.missed), 0 if said is None else 1, value)
+            if said:
+                self.assertIn(said, check.missed[0])
+        check = Check("name", "Title", "text")
+        check.norm("another", 0.0, 0.01)
+        check.judge(_known(check, rms={"value": 0.02, "worst": 0.021}), complete=True)
+        self.assertIn("no such value", check.missed[0])
+
+    def test_two_values_of_one_name_are_told(self):
+        check = Check("name", "Title", "text")
+        check.norm("rms", 0.0, 0.01)
+        check.norm("rms", 0.0, 0.01)
+        self.assertRaises(ValueError, check.judge, {})
+
+    def test_the_page_of_known_misses_is_that_of_the_list(self):
+        root = pathlib.Path(__file__).resolve().parents[2]
+        self.assertEqual((root / "docs/known-misses.md").read_text(), known_misses.page(known_misses.read(), known_misses.statements()))
+
+
+def _known(check, **misses):
+    entries = [known_misses.Miss({"suite": "verification", "part": check.name, "row": check.title, "quantity": label, "bar": 0.01, "reason": "r", **entry}, "here")
+               for label, entry in misses.items()]
+    return {miss.key: miss for miss in entries}
 
 
 if __name__ == "__main__":

@@ -43,7 +43,7 @@ StillWater still_tank(double time, const std::vector<Override>& overrides) {
     }
     water.pressure = hydrostatic_error(run);
     water.nearest /= run.parameters().numerics.spacing;
-    const auto wall_force = [&](const std::vector<double>& acceleration) {
+    const auto wall_force = [&](const SparseValues& acceleration) {
         return mass_mean(p, [&](std::size_t i) { return acceleration[i]; }) / scheme.normal_gravity;
     };
     water.weight_on_walls = wall_force(fields.wall_acceleration_z) - 1.0;

@@ -7,9 +7,11 @@
 
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <numbers>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "analysis/figure_tools.hpp"
 #include "analysis/run_record.hpp"
@@ -22,6 +24,9 @@ namespace riffle {
 namespace {
 
 using testing::add_sample_probes;
+using ::testing::DoubleNear;
+using ::testing::Each;
+using ::testing::ElementsAre;
 using testing::figure;
 using testing::finding;
 using ::testing::HasSubstr;
@@ -172,6 +177,45 @@ TEST_F(Analyses, FindsWhatTheInstrumentsMeasured) {
     EXPECT_NEAR(finding(analysis, "celerity_between_places_1").value, truth.celerity, 0.02 * truth.celerity);
     // u' and w' of correlation -0.4: ejections and sweeps carry more than the whole.
     EXPECT_GT(finding(analysis, "ejection_share").value + finding(analysis, "sweep_share").value, 1.0);
+}
+
+TEST_F(Analyses, DrawWhatAFileMeasuredOnceWithItsUncertainty) {
+    std::ofstream(folder_ / "adv.csv") << "z [mm],u [m/s],u_uncertainty [m/s],u_rms [m/s],u_rms_uncertainty "
+                                          "[m/s],w_rms [m/s],-u'w' [m2/s2],-u'w'_uncertainty [m2/s2]\n"
+                                          "10,0.22,0.002,0.088,0.0044,0.044,0.0015,0.0001\n"
+                                          "20,0.30,0.002,0.066,0.0022,0.033,0.0010,0.0002\n";
+    RunRecordOptions options;
+    options.measured = {folder_ / "adv.csv"};
+    const RunRecord record(sample(), options);
+    const Analysis analysis = analyse(record, "profiles");
+    const auto measured = [&](const char* key, const char* name) {
+        std::vector<Curve> found;
+        for (const Curve& curve : figure(analysis, key).curves) {
+            if (curve.origin == Origin::measured) found.push_back(curve);
+        }
+        std::set<std::string> names;
+        for (const Curve& curve : found) EXPECT_TRUE(names.insert(curve.name).second) << curve.name;
+        for (const Curve& curve : found) {
+            if (curve.name == name) return curve;
+        }
+        ADD_FAILURE() << "no curve " << name << " in " << key;
+        return Curve{};
+    };
+    // The heights are over the datum, 6 mm above the bed level; 95 % intervals.
+    const Curve u = measured("velocity_profile", "measured");
+    EXPECT_THAT(u.y, ElementsAre(DoubleNear(0.016, 1e-12), DoubleNear(0.026, 1e-12)));
+    EXPECT_THAT(u.x_half_width, Each(DoubleNear(1.96 * 0.002, 1e-12)));
+    // Over the measured friction velocity, 0.044 m/s, and the depth of 50 mm.
+    const Curve rms = measured("turbulence_intensity_profile", "measured u'");
+    EXPECT_THAT(rms.x, ElementsAre(DoubleNear(2.0, 1e-12), DoubleNear(1.5, 1e-12)));
+    EXPECT_THAT(rms.y, ElementsAre(DoubleNear(0.2, 1e-12), DoubleNear(0.4, 1e-12)));
+    EXPECT_THAT(rms.x_half_width, ElementsAre(DoubleNear(1.96 * 0.1, 1e-12), DoubleNear(1.96 * 0.05, 1e-12)));
+    const Curve w_rms = measured("turbulence_intensity_profile", "measured w'");
+    EXPECT_THAT(w_rms.x, ElementsAre(DoubleNear(1.0, 1e-12), DoubleNear(0.75, 1e-12)));
+    EXPECT_THAT(w_rms.x_half_width, IsEmpty());
+    const Curve stress = measured("stress_profile", "measured -rho u'w'");
+    EXPECT_THAT(stress.x, ElementsAre(DoubleNear(1.5, 1e-9), DoubleNear(1.0, 1e-9)));
+    EXPECT_THAT(stress.x_half_width, ElementsAre(DoubleNear(1.96 * 0.1, 1e-9), DoubleNear(1.96 * 0.2, 1e-9)));
 }
 
 TEST_F(Analyses, BoundsOfSpectraArePositive) {

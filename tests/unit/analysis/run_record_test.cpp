@@ -114,17 +114,23 @@ TEST_F(RunRecords, CompareWithTheMeasuredFileOrTheLawOfTheMeasuredValues) {
 
 TEST_F(RunRecords, CompareWithSeveralFilesOfOtherKinds) {
     write_sample_results(path_);
-    std::ofstream(folder_ / "adv.csv") << "z [mm],u [cm/s]\n10,22\n20,30\n";
+    std::ofstream(folder_ / "adv.csv") << "z [mm],u [cm/s]\n10,21\n20,30\n";
     std::ofstream(folder_ / "across.csv") << "# z: 10 mm\ny [mm],u [cm/s]\n0,18\n50,22\n";
     std::ofstream(folder_ / "piv.csv") << "x [mm],z [mm],u [m/s],w [m/s]\n"
                                           "0,10,0.20,0\n10,10,0.24,0\n0,20,0.30,0\n10,20,0.30,0\n";
     RunRecordOptions options;
     options.measured = {folder_ / "adv.csv", folder_ / "across.csv", folder_ / "piv.csv"};
     const RunRecord record(path_, options);
-    EXPECT_NEAR(record.measured().profile.velocity.front(), 0.22, 1e-12) << "the profile is that of the ADV";
+    EXPECT_NEAR(record.measured().profile.velocity.front(), 0.21, 1e-12) << "the profile is that of the ADV";
     EXPECT_EQ(record.measured().section.y.size(), 2U);
     ASSERT_EQ(record.measured().field.x.size(), 2U);
     EXPECT_NEAR(record.measured().field.z.front(), 0.016, 1e-12);
+    // Of two profiles one is compared with, and the other is not left out without a word.
+    std::ofstream(folder_ / "second.csv") << "z [mm],u [cm/s]\n10,25\n20,30\n";
+    options.measured = {folder_ / "adv.csv", folder_ / "second.csv"};
+    const RunRecord two(path_, options);
+    EXPECT_NEAR(two.measured().profile.velocity.front(), 0.25, 1e-12);
+    EXPECT_THAT(two.warnings(), ::testing::Contains(AllOf(HasSubstr("second.csv"), HasSubstr("adv.csv"))));
     // Without a profile of its own a field gives the means along the channel.
     options.measured = {folder_ / "piv.csv"};
     EXPECT_NEAR(RunRecord(path_, options).measured().profile.velocity.front(), 0.22, 1e-12);

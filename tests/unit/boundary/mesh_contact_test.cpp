@@ -3,8 +3,10 @@
 #include "boundary/mesh_contact.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
+#include <string>
 
 #include "boundary/wall.hpp"
 #include "particles/lattice.hpp"
@@ -13,8 +15,8 @@
 namespace riffle {
 namespace {
 
-/// A tank of 60 by 60 by 40 mm, particles 2 mm apart, and a box in it from 20 to 40 mm, up to 20 mm high. With
-/// `shift` its sides at x and y lie that far beyond a face of the lattice's cells.
+/// A tank of 60 by 60 by 40 mm, particles 2 mm apart, and a box in it from 20 to 40 mm, up to 20 mm high.
+/// With `shift` its sides at x and y lie that far beyond a face of the lattice's cells.
 struct TankWithBox {
     Case parameters;
     WallParticles<3> walls;
@@ -33,7 +35,8 @@ struct TankWithBox {
         c.numerics.spacing = 0.002;
         Solid s;
         s.name = "box";
-        s.file = std::string(testing::TempDir()) + "riffle_contact_box.stl";
+        // Tests run at the same time, each in a process of its own.
+        s.file = testing::TempDir() + "riffle_contact_box_" + std::to_string(getpid()) + ".stl";
         test::write_stl_box(s.file, {0.02 - shift, 0.02 - shift, -0.01}, {0.04 + shift, 0.04 + shift, 0.02});
         c.solids = {s};
         walls = wall_particles<3>(c);
@@ -43,7 +46,8 @@ struct TankWithBox {
 
 TEST(MeshContact, LeavesWaterOutsideAlone) {
     const TankWithBox tank;
-    for (const Vec<3> place : {Vec<3>{0.0199, 0.03, 0.01}, Vec<3>{0.03, 0.03, 0.0201}, Vec<3>{0.05, 0.01, 0.02}}) {
+    for (const Vec<3> place :
+         {Vec<3>{0.0199, 0.03, 0.01}, Vec<3>{0.03, 0.03, 0.0201}, Vec<3>{0.05, 0.01, 0.02}}) {
         Vec<3> x = place;
         Vec<3> u{1.0, 2.0, 3.0};
         EXPECT_EQ(tank.contact.resolve({}, x, u), 0.0);
@@ -53,8 +57,8 @@ TEST(MeshContact, LeavesWaterOutsideAlone) {
     }
 }
 
-// On the lattice the first layer stands half a spacing behind the face, as that of any wall: none of it is the
-// water's.
+// On the lattice the first layer stands half a spacing behind the face, as that of any wall: none of it is
+// the water's.
 TEST(MeshContact, PutsWaterBackOntoTheFace) {
     const TankWithBox tank;
     Vec<3> x{0.0206, 0.031, 0.009};
@@ -76,8 +80,8 @@ TEST(MeshContact, PutsWaterBackOntoTheFace) {
     EXPECT_GE(x[2], 0.02);
 }
 
-// A face 0.6 mm beyond that of the cells: the first layer still stands where the lattice has its places, 1.6 mm
-// deep, and water comes to rest 1 mm before it.
+// A face 0.6 mm beyond that of the cells: the first layer still stands where the lattice has its places, 1.6
+// mm deep, and water comes to rest 1 mm before it.
 TEST(MeshContact, LeavesTheWaterItsPlaceBeforeTheFirstLayer) {
     const TankWithBox tank(0.0006);
     Vec<3> x{0.0194 + 0.0005, 0.031, 0.009};

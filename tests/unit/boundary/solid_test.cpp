@@ -309,6 +309,15 @@ TEST(SolidContact, LeavesByAWettedFaceAndAcrossPeriodicEnds) {
     EXPECT_NEAR(contact.resolve(now, x, u), 0.0005, 1e-12);
     EXPECT_NEAR(x[0], 0.01, 1e-8);
     EXPECT_EQ(u[0], 0.0);
+    // Nor can it slip in under the solid where an impact has squeezed it into the bed.
+    for (const double below : {-0.0004, -0.005}) {
+        x = {0.0095, below};
+        u = {-0.2, -0.1};
+        EXPECT_NEAR(contact.resolve(now, x, u), 0.0005, 1e-12);
+        EXPECT_NEAR(x[0], 0.01, 1e-8);
+        EXPECT_EQ(x[1], below);
+        EXPECT_EQ(u[0], 0.0);
+    }
     x = {0.0915, 0.012};
     EXPECT_NEAR(contact.resolve(now, x, u), 0.0015, 1e-12);
     EXPECT_NEAR(x[0], 0.09, 1e-8);

@@ -161,16 +161,15 @@ TEST(BadInput, SpacingLargerThanTheRoughness) {
     EXPECT_THAT(
         error_of(smallest + "[numerics]\nspacing = \"12 mm\"\n"),
         HasSubstr("case.toml:7:11: [numerics] spacing is 12 mm, larger than the roughness height 10 mm"));
-    EXPECT_THAT(error_of(changed("0.4 D", "1 mm")),
-                HasSubstr("5:20: [numerics] spacing is 2 mm, larger than the "
-                          "roughness height 1 mm"));
+    EXPECT_THAT(error_of(changed("0.4 D", "5 mm"), {{"numerics.spacing", "6 mm"}}),
+                HasSubstr("[numerics] spacing is 6 mm, larger than the roughness height 5 mm"));
 }
 
 TEST(BadInput, ChannelTooLongForThePositions) {
-    EXPECT_THAT(error_of(smallest, {{"channel.length", "100 m"}}),
+    EXPECT_THAT(error_of(smallest, {{"channel.length", "100 m"}, {"numerics.spacing", "2 mm"}}),
                 HasSubstr("[channel] length is 100 m: at a spacing of 2 mm the positions, 32-bit integers, "
                           "resolve channels of up to 85.8993 m"));
-    EXPECT_EQ(error_of(smallest, {{"channel.length", "85 m"}}), "");
+    EXPECT_EQ(error_of(smallest, {{"channel.length", "85 m"}, {"numerics.spacing", "2 mm"}}), "");
 }
 
 TEST(BadInput, RoughnessZoneThatNoSphereFills) {

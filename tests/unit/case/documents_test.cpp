@@ -12,8 +12,8 @@
 
 #include "case/case_documents.hpp"
 #include "case/flow_conditions.hpp"
-#include "case/presets.hpp"
 #include "case/key_table.hpp"
+#include "case/presets.hpp"
 #include "case_test.hpp"
 
 namespace riffle {
@@ -163,6 +163,7 @@ TEST(ShippedCases, StayWithinTheVerifiedEnvelope) {
     const std::map<std::string, std::vector<std::string>> deliberate = {
         {"beach", {"numerics.viscosity"}},
         {"column-collapse", {"numerics.preset"}},
+        {"gate", {"numerics.preset"}},
         {"hydrostatic-tank", {"numerics.smoothing_ratio", "numerics.density_diffusion"}},
         {"piston", {"numerics.smoothing_ratio"}},
         {"tank-with-wedge", {"numerics.smoothing_ratio"}},
@@ -222,11 +223,10 @@ INSTANTIATE_TEST_SUITE_P(
         Warned{"numerics.spacing", "3 mm", "rows over the depth"},
         Warned{"numerics.kernel", "cubic-spline", "numerics.kernel"},
         Warned{"numerics.smoothing_ratio", "1.3", "verified with 1.5 and 2.0"},
-        Warned{"numerics.smoothing_ratio", "2.0", "do not fill the kernel"},
+        Warned{"numerics.wall_layers", "3", "do not fill the kernel"},
         Warned{"numerics.pressure_form", "symmetric", "shear stress as large as the flow's own friction"},
         Warned{"numerics.kernel_correction", "kernel", "spurious shear stress of the symmetric form"},
         Warned{"numerics.density_diffusion", "none", "free of noise"},
-        Warned{"numerics.density_diffusion_coefficient", "0.02", "with h = 1.5 dx use 0.1"},
         Warned{"numerics.density_diffusion_coefficient", "0.5", "from 0.02 to 0.1"},
         Warned{"numerics.xsph", "0.5", "numerics.xsph"},
         Warned{"numerics.sound_speed", "2", "compresses it by 13.7 %"},
@@ -240,6 +240,15 @@ INSTANTIATE_TEST_SUITE_P(
         Warned{"start.jitter", "0.4", "start.jitter"},
         Warned{"start.exponent", "4", "has no effect: it is used only with start.kind = \"power-law\""},
         Warned{"turbulence.filter_width", "1 mm", "has no effect"}));
+
+TEST(Warnings, LittleDensityDiffusionIsForAWideKernel) {
+    const auto with_ratio = [](const std::string& ratio) {
+        return warnings_with(
+            {{"numerics.smoothing_ratio", ratio}, {"numerics.density_diffusion_coefficient", "0.02"}});
+    };
+    EXPECT_THAT(with_ratio("1.5"), Contains(HasSubstr("with h = 1.5 dx use 0.1")));
+    EXPECT_THAT(with_ratio("2"), IsEmpty());
+}
 
 TEST(Warnings, WallsThatNeedMoreOrGiveLess) {
     const auto modified = [](const std::string& diffusion) {
@@ -264,6 +273,16 @@ TEST(Warnings, WaterThatBreaksAsksForItsPreset) {
     plain.run.time = 3.0;
     plain.start.water_x = {0.0, 1.61, 1.61, 0.0};  // fills the tank
     EXPECT_THAT(case_warnings(plain), IsEmpty());
+    plain.start.water_x = {0.1, 1.61, 1.61, 0.1};  // but for what a piston takes
+    Solid piston;
+    piston.x = {0.0, 0.1, 0.1, 0.0};
+    piston.z = {0.0, 0.0, 0.5, 0.5};
+    plain.solids.push_back(piston);
+    EXPECT_THAT(case_warnings(plain), IsEmpty());
+    plain.solids.front().velocity_z = 0.1;  // which is lifted
+    EXPECT_THAT(case_warnings(plain), Contains(HasSubstr("preset = \"violent\"")));
+    plain.solids.clear();
+    plain.start.water_x = {0.0, 1.61, 1.61, 0.0};
     plain.start.water_z = {0.1, 0.1, 0.3, 0.3};  // and falls
     EXPECT_THAT(case_warnings(plain), Contains(HasSubstr("preset = \"violent\"")));
 }

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "case/case_documents.hpp"
+#include "case/flow_kind.hpp"
 #include "case/key_table.hpp"
 #include "case/nearest.hpp"
 #include "case/presets.hpp"
@@ -33,9 +34,30 @@ TEST(Reading, DefaultsAndDerivedHeights) {
     EXPECT_DOUBLE_EQ(c.total_depth(), 0.056);
     EXPECT_DOUBLE_EQ(c.datum(), 0.006);
     EXPECT_EQ(c.crest(), c.bed.roughness_height);
-    EXPECT_EQ(c.numerics, Numerics{});
+    Numerics numerics;
+    numerics.spacing = 0.0015;  // 0.06 diameters; H/30 and d_h/5 are more
+    numerics.smoothing_ratio = 2.0;
+    numerics.wall_layers = 4;
+    EXPECT_EQ(c.numerics, numerics);
     EXPECT_EQ(c.turbulence, Turbulence{});
     EXPECT_EQ(c.run.until, RunUntil::converged);
+}
+
+TEST(Reading, ResolutionFollowsFromTheBed) {
+    EXPECT_EQ(parse(changed("\"50 mm\"", "\"20 mm\"")).numerics.spacing, 0.00086);  // H/30 = 26 mm / 30
+    EXPECT_EQ(parse(changed("\"0.4 D\"", "\"5 mm\"")).numerics.spacing, 0.001);
+    EXPECT_EQ(parse(changed("\"0.4 D\"", "\"0.32 D\"")).numerics.spacing, 0.0015);
+    const auto given = [](const std::string& keys) {
+        return parse(smallest + "[numerics]\n" + keys).numerics;
+    };
+    EXPECT_EQ(given("spacing = \"2 mm\"").smoothing_ratio, 2.0);
+    EXPECT_EQ(given("smoothing_ratio = 1.5").wall_layers, 3);
+    EXPECT_EQ(given("smoothing_ratio = 1.5").spacing, 0.0015);
+    EXPECT_EQ(given("smoothing_ratio = 2.1").wall_layers, 5);
+    EXPECT_EQ(given("wall_layers = 3").wall_layers, 3);
+    EXPECT_EQ(given("preset = \"thesis\"").smoothing_ratio, 1.5);
+    const Case smooth = parse("[channel]\nslope = 0.001\ndepth = \"50 mm\"\n\n[bed]\nkind = \"no-slip\"\n");
+    EXPECT_EQ(smooth.numerics, Numerics{});
 }
 
 TEST(Reading, GravityInBedAxes) {
@@ -259,6 +281,7 @@ Case any_case() {
                                          "channel.sides",
                                          "bed.drag_form",
                                          "numerics.wall",
+                                         "numerics.stepping",
                                          "numerics.skin",
                                          "start.lattice",
                                          "turbulence.stress_terms",
@@ -335,6 +358,9 @@ Case any_case() {
     const int probes = *rc::gen::inRange(0, 4);
     for (int i = 0; i < probes; ++i) {
         c.probes.push_back(any_probe(c, "probe-" + std::to_string(i)));
+    }
+    if (why_no_column(c)) {
+        c.start.kind = StartKind::rest;
     }
     return c;
 }

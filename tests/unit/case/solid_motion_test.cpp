@@ -46,8 +46,10 @@ TEST(FirstOverlap, FindsWhenTwoSolidsMeet) {
 }
 
 TEST(FirstOverlap, LetsThemTouchAndSlide) {
-    EXPECT_FALSE(first_overlap(tank({block("a", 0.2, 0.3, 0.0, 0.1), block("b", 0.3, 0.4, 0.0, 0.1, 0.0, 0.01)})));
-    EXPECT_FALSE(first_overlap(tank({block("a", 0.2, 0.3, 0.0, 0.1, 0.05), block("b", 0.6, 0.7, 0.1, 0.2, -0.05)})));
+    EXPECT_FALSE(
+        first_overlap(tank({block("a", 0.2, 0.3, 0.0, 0.1), block("b", 0.3, 0.4, 0.0, 0.1, 0.0, 0.01)})));
+    EXPECT_FALSE(
+        first_overlap(tank({block("a", 0.2, 0.3, 0.0, 0.1, 0.05), block("b", 0.6, 0.7, 0.1, 0.2, -0.05)})));
 }
 
 TEST(FirstOverlap, KnowsTheStopTheSwingAndTheRestingOnes) {

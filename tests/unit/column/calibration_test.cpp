@@ -60,8 +60,9 @@ std::string synthetic_profile(const Case& truth, double noise, std::uint64_t see
     std::normal_distribution<double> normal;
     const ColumnResult column = solve_column(truth);
     std::string text = "z, u, u_uncertainty\n";
+    const double highest = 0.98 * truth.channel.depth;
     for (int i = 0; i < 20; ++i) {
-        const double z = -0.004 + 0.053 * i / 19;
+        const double z = -0.004 + (highest + 0.004) * i / 19;
         const double u = column.velocity_at(truth.datum() + z) + noise * normal(generator);
         text += std::to_string(z) + ", " + std::to_string(u) + ", " + std::to_string(std::max(noise, 1e-4)) +
                 "\n";

@@ -293,7 +293,7 @@ TEST(Section, OfTheSpsClosureHasASubstituteToStartFrom) {
     c.turbulence.closure = ClosureKind::sps;
     c.start.kind = StartKind::section;
     EXPECT_FALSE(has_section(c));
-    EXPECT_THAT(message(c), HasSubstr("sps"));
+    EXPECT_THAT(message(c), HasSubstr("SPS"));
     const auto substitute = section_start_substitute(c);
     ASSERT_TRUE(substitute);
     EXPECT_EQ(substitute->turbulence.closure, ClosureKind::czernuszenko_rylov);

@@ -11,6 +11,7 @@
 #include "instruments/probe_set.hpp"
 #include "instruments/standard_probes.hpp"
 #include "water.hpp"
+#include "written_checkpoint.hpp"
 
 namespace riffle {
 namespace {
@@ -237,10 +238,11 @@ TEST(ProbeSet, OfACheckpointWithoutItsProbesIsRefused) {
     ProbeSet set(c, 1e-3);
     Content checkpoint;
     set.save(checkpoint);
-    EXPECT_NO_THROW(set.restore(checkpoint));
+    const test::WrittenCheckpoint written(checkpoint);
+    EXPECT_NO_THROW(set.restore(written.reader()));
     c.probes = {probe(ProbeKind::force)};
     ProbeSet other(c, 1e-3);
-    EXPECT_THROW(other.restore(checkpoint), FileError);
+    EXPECT_THROW(other.restore(written.reader()), FileError);
 }
 
 std::vector<std::string> names(const StandardProbes& set) {

@@ -10,6 +10,7 @@
 
 #include "instruments/instrument.hpp"
 #include "water.hpp"
+#include "working.hpp"
 
 namespace riffle {
 namespace {
@@ -60,8 +61,12 @@ struct Space {
     void sample(Instrument& instrument, double time = 1.0) const {
         const FluidViewIn<3> fluid = view();
         const std::vector<double> zero(particles.size(), 0.0);
-        instrument.sample(
-            {.time = time, .mass = particles.mass, .fluid = &fluid, .pressure = zero, .shear_stress = zero});
+        const WorkingValues no_pressure = test::working(zero);
+        instrument.sample({.time = time,
+                           .mass = particles.mass,
+                           .fluid = &fluid,
+                           .pressure = &no_pressure,
+                           .shear_stress = zero});
     }
 };
 

@@ -8,6 +8,7 @@
 #include "instruments/fluid_view.hpp"
 #include "instruments/instrument.hpp"
 #include "particles/lattice.hpp"
+#include "working.hpp"
 
 namespace riffle::test {
 
@@ -69,12 +70,12 @@ struct Water {
     /// One sample at a time.
     void sample(Instrument& instrument, double time = 1.0) const {
         const FluidViewIn<2> fluid = view();
-        const std::vector<double> pressures = of_particles(pressure);
+        const WorkingValues pressures = working(of_particles(pressure));
         const std::vector<double> stresses = of_particles(shear_stress);
         instrument.sample({.time = time,
                            .mass = particles.mass,
                            .fluid = &fluid,
-                           .pressure = pressures,
+                           .pressure = &pressures,
                            .shear_stress = stresses});
     }
 };

@@ -16,6 +16,7 @@
 #include "output/atomic_file.hpp"
 #include "output/checkpoint_file.hpp"
 #include "output/file_update.hpp"
+#include "output/journal.hpp"
 #include "output/results_update.hpp"
 #include "temporary_folder.hpp"
 
@@ -214,6 +215,23 @@ TEST_P(Results, AreOldOrNewAfterTwoFaults) {
             }
         }
     }
+}
+
+TEST_P(Results, CreatedAnewAreNotTakenForThoseThatAJournalIsLeftOf) {
+    ResultsFile::create(path, rows(1000, 1.0), true);
+    int journals = 0;
+    for (int call = 0; call < 60; ++call) {
+        SCOPED_TRACE(testing::Message() << "call " << call);
+        fault_at(FileFault::end, call, 0, [&] { change(600, 2.0); });
+        journals += std::filesystem::exists(journal_of(path)) ? 1 : 0;
+        // The same bytes as before the change, so that the journal would fit them.
+        ResultsFile::create(path, rows(1000, 1.0), true);
+        const ResultsReader reader(path);
+        reader.verify();
+        EXPECT_EQ(reader.read_doubles("/t").size(), 1000U);
+        EXPECT_THAT(test::names_in(folder.path()), testing::ElementsAre("results.h5"));
+    }
+    EXPECT_EQ(journals > 0, GetParam() == 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Anew, Results, testing::Values(change_in_place_from));

@@ -48,8 +48,9 @@ TEST(Convergence, TellsAboutWhereItWillEnd) {
         const Record whole = relaxing(0.9, noise, 200.0);
         const auto test_at = [&](double end) {
             const auto n = static_cast<std::size_t>(std::lround(end / 0.02));
-            return test_convergence(std::span(whole.time).first(n), std::span(whole.velocity).first(n), 5.0,
-                                    0.002);
+            return test_convergence({std::span(whole.time).first(n), std::span(whole.velocity).first(n),
+                                     std::span(whole.fluctuation).first(n)},
+                                    5.0, 0.002);
         };
         double end = 1.0;
         while (!test_at(end).converged && end < 200.0) {
@@ -91,10 +92,16 @@ TEST(Convergence, TakesTheAskedStartOfTheWindow) {
 }
 
 TEST(Convergence, IsNotReachedByAMeanOfFewIndependentSamples) {
-    // Slow swings far below the tolerance: a window that holds three of them says nothing of their mean.
+    // Slow wandering far below the tolerance, with a memory of 10 s: a window that holds a few of them says
+    // nothing of their mean.
     Record r = relaxing(1.0, 1e-7, 40.0);
-    for (std::size_t i = 0; i < r.time.size(); ++i) {
-        r.velocity[i] += 1e-4 * std::sin(1.1 * r.time[i]) * std::sin(0.31 * r.time[i]);
+    std::mt19937_64 generator(3);
+    std::normal_distribution<double> normal(0.0, 1.0);
+    const double memory = std::exp(-0.02 / 10.0);
+    double wandering = 0.0;
+    for (double& velocity : r.velocity) {
+        wandering = memory * wandering + std::sqrt(1.0 - memory * memory) * normal(generator);
+        velocity += 1e-4 * wandering;
     }
     const Convergence c = r.test();
     EXPECT_FALSE(c.converged);

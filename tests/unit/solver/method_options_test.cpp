@@ -7,6 +7,7 @@
 #include <string>
 
 #include "base/parallel.hpp"
+#include "saved_state.hpp"
 #include "small_case.hpp"
 
 namespace riffle {
@@ -59,7 +60,7 @@ TEST_P(MethodOptions, GoOnFromARestoredStateWithTheSameBits) {
     }
     straight.advance(1);
     const Channel resumed(c);
-    resumed.simulation->restore(straight.simulation->state(), straight.simulation->clock(),
+    resumed.simulation->restore(test::saved_particles(*straight.simulation), straight.simulation->clock(),
                                 straight.simulation->wall_density_deviation());
     straight.advance(40);
     resumed.advance(40);

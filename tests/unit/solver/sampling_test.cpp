@@ -16,6 +16,7 @@ using test::small_channel;
 TEST(Series, OfTheStartIsTheColumns) {
     Case c = small_channel();
     c.numerics.spacing = 0.002;  // five rows below the crest carry the drag
+    c.start.perturbation = 0.0;
     const Channel channel(c);
     channel.advance(1);
     TimeSeries series(channel.parameters);
@@ -31,7 +32,9 @@ TEST(Series, OfTheStartIsTheColumns) {
 }
 
 TEST(Profiles, OfTheStartFollowTheColumnAndTheStressLine) {
-    const Channel channel(small_channel());
+    Case c = small_channel();
+    c.start.perturbation = 0.0;
+    const Channel channel(c);
     ProfileSampler sampler(channel.parameters, &channel.column);
     while (sampler.blocks().size() < 3) {
         channel.advance(1);

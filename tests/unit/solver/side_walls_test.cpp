@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "roughness/side_wall_partition.hpp"
+#include "saved_state.hpp"
 #include "small_case.hpp"
 
 namespace riffle {
@@ -58,7 +59,7 @@ TEST(SideWalls, GoOnFromARestoredStateWithTheSameBits) {
     const Space straight(c);
     straight.advance(25);
     const Space resumed(c);
-    resumed.simulation->restore(straight.simulation->state(), straight.simulation->clock(),
+    resumed.simulation->restore(test::saved_particles(*straight.simulation), straight.simulation->clock(),
                                 straight.simulation->wall_density_deviation());
     straight.advance(25);
     resumed.advance(25);

@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
+#include "saved_state.hpp"
 #include "small_case.hpp"
 
 namespace riffle {
@@ -35,7 +36,7 @@ TEST(Simulation, GoesOnFromARestoredStateWithTheSameBits) {
     c.start.jitter = 0.2;
     const Channel straight(c);
     straight.advance(137);  // between two list builds
-    const Particles<2> saved = straight.simulation->state();
+    const Particles<2> saved = test::saved_particles(*straight.simulation);
     const SimulationClock clock = straight.simulation->clock();
     const auto walls = straight.simulation->wall_density_deviation();
     const Channel resumed(c);

@@ -24,16 +24,20 @@ inline Case small_channel(int dimensions = 2) {
     return c;
 }
 
-/// A case with its column and the simulation that starts from it.
+/// A case with its column, where it has one, and the simulation that starts from it.
 template <int D>
 struct ChannelIn {
     Case parameters;
     ColumnResult column;
     std::unique_ptr<SimulationIn<D>> simulation;
 
-    explicit ChannelIn(const Case& c) : parameters(c), column(solve_column(c)) {
-        simulation =
-            make_simulation<D>(c, &column, initial_particles<D>(c, make_scheme(c, &column), &column));
+    explicit ChannelIn(const Case& c) : parameters(c) {
+        const ColumnResult* start = nullptr;
+        if (has_column(c)) {
+            column = solve_column(c);
+            start = &column;
+        }
+        simulation = make_simulation<D>(c, start, initial_particles<D>(c, make_scheme(c, start), start));
     }
     void advance(int steps) const {
         for (int i = 0; i < steps; ++i) {

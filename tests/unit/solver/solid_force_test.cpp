@@ -2,12 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numeric>
 
 #include "output/results_file.hpp"
 #include "small_case.hpp"
 #include "solver/boundary_content.hpp"
 #include "solver/snapshots.hpp"
+#include "written_checkpoint.hpp"
 
 namespace riffle {
 namespace {
@@ -60,24 +62,37 @@ TEST(SolidForce, OfStillWaterIsTheWeightAboveEach) {
 }
 
 TEST(SolidForce, OfAllWallsAsSolidsIsTheForceOfTheWalls) {
-    // A block as long as the channel but for the ends, so that its top is the bed: no other wall is near its
-    // water.
+    // Two blocks that cover the whole bed, which no water reaches: what they bear is all that the walls bear.
     Case c = tank_with_blocks();
     c.channel.ends = Ends::periodic;
-    c.solids = {rectangle("first", 0.02, 0.05, 0.0, 0.02)};
-    c.solids.front().surface = SolidSurface::no_slip;
+    c.solids = {rectangle("first", 0.0, 0.05, 0.0, 0.02), rectangle("second", 0.05, 0.12, 0.0, 0.02)};
+    for (Solid& solid : c.solids) {
+        solid.surface = SolidSurface::no_slip;
+    }
     c.start.kind = StartKind::uniform;
     c.start.velocity = 0.1;
     const auto simulation = started(c);
-    const ForceOnSolid& force = simulation->solid_forces().front();
+    const std::vector<ForceOnSolid>& forces = simulation->solid_forces();
+    ASSERT_EQ(forces.size(), 2U);
     const ParticleFields& fields = simulation->fields();
     const auto& mass = simulation->particles().mass;
-    const double along =
-        -std::inner_product(mass.begin(), mass.end(), fields.wall_acceleration_x.begin(), 0.0);
-    // The bed slips: along it only the block holds the water back.
-    const double size = c.fluid.density * c.fluid.gravity * 0.05 * 0.05;
-    EXPECT_NEAR(force.pressure[0] + force.friction[0], along, 1e-3 * size);
-    EXPECT_NE(force.friction[0], 0.0);
+    double along = 0.0;
+    double down = 0.0;
+    for (std::size_t i = 0; i < mass.size(); ++i) {
+        along -= mass[i] * fields.wall_acceleration_x[i];
+        down -= mass[i] * fields.wall_acceleration_z[i];
+    }
+    const auto sum = [&](std::size_t axis) {
+        return forces[0].pressure[axis] + forces[0].friction[axis] + forces[1].pressure[axis] +
+               forces[1].friction[axis];
+    };
+    // To the rounding of sums in single precision.
+    EXPECT_NEAR(sum(0), along, 1e-4 * std::abs(along));
+    EXPECT_NEAR(sum(2), down, 1e-4 * std::abs(down));
+    const double weight = c.fluid.density * c.fluid.gravity * 0.03 * c.channel.length;
+    EXPECT_NEAR(down, -weight, 0.05 * weight);
+    EXPECT_GT(forces[0].friction[0], 0.0);
+    EXPECT_NEAR(forces[0].friction[0] / forces[1].friction[0], 5.0 / 7.0, 0.05);
 }
 
 const Dataset& dataset(const Content& content, const std::string& path) {
@@ -130,7 +145,7 @@ TEST(Snapshots, TheLastStateIsKeptAndForgottenOnResume) {
     Content checkpoint;
     snapshots.save(checkpoint);
     SnapshotRecorder resumed(c);
-    resumed.restore(checkpoint);
+    resumed.restore(test::WrittenCheckpoint(checkpoint).reader());
     EXPECT_EQ(resumed.entries().size(), 1U);
 }
 

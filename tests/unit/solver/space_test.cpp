@@ -10,6 +10,7 @@
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
+#include "saved_state.hpp"
 #include "small_case.hpp"
 
 namespace riffle {
@@ -52,7 +53,7 @@ TEST(Space, GoesOnFromARestoredStateWithTheSameBits) {
         straight.advance(1);
     }
     const auto builds = straight.simulation->clock().list_builds;
-    const Particles<3> saved = straight.simulation->state();
+    const Particles<3> saved = test::saved_particles(*straight.simulation);
     const SimulationClock clock = straight.simulation->clock();
     const auto walls = straight.simulation->wall_density_deviation();
     straight.advance(1);

@@ -12,16 +12,15 @@ namespace riffle {
 namespace {
 
 /// Still water and a drop high above it: particles on a ring and one in its middle, half a spacing and more
-/// apart, that spin about the middle.
+/// apart, that spin about the middle by so much, 1/s.
 template <int D>
 struct WaterWithSpinningDrop {
     static constexpr std::size_t members = 5;
-    static constexpr double spin = 250.0;  // 1/s
     Case parameters = test::small_channel(D);
     std::size_t water = 0;
     std::unique_ptr<SimulationIn<D>> simulation;
 
-    explicit WaterWithSpinningDrop(Stepping stepping, double deviation = 0.0) {
+    explicit WaterWithSpinningDrop(Stepping stepping, double spin = 250.0, double deviation = 0.0) {
         Case& c = parameters;
         c.channel.slope = 0.0;
         c.bed.kind = BedKind::slip;
@@ -80,8 +79,8 @@ struct WaterWithSpinningDrop {
     }
 };
 
-// Held together by suction the drop would shrink and spin ever faster: the semi-implicit Euler method takes the
-// turning for a growth in volume. Nothing feeds it, so its energy must not grow.
+// Held together by suction the drop would shrink and spin ever faster: the semi-implicit Euler method takes
+// the turning for a growth in volume. Nothing feeds it, so its energy must not grow.
 template <int D>
 void check_spin(Stepping stepping) {
     const WaterWithSpinningDrop<D> water(stepping);
@@ -104,7 +103,7 @@ TEST(Spray, OfASpinningDropGainsNoEnergyWithLeapfrog) { check_spin<2>(Stepping::
 // Of single drops the pressure fades within some h/c0.
 TEST(Spray, LosesItsPressure) {
     for (const double deviation : {-0.02, 0.02}) {
-        const WaterWithSpinningDrop<2> water(Stepping::semi_implicit_euler, deviation);
+        const WaterWithSpinningDrop<2> water(Stepping::semi_implicit_euler, 0.0, deviation);
         for (int i = 0; i < 30; ++i) {
             water.simulation->step();
         }
@@ -116,7 +115,8 @@ TEST(Spray, LosesItsPressure) {
 
 // A flat surface is water: of no kernel and lattice may its top row count as spray.
 TEST(Spray, IsNoPartOfAFlatSurface) {
-    for (const KernelKind kernel : {KernelKind::wendland_c2, KernelKind::cubic_spline, KernelKind::quintic_spline}) {
+    for (const KernelKind kernel :
+         {KernelKind::wendland_c2, KernelKind::cubic_spline, KernelKind::quintic_spline}) {
         for (const StartLattice lattice : {StartLattice::square, StartLattice::hexagonal}) {
             Case c = test::small_channel();
             c.numerics.kernel = kernel;
@@ -127,12 +127,14 @@ TEST(Spray, IsNoPartOfAFlatSurface) {
             const test::Channel channel(c);
             channel.advance(20);
             const auto& regularity = channel.simulation->fields().regularity;
-            EXPECT_GT(*std::min_element(regularity.begin(), regularity.end()), spray_end);
+            for (std::size_t i = 0; i < regularity.size(); ++i) {
+                EXPECT_GT(regularity[i], spray_end);
+            }
         }
     }
-    EXPECT_EQ(share_of_water(0.05), 0.0);
+    EXPECT_EQ(share_of_water(0.11), 0.0);
     EXPECT_EQ(share_of_water(0.5), 1.0);
-    EXPECT_NEAR(share_of_water(0.2), 0.5, 1e-12);
+    EXPECT_NEAR(share_of_water(0.145), 0.5, 1e-12);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "solver/recorder.hpp"
 #include "solver/state_content.hpp"
 #include "solver/stepper.hpp"
+#include "written_checkpoint.hpp"
 
 namespace riffle {
 namespace {
@@ -50,7 +51,7 @@ void expect_resumable(const Case& c, int steps) {
     Content checkpoint;
     add_state<D>(checkpoint, "/state", *straight.simulation);
     const ChannelIn<D> resumed(c);
-    restore_state<D>(checkpoint, "/state", *resumed.simulation);
+    restore_state<D>(test::WrittenCheckpoint(checkpoint).reader(), "/state", *resumed.simulation);
     straight.advance(60);
     resumed.advance(60);
     expect_same_bits(straight.simulation->particles(), resumed.simulation->particles());
@@ -76,7 +77,7 @@ TEST_P(Steppers, CarryTheFlow) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, Steppers,
-                         testing::Values(Stepping::predictor_corrector, Stepping::verlet,
+                         testing::Values(Stepping::leapfrog, Stepping::predictor_corrector, Stepping::verlet,
                                          Stepping::symplectic, Stepping::beeman),
                          [](const auto& instance) {
                              std::string name{word(instance.param)};

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <vector>
 
+#include "case/case.hpp"
+
 namespace riffle {
 namespace {
 
@@ -52,7 +54,8 @@ TEST(FreeSurface, OfStillWaterIsItsLevel) {
     const std::vector<Vec<1>> at = {{0.0}, {0.0131}, {0.05}, {0.0999}};
     for (const double ratio : {1.5, 2.0}) {
         for (const SurfaceDetection detection : contours) {
-            for (const double e : find_surface<2>(detection, fluid(water, ratio * spacing), at)) {
+            for (const double e : find_surface<2>(detection, usual_surface_threshold(detection, 2),
+                                                  fluid(water, ratio * spacing), at)) {
                 // Half the bulk value marks the surface to a tenth of the spacing; the thesis' 1.4 lies 0.5 h
                 // below.
                 EXPECT_NEAR(e, depth, 0.1 * spacing)
@@ -61,7 +64,7 @@ TEST(FreeSurface, OfStillWaterIsItsLevel) {
         }
         // The highest particle's centre, not the surface above it.
         for (const double e :
-             find_surface<2>(SurfaceDetection::density_ratio, fluid(water, ratio * spacing), at)) {
+             find_surface<2>(SurfaceDetection::density_ratio, 0.9, fluid(water, ratio * spacing), at)) {
             EXPECT_NEAR(e, depth - 0.5 * spacing, 1e-9 * spacing);
         }
     }
@@ -75,7 +78,8 @@ TEST(FreeSurface, FollowsAWave) {
         at.push_back({(i + 0.5) * length / 40});
     }
     for (const SurfaceDetection detection : contours) {
-        const auto elevation = find_surface<2>(detection, fluid(water, 1.5 * spacing), at);
+        const auto elevation = find_surface<2>(detection, usual_surface_threshold(detection, 2),
+                                               fluid(water, 1.5 * spacing), at);
         for (std::size_t i = 0; i < at.size(); ++i) {
             const double expected = depth + amplitude * std::cos(2.0 * std::numbers::pi * at[i][0] / length);
             EXPECT_NEAR(elevation[i], expected, 0.15 * spacing) << "way " << static_cast<int>(detection);
@@ -87,8 +91,9 @@ TEST(FreeSurface, WithoutWaterIsNotANumber) {
     const std::vector<double> none;
     const std::vector<Vec<1>> at = {{0.05}};
     for (const SurfaceDetection detection : contours) {
-        EXPECT_TRUE(std::isnan(find_surface<2>(
-            detection, {domain(), {none, none}, none, KernelKind::wendland_c2, 0.003}, at)[0]));
+        EXPECT_TRUE(std::isnan(find_surface<2>(detection, usual_surface_threshold(detection, 2),
+                                               {domain(), {none, none}, none, KernelKind::wendland_c2, 0.003},
+                                               at)[0]));
     }
 }
 

@@ -47,6 +47,10 @@ struct ParticleSet {
         particles.mass = mass.data();
         particles.domain = cloud.domain;
         particles.fixed_point = cloud.fixed_point;
+        for (std::size_t k = 0; k < axes; ++k) {
+            particles.stay_from[k] = cloud.fixed_point.lowest(k);
+            particles.stay_to[k] = cloud.fixed_point.highest(k);
+        }
         particles.state.sound_speed = 20.0;
         particles.density = 1000.0;
         particles.viscosity = 1e-3;
@@ -113,6 +117,7 @@ struct ParticleSet {
         fill(sums->gradient.velocity_gradient, -5.0, 5.0);
         fill(sums->gradient.correction, -1.0, 1.0);
         fill(sums->gradient.viscosity_factor, 0.9, 1.2);
+        fill(sums->gradient.regularity, 0.0, 1.0);
         fill(sums->force.tensor, -10.0, 10.0);
         fill(sums->force.viscous, -10.0, 10.0);
         fill(work->mixing_length, 0.0, 0.1);

@@ -76,13 +76,15 @@ struct NamedMethod {
 const std::vector<NamedMethod>& methods() {
     static const std::vector<NamedMethod> all = {
         {"position divergence, 1",
-         [](const auto& f, auto at) { return surface_by_position_divergence<2>(f, at); }},
+         [](const auto& f, auto at) { return surface_by_position_divergence<2>(f, at, 1.0); }},
         {"position divergence, 1.4",
          [](const auto& f, auto at) { return surface_by_position_divergence<2>(f, at, 1.4); }},
-        {"volume fraction, 0.5", [](const auto& f, auto at) { return surface_by_volume_fraction<2>(f, at); }},
+        {"volume fraction, 0.5",
+         [](const auto& f, auto at) { return surface_by_volume_fraction<2>(f, at, 0.5); }},
         {"volume fraction, 0.9",
          [](const auto& f, auto at) { return surface_by_volume_fraction<2>(f, at, 0.9); }},
-        {"density ratio, 0.9", [](const auto& f, auto at) { return surface_by_density_ratio<2>(f, at); }},
+        {"density ratio, 0.9",
+         [](const auto& f, auto at) { return surface_by_density_ratio<2>(f, at, 0.9); }},
         {"depth sum", [](const auto& f, auto at) { return surface_by_depth_sum<2>(f, at); }},
     };
     return all;
@@ -280,9 +282,9 @@ TEST(FreeSurfaceBias, InThreeDimensions) {
     const FluidParticles<3> fluid{domain, {x, y, z}, volume, KernelKind::wendland_c2, 1.5 * dx};
     const std::vector<Vec<2>> at = {{0.0, 0.0}, {0.0131, 0.0077}, {12 * dx - 1e-9, 0.004}};
     for (std::size_t n = 0; n < at.size(); ++n) {
-        EXPECT_NEAR(surface_by_position_divergence<3>(fluid, at)[n], 8 * dx, 0.1 * dx);
-        EXPECT_NEAR(surface_by_volume_fraction<3>(fluid, at)[n], 8 * dx, 0.1 * dx);
-        EXPECT_NEAR(surface_by_density_ratio<3>(fluid, at)[n], 7.5 * dx, 1e-12);
+        EXPECT_NEAR(surface_by_position_divergence<3>(fluid, at, 1.5)[n], 8 * dx, 0.1 * dx);
+        EXPECT_NEAR(surface_by_volume_fraction<3>(fluid, at, 0.5)[n], 8 * dx, 0.1 * dx);
+        EXPECT_NEAR(surface_by_density_ratio<3>(fluid, at, 0.9)[n], 7.5 * dx, 1e-12);
         EXPECT_NEAR(surface_by_depth_sum<3>(fluid, at)[n], 8 * dx, 0.02 * 8 * dx);
     }
 }

@@ -23,7 +23,12 @@ constexpr double window_start = 15.0;
 class Sample {
   public:
     Sample(const SampleOptions& options, const Case& c) : options_(options), c_(c) {
-        column_ = solve_column(c);
+        if (has_column(c)) {
+            column_ = solve_column(c);
+        } else {
+            column_.profile.z = {0.0, c.total_depth()};  // still water
+            column_.profile.velocity = {0.0, 0.0};
+        }
         const double depth = c.total_depth();
         rows_ = static_cast<std::size_t>(std::lround(depth / c.numerics.spacing));
         for (std::size_t i = 0; i < rows_; ++i) {
@@ -46,7 +51,7 @@ class Sample {
                                      false});
         if (wants("/time_series")) series();
         if (wants("/profiles")) profiles();
-        if (wants("/column")) column();
+        if (wants("/column") && has_column(c_)) column();
         if (wants("/surface")) surface();
         if (wants("/snapshots")) snapshot();
         if (wants("/summary")) summary();
@@ -110,25 +115,34 @@ class Sample {
     void profiles() {
         const double weight = c_.fluid.density * c_.streamwise_gravity();
         const double bin = c_.total_depth() / static_cast<double>(rows_);
-        std::vector<double> upper, u, half, deviation, gradient, pressure, viscous, pair, reynolds, total,
-            analytic;
+        std::vector<double> lower, upper, u, half, deviation, gradient, pressure, viscous, pair, reynolds,
+            total, analytic, viscosity, drag;
+        // What the bed elements above z carry, Pa.
+        const auto carried = [&](double z) {
+            const double share = z < c_.crest() ? z / c_.crest() : 1.0;
+            return weight * (c_.total_depth() - z) * (1.0 - share * share);
+        };
         for (const double z : heights_) {
             const double here =
                 velocity(z) + noise(2e-4) + (z < c_.crest() ? 0.01 * column_.velocity_at(z) : 0.0);
+            lower.push_back(z - 0.5 * bin);
             upper.push_back(z + 0.5 * bin);
             u.push_back(here);
             half.push_back(6e-4);
             deviation.push_back(here - column_.velocity_at(z));
             gradient.push_back((velocity(z + 1e-4) - velocity(z - 1e-4)) / 2e-4);
             pressure.push_back(c_.fluid.density * c_.normal_gravity() * (c_.total_depth() - z) + noise(0.5));
-            const double crest_share = std::min(1.0, upper.back() / c_.crest());
-            analytic.push_back(weight * (c_.total_depth() - upper.back()) * crest_share * crest_share);
+            analytic.push_back(weight * (c_.total_depth() - upper.back()) - carried(upper.back()));
+            drag.push_back((carried(upper.back()) - carried(lower.back())) / bin);
+            const double stress = 0.97 * (weight * (c_.total_depth() - z) - carried(z));
+            viscosity.push_back(stress > 0.0 ? stress / (c_.fluid.density * gradient.back()) : 0.0);
             viscous.push_back(0.97 * analytic.back() + noise(0.005));
             reynolds.push_back(0.02 * analytic.back() + noise(0.004));
             pair.push_back(noise(0.008));
             total.push_back(viscous.back() + reynolds.back() + pair.back());
         }
         dataset("/profiles/z", heights_);
+        dataset("/profiles/bin_lower", lower);
         dataset("/profiles/bin_upper", upper);
         dataset("/profiles/velocity", u);
         dataset("/profiles/velocity_half_width", half);
@@ -140,6 +154,8 @@ class Sample {
         dataset("/profiles/reynolds_stress", reynolds);
         dataset("/profiles/total_stress", total);
         dataset("/profiles/analytic_stress", analytic);
+        dataset("/profiles/eddy_viscosity", viscosity);
+        dataset("/profiles/drag", drag);
         attribute("/profiles", "window_start", window_start);
         attribute("/profiles", "window_end", run_time);
         attribute("/profiles", "samples", std::int64_t{1500});

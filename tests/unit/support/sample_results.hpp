@@ -22,7 +22,8 @@ struct SampleOptions {
 /// The sample case: flow condition 2 with its measured values.
 [[nodiscard]] std::string sample_case(double length = 0.2);
 
-/// Write a results file as a run would leave it: the column twin's flow with small, reproducible departures.
+/// Write a results file as a run would leave it: the column twin's flow, of a case without one still water,
+/// with small, reproducible departures.
 void write_sample_results(const std::filesystem::path& path, const SampleOptions& options = {});
 
 }  // namespace riffle::testing

@@ -17,8 +17,10 @@ inline void write_stl_box(const std::filesystem::path& path, const std::array<do
         }
         return text;
     };
-    // The corners of the faces against the clock as seen from outside; bit k of a corner: the upper side of axis k.
-    const int faces[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
+    // The corners of the faces against the clock as seen from outside; bit k of a corner: the upper side of
+    // axis k.
+    const int faces[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
+                             {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
     std::ofstream file(path);
     file << "solid box\n";
     for (const auto& face : faces) {

@@ -78,7 +78,8 @@ class Site : public ::testing::Test {
 
 TEST_F(Site, ServesItsPageAndNothingElse) {
     EXPECT_THAT(std::string(get("/").body), StartsWith("<!DOCTYPE html>"));
-    for (const char* path : {"/report.css", "/watch.css", "/plotly.js", "/figures.js", "/watch.js"}) {
+    for (const char* path :
+         {"/report.css", "/watch.css", "/plotly.js", "/shared.js", "/field.js", "/watch.js"}) {
         EXPECT_EQ(get(path).status, 200) << path;
         EXPECT_THAT(std::string(get("/").body), HasSubstr(path));
     }
