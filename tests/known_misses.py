@@ -86,7 +86,8 @@ def page(misses, remarks=()):
     for miss in misses.values():
         suites.setdefault((miss.suite, miss.part), []).append(miss)
     for (suite, part), entries in suites.items():
-        command = f"tests/{suite}/{'validate' if suite == 'validation' else 'verify'}.py {part}"
+        program = {"validation": "validate.py ", "verification": "verify.py "}.get(suite, "")
+        command = f"tests/{suite}/{program}{part}"
         lines += [f"## `{command}`", "", "| case | quantity | bar | measured | fails above | reason |", "|---|---|---|---|---|---|"]
         lines += [f"| {m.row} | {m.quantity} | {m.bar:g} | {m.value:g} | {m.worst:g} | {m.reason} |" for m in entries]
         lines.append("")

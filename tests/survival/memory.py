@@ -16,6 +16,8 @@ import tempfile
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "end_to_end"))
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+import known_misses  # noqa: E402
 from riffle_cli import RIFFLE, SOURCE  # noqa: E402
 
 FORECAST_BAR = 0.10
@@ -81,8 +83,13 @@ def main():
                   f"{peak / particles:>10.0f}", flush=True)
             if abs(ratio - 1) > FORECAST_BAR:
                 missed.append(f"{name}: the forecast is {100 * (ratio - 1):+.1f} % off")
-            if name == "3D, a million" and peak / particles > BYTES_BAR:
-                missed.append(f"{name}: {peak / particles:.0f} bytes a particle, bar {BYTES_BAR}")
+            if name == "3D, a million":
+                key = ("survival", "memory.py --large", name, "bytes a particle")
+                verdict, text = known_misses.judge(known_misses.read(), key, peak / particles, BYTES_BAR)
+                if verdict == "known":
+                    print("KNOWN MISS:", text)
+                elif verdict == "missed":
+                    missed.append(text)
     print("\n".join(missed) or "all within their bars")
     return len(missed)
 

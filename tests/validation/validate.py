@@ -3,7 +3,7 @@
 
   tests/validation/validate.py quick     condition 2 and its stirred twin (CI, some minutes)
   tests/validation/validate.py choices   each choice of the method in condition 2
-  tests/validation/validate.py full      all conditions, the paper's case, spacings, stirring, choices, SPS (some two hours on two cores)
+  tests/validation/validate.py full      all conditions, the paper's case, spacings, stirring, choices, SPS (hours)
   tests/validation/validate.py space     three dimensions: cells of a wide channel, half channels with a side wall (about half an hour)
 
 Prints one table per part and ends with status 1 when a bar is missed, or a known miss (tests/known_misses.toml) has become worse or
