@@ -70,8 +70,8 @@ class Results(CommandLineTest):
                                 'channel.width="86.6 mm"', "--set", "start.kind=section",
                                 case=self.space_case_with_probes())
         documents, summary = documented(3)
-        summary |= {"side_wall_over_gravity", "centreline_velocity", "centreline_velocity_half_width",
-                    "secondary_velocity"}
+        # The interval of the centreline's velocity is not: so short a record has too few independent samples.
+        summary |= {"side_wall_over_gravity", "centreline_velocity", "secondary_velocity"}
         self.assert_documented(folder, documents, summary)
 
     def test_solids_their_motion_and_the_forces_on_them_are_there(self):
