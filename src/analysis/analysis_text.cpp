@@ -14,7 +14,7 @@ namespace riffle {
 
 namespace {
 
-std::string number(double value) { return std::isfinite(value) ? fmt::format("{:.4g}", value) : "-"; }
+std::string printed_value(double value) { return std::isfinite(value) ? fmt::format("{:.4g}", value) : "-"; }
 
 /// Two significant digits: the half-width itself is not known better.
 std::string uncertainty(double half_width) { return fmt::format("{:.2g}", half_width); }
@@ -49,11 +49,11 @@ std::string trimmed(std::string line) {
 }
 
 std::string finding_lines(const Finding& finding, std::size_t label_width) {
-    std::string line = "  " + padded(finding.label, label_width) + right(number(finding.value), 12);
+    std::string line = "  " + padded(finding.label, label_width) + right(printed_value(finding.value), 12);
     line += finding.half_width ? " ± " + padded(uncertainty(*finding.half_width), 10) : std::string(13, ' ');
     line += padded(unit_of(finding), 8);
     if (finding.reference) {
-        line += right(number(*finding.reference), 10) + " " + right(difference(finding), 10) + "  " +
+        line += right(printed_value(*finding.reference), 10) + " " + right(difference(finding), 10) + "  " +
                 finding.reference_name;
     }
     line = trimmed(line);
@@ -134,7 +134,7 @@ std::string comparison_to_text(const std::vector<Analysis>& analyses) {
             std::string cell = "-";
             if (finding != nullptr) {
                 ++found;
-                cell = number(finding->value);
+                cell = printed_value(finding->value);
                 if (finding->half_width) cell += " ± " + uncertainty(*finding->half_width);
             }
             line += right(cell, column);

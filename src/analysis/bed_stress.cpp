@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "analysis/bed_parts.hpp"
 #include "analysis/figure_tools.hpp"
 #include "analysis/section_parts.hpp"
 #include "analysis/section_points.hpp"
+#include "base/not_a_number.hpp"
 #include "hydraulics/profile_comparison.hpp"
 #include "hydraulics/secondary_flow_laws.hpp"
 #include "roughness/side_wall_partition.hpp"
@@ -18,9 +18,7 @@ namespace riffle {
 
 namespace {
 
-constexpr const char* chapter = "bed";
 constexpr double thesis_height = 0.012;  // m above the datum
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// Height that the water above a place of the bed has in the partition of Yang & Lim: up to the division
 /// line from the corner, whose base is k times its height.
@@ -47,7 +45,7 @@ void add_cells(const Distribution& d, double scale, const Case& c, Figure& figur
         return;
     }
     Finding finding = against(
-        make_finding(chapter, "bed_stress_undulation",
+        make_finding(chapters::bed, "bed_stress_undulation",
                      "undulation of the bed stress over its mean, by cells (2.29)", "1", fit.amplitude),
         secondary_flow_bed_amplitude, "Wang & Cheng, over strips");
     finding.remark = fmt::format(
@@ -91,8 +89,8 @@ void add_measured_stress(const FlowRecord& record, double uniform, const Distrib
         figure.curves.push_back(std::move(curve));
         if (count > 0.0) {
             analysis.findings.push_back(
-                against(make_finding(chapter, "bed_stress_msep", "MSEP of the bed stress across the channel",
-                                     "%", error / count),
+                against(make_finding(chapters::bed, "bed_stress_msep",
+                                     "MSEP of the bed stress across the channel", "%", error / count),
                         4.0, "thesis, 3D simulations"));
         }
         return;
@@ -116,7 +114,7 @@ void add_simulated(const FlowRecord& record, Analysis& analysis) {
     const double rho = c.fluid.density;
     const double uniform = rho * c.streamwise_gravity() * (c.total_depth() - z);
     Figure figure = make_figure(
-        chapter, "bed_stress_distribution", "Bed stress across the channel",
+        chapters::bed, "bed_stress_distribution", "Bed stress across the channel",
         fmt::format(
             "Stress of viscosity and closure and resolved Reynolds stress at {:.3g} mm above the "
             "datum, over the uniform value rho g S0 (H - z) = {:.4g} Pa of a wide channel; bars: 95 "
@@ -145,7 +143,7 @@ void add_simulated(const FlowRecord& record, Analysis& analysis) {
                                        {0.0, c.channel.simulated_width()}, {1.0, 1.0}));
     analysis.figures.push_back(std::move(figure));
     analysis.findings.push_back(
-        against(make_finding(chapter, "bed_stress_mean",
+        against(make_finding(chapters::bed, "bed_stress_mean",
                              fmt::format("mean stress {:.3g} mm above the datum", 1000.0 * (z - c.datum())),
                              "Pa", d.mean.value, d.mean.half_width),
                 uniform, "wide channel, rho g S0 (H - z)"));
@@ -159,7 +157,7 @@ void add_measured(const FlowRecord& record, Analysis& analysis) {
     const double uniform = c.fluid.density * c.streamwise_gravity() * (c.channel.depth - thesis_height);
     if (!(uniform > 0.0)) return;
     Figure figure = make_figure(
-        chapter, "bed_stress_distribution", "Bed stress across the channel",
+        chapters::bed, "bed_stress_distribution", "Bed stress across the channel",
         fmt::format("Measured Reynolds stress over the uniform value rho g S0 (H - z) = {:.4g} Pa of a wide "
                     "channel, {:.3g} mm above the datum.",
                     uniform, 1000.0 * thesis_height),
@@ -192,7 +190,7 @@ Distribution distribution_of(const MeanFlow& field, const Case& c, const Section
             sum += value;
             count += 1.0;
         }
-        return count > 0.0 ? sum / count : nan;
+        return count > 0.0 ? sum / count : not_a_number;
     });
     return result;
 }
@@ -221,8 +219,8 @@ void add_departure(const Distribution& d, double uniform, const char* key, const
         most = departure;
         where = d.y[i];
     }
-    Finding finding =
-        against(make_finding(chapter, key, what, "1", most), thesis, "thesis, 3D: up to 26 % near the wall");
+    Finding finding = against(make_finding(chapters::bed, key, what, "1", most), thesis,
+                              "thesis, 3D: up to 26 % near the wall");
     finding.remark = fmt::format("at y = {:.4g} mm, of means over a period of the spheres", 1000.0 * where);
     analysis.findings.push_back(std::move(finding));
 }

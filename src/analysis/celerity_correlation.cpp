@@ -10,6 +10,7 @@
 
 #include "analysis/stations.hpp"
 #include "base/error.hpp"
+#include "base/not_a_number.hpp"
 #include "base/parallel.hpp"
 #include "statistics/fourier.hpp"
 #include "statistics/jackknife.hpp"
@@ -21,7 +22,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr const char* purpose = "celerity of stations";
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 /// Pairs of records a distance apart.
 struct PairsAtDistance {

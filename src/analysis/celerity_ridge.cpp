@@ -4,16 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "base/error.hpp"
+#include "base/not_a_number.hpp"
 #include "statistics/jackknife.hpp"
 
 namespace riffle {
 
 namespace {
 
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double usable_share = 0.8;  // of the highest wavenumber and frequency
 constexpr double smallest_contrast = 8.0;
 constexpr std::size_t hann_lobe = 2;  // half width of its main lobe, steps

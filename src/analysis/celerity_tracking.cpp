@@ -10,14 +10,13 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/not_a_number.hpp"
 #include "statistics/jackknife.hpp"
 #include "statistics/peak.hpp"
 
 namespace riffle {
 
 namespace {
-
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 /// Columns that the smoothing reaches to each side.
 std::size_t smoothing_reach(const SpaceTime& data, double deviation) {

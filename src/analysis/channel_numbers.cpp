@@ -16,8 +16,6 @@ namespace riffle {
 
 namespace {
 
-constexpr const char* chapter = "fits";
-
 /// The friction factor by Colebrook and White; not-a-number where the equation has no root.
 double colebrook_white(double roughness, double radius, double reynolds) {
     try {
@@ -72,7 +70,7 @@ void add_channel_numbers(const FlowRecord& record, Analysis& analysis) {
     const double depth = c.channel.depth;
     const auto add = [&](const char* key, const char* label, const char* unit,
                          const std::function<double(double)>& law) {
-        Finding finding = make_finding(chapter, key, label, unit, law(velocity));
+        Finding finding = make_finding(chapters::fits, key, label, unit, law(velocity));
         if (half_width < velocity)
             finding.half_width = 0.5 * std::abs(law(velocity + half_width) - law(velocity - half_width));
         if (c.measured.depth_mean_velocity && record.origin() == Origin::simulated) {
@@ -88,7 +86,7 @@ void add_channel_numbers(const FlowRecord& record, Analysis& analysis) {
     if (const Finding* const roughness = find_finding(analysis, "equivalent_roughness")) {
         const double law = colebrook_white(
             roughness->value, depth, 4.0 * reynolds_number(velocity, depth, c.fluid.kinematic_viscosity));
-        Finding finding = make_finding(chapter, "colebrook_white_friction_factor",
+        Finding finding = make_finding(chapters::fits, "colebrook_white_friction_factor",
                                        "f by Colebrook-White (2.9) from the fitted ks", "1", law);
         if (std::isfinite(law)) {
             analysis.findings.push_back(
@@ -105,7 +103,7 @@ void add_channel_numbers(const FlowRecord& record, Analysis& analysis) {
         [&](double u) { return reynolds_number(u, depth, c.fluid.kinematic_viscosity); });
     add("froude", "Froude number", "1", [&](double u) { return froude_number(u, c.fluid.gravity, depth); });
     Figure figure =
-        make_figure(chapter, "friction_factor", "Friction factor",
+        make_figure(chapters::fits, "friction_factor", "Friction factor",
                     "Friction factor of Darcy and Weisbach against the relative roughness ks/R with "
                     "the law of Colebrook and White for wide channels at the Reynolds number of "
                     "the flow.",

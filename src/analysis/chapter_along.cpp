@@ -9,14 +9,12 @@
 #include "analysis/bodies.hpp"
 #include "analysis/chapters.hpp"
 #include "analysis/figure_tools.hpp"
+#include "base/not_a_number.hpp"
 #include "statistics/confidence.hpp"
 
 namespace riffle {
 
 namespace {
-
-constexpr const char* chapter = "along";
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// Time means along the channel.
 struct LongProfile {
@@ -37,10 +35,10 @@ LongProfile long_profile(const SpaceTime& surface) {
         const bool wet = low <= high;
         const MeanEstimate mean = wet ? mean_with_confidence(record) : MeanEstimate{};
         profile.x.push_back(surface.x(i));
-        profile.level.push_back(wet ? mean.mean : nan);
-        profile.half_width.push_back(wet ? trusted_half_width(mean).value_or(nan) : nan);
-        profile.lowest.push_back(wet ? low : nan);
-        profile.highest.push_back(wet ? high : nan);
+        profile.level.push_back(wet ? mean.mean : not_a_number);
+        profile.half_width.push_back(wet ? trusted_half_width(mean).value_or(not_a_number) : not_a_number);
+        profile.lowest.push_back(wet ? low : not_a_number);
+        profile.highest.push_back(wet ? high : not_a_number);
     }
     return profile;
 }
@@ -71,7 +69,7 @@ void add_extreme(const LongProfile& profile, bool highest, Analysis& analysis) {
     }
     if (at == profile.x.size()) return;
     Finding finding =
-        make_finding(chapter, highest ? "highest_level" : "lowest_level",
+        make_finding(chapters::along, highest ? "highest_level" : "lowest_level",
                      highest ? "highest mean level along the channel" : "lowest mean level along the channel",
                      "m", profile.level[at], profile.half_width[at]);
     finding.remark = fmt::format("above the bed level, at x = {:.4g} mm", 1000.0 * profile.x[at]);
@@ -89,10 +87,11 @@ Heads heads_of(const Case& c, const LongProfile& profile, const std::vector<Outl
     const double gravity = c.normal_gravity();
     const double critical_depth = std::cbrt(discharge * discharge / gravity);
     for (std::size_t i = 0; i < profile.x.size(); ++i) {
-        const double blocked =
-            std::isfinite(profile.level[i]) ? blocked_height(bodies, profile.x[i], profile.level[i]) : nan;
+        const double blocked = std::isfinite(profile.level[i])
+                                   ? blocked_height(bodies, profile.x[i], profile.level[i])
+                                   : not_a_number;
         const double depth = profile.level[i] - blocked;
-        const double velocity = depth > 0.0 ? discharge / depth : nan;
+        const double velocity = depth > 0.0 ? discharge / depth : not_a_number;
         heads.velocity.push_back(velocity);
         heads.froude.push_back(velocity / std::sqrt(gravity * depth));
         heads.energy.push_back(profile.level[i] + velocity * velocity / (2.0 * gravity));
@@ -103,7 +102,7 @@ Heads heads_of(const Case& c, const LongProfile& profile, const std::vector<Outl
 
 void add_velocity(const LongProfile& profile, const Heads& heads, Analysis& analysis) {
     Figure velocity =
-        make_figure(chapter, "velocity_along", "Mean velocity along the channel",
+        make_figure(chapters::along, "velocity_along", "Mean velocity along the channel",
                     "Discharge per unit width over the height of the water that bodies leave free.", "",
                     make_axis("distance along the channel x", "m"), make_axis("velocity q/h", "m/s"));
     velocity.y.from = 0.0;
@@ -111,7 +110,7 @@ void add_velocity(const LongProfile& profile, const Heads& heads, Analysis& anal
         make_curve("simulated", Origin::simulated, Mark::line, profile.x, heads.velocity));
     analysis.figures.push_back(std::move(velocity));
     Figure froude =
-        make_figure(chapter, "froude_along", "Froude number along the channel",
+        make_figure(chapters::along, "froude_along", "Froude number along the channel",
                     "Mean velocity over the celerity of long waves on the water's height; above 1 the flow "
                     "is supercritical.",
                     "", make_axis("distance along the channel x", "m"), make_axis("Froude number Fr", "1"));
@@ -121,8 +120,8 @@ void add_velocity(const LongProfile& profile, const Heads& heads, Analysis& anal
     analysis.figures.push_back(std::move(froude));
     double most = 0.0;
     for (const double value : heads.froude) most = std::isfinite(value) ? std::max(most, value) : most;
-    analysis.findings.push_back(
-        make_finding(chapter, "largest_froude", "largest Froude number along the channel", "1", most));
+    analysis.findings.push_back(make_finding(chapters::along, "largest_froude",
+                                             "largest Froude number along the channel", "1", most));
 }
 
 }  // namespace
@@ -132,7 +131,7 @@ void analyse_along(const FlowRecord& record, Analysis& analysis) {
     const Case& c = *record.flow();
     const bool space = c.channel.dimensions == 3;
     Figure figure = make_figure(
-        chapter, "long_profile", "Long profile",
+        chapters::along, "long_profile", "Long profile",
         fmt::format(
             "Bed, bodies and the time mean of the surface along the {}, above the bed level, which falls "
             "with the slope {:.4g}; band: 95 % interval of the mean; dashes: lowest and highest recorded "
@@ -166,8 +165,9 @@ void analyse_along(const FlowRecord& record, Analysis& analysis) {
     const std::optional<MeanEstimate> discharge = unit_discharge(record);
     std::optional<Heads> heads;
     if (discharge) {
-        analysis.findings.push_back(make_finding(chapter, "unit_discharge", "discharge per unit width",
-                                                 "m2/s", discharge->mean, trusted_half_width(*discharge)));
+        analysis.findings.push_back(make_finding(chapters::along, "unit_discharge",
+                                                 "discharge per unit width", "m2/s", discharge->mean,
+                                                 trusted_half_width(*discharge)));
     }
     if (discharge && discharge->mean > 0.0 && !space) {
         heads = heads_of(c, profile, bodies, discharge->mean);

@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "analysis/bed_parts.hpp"
 #include "analysis/chapters.hpp"
 #include "analysis/figure_tools.hpp"
 #include "analysis/section_parts.hpp"
+#include "base/not_a_number.hpp"
 #include "roughness/bed_drag.hpp"
 #include "roughness/side_wall_partition.hpp"
 
@@ -17,13 +17,10 @@ namespace riffle {
 
 namespace {
 
-constexpr const char* chapter = "bed";
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
 /// Drag per plan area of the section twin across the channel, Pa.
 std::vector<double> twin_drag(const SectionTwin& twin, const Case& c) {
     const auto law = make_bed_drag(c);
-    std::vector<double> drag(twin.y.size(), nan);
+    std::vector<double> drag(twin.y.size(), not_a_number);
     if (law == nullptr || twin.z.size() < 2) return drag;
     for (std::size_t iy = 0; iy < twin.y.size(); ++iy) {
         double sum = 0.0;
@@ -46,7 +43,7 @@ void add_drag(const FlowRecord& record, Analysis& analysis) {
     const Case& c = *record.flow();
     const double uniform = c.fluid.density * c.streamwise_gravity() * c.total_depth();
     Figure figure = make_figure(
-        chapter, "bed_drag_distribution", "Drag of the bed across the channel",
+        chapters::bed, "bed_drag_distribution", "Drag of the bed across the channel",
         fmt::format("Drag of the bed's elements per plan area, over rho g S0 H = {:.4g} Pa, the weight "
                     "component on it; bars: 95 % intervals. The rows of spheres show in the cells.",
                     uniform),
@@ -75,7 +72,7 @@ void add_drag(const FlowRecord& record, Analysis& analysis) {
     figure.curves.push_back(make_curve("wide channel", Origin::reference, Mark::line,
                                        {0.0, c.channel.simulated_width()}, {1.0, 1.0}));
     analysis.figures.push_back(std::move(figure));
-    Finding mean = make_finding(chapter, "bed_drag_mean", "mean drag of the bed per plan area", "Pa",
+    Finding mean = make_finding(chapters::bed, "bed_drag_mean", "mean drag of the bed per plan area", "Pa",
                                 d.mean.value, d.mean.half_width);
     if (c.has_side_walls()) {
         mean = against(std::move(mean), c.fluid.density * side_wall_partition(c).bed_stress, "Yang & Lim");
@@ -108,7 +105,7 @@ void add_walls(const FlowRecord& record, Analysis& analysis) {
         return values;
     };
     Figure figure = make_figure(
-        chapter, "wall_stress_distribution", "Stress on the side walls over the height",
+        chapters::bed, "wall_stress_distribution", "Stress on the side walls over the height",
         fmt::format("Drag of the side walls' layers per wall area, over rho g S0 H = {:.4g} Pa, with 95 % "
                     "intervals; Yang & Lim: the weight of the water beside each height up to the division "
                     "line.",
@@ -131,8 +128,8 @@ void add_walls(const FlowRecord& record, Analysis& analysis) {
         for (const double value : stress(section)) sum += value * field.cell_height() / c.total_depth();
         return sum;
     });
-    Finding finding = against(make_finding(chapter, "wall_stress_mean", "mean stress on the side walls", "Pa",
-                                           estimate.value, estimate.half_width),
+    Finding finding = against(make_finding(chapters::bed, "wall_stress_mean", "mean stress on the side walls",
+                                           "Pa", estimate.value, estimate.half_width),
                               c.fluid.density * partition.wall_stress, "Yang & Lim");
     if (const auto beside = record.section_twin().value("wall_stress"))
         finding.remark = fmt::format("section twin: {:.4g} Pa", *beside);
@@ -162,7 +159,7 @@ void add_maps(const FlowRecord& record, Analysis& analysis) {
     const auto add = [&](const char* key, const char* title, std::string caption, const Axis& x,
                          const Axis& y, const std::vector<double>& xs, const std::vector<double>& ys,
                          const FieldSums& sums, double factor, const char* unit, bool in_plan) {
-        Figure figure = make_figure(chapter, key, title, std::move(caption), source, x, y);
+        Figure figure = make_figure(chapters::bed, key, title, std::move(caption), source, x, y);
         figure.y.equal_scale = in_plan;
         figure.maps.push_back(
             force_map(xs, ys, sums.means(FieldQuantity::drag), factor, "streamwise drag f_x", unit));
@@ -197,8 +194,8 @@ void analyse_bed(const FlowRecord& record, Analysis& analysis) {
     const Case& c = *record.flow();
     if (record.mean_field().empty() || c.channel.slope <= 0.0) {
         add_missing(record, analysis,
-                    make_figure(chapter, "bed_stress_distribution", "Bed stress across the channel", "", "",
-                                across_axis(), make_axis("stress over the uniform value", "1")),
+                    make_figure(chapters::bed, "bed_stress_distribution", "Bed stress across the channel", "",
+                                "", across_axis(), make_axis("stress over the uniform value", "1")),
                     c.channel.slope <= 0.0 ? "the channel has no slope, so no stress to compare with"
                                            : "the results file holds no window of the mean field within the "
                                              "averaging window");

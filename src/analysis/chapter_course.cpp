@@ -4,21 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "analysis/bodies.hpp"
 #include "analysis/chapters.hpp"
 #include "analysis/course_parts.hpp"
 #include "analysis/figure_tools.hpp"
 #include "analysis/surface_parts.hpp"
+#include "base/not_a_number.hpp"
 
 namespace riffle {
 
 namespace {
-
-constexpr const char* chapter = course_chapter;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t most_points = 3000;
 
 std::vector<double> places_along(const SpaceTime& surface) {
     std::vector<double> x;
@@ -43,7 +39,7 @@ std::vector<std::size_t> rows_at_times(const std::vector<double>& time, std::siz
 double ritter_depth(const DamBreak& dam, double gravity, double x, double t) {
     const double celerity = std::sqrt(gravity * dam.depth);
     const double along = (dam.forward ? x - dam.dam : dam.dam - x) / t;
-    if (along < -celerity || along > 2.0 * celerity) return nan;
+    if (along < -celerity || along > 2.0 * celerity) return not_a_number;
     return std::pow(2.0 * celerity - along, 2) / (9.0 * gravity);
 }
 
@@ -65,7 +61,7 @@ std::optional<RitterTime> ritter_time(const Case& c, const std::optional<DamBrea
 void add_level_lines(const FlowRecord& record, const SpaceTime& surface, Analysis& analysis) {
     const Case& c = *record.flow();
     Figure figure = make_figure(
-        chapter, "level_lines", "Surface along the channel at times",
+        chapters::course, "level_lines", "Surface along the channel at times",
         "Height of the free surface above the bed level at evenly spaced times; a gap is a dry place.", "",
         make_axis("distance along the channel x", "m"), make_axis("height above the bed level z", "m"));
     figure.x.from = 0.0;
@@ -89,8 +85,8 @@ void add_level_lines(const FlowRecord& record, const SpaceTime& surface, Analysi
                 exact.x.push_back(at);
                 exact.y.push_back(ritter_depth(*dam, c.normal_gravity(), at, time - valid->from));
             }
-            exact.x.push_back(nan);  // the next time begins a line of its own
-            exact.y.push_back(nan);
+            exact.x.push_back(not_a_number);  // the next time begins a line of its own
+            exact.y.push_back(not_a_number);
         }
         ++variant;
     }
@@ -105,7 +101,7 @@ void add_level_lines(const FlowRecord& record, const SpaceTime& surface, Analysi
 }
 
 void add_level_map(const FlowRecord& record, const SpaceTime& surface, Analysis& analysis) {
-    Figure figure = make_figure(chapter, "level_map", "Surface level in space and time",
+    Figure figure = make_figure(chapters::course, "level_map", "Surface level in space and time",
                                 "Height of the free surface above the bed level; white: dry.", "",
                                 make_axis("distance along the channel x", "m"), make_axis("time t", "s"));
     constexpr std::size_t most_rows = 400;
@@ -128,15 +124,14 @@ void add_level_map(const FlowRecord& record, const SpaceTime& surface, Analysis&
 
 void add_levels(const FlowRecord& record, Analysis& analysis) {
     Figure figure =
-        make_figure(chapter, "level_history", "Level at places in time",
+        make_figure(chapters::course, "level_history", "Level at places in time",
                     "Height of the free surface above the bed level at the wave probes; a gap: dry.", "",
                     make_axis("time t", "s"), make_axis("height of the surface", "m"));
     int variant = 0;
     for (const ElevationProbe& probe : record.elevation_probes()) {
         if (probe.time.size() < 2) continue;
-        figure.curves.push_back(make_curve(probe.name, Origin::simulated, Mark::line,
-                                           thinned(probe.time, most_points),
-                                           thinned(probe.elevation, most_points), variant++));
+        figure.curves.push_back(make_curve(probe.name, Origin::simulated, Mark::line, thinned(probe.time),
+                                           thinned(probe.elevation), variant++));
     }
     if (figure.curves.empty()) {
         add_missing(record, analysis, std::move(figure), "no wave probe recorded anything");
@@ -164,7 +159,7 @@ void add_front_speed(const Case& c, const std::vector<double>& time, const std::
     const TrendEstimate trend = trend_with_confidence(places);
     const double sign = dam->forward ? 1.0 : -1.0;
     analysis.findings.push_back(
-        against(make_finding(chapter, "front_speed", "speed of the front over the dry bed", "m/s",
+        against(make_finding(chapters::course, "front_speed", "speed of the front over the dry bed", "m/s",
                              sign * trend.slope / interval, trend.half_width / interval),
                 2.0 * std::sqrt(c.normal_gravity() * dam->depth), "Ritter 1892, 2 sqrt(g h0)",
                 fmt::format("from {:.3g} s to {:.3g} s", times.front(), times.back())));
@@ -184,14 +179,13 @@ void add_fronts(const FlowRecord& record, Analysis& analysis) {
         const auto [low, high] = std::minmax_element(ends.begin(), ends.end());
         return *high - *low > 3.0 * c.numerics.spacing;
     };
-    Figure figure = make_figure(chapter, "front_history", "Ends of the water in time",
+    Figure figure = make_figure(chapters::course, "front_history", "Ends of the water in time",
                                 "Places along the channel of the first and the last particle, spray and all.",
                                 "", make_axis("time t", "s"), make_axis("distance along the channel x", "m"));
     const auto add = [&](const char* name, const std::vector<double>& ends, int variant) {
         if (!moves(ends)) return;
-        figure.curves.push_back(make_curve(name, Origin::simulated, Mark::line,
-                                           thinned(time->second, most_points), thinned(ends, most_points),
-                                           variant));
+        figure.curves.push_back(
+            make_curve(name, Origin::simulated, Mark::line, thinned(time->second), thinned(ends), variant));
     };
     add("last particle", upper->second, 0);
     add("first particle", lower->second, 1);
@@ -215,7 +209,7 @@ void add_velocity_lines(const FlowRecord& record, Analysis& analysis) {
                              });
         if (!upright || probe.time.size() < 2) continue;
         Figure figure = make_figure(
-            chapter, "velocity_lines", "Velocity over the depth at times",
+            chapters::course, "velocity_lines", "Velocity over the depth at times",
             fmt::format("Streamwise velocity at the points of {}, x = {:.4g} mm, at evenly spaced times.",
                         probe.name, 1000.0 * probe.x.front()),
             "", make_axis("streamwise velocity u", "m/s"), make_axis("height above the bed level z", "m"));

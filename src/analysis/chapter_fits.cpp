@@ -21,11 +21,9 @@ namespace riffle {
 
 namespace {
 
-constexpr const char* chapter = "fits";
-
 Figure laws_figure(const FlowRecord& record, const FittedFlow& flow) {
     Figure figure =
-        make_figure(chapter, "fitted_laws", "Laws fitted to the velocity profile",
+        make_figure(chapters::fits, "fitted_laws", "Laws fitted to the velocity profile",
                     "Velocity profile with the fitted laws, each drawn over the range of heights that "
                     "it was fitted to. Zero plane: the datum.",
                     "thesis (2.3), (2.5), (2.24)-(2.26)", make_axis("streamwise velocity u", "m/s"),
@@ -54,7 +52,7 @@ Curve scaled_profile(const char* name, Origin origin, const VelocityPoints& poin
 void add_log_law(const FlowRecord& record, const FittedFlow& flow, Figure& laws, Analysis& analysis) {
     const Case& c = *record.flow();
     Figure figure = make_figure(
-        chapter, "log_law", "Rough log law",
+        chapters::fits, "log_law", "Rough log law",
         "Velocity over the friction velocity against the height over the datum, scaled with the fitted "
         "roughness; the line is u/u* = ln((z - z0)/ks)/0.41 + 8.5.",
         "thesis (2.3)", make_axis("height over roughness (z - z0)/ks", "1", true),
@@ -79,8 +77,8 @@ void add_log_law(const FlowRecord& record, const FittedFlow& flow, Figure& laws,
                        value(fit.equivalent_roughness, fit.equivalent_roughness_half_width,
                              fit.equivalent_roughness_interval)),
                 c.measured.equivalent_roughness, measured_name(c)));
-    analysis.findings.push_back(
-        make_finding(chapter, "log_law_residual", "rms residual of the log law", "m/s", fit.residual_rms));
+    analysis.findings.push_back(make_finding(chapters::fits, "log_law_residual",
+                                             "rms residual of the log law", "m/s", fit.residual_rms));
     const LogLawFit free = fit_log_law_with_zero_plane(flow.points, log_law_kappa, flow.log_law_range);
     if (free.valid && (free.zero_plane < 0.0 || free.zero_plane > c.crest())) {
         analysis.warnings.push_back(
@@ -145,8 +143,8 @@ void add_log_law(const FlowRecord& record, const FittedFlow& flow, Figure& laws,
     }));
     const double k_plus = roughness_reynolds_number(fit.equivalent_roughness, fit.friction_velocity,
                                                     c.fluid.kinematic_viscosity);
-    Finding rough =
-        make_finding(chapter, "roughness_reynolds_number", "roughness Reynolds number ks u*/nu", "1", k_plus);
+    Finding rough = make_finding(chapters::fits, "roughness_reynolds_number",
+                                 "roughness Reynolds number ks u*/nu", "1", k_plus);
     const RoughnessClass kind = roughness_class(k_plus);
     rough.remark = kind == RoughnessClass::smooth         ? "hydraulically smooth (below 5)"
                    : kind == RoughnessClass::transitional ? "transitionally rough (5 to 70)"
@@ -263,14 +261,14 @@ void add_stress_velocity(const FlowRecord& record, bool at_centreline, FittedFlo
                       std::string("beside the walls stress on upright planes carries a part of the weight");
         }
         analysis.findings.push_back(against(
-            make_finding(chapter, "friction_velocity",
+            make_finding(chapters::fits, "friction_velocity",
                          at_centreline ? "friction velocity u*, stress at the crests around the centreline"
                                        : "friction velocity u*, stress at the crests",
                          "m/s", found->first, found->second),
             c.measured.friction_velocity, measured_name(c), remark));
     }
     if (at_centreline && whole) {
-        analysis.findings.push_back(make_finding(chapter, "width_friction_velocity",
+        analysis.findings.push_back(make_finding(chapters::fits, "width_friction_velocity",
                                                  "the same of the mean stress over the width", "m/s",
                                                  whole->first, whole->second));
     }
@@ -286,17 +284,17 @@ void add_section_twin_fits(const FlowRecord& record, const FittedFlow& flow, Ana
     const LogLawFit fit =
         fit_log_law(VelocityPoints{twin.z, velocity, {}, c.datum()}, log_law_kappa, flow.log_law_range);
     if (fit.valid) {
-        analysis.findings.push_back(make_finding(chapter, "section_twin_log_law_friction_velocity",
+        analysis.findings.push_back(make_finding(chapters::fits, "section_twin_log_law_friction_velocity",
                                                  "u* of the section twin at the centreline, log-law fit",
                                                  "m/s", fit.friction_velocity));
-        analysis.findings.push_back(make_finding(chapter, "section_twin_equivalent_roughness",
+        analysis.findings.push_back(make_finding(chapters::fits, "section_twin_equivalent_roughness",
                                                  "ks of the section twin at the centreline, log-law fit", "m",
                                                  fit.equivalent_roughness));
     }
     if (const auto stress =
             friction_of(c, fit_stress_line(c, twin.z, twin_profile(twin, twin.shear_stress, strip)))) {
         analysis.findings.push_back(make_finding(
-            chapter, "section_twin_friction_velocity",
+            chapters::fits, "section_twin_friction_velocity",
             "u* of the section twin at the centreline, stress at the crests", "m/s", stress->first));
     }
 }
@@ -323,7 +321,7 @@ void analyse_fits(const FlowRecord& record, Analysis& analysis) {
     if (record.flow() == nullptr) return;
     const Case& c = *record.flow();
     const Profiles& p = record.profiles();
-    Figure empty = make_figure(chapter, "log_law", "Rough log law", "", "thesis (2.3)",
+    Figure empty = make_figure(chapters::fits, "log_law", "Rough log law", "", "thesis (2.3)",
                                make_axis("height over roughness (z - z0)/ks", "1", true),
                                make_axis("velocity u/u*", "1"));
     if (p.empty() || p.velocity.empty()) {

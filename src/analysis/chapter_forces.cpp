@@ -13,8 +13,6 @@ namespace riffle {
 
 namespace {
 
-constexpr const char* chapter = "forces";
-
 /// A share of the weight component: its series, its name, its share in the column twin.
 struct Share {
     const char* series;
@@ -55,8 +53,8 @@ void add_instruments(const FlowRecord& record, const char* kind, Figure figure, 
             .curves.push_back(make_curve(probe.label, record.origin(), Mark::line, thinned(probe.time, most),
                                          thinned(probe.value, most), variant++));
         const MeanEstimate mean = mean_with_confidence(probe.value);
-        Finding finding = make_finding(chapter, probe.name + "_" + probe.quantity, probe.label, probe.unit,
-                                       mean.mean, trusted_half_width(mean));
+        Finding finding = make_finding(chapters::forces, probe.name + "_" + probe.quantity, probe.label,
+                                       probe.unit, mean.mean, trusted_half_width(mean));
         finding.remark = "instrument " + probe.name;
         // Below this it is rounding of a force that does not vary.
         if (mean.standard_deviation > 1e-12 * std::abs(mean.mean))
@@ -91,7 +89,7 @@ void add_solid_shares(const FlowRecord& record, Analysis& analysis) {
         if (sum.empty()) return;
         const MeanEstimate mean = mean_with_confidence(sum);
         Finding share =
-            make_finding(chapter, key, label, "1", mean.mean / whole.mean, trusted_half_width(mean));
+            make_finding(chapters::forces, key, label, "1", mean.mean / whole.mean, trusted_half_width(mean));
         if (share.half_width) *share.half_width /= whole.mean;
         analysis.findings.push_back(std::move(share));
     };
@@ -107,7 +105,7 @@ void analyse_forces(const FlowRecord& record, Analysis& analysis) {
     const bool in_space = c.channel.dimensions == 3;
     add_instruments(
         record, "force",
-        make_figure(chapter, "force_instruments", "Forces on bed and walls",
+        make_figure(chapters::forces, "force_instruments", "Forces on bed and walls",
                     fmt::format("Forces between the water and its bed and walls, and the weight component "
                                 "down the slope, {}, as the instruments recorded them.",
                                 in_space ? "of the whole channel" : "per unit width"),
@@ -115,7 +113,7 @@ void analyse_forces(const FlowRecord& record, Analysis& analysis) {
                     in_space ? make_axis("force", "N") : make_axis("force per unit width", "N/m")),
         analysis);
     add_instruments(record, "flow_rate",
-                    make_figure(chapter, "flow_rate_history", "Flow rate through sections",
+                    make_figure(chapters::forces, "flow_rate_history", "Flow rate through sections",
                                 fmt::format("Discharge {}through the sections of the instruments.",
                                             in_space ? "" : "per unit width "),
                                 "", make_axis("time t", "s"),
@@ -123,7 +121,7 @@ void analyse_forces(const FlowRecord& record, Analysis& analysis) {
                                          : make_axis("discharge per unit width", "m2/s")),
                     analysis);
     Figure figure = make_figure(
-        chapter, "force_history", "Forces on the water",
+        chapters::forces, "force_history", "Forces on the water",
         fmt::format("Drag of the bed elements, streamwise force of the walls{} and rate of change of the "
                     "momentum, each over the weight component down the slope. Their sum is one where the "
                     "momentum is balanced.",
@@ -180,7 +178,7 @@ void analyse_forces(const FlowRecord& record, Analysis& analysis) {
         sum_of_forces.resize(window.size(), 0.0);
         for (std::size_t i = 0; i < window.size(); ++i) sum_of_forces[i] += window[i];
         analysis.findings.push_back(against(
-            make_finding(chapter, share.key, share.label, "1", mean.mean, half_width), share.column,
+            make_finding(chapters::forces, share.key, share.label, "1", mean.mean, half_width), share.column,
             share.variant == 2 ? "steady flow" : twin_name, share.variant == 3 ? partition_remark(c) : ""));
         // Only beds of spheres have a drag of elements.
         if (share.variant == 0 && c.bed.kind == BedKind::spheres) {
@@ -194,8 +192,9 @@ void analyse_forces(const FlowRecord& record, Analysis& analysis) {
                                       c.fluid.density * std::pow(*c.measured.friction_velocity, 2),
                                       measured_name(c));
             }
-            Finding stress = make_finding(chapter, "bed_stress", "drag of the bed elements per plan area",
-                                          "Pa", mean.mean * bed_weight, half_width);
+            Finding stress =
+                make_finding(chapters::forces, "bed_stress", "drag of the bed elements per plan area", "Pa",
+                             mean.mean * bed_weight, half_width);
             if (stress.half_width) *stress.half_width *= bed_weight;
             analysis.findings.push_back(
                 against(std::move(stress), expected,
@@ -218,7 +217,7 @@ void analyse_forces(const FlowRecord& record, Analysis& analysis) {
     }
     const MeanEstimate balance = mean_with_confidence(sum_of_forces);
     analysis.findings.push_back(
-        against(make_finding(chapter, "momentum_balance", "sum of the forces over the weight", "1",
+        against(make_finding(chapters::forces, "momentum_balance", "sum of the forces over the weight", "1",
                              balance.mean, trusted_half_width(balance)),
                 1.0, "momentum balance"));
 }

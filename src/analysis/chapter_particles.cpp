@@ -7,9 +7,6 @@ namespace riffle {
 
 namespace {
 
-constexpr const char* chapter = "particles";
-constexpr std::size_t most_points = 3000;
-
 /// A curve of such a figure: its series, its name.
 struct Sign {
     const char* series;
@@ -23,9 +20,8 @@ void add_signs(const FlowRecord& record, Figure figure, const std::vector<Sign>&
     for (const Sign& sign : signs) {
         const auto values = series.find(sign.series);
         if (time == series.end() || values == series.end() || time->second.size() < 2) continue;
-        figure.curves.push_back(make_curve(sign.name, Origin::simulated, Mark::line,
-                                           thinned(time->second, most_points),
-                                           thinned(values->second, most_points), variant++));
+        figure.curves.push_back(make_curve(sign.name, Origin::simulated, Mark::line, thinned(time->second),
+                                           thinned(values->second), variant++));
     }
     if (figure.curves.empty()) {
         add_missing(record, analysis, std::move(figure), "the results file holds no such time series yet");
@@ -41,7 +37,7 @@ void analyse_particles(const FlowRecord& record, Analysis& analysis) {
     if (record.flow() == nullptr || record.origin() != Origin::simulated) return;
     const auto figure = [](const char* key, const char* title, const char* caption, const char* label,
                            const char* unit) {
-        return make_figure(chapter, key, title, caption, "", make_axis("time t", "s"),
+        return make_figure(chapters::particles, key, title, caption, "", make_axis("time t", "s"),
                            make_axis(label, unit));
     };
     add_signs(record,

@@ -119,7 +119,7 @@ void add_twin(const FlowRecord& record, const std::vector<double> ColumnProfile:
 }
 
 Figure profile_figure(std::string key, std::string title, std::string caption, std::string source, Axis x) {
-    return make_figure(profiles_chapter, std::move(key), std::move(title), std::move(caption),
+    return make_figure(chapters::profiles, std::move(key), std::move(title), std::move(caption),
                        std::move(source), std::move(x), make_axis("height above the bed level z", "m"));
 }
 

@@ -18,7 +18,6 @@ namespace riffle {
 
 namespace {
 
-constexpr const char* chapter = "secondary";
 constexpr double thesis_averaging_time = 0.2;  // s
 
 /// What the chapter starts from.
@@ -34,7 +33,7 @@ struct Setting {
 };
 
 Finding over_velocity(const Setting& s, std::string key, std::string label, double value, double half_width) {
-    return make_finding(chapter, std::move(key), std::move(label), "1", value / s.velocity,
+    return make_finding(chapters::secondary, std::move(key), std::move(label), "1", value / s.velocity,
                         half_width / s.velocity);
 }
 
@@ -73,7 +72,8 @@ std::string verdict_of(const Estimate& persistent, double left) {
 
 void add_survival(const FlowRecord& record, const Setting& s, Analysis& analysis) {
     Figure figure = make_figure(
-        chapter, "secondary_strength_averaging", "Strength of the secondary flow against averaging time",
+        chapters::secondary, "secondary_strength_averaging",
+        "Strength of the secondary flow against averaging time",
         "Root mean square and largest sqrt(V^2 + W^2) of means over stretches of time, over U. What is "
         "fluctuation falls as 1/sqrt(T); the horizontal line is what the products of different stretches "
         "have in common, the part that lasts; the curve is both together.",
@@ -155,7 +155,7 @@ void add_cells(const Setting& s, Analysis& analysis) {
     for (double& value : psi.value) value /= scale;
     for (double& value : psi.half_width) value /= scale;
     Figure figure = make_figure(
-        chapter, "secondary_streamfunction", "Streamfunction across the channel",
+        chapters::secondary, "secondary_streamfunction", "Streamfunction across the channel",
         "Mean over the depth of the streamfunction of (V, W), over U H, with 95 % intervals. A cell is a "
         "stretch of one sign beyond its interval.",
         "", make_axis("distance from the side wall y/H", "1"), make_axis("streamfunction over U H", "1"));
@@ -166,8 +166,9 @@ void add_cells(const Setting& s, Analysis& analysis) {
     figure.curves.push_back(std::move(curve));
     analysis.figures.push_back(std::move(figure));
     if (!known) return;
-    Finding count = make_finding(chapter, "secondary_cells", "cells of the secondary flow across the channel",
-                                 "1", static_cast<double>(cells.size()));
+    Finding count =
+        make_finding(chapters::secondary, "secondary_cells", "cells of the secondary flow across the channel",
+                     "1", static_cast<double>(cells.size()));
     count.remark = cells.empty()
                        ? "no place where the streamfunction stands out of its 95 % interval"
                        : "each place by itself: where nothing lasts, one in twenty stands out by chance";
@@ -177,8 +178,8 @@ void add_cells(const Setting& s, Analysis& analysis) {
     for (const SecondaryCell& cell : cells)
         width += (cell.to - cell.from) / static_cast<double>(cells.size());
     analysis.findings.push_back(
-        against(make_finding(chapter, "secondary_cell_width", "mean width of the cells over H", "1",
-                             width / s.c.total_depth()),
+        against(make_finding(chapters::secondary, "secondary_cell_width", "mean width of the cells over H",
+                             "1", width / s.c.total_depth()),
                 1.05, "thesis, 0.9 to 1.2"));
 }
 
@@ -193,7 +194,7 @@ void add_vortices(const FieldSums& section, const Setting& s, Analysis& analysis
     std::vector<double> scaled = swirl;
     for (double& value : scaled) value /= scale;
     Figure figure = section_figure(
-        chapter, "swirling_strength_map", "Swirling strength of the mean motion across the flow",
+        chapters::secondary, "swirling_strength_map", "Swirling strength of the mean motion across the flow",
         "Imaginary part of the eigenvalues of the gradient of (V, W), with the sign of the rotation, over "
         "U/H; arrows: (V, W).",
         "thesis chapter 5, vortices; Zhou et al. 1999");
@@ -227,17 +228,18 @@ void add_vortices(const FieldSums& section, const Setting& s, Analysis& analysis
             if (std::abs(circulation.value) > circulation.half_width) standing += 1.0;
         }
     }
-    Finding count =
-        make_finding(chapter, "vortices", "vortices in the mean motion across the flow", "1", number);
+    Finding count = make_finding(chapters::secondary, "vortices",
+                                 "vortices in the mean motion across the flow", "1", number);
     count.remark = fmt::format(
         "regions of at least 4 cells with a swirling strength above {} times its rms; "
         "{:.0f} of them have a circulation beyond its 95 % interval",
         threshold, standing);
     analysis.findings.push_back(std::move(count));
     if (number > 0.0) {
-        analysis.findings.push_back(make_finding(
-            chapter, "vortex_diameter", "mean diameter of the vortices, of a circle of their area, over H",
-            "1", std::sqrt(4.0 * area / number / std::numbers::pi) / s.c.total_depth()));
+        analysis.findings.push_back(
+            make_finding(chapters::secondary, "vortex_diameter",
+                         "mean diameter of the vortices, of a circle of their area, over H", "1",
+                         std::sqrt(4.0 * area / number / std::numbers::pi) / s.c.total_depth()));
     }
 }
 
@@ -262,7 +264,7 @@ void add_space_vortices(const Setting& s, Analysis& analysis) {
         share += marked[i] ? 1.0 : 0.0;
     }
     const std::vector<std::vector<std::size_t>> regions = connected_regions(box, marked, 8);
-    Finding count = make_finding(chapter, "vortex_regions",
+    Finding count = make_finding(chapters::secondary, "vortex_regions",
                                  "regions of the mean flow in space with Q above "
                                  "its rms",
                                  "1", static_cast<double>(regions.size()));
@@ -275,7 +277,7 @@ void add_space_vortices(const Setting& s, Analysis& analysis) {
         std::lower_bound(field.z.begin(), field.z.end(), s.c.crest()) - field.z.begin());
     const std::size_t iz = std::min(middle, field.z.size() - 1);
     Figure figure = make_figure(
-        chapter, "q_criterion_map", "Q of the mean flow at the crests",
+        chapters::secondary, "q_criterion_map", "Q of the mean flow at the crests",
         fmt::format("Q = (|Omega|^2 - |S|^2)/2 of the mean velocity in space, over (U/H)^2, at {:.3g} mm "
                     "above the bed level: positive where the mean flow turns more than it strains.",
                     1000.0 * field.z[iz]),
@@ -304,7 +306,7 @@ void analyse_secondary(const FlowRecord& record, Analysis& analysis) {
     if (field.empty() || !(velocity > 0.0)) {
         add_missing(
             record, analysis,
-            make_figure(chapter, "secondary_strength_averaging",
+            make_figure(chapters::secondary, "secondary_strength_averaging",
                         "Strength of the secondary flow against averaging time", "", "",
                         make_axis("averaging time T", "s", true), make_axis("strength over U", "1", true)),
             field.empty() ? "the results file holds no window of the mean field within the averaging "

@@ -15,14 +15,12 @@ namespace riffle {
 
 namespace {
 
-constexpr const char* chapter = "section";
-
 std::vector<double> over(std::vector<double> values, double scale) {
     for (double& value : values) value /= scale;
     return values;
 }
 
-double largest(const std::vector<double>& values) {
+double largest_finite(const std::vector<double>& values) {
     double most = 0.0;
     for (const double value : values) {
         if (std::isfinite(value)) most = std::max(most, value);
@@ -52,7 +50,8 @@ std::string window_text(const MeanFlow& field) {
 void add_velocities(const FlowRecord& record, const FieldSums& section, double fastest, Analysis& analysis) {
     const MeanFlow& field = record.mean_field();
     const Case& c = *record.flow();
-    Figure u = section_figure(chapter, "section_velocity_map", "Streamwise velocity over the cross-section",
+    Figure u = section_figure(chapters::section, "section_velocity_map",
+                              "Streamwise velocity over the cross-section",
                               window_text(field) +
                                   " Colours: U over its largest value; arrows: the mean "
                                   "velocity across the flow, (V, W).",
@@ -66,7 +65,7 @@ void add_velocities(const FlowRecord& record, const FieldSums& section, double f
     const SectionTwin& twin = record.section_twin();
     if (!twin.empty()) {
         Figure beside = section_figure(
-            chapter, "section_twin_map", "Streamwise velocity of the section twin",
+            chapters::section, "section_twin_map", "Streamwise velocity of the section twin",
             "The steady flow of the same closure and drags over the cross-section, over the largest velocity "
             "of the run, at the cells of the run.",
             "");
@@ -75,7 +74,7 @@ void add_velocities(const FlowRecord& record, const FieldSums& section, double f
         analysis.figures.push_back(std::move(beside));
     }
     Figure across =
-        section_figure(chapter, "section_secondary_map", "Velocities across the flow",
+        section_figure(chapters::section, "section_secondary_map", "Velocities across the flow",
                        window_text(field) +
                            " Mean spanwise and vertical velocity over the largest mean velocity; how far "
                            "they stand out of what the averaging has left of the fluctuation, the chapter "
@@ -96,7 +95,7 @@ void add_stresses(const FlowRecord& record, const FieldSums& section, Analysis& 
     const double bed_stress =
         crest_stress(c.fluid.density, c.streamwise_gravity(), c.total_depth(), c.crest());
     Figure total = section_figure(
-        chapter, "section_stress_map", "Shear stresses over the cross-section",
+        chapters::section, "section_stress_map", "Shear stresses over the cross-section",
         window_text(field) +
             fmt::format(" Stress of viscosity and closure and resolved Reynolds stress together, over "
                         "tau_b = rho g S0 (H - d_h) = {:.4g} Pa.",
@@ -114,7 +113,7 @@ void add_stresses(const FlowRecord& record, const FieldSums& section, Analysis& 
     add(total, total_stress(section, rho, true), "stress tau_xy/tau_b");
     analysis.figures.push_back(std::move(total));
     Figure parts = section_figure(
-        chapter, "section_resolved_stress_map", "Resolved Reynolds stresses over the cross-section",
+        chapters::section, "section_resolved_stress_map", "Resolved Reynolds stresses over the cross-section",
         "The part of the stresses that the resolved motion carries, -rho u'w' and -rho u'v' with the "
         "departures from the mean in time and along the bed, over tau_b.",
         "thesis chapter 5");
@@ -127,20 +126,21 @@ void add_findings(const FlowRecord& record, Analysis& analysis) {
     const MeanFlow& field = record.mean_field();
     const Case& c = *record.flow();
     const SectionTwin& twin = record.section_twin();
-    const Estimate fastest = section_estimate(
-        field, [](const FieldSums& section) { return largest(section.means(FieldQuantity::velocity)); });
+    const Estimate fastest = section_estimate(field, [](const FieldSums& section) {
+        return largest_finite(section.means(FieldQuantity::velocity));
+    });
     std::optional<double> reference;
-    if (!twin.empty()) reference = largest(twin.velocity);
+    if (!twin.empty()) reference = largest_finite(twin.velocity);
     analysis.findings.push_back(
-        against(make_finding(chapter, "maximum_mean_velocity", "largest mean velocity, U_max", "m/s",
-                             fastest.value, fastest.half_width),
+        against(make_finding(chapters::section, "maximum_mean_velocity", "largest mean velocity, U_max",
+                             "m/s", fastest.value, fastest.half_width),
                 reference, "section twin"));
     const Strip strip = centreline_strip(c);
     const Estimate centre = section_estimate(field, [&](const FieldSums& section) {
         return mean_above_datum(
             c, field.z, strip_of(field, section, strip.from, strip.to).means(FieldQuantity::velocity));
     });
-    Finding finding = against(make_finding(chapter, "centreline_depth_mean_velocity",
+    Finding finding = against(make_finding(chapters::section, "centreline_depth_mean_velocity",
                                            "depth-mean velocity above the datum at the centreline", "m/s",
                                            centre.value, centre.half_width),
                               c.measured.depth_mean_velocity, measured_name(c));
@@ -148,10 +148,10 @@ void add_findings(const FlowRecord& record, Analysis& analysis) {
         fmt::format("mean over {:.3g} mm around the centreline", 1000.0 * (strip.to - strip.from));
     analysis.findings.push_back(std::move(finding));
     if (const auto beside = twin.value("centreline_velocity")) {
-        analysis.findings.push_back(against(
-            make_finding(chapter, "centreline_velocity_over_twin", "the same over that of the section twin",
-                         "1", centre.value / *beside, centre.half_width / *beside),
-            1.0, "section twin"));
+        analysis.findings.push_back(against(make_finding(chapters::section, "centreline_velocity_over_twin",
+                                                         "the same over that of the section twin", "1",
+                                                         centre.value / *beside, centre.half_width / *beside),
+                                            1.0, "section twin"));
     }
 }
 
@@ -163,17 +163,17 @@ void analyse_section(const FlowRecord& record, Analysis& analysis) {
     const MeanFlow& field = record.mean_field();
     if (field.empty()) {
         add_missing(record, analysis,
-                    section_figure(chapter, "section_velocity_map",
+                    section_figure(chapters::section, "section_velocity_map",
                                    "Streamwise velocity over the cross-section", "", ""),
                     "the results file holds no window of the mean field within the averaging window "
                     "(output.mean_field_interval sets their length)");
         return;
     }
     const FieldSums section = field.section();
-    const double fastest = largest(section.means(FieldQuantity::velocity));
+    const double fastest = largest_finite(section.means(FieldQuantity::velocity));
     if (!(fastest > 0.0)) {
         add_missing(record, analysis,
-                    section_figure(chapter, "section_velocity_map",
+                    section_figure(chapters::section, "section_velocity_map",
                                    "Streamwise velocity over the cross-section", "", ""),
                     "the water does not flow down the channel");
         return;

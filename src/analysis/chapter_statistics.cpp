@@ -17,12 +17,9 @@ namespace riffle {
 
 namespace {
 
-constexpr const char* chapter = "statistics";
-constexpr std::size_t most_points = 3000;
-
 void add_history(const FlowRecord& record, Analysis& analysis) {
     Figure figure =
-        make_figure(chapter, "velocity_history", "Depth-mean velocity against time",
+        make_figure(chapters::statistics, "velocity_history", "Depth-mean velocity against time",
                     "Depth-mean velocity above the datum over the whole run.", "thesis Figs 4.4-4.5, 5.10",
                     make_axis("time t", "s"), make_axis("depth-mean velocity U", "m/s"));
     const SeriesTable& series = record.series();
@@ -32,9 +29,8 @@ void add_history(const FlowRecord& record, Analysis& analysis) {
         add_missing(record, analysis, std::move(figure), "the results file holds no time series yet");
         return;
     }
-    figure.curves.push_back(make_curve("simulated", Origin::simulated, Mark::line,
-                                       thinned(time->second, most_points),
-                                       thinned(velocity->second, most_points)));
+    figure.curves.push_back(make_curve("simulated", Origin::simulated, Mark::line, thinned(time->second),
+                                       thinned(velocity->second)));
     const std::vector<double> ends = {time->second.front(), time->second.back()};
     const auto level = [&](const char* name, Origin origin, double value) {
         figure.curves.push_back(make_curve(name, origin, Mark::line, ends, {value, value}));
@@ -46,9 +42,8 @@ void add_history(const FlowRecord& record, Analysis& analysis) {
         level("section twin", Origin::column, *twin);
     const auto centreline = series.find("centreline_velocity");
     if (between_walls && centreline != series.end()) {
-        Curve curve =
-            make_curve("around the centreline", Origin::simulated, Mark::line,
-                       thinned(time->second, most_points), thinned(centreline->second, most_points));
+        Curve curve = make_curve("around the centreline", Origin::simulated, Mark::line,
+                                 thinned(time->second), thinned(centreline->second));
         curve.variant = 1;
         figure.curves.push_back(std::move(curve));
         figure.caption +=
@@ -69,12 +64,11 @@ void add_level_history(const FlowRecord& record, Analysis& analysis) {
         record.flow()->channel.top != Top::free_surface) {
         return;
     }
-    Figure figure = make_figure(chapter, "mean_level_history", "Mean water level against time",
+    Figure figure = make_figure(chapters::statistics, "mean_level_history", "Mean water level against time",
                                 "Mean height of the surface above the bed level over the whole run.", "",
                                 make_axis("time t", "s"), make_axis("mean level", "m"));
-    figure.curves.push_back(make_curve("simulated", Origin::simulated, Mark::line,
-                                       thinned(time->second, most_points),
-                                       thinned(level->second, most_points)));
+    figure.curves.push_back(make_curve("simulated", Origin::simulated, Mark::line, thinned(time->second),
+                                       thinned(level->second)));
     mark_window(record, figure);
     analysis.figures.push_back(std::move(figure));
 }
@@ -91,13 +85,14 @@ struct WindowRecord {
 };
 
 void add_settling(const FlowRecord& record, const WindowRecord& window, Analysis& analysis) {
-    Figure figure = make_figure(
-        chapter, window.prefix + "_settling", fmt::format("Settling of the mean of {}", window.symbol),
-        "Mean from the start of the window up to each time, with its 95 % interval, over the "
-        "mean of the whole "
-        "window.",
-        "thesis Figs 4.4-4.5, 5.10", make_axis("time t", "s"),
-        make_axis("running mean over final mean", "1"));
+    Figure figure =
+        make_figure(chapters::statistics, window.prefix + "_settling",
+                    fmt::format("Settling of the mean of {}", window.symbol),
+                    "Mean from the start of the window up to each time, with its 95 % interval, over the "
+                    "mean of the whole "
+                    "window.",
+                    "thesis Figs 4.4-4.5, 5.10", make_axis("time t", "s"),
+                    make_axis("running mean over final mean", "1"));
     attempt(record, analysis, std::move(figure), [&](Figure& f) {
         const SettlingCurve settling = settling_curve(window.values);
         const double last = settling.mean.back();
@@ -111,7 +106,7 @@ void add_settling(const FlowRecord& record, const WindowRecord& window, Analysis
         f.curves.push_back(std::move(curve));
         constexpr double band = 0.01;
         Finding finding = make_finding(
-            chapter, window.findings + "settled_after",
+            chapters::statistics, window.findings + "settled_after",
             "time after which the running mean stays within 1 % of the final", "s",
             static_cast<double>(settled_after(window.values, band * std::abs(last))) * window.interval);
         finding.remark =
@@ -121,21 +116,22 @@ void add_settling(const FlowRecord& record, const WindowRecord& window, Analysis
 }
 
 void add_autocorrelation(const FlowRecord& record, const WindowRecord& window, Analysis& analysis) {
-    Figure figure = make_figure(
-        chapter, window.prefix + "_autocorrelation", fmt::format("Autocorrelation of {}", window.symbol),
-        "Autocorrelation in time over the window, from which the integral time scale and "
-        "the intervals of the means follow.",
-        "", make_axis("time lag", "s"), make_axis("autocorrelation", "1"));
+    Figure figure =
+        make_figure(chapters::statistics, window.prefix + "_autocorrelation",
+                    fmt::format("Autocorrelation of {}", window.symbol),
+                    "Autocorrelation in time over the window, from which the integral time scale and "
+                    "the intervals of the means follow.",
+                    "", make_axis("time lag", "s"), make_axis("autocorrelation", "1"));
     attempt(record, analysis, std::move(figure), [&](Figure& f) {
         const std::vector<double> correlation =
             autocorrelation(window.values, std::max<std::size_t>(1, window.values.size() / 4));
         std::vector<double> lag;
         for (std::size_t i = 0; i < correlation.size(); ++i)
             lag.push_back(static_cast<double>(i) * window.interval);
-        f.curves.push_back(make_curve(window.symbol, record.origin(), Mark::line, thinned(lag, most_points),
-                                      thinned(correlation, most_points)));
+        f.curves.push_back(
+            make_curve(window.symbol, record.origin(), Mark::line, thinned(lag), thinned(correlation)));
         const IntegralScale scale = integral_scale_to_zero_crossing(correlation);
-        Finding finding = make_finding(chapter, window.findings + "integral_time_to_zero",
+        Finding finding = make_finding(chapters::statistics, window.findings + "integral_time_to_zero",
                                        "integral time scale to the first zero crossing", "s",
                                        scale.scale * window.interval);
         if (!scale.closed)
@@ -150,7 +146,7 @@ void add_stationarity(const WindowRecord& window, double tolerance, Analysis& an
         const Stationarity test = stationarity(window.values);
         const MeanEstimate mean = mean_with_confidence(window.values);
         Finding drift =
-            against(make_finding(chapter, window.prefix + "_drift",
+            against(make_finding(chapters::statistics, window.prefix + "_drift",
                                  fmt::format("change of {} over the window by its trend", window.symbol),
                                  window.unit, test.drift.value, test.drift.half_width),
                     0.0, "steady flow");
@@ -158,7 +154,7 @@ void add_stationarity(const WindowRecord& window, double tolerance, Analysis& an
                                    test.drift.value / mean.mean, test.trend_p_value);
         analysis.findings.push_back(std::move(drift));
         Finding steady = make_finding(
-            chapter, window.findings + "stationarity_p_value",
+            chapters::statistics, window.findings + "stationarity_p_value",
             fmt::format("steadiness of {}: smallest p-value (Bonferroni)", window.symbol), "1", test.p_value);
         steady.remark = test.blocks ? "trend, reverse arrangements and runs of means and variances of blocks"
                                     : fmt::format(
@@ -194,14 +190,15 @@ void add_centreline(const FlowRecord& record, const std::string& remark, Analysi
     const MeanEstimate mean = mean_with_confidence(velocity);
     const std::optional<double> half_width = trusted_half_width(mean);
     analysis.findings.push_back(
-        against(make_finding(chapter, "centreline_velocity", "depth-mean velocity around the centreline",
-                             "m/s", mean.mean, half_width),
+        against(make_finding(chapters::statistics, "centreline_velocity",
+                             "depth-mean velocity around the centreline", "m/s", mean.mean, half_width),
                 c.measured.depth_mean_velocity, measured_name(c), remark));
     if (const auto twin = record.section_twin().value("centreline_velocity")) {
-        analysis.findings.push_back(against(make_finding(chapter, "centreline_velocity_over_section",
-                                                         "the same over that of the section twin", "1",
-                                                         mean.mean / *twin, over(half_width, *twin)),
-                                            1.0, "section twin"));
+        analysis.findings.push_back(
+            against(make_finding(chapters::statistics, "centreline_velocity_over_section",
+                                 "the same over that of the section twin", "1", mean.mean / *twin,
+                                 over(half_width, *twin)),
+                    1.0, "section twin"));
     }
 }
 
@@ -209,11 +206,12 @@ void add_centreline(const FlowRecord& record, const std::string& remark, Analysi
 /// the particles' fluctuation still grows.
 void add_window_findings(const FlowRecord& record, const MeanEstimate& mean,
                          const std::vector<double>& velocity, Analysis& analysis) {
-    analysis.findings.push_back(make_finding(
-        chapter, "effective_samples", "independent samples of U in the window", "1", mean.effective_samples));
+    analysis.findings.push_back(make_finding(chapters::statistics, "effective_samples",
+                                             "independent samples of U in the window", "1",
+                                             mean.effective_samples));
     const auto [low, high] = std::minmax_element(velocity.begin(), velocity.end());
     if (mean.mean != 0.0) {
-        analysis.findings.push_back(make_finding(chapter, "velocity_range_in_window",
+        analysis.findings.push_back(make_finding(chapters::statistics, "velocity_range_in_window",
                                                  "largest less smallest U in the window, over its mean", "1",
                                                  (*high - *low) / std::abs(mean.mean)));
     }
@@ -226,7 +224,7 @@ void add_window_findings(const FlowRecord& record, const MeanEstimate& mean,
     const auto steps = static_cast<double>(fluctuation.size() - 1);
     const double factor = std::exp(trend.slope * steps);
     Finding growth =
-        make_finding(chapter, "velocity_fluctuation_growth",
+        make_finding(chapters::statistics, "velocity_fluctuation_growth",
                      "growth of the velocity fluctuation over the window, by the trend of its logarithm", "1",
                      factor - 1.0, factor * (1.0 - std::exp(-trend.half_width * steps)));
     growth.remark = "0: a flow that has come to its lasting state";
@@ -250,8 +248,8 @@ void add_means(const FlowRecord& record, Analysis& analysis) {
     // Between side walls the measured velocity is that of the centreline, not of the width.
     const bool between_walls = c.has_side_walls();
     Finding depth_mean =
-        make_finding(chapter, "depth_mean_velocity", "depth-mean velocity above the datum, U", "m/s",
-                     mean.mean, trusted_half_width(mean));
+        make_finding(chapters::statistics, "depth_mean_velocity", "depth-mean velocity above the datum, U",
+                     "m/s", mean.mean, trusted_half_width(mean));
     if (between_walls) {
         analysis.findings.push_back(against(std::move(depth_mean),
                                             record.section_twin().value("depth_mean_velocity"),
@@ -262,13 +260,14 @@ void add_means(const FlowRecord& record, Analysis& analysis) {
             against(std::move(depth_mean), c.measured.depth_mean_velocity, measured_name(c), remark));
     }
     if (record.column() != nullptr && !between_walls) {
-        analysis.findings.push_back(against(
-            make_finding(chapter, "depth_mean_velocity_over_column", "the same over that of the column twin",
-                         "1", mean.mean / record.column()->depth_mean_velocity,
-                         over(trusted_half_width(mean), record.column()->depth_mean_velocity)),
-            1.0, "column twin"));
+        analysis.findings.push_back(
+            against(make_finding(chapters::statistics, "depth_mean_velocity_over_column",
+                                 "the same over that of the column twin", "1",
+                                 mean.mean / record.column()->depth_mean_velocity,
+                                 over(trusted_half_width(mean), record.column()->depth_mean_velocity)),
+                    1.0, "column twin"));
     }
-    Finding scale = make_finding(chapter, "integral_time_scale", "integral time scale of U", "s",
+    Finding scale = make_finding(chapters::statistics, "integral_time_scale", "integral time scale of U", "s",
                                  mean.integral_time * interval);
     scale.remark = fmt::format("{:.4g} effective samples in {:.4g} s", mean.effective_samples,
                                time.back() - time.front());
@@ -294,8 +293,8 @@ void add_means(const FlowRecord& record, Analysis& analysis) {
         const std::vector<double> values = within_window(record, name);
         if (values.size() < 2) continue;
         const MeanEstimate estimate = mean_with_confidence(values);
-        analysis.findings.push_back(
-            make_finding(chapter, key, label, unit, estimate.mean, trusted_half_width(estimate)));
+        analysis.findings.push_back(make_finding(chapters::statistics, key, label, unit, estimate.mean,
+                                                 trusted_half_width(estimate)));
     }
 }
 
@@ -337,8 +336,9 @@ void analyse_laboratory_record(const FlowRecord& record, Analysis& analysis) {
     if (!window) return;
     if (window->prefix == "point_velocity") {
         const MeanEstimate mean = mean_with_confidence(window->values);
-        analysis.findings.push_back(make_finding(chapter, "point_velocity", "mean of " + window->symbol,
-                                                 window->unit, mean.mean, trusted_half_width(mean)));
+        analysis.findings.push_back(make_finding(chapters::statistics, "point_velocity",
+                                                 "mean of " + window->symbol, window->unit, mean.mean,
+                                                 trusted_half_width(mean)));
     }
     add_settling(record, *window, analysis);
     add_autocorrelation(record, *window, analysis);

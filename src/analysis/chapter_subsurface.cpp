@@ -18,8 +18,6 @@ namespace riffle {
 
 namespace {
 
-constexpr const char* chapter = "subsurface";
-
 /// The points over each other at the place that has the most of them.
 std::vector<ProbePointStatistics> points_of_one_place(const std::vector<ProbePointStatistics>& points) {
     std::vector<ProbePointStatistics> best;
@@ -88,12 +86,13 @@ std::vector<ProbePointStatistics> chosen(const std::vector<ProbePointStatistics>
 }
 
 void add_scales(const FlowRecord& record, const VelocityInstrument& instrument, Analysis& analysis) {
-    Figure figure = make_figure(chapter, "integral_scale_profile", "Integral length scale of the velocity",
-                                "Integral length scale of u' over the depth, by Taylor's hypothesis from its "
-                                "autocorrelation in time up to "
-                                "the first zero crossing.",
-                                "Tennekes & Lumley (1972)", make_axis("integral length scale", "m"),
-                                make_axis("height above the bed level z", "m"));
+    Figure figure =
+        make_figure(chapters::subsurface, "integral_scale_profile", "Integral length scale of the velocity",
+                    "Integral length scale of u' over the depth, by Taylor's hypothesis from its "
+                    "autocorrelation in time up to "
+                    "the first zero crossing.",
+                    "Tennekes & Lumley (1972)", make_axis("integral length scale", "m"),
+                    make_axis("height above the bed level z", "m"));
     Curve curve = make_curve(instrument.probe->name, record.origin(), Mark::line_and_points, {}, {});
     for (const ProbePointStatistics& point : instrument.points) {
         curve.x.push_back(point.integral_length);
@@ -103,7 +102,8 @@ void add_scales(const FlowRecord& record, const VelocityInstrument& instrument, 
     analysis.figures.push_back(std::move(figure));
     const ProbePointStatistics middle = instrument.points[instrument.points.size() / 2];
     const auto add = [&](const char* key, const std::string& label, const char* unit, const Estimate& value) {
-        analysis.findings.push_back(make_finding(chapter, key, label, unit, value.value, value.half_width));
+        analysis.findings.push_back(
+            make_finding(chapters::subsurface, key, label, unit, value.value, value.half_width));
     };
     add("point_velocity_deviation", "standard deviation of u, " + place(middle), "m/s", middle.u_rms);
     if (!instrument.probe->v.empty()) {
@@ -116,10 +116,10 @@ void add_scales(const FlowRecord& record, const VelocityInstrument& instrument, 
         add("point_covariance", "covariance <u'w'>, " + place(middle), "m2/s2", middle.uw);
     }
     add("point_skewness", "skewness of u, " + place(middle), "1", middle.u_skewness);
-    analysis.findings.push_back(make_finding(chapter, "point_integral_time",
+    analysis.findings.push_back(make_finding(chapters::subsurface, "point_integral_time",
                                              "integral time scale of u', " + place(middle), "s",
                                              middle.integral_time));
-    analysis.findings.push_back(make_finding(chapter, "point_integral_length",
+    analysis.findings.push_back(make_finding(chapters::subsurface, "point_integral_length",
                                              "integral length scale of u' (Taylor), " + place(middle), "m",
                                              middle.integral_length));
 }
@@ -147,7 +147,7 @@ void add_spectra(const FlowRecord& record, const VelocityInstrument& instrument,
     if (values.empty()) return;
     const char* const symbol = vertical ? "w" : "u";
     Figure figure = make_figure(
-        chapter, vertical ? "vertical_velocity_spectrum" : "velocity_spectrum",
+        chapters::subsurface, vertical ? "vertical_velocity_spectrum" : "velocity_spectrum",
         fmt::format("Spectrum of {}", vertical ? "the vertical velocity" : "the streamwise velocity"),
         "One-sided power spectral density by Welch's method (eighths of the record, Hann windows, half "
         "overlap), "
@@ -175,7 +175,7 @@ void add_spectra(const FlowRecord& record, const VelocityInstrument& instrument,
             if (!spectra[i].slope) continue;
             const SpectralSlope& slope = *spectra[i].slope;
             Finding finding = against(
-                make_finding(chapter,
+                make_finding(chapters::subsurface,
                              vertical ? "vertical_velocity_spectral_slope" : "velocity_spectral_slope",
                              fmt::format("slope of the spectrum of {}, {}", symbol, place(points[i])), "1",
                              slope.slope.value, slope.slope.half_width),
@@ -217,8 +217,8 @@ void analyse_subsurface(const FlowRecord& record, Analysis& analysis) {
     if (instruments.empty()) {
         add_missing(
             record, analysis,
-            make_figure(chapter, "velocity_spectrum", "Spectrum of the streamwise velocity", "", "",
-                        make_axis("frequency f", "Hz", true),
+            make_figure(chapters::subsurface, "velocity_spectrum", "Spectrum of the streamwise velocity", "",
+                        "", make_axis("frequency f", "Hz", true),
                         make_axis("power spectral density of u", "m2/s", true)),
             "the results file holds no velocity probe with at least 32 samples in the window; [[probe]] "
             "kind = \"velocity\" in the case file records one");

@@ -4,21 +4,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 #include "analysis/chapters.hpp"
 #include "analysis/figure_tools.hpp"
 #include "analysis/surface_parts.hpp"
+#include "base/not_a_number.hpp"
 #include "statistics/probability_density.hpp"
 #include "statistics/stationarity.hpp"
 
 namespace riffle {
 
 namespace {
-
-constexpr const char* chapter = "surface";
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// Why a simulated surface is far flatter than the measured one.
 std::string flatness_remark(const Case& c) {
@@ -45,8 +42,8 @@ void add_level(const FlowRecord& record, Analysis& analysis) {
     const MeanEstimate level = mean_level(record.surface());
     const Case& c = *record.flow();
     analysis.findings.push_back(
-        against(make_finding(chapter, "mean_water_depth", "mean depth of the water above the datum", "m",
-                             level.mean - c.datum(), level.half_width),
+        against(make_finding(chapters::surface, "mean_water_depth", "mean depth of the water above the datum",
+                             "m", level.mean - c.datum(), level.half_width),
                 c.channel.depth, "case, h_w"));
     const double dry = dry_share(record.surface());
     if (dry > 0.0) {
@@ -57,9 +54,9 @@ void add_level(const FlowRecord& record, Analysis& analysis) {
 
 void add_deviation(const FlowRecord& record, const SurfaceFluctuation& surface, Analysis& analysis) {
     const DeviationEstimate deviation = standard_deviation(surface.line);
-    Finding finding =
-        make_finding(chapter, "surface_standard_deviation", "standard deviation of the surface elevation",
-                     "m", deviation.value, deviation.half_width);
+    Finding finding = make_finding(chapters::surface, "surface_standard_deviation",
+                                   "standard deviation of the surface elevation", "m", deviation.value,
+                                   deviation.half_width);
     if (record.flow() != nullptr) {
         const Case& c = *record.flow();
         const auto& measured = c.measured.surface_standard_deviation;
@@ -83,25 +80,25 @@ void add_deviation(const FlowRecord& record, const SurfaceFluctuation& surface, 
                         deviation.value / record.flow()->numerics.spacing));
     }
     if (record.flow() != nullptr) {
-        analysis.findings.push_back(make_finding(chapter, "surface_relative_deviation",
+        analysis.findings.push_back(make_finding(chapters::surface, "surface_relative_deviation",
                                                  "the same over the water depth", "1",
                                                  deviation.value / record.flow()->channel.depth,
                                                  deviation.half_width / record.flow()->channel.depth));
     }
     if (surface.line.periodic) {
-        Finding level = make_finding(chapter, "surface_level_deviation",
+        Finding level = make_finding(chapters::surface, "surface_level_deviation",
                                      "standard deviation of the level as a whole, taken away", "m",
                                      surface.level_deviation);
         level.remark = "of the mean along the periodic line, which the slight compression of the water moves";
         analysis.findings.push_back(std::move(level));
     }
-    analysis.findings.push_back(make_finding(chapter, "surface_integral_time",
+    analysis.findings.push_back(make_finding(chapters::surface, "surface_integral_time",
                                              "integral time scale of the squared elevation", "s",
                                              deviation.integral_time));
 }
 
 Figure map_figure() {
-    return make_figure(chapter, "surface_map", "Space-time map of the surface",
+    return make_figure(chapters::surface, "surface_map", "Space-time map of the surface",
                        "Departure of the surface from its mean in time at each place; the lines are x = U t "
                        "with the depth-mean "
                        "velocity: patterns that the water carries are parallel to them.",
@@ -118,8 +115,8 @@ Curve advection_line(const SpaceTime& line, double velocity, double from, double
     const double passage = (high - low) / velocity;
     for (double start = from; start < to; start += passage) {
         const double end = std::min(to, start + passage);
-        curve.x.insert(curve.x.end(), {low, low + velocity * (end - start), nan});
-        curve.y.insert(curve.y.end(), {start, end, nan});
+        curve.x.insert(curve.x.end(), {low, low + velocity * (end - start), not_a_number});
+        curve.y.insert(curve.y.end(), {start, end, not_a_number});
     }
     return curve;
 }
@@ -158,12 +155,12 @@ void add_map(const FlowRecord& record, const SurfaceFluctuation& surface, Analys
 
 /// The density of the records of one place each.
 void add_density(const std::vector<SurfaceStation>& stations, const FlowRecord& record, Analysis& analysis) {
-    Figure figure =
-        make_figure(chapter, "surface_probability_density", "Probability density of the surface elevation",
-                    "Histogram of the elevation about its mean over its standard deviation, with 95 % "
-                    "intervals, and the Gaussian density.",
-                    "thesis chapters 3-5, probability density with Gaussian fit",
-                    make_axis("elevation eta'/sigma", "1"), make_axis("probability density p sigma", "1"));
+    Figure figure = make_figure(
+        chapters::surface, "surface_probability_density", "Probability density of the surface elevation",
+        "Histogram of the elevation about its mean over its standard deviation, with 95 % "
+        "intervals, and the Gaussian density.",
+        "thesis chapters 3-5, probability density with Gaussian fit", make_axis("elevation eta'/sigma", "1"),
+        make_axis("probability density p sigma", "1"));
     attempt(record, analysis, std::move(figure), [&](Figure& f) {
         for (std::size_t i = 0; i < stations.size(); ++i) {
             ProbabilityDensity density = probability_density(stations[i].elevation);
@@ -181,19 +178,19 @@ void add_density(const std::vector<SurfaceStation>& stations, const FlowRecord& 
                                           density.centre, density.gaussian, variant));
             if (i > 0) continue;
             const Moments& m = density.moments;
-            Finding skewness = against(
-                make_finding(chapter, "surface_skewness", "skewness of the elevation, " + stations[i].name,
-                             "1", m.skewness.value, m.skewness.half_width),
-                0.0, "Gaussian");
+            Finding skewness = against(make_finding(chapters::surface, "surface_skewness",
+                                                    "skewness of the elevation, " + stations[i].name, "1",
+                                                    m.skewness.value, m.skewness.half_width),
+                                       0.0, "Gaussian");
             skewness.remark =
                 fmt::format("test against the Gaussian: p {} {:.2g} with {:.3g} effective samples",
                             density.test.p_value >= 0.1 ? ">=" : "=", density.test.p_value,
                             density.test.effective_samples);
             analysis.findings.push_back(std::move(skewness));
-            analysis.findings.push_back(
-                against(make_finding(chapter, "surface_excess_kurtosis", "excess kurtosis of the elevation",
-                                     "1", m.excess_kurtosis.value, m.excess_kurtosis.half_width),
-                        0.0, "Gaussian"));
+            analysis.findings.push_back(against(
+                make_finding(chapters::surface, "surface_excess_kurtosis", "excess kurtosis of the elevation",
+                             "1", m.excess_kurtosis.value, m.excess_kurtosis.half_width),
+                0.0, "Gaussian"));
         }
     });
 }
@@ -225,7 +222,7 @@ void add_probe_deviations(const std::vector<SurfaceStation>& stations, const Flo
     for (std::size_t i = 0; i < stations.size(); ++i) {
         const Moments m = moments(stations[i].elevation);
         Finding finding = make_finding(
-            chapter,
+            chapters::surface,
             i == 0 ? "surface_standard_deviation" : fmt::format("surface_standard_deviation_{}", i + 1),
             "standard deviation of the surface elevation, " + stations[i].name, "m",
             m.standard_deviation.value, m.standard_deviation.half_width);

@@ -15,18 +15,18 @@ std::span<const Chapter> analysis_chapters() {
     const auto uniform = [](FlowKind kind) { return kind == FlowKind::uniform_channel; };
     const auto bodies = [](FlowKind kind) { return kind == FlowKind::channel_with_bodies; };
     static const std::array chapters = {
-        Chapter{"course", "Course of the flow", analyse_course, is_undriven},
-        Chapter{"along", "Along the channel", analyse_along, bodies},
-        Chapter{"statistics", "Statistics of the velocity", analyse_statistics, is_channel},
-        Chapter{"profiles", "Profiles", analyse_profiles},
-        Chapter{"fits", "Laws fitted to the velocity profile", analyse_fits, uniform},
-        Chapter{"surface", "Free surface", analyse_surface, is_channel},
-        Chapter{"subsurface", "Velocities below the surface", analyse_subsurface, is_channel},
-        Chapter{"forces", "Forces", analyse_forces},
-        Chapter{"section", "Cross-section", analyse_section},
-        Chapter{"secondary", "Secondary flow", analyse_secondary, is_channel},
-        Chapter{"bed", "Bed and side walls", analyse_bed, uniform},
-        Chapter{"particles", "Particles", analyse_particles},
+        Chapter{chapters::course, "Course of the flow", analyse_course, is_undriven},
+        Chapter{chapters::along, "Along the channel", analyse_along, bodies},
+        Chapter{chapters::statistics, "Statistics of the velocity", analyse_statistics, is_channel},
+        Chapter{chapters::profiles, "Profiles", analyse_profiles},
+        Chapter{chapters::fits, "Laws fitted to the velocity profile", analyse_fits, uniform},
+        Chapter{chapters::surface, "Free surface", analyse_surface, is_channel},
+        Chapter{chapters::subsurface, "Velocities below the surface", analyse_subsurface, is_channel},
+        Chapter{chapters::forces, "Forces", analyse_forces},
+        Chapter{chapters::section, "Cross-section", analyse_section},
+        Chapter{chapters::secondary, "Secondary flow", analyse_secondary, is_channel},
+        Chapter{chapters::bed, "Bed and side walls", analyse_bed, uniform},
+        Chapter{chapters::particles, "Particles", analyse_particles},
     };
     return chapters;
 }

@@ -14,9 +14,6 @@ namespace riffle {
 
 namespace {
 
-constexpr const char* chapter = course_chapter;
-constexpr std::size_t most_points = 3000;
-
 const std::vector<double>* column_of(const FlowRecord& record, const char* name) {
     const auto found = record.series().find(name);
     return found == record.series().end() || found->second.size() < 2 ? nullptr : &found->second;
@@ -62,8 +59,8 @@ void add_decay(const Case& c, const std::vector<double>& time, const std::vector
     figure.curves.push_back(std::move(exact));
     if (const auto trend = logarithmic_slope(time, kinetic)) {
         analysis.findings.push_back(
-            against(make_finding(chapter, "velocity_decay_rate", "rate at which the velocities fall", "1/s",
-                                 -0.5 * trend->slope, 0.5 * trend->half_width),
+            against(make_finding(chapters::course, "velocity_decay_rate", "rate at which the velocities fall",
+                                 "1/s", -0.5 * trend->slope, 0.5 * trend->half_width),
                     0.5 * rate, "exact, nu (kx^2 + kz^2)",
                     "from the logarithm of the kinetic energy over the whole record"));
     }
@@ -74,8 +71,8 @@ void add_decay(const Case& c, const std::vector<double>& time, const std::vector
 void add_energies(const FlowRecord& record, Analysis& analysis) {
     const Case& c = *record.flow();
     const bool space = c.channel.dimensions == 3;
-    Figure figure = make_figure(chapter, "energy_history", "Energy of the water in time", "Kinetic energy",
-                                "", make_axis("time t", "s"),
+    Figure figure = make_figure(chapters::course, "energy_history", "Energy of the water in time",
+                                "Kinetic energy", "", make_axis("time t", "s"),
                                 space ? make_axis("energy", "J") : make_axis("energy per unit width", "J/m"));
     const auto* const time = column_of(record, "time");
     const auto* const kinetic = column_of(record, "kinetic_energy");
@@ -84,13 +81,13 @@ void add_energies(const FlowRecord& record, Analysis& analysis) {
         return;
     }
     const auto add = [&](const char* name, const std::vector<double>& values, int variant) {
-        figure.curves.push_back(make_curve(name, Origin::simulated, Mark::line, thinned(*time, most_points),
-                                           thinned(values, most_points), variant));
+        figure.curves.push_back(
+            make_curve(name, Origin::simulated, Mark::line, thinned(*time), thinned(values), variant));
     };
     add("kinetic", *kinetic, 0);
     const double most = largest(*kinetic);
-    analysis.findings.push_back(
-        make_finding(chapter, "kinetic_energy_largest", "largest kinetic energy", figure.y.unit, most));
+    analysis.findings.push_back(make_finding(chapters::course, "kinetic_energy_largest",
+                                             "largest kinetic energy", figure.y.unit, most));
     const auto* const potential = column_of(record, "potential_energy");
     const auto* const elastic = column_of(record, "elastic_energy");
     const bool whole = potential != nullptr && elastic != nullptr && c.normal_gravity() > 0.0 &&
@@ -111,12 +108,12 @@ void add_energies(const FlowRecord& record, Analysis& analysis) {
             "has changed "
             "by. Friction takes energy away; without moving bodies nothing adds any.";
         if (most > 0.0) {
-            analysis.findings.push_back(make_finding(chapter, "energy_change",
+            analysis.findings.push_back(make_finding(chapters::course, "energy_change",
                                                      "change of all energy over the largest kinetic energy",
                                                      "1", total.back() / most));
             analysis.findings.push_back(make_finding(
-                chapter, "energy_gain", "largest gain of all energy over the largest kinetic energy", "1",
-                std::max(0.0, largest(total)) / most));
+                chapters::course, "energy_gain", "largest gain of all energy over the largest kinetic energy",
+                "1", std::max(0.0, largest(total)) / most));
         }
     } else {
         figure.caption += " of all water.";
@@ -127,7 +124,7 @@ void add_energies(const FlowRecord& record, Analysis& analysis) {
 
 void add_volumes(const FlowRecord& record, const SpaceTime& surface, Analysis& analysis) {
     Figure figure = make_figure(
-        chapter, "volume_history", "Volume of the water in time",
+        chapters::course, "volume_history", "Volume of the water in time",
         "Relative change since the start of the water's volume, mass over density of its particles.", "",
         make_axis("time t", "s"), make_axis("relative change of the volume", "1"));
     const auto* const time = column_of(record, "time");
@@ -144,8 +141,8 @@ void add_volumes(const FlowRecord& record, const SpaceTime& surface, Analysis& a
         if (std::abs(change.back()) > std::abs(most)) most = change.back();
     }
     figure.curves.push_back(make_curve("by the density of the particles", Origin::simulated, Mark::line,
-                                       thinned(*time, most_points), thinned(change, most_points)));
-    analysis.findings.push_back(make_finding(chapter, "volume_change_largest",
+                                       thinned(*time), thinned(change)));
+    analysis.findings.push_back(make_finding(chapters::course, "volume_change_largest",
                                              "largest relative change of the water's volume", "1", most));
     // Bodies take room below the surface, and in space the line is not the whole surface.
     const Case& c = *record.flow();
@@ -159,8 +156,7 @@ void add_volumes(const FlowRecord& record, const SpaceTime& surface, Analysis& a
         const double start = area.front();
         for (double& value : area) value = value / start - 1.0;
         figure.curves.push_back(make_curve("under the highest surface at each place", Origin::simulated,
-                                           Mark::line, thinned(surface.times, most_points),
-                                           thinned(area, most_points), 1));
+                                           Mark::line, thinned(surface.times), thinned(area), 1));
         figure.caption += " The volume under the surface counts air that the water encloses or leaps over.";
     }
     analysis.figures.push_back(std::move(figure));

@@ -15,8 +15,6 @@ namespace riffle {
 
 namespace {
 
-constexpr const char* chapter = course_chapter;
-
 /// Amplitude of cos(k x) in a row; not-a-number where a place is dry.
 double amplitude_of(const SpaceTime& surface, std::size_t row, double wavenumber) {
     double sum = 0.0;
@@ -49,7 +47,7 @@ void add_surface_modes(const FlowRecord& record, const SpaceTime& surface, Analy
         std::sqrt(c.normal_gravity() * wavenumber * std::tanh(wavenumber * c.total_depth()));
     const double decay = 2.0 * c.fluid.kinematic_viscosity * wavenumber * wavenumber;
     Figure figure = make_figure(
-        chapter, "mode_history", "First mode of the surface",
+        chapters::course, "mode_history", "First mode of the surface",
         fmt::format("Amplitude of cos({} x / L) in the surface, with the damped oscillation fitted to it.",
                     wave ? "2 pi" : "pi"),
         "Lamb 1932, arts. 228 and 349", make_axis("time t", "s"),
@@ -77,11 +75,11 @@ void add_surface_modes(const FlowRecord& record, const SpaceTime& surface, Analy
         curve_of("fitted", Origin::fit, [&](double t) { return fit->at(t); });
         const double period = 2.0 * std::numbers::pi / fit->frequency.value;
         analysis.findings.push_back(
-            against(make_finding(chapter, "mode_period", "period of the first mode of the surface", "s",
-                                 period, period * fit->frequency.half_width / fit->frequency.value),
+            against(make_finding(chapters::course, "mode_period", "period of the first mode of the surface",
+                                 "s", period, period * fit->frequency.half_width / fit->frequency.value),
                     2.0 * std::numbers::pi / frequency, "linear theory, omega^2 = g k tanh(k H)"));
         analysis.findings.push_back(against(
-            make_finding(chapter, "mode_decay_rate", "rate at which its amplitude falls", "1/s",
+            make_finding(chapters::course, "mode_decay_rate", "rate at which its amplitude falls", "1/s",
                          fit->decay.value, fit->decay.half_width),
             decay, "small viscosity, 2 nu k^2",
             "of a free surface and a bed without friction; a viscosity that leaves the surface free of "

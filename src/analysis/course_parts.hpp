@@ -7,8 +7,6 @@ namespace riffle {
 
 // Parts of the chapter on the course of a flow that nothing drives steadily.
 
-inline constexpr const char* course_chapter = "course";
-
 /// Kinetic, potential and elastic energy in time, and of vortices in a periodic box their exact decay.
 void add_energies(const FlowRecord& record, Analysis& analysis);
 

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "base/error.hpp"
+#include "base/not_a_number.hpp"
 
 namespace riffle {
 
@@ -82,7 +82,6 @@ std::optional<InfluenceDepth> influence_depth(std::span<const HeightCorrelation>
     std::sort(down.begin(), down.end(), [](const auto* a, const auto* b) { return a->z > b->z; });
     const auto z = crossing(down, threshold, 0.0);
     if (!z || down.front()->correlation.value < threshold) return std::nullopt;
-    constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
     // The curve raised by its half-width falls through the threshold further down.
     return InfluenceDepth{*z, crossing(down, threshold, 1.0).value_or(not_a_number),
                           crossing(down, threshold, -1.0).value_or(not_a_number)};

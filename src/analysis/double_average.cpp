@@ -10,21 +10,20 @@
 #include "analysis/chapters.hpp"
 #include "analysis/figure_tools.hpp"
 #include "analysis/section_parts.hpp"
+#include "base/not_a_number.hpp"
 #include "statistics/jackknife.hpp"
 
 namespace riffle {
 
 namespace {
 
-constexpr const char* chapter = "profiles";
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr const char* source = "double-averaging method (Nikora et al. 2001)";
 
 /// Mean over each of so many rows of the products of the departures of two time means from their own mean
 /// over the row: a row are the points of one height, `across` of them after each other.
 template <class Value>
 std::vector<double> dispersive(std::size_t rows, const std::vector<Value>& a, const std::vector<Value>& b) {
-    std::vector<double> result(rows, nan);
+    std::vector<double> result(rows, not_a_number);
     const std::size_t across = a.size() / std::max<std::size_t>(1, rows);
     for (std::size_t j = 0; j < rows; ++j) {
         double n = 0.0;
@@ -46,7 +45,7 @@ std::vector<double> dispersive(std::size_t rows, const std::vector<Value>& a, co
 }
 
 std::vector<double> mean_along(const VelocityGrid& grid, const std::vector<double>& values) {
-    std::vector<double> result(grid.z.size(), nan);
+    std::vector<double> result(grid.z.size(), not_a_number);
     for (std::size_t j = 0; j < grid.z.size(); ++j) {
         double n = 0.0;
         double sum = 0.0;
@@ -75,7 +74,7 @@ double largest_of(const std::vector<double>& values) {
 }
 
 Figure stress_figure(const char* caption) {
-    return make_figure(chapter, "double_averaged_stress_profile",
+    return make_figure(chapters::profiles, "double_averaged_stress_profile",
                        "Double-averaged stresses of the resolved motion", caption, source,
                        make_axis("shear stress", "Pa"), make_axis("height above the bed level z", "m"));
 }
@@ -94,8 +93,8 @@ void add_grid(const FlowRecord& record, Analysis& analysis) {
     const double largest = largest_of(form.x);
     figure.curves.push_back(std::move(form));
     analysis.figures.push_back(std::move(figure));
-    analysis.findings.push_back(
-        make_finding(chapter, "dispersive_stress_largest", "largest dispersive stress", "Pa", largest));
+    analysis.findings.push_back(make_finding(chapters::profiles, "dispersive_stress_largest",
+                                             "largest dispersive stress", "Pa", largest));
 }
 
 using Velocity = std::vector<float> FieldBlock::*;
@@ -154,7 +153,7 @@ Curve form_curve(const char* name, int variant, const MeanFlow& field, FieldEsti
 /// Plan means of the mean field at each height.
 std::vector<double> plan_means(const MeanFlow& field, FieldQuantity quantity, bool in_time) {
     const std::size_t across = field.y.size() * field.x.size();
-    std::vector<double> result(field.z.size(), nan);
+    std::vector<double> result(field.z.size(), not_a_number);
     for (std::size_t iz = 0; iz < result.size(); ++iz) {
         FieldSums row(1);
         double sum = 0.0;
@@ -166,7 +165,7 @@ std::vector<double> plan_means(const MeanFlow& field, FieldQuantity quantity, bo
             sum += value;
             count += 1.0;
         }
-        result[iz] = in_time ? (count > 0.0 ? sum / count : nan) : row.mean(quantity, 0);
+        result[iz] = in_time ? (count > 0.0 ? sum / count : not_a_number) : row.mean(quantity, 0);
     }
     return result;
 }
@@ -176,7 +175,7 @@ void add_mean_field(const FlowRecord& record, Analysis& analysis) {
     const Case& c = *record.flow();
     const double density = c.fluid.density;
     Figure velocity = make_figure(
-        chapter, "double_averaged_velocity_profile", "Double-averaged velocity",
+        chapters::profiles, "double_averaged_velocity_profile", "Double-averaged velocity",
         "Mean streamwise velocity in time and over the plan, of the water between and above the crests.",
         source, make_axis("streamwise velocity <u>", "m/s"), make_axis("height above the bed level z", "m"));
     velocity.curves.push_back(make_curve("simulated", record.origin(), Mark::line_and_points,
@@ -200,7 +199,7 @@ void add_mean_field(const FlowRecord& record, Analysis& analysis) {
     analysis.figures.push_back(std::move(figure));
 
     Figure moments = make_figure(
-        chapter, "form_induced_moment_profile", "Form-induced velocity variances",
+        chapters::profiles, "form_induced_moment_profile", "Form-induced velocity variances",
         "Means over the plan of the squared departures of the time means of u, v, w from their means over "
         "the plan, from products of different stretches of time; bars: 95 % intervals.",
         source, make_axis("form-induced variance", "m2/s2"), make_axis("height above the bed level z", "m"));
@@ -218,9 +217,9 @@ void add_mean_field(const FlowRecord& record, Analysis& analysis) {
         if (most == field.z.size() || std::abs(uw.value[iz]) > std::abs(uw.value[most])) most = iz;
     }
     if (most == field.z.size()) return;
-    Finding finding =
-        make_finding(chapter, "dispersive_stress_largest", "largest form-induced stress above the crests",
-                     "Pa", -density * uw.value[most], density * uw.half_width[most]);
+    Finding finding = make_finding(chapters::profiles, "dispersive_stress_largest",
+                                   "largest form-induced stress above the crests", "Pa",
+                                   -density * uw.value[most], density * uw.half_width[most]);
     finding.remark = fmt::format("{:.4g} mm above the bed level", 1000.0 * field.z[most]);
     const double bed_stress = density * c.streamwise_gravity() * (c.total_depth() - c.crest());
     if (bed_stress > 0.0) {

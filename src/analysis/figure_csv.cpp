@@ -9,28 +9,14 @@
 #include <optional>
 
 #include "analysis/analysis_json.hpp"
+#include "base/csv_text.hpp"
 
 namespace riffle {
 
 namespace {
 
-std::string number(double value) { return std::isfinite(value) ? fmt::format("{:.9g}", value) : ""; }
-
-std::string number(const std::optional<double>& value) { return value ? number(*value) : ""; }
-
-/// A text cell: quoted where it holds what separates cells or lines (RFC 4180).
-std::string cell(const std::string& text) {
-    if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-    std::string quoted = "\"";
-    for (const char c : text) {
-        if (c == '"') quoted += '"';
-        quoted += c;
-    }
-    return quoted + '"';
-}
-
 std::string heading(const std::string& label, const std::string& unit) {
-    return cell(fmt::format("{} [{}]", label, unit.empty() ? "1" : unit));
+    return csv_cell(fmt::format("{} [{}]", label, unit.empty() ? "1" : unit));
 }
 
 /// Text on comment lines, however many lines it has.
@@ -55,7 +41,7 @@ bool any_of_curves(const Figure& figure, std::vector<double> Curve::*member) {
 }
 
 std::string optional_cell(const std::vector<double>& values, std::size_t i) {
-    return "," + (i < values.size() ? number(values[i]) : std::string());
+    return "," + (i < values.size() ? csv_number(values[i]) : std::string());
 }
 
 }  // namespace
@@ -75,9 +61,10 @@ std::string curves_to_csv(const Figure& figure) {
     }
     text += "\n";
     for (const Curve& curve : figure.curves) {
-        const std::string start = cell(curve.name) + "," + cell(curve.run) + "," + word(curve.origin) + ",";
+        const std::string start =
+            csv_cell(curve.name) + "," + csv_cell(curve.run) + "," + word(curve.origin) + ",";
         for (std::size_t i = 0; i < curve.x.size(); ++i) {
-            text += start + number(curve.x[i]) + "," + number(curve.y[i]);
+            text += start + csv_number(curve.x[i]) + "," + csv_number(curve.y[i]);
             if (wide_x) text += optional_cell(curve.x_half_width, i);
             if (wide_y) text += optional_cell(curve.y_half_width, i);
             if (bounded) text += optional_cell(curve.y_lower, i) + optional_cell(curve.y_upper, i);
@@ -105,9 +92,10 @@ std::string findings_to_csv(const std::vector<Analysis>& analyses) {
     std::string text = "run,chapter,key,label,value,half_width,reference,reference_name,unit,remark\n";
     for (const Analysis& analysis : analyses) {
         for (const Finding& f : analysis.findings) {
-            text += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", cell(analysis.name), f.chapter, f.key,
-                                cell(f.label), number(f.value), number(f.half_width), number(f.reference),
-                                cell(f.reference_name), cell(f.unit), cell(f.remark));
+            text += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", csv_cell(analysis.name), f.chapter, f.key,
+                                csv_cell(f.label), csv_number(f.value), csv_number(f.half_width),
+                                csv_number(f.reference), csv_cell(f.reference_name), csv_cell(f.unit),
+                                csv_cell(f.remark));
         }
     }
     return text;

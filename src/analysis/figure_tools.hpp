@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/chapter_names.hpp"
 #include "analysis/figure.hpp"
 #include "analysis/flow_record.hpp"
 #include "base/error.hpp"
@@ -75,7 +76,7 @@ void attempt(const FlowRecord& record, Analysis& analysis, Figure figure, const 
 [[nodiscard]] const Finding* find_finding(const Analysis& analysis, const std::string& key);
 
 /// Every n-th value so that at most `most` remain, the last one among them.
-[[nodiscard]] std::vector<double> thinned(const std::vector<double>& values, std::size_t most);
+[[nodiscard]] std::vector<double> thinned(const std::vector<double>& values, std::size_t most = 3000);
 
 /// Linear interpolation in a table with ascending x; not-a-number beyond its ends.
 [[nodiscard]] double interpolated(const std::vector<double>& x, const std::vector<double>& y, double at);

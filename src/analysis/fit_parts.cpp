@@ -15,8 +15,6 @@ namespace riffle {
 
 namespace {
 
-constexpr const char* chapter = "fits";
-
 std::optional<double> finite(double value) {
     return std::isfinite(value) ? std::optional<double>(value) : std::nullopt;
 }
@@ -68,7 +66,7 @@ std::string phase_remark(const FittedValue& phase) {
 void add_stress_law(const FlowRecord& record, const FittedFlow& flow, Analysis& analysis) {
     const Case& c = *record.flow();
     Figure figure = make_figure(
-        chapter, "fitted_stress", "Stress with secondary flow",
+        chapters::fits, "fitted_stress", "Stress with secondary flow",
         fmt::format("{} over rho g S0 h, with the line 1 - z/h of uniform flow without cells and the law of "
                     "flow with cells of secondary flow, its phase fitted.",
                     record.origin() == Origin::measured ? "Reynolds stress" : "Total shear stress"),
@@ -115,8 +113,8 @@ void add_stress_law(const FlowRecord& record, const FittedFlow& flow, Analysis& 
 }  // namespace
 
 Finding fitted(std::string key, std::string label, std::string unit, const FittedValue& value) {
-    Finding finding = make_finding(chapter, std::move(key), std::move(label), std::move(unit), value.value,
-                                   finite(value.half_width));
+    Finding finding = make_finding(chapters::fits, std::move(key), std::move(label), std::move(unit),
+                                   value.value, finite(value.half_width));
     const Interval& interval = value.interval;
     const bool lopsided =
         std::abs((interval.upper - value.value) - (value.value - interval.lower)) > 0.2 * value.half_width;

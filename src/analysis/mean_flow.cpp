@@ -3,13 +3,12 @@
 #include <cmath>
 #include <limits>
 
+#include "base/not_a_number.hpp"
 #include "statistics/jackknife.hpp"
 
 namespace riffle {
 
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 constexpr std::size_t index(FieldQuantity q) { return static_cast<std::size_t>(q); }
 
@@ -103,10 +102,10 @@ double FieldSums::mean(FieldQuantity quantity, std::size_t cell) const {
     const double* const sums = &sums_[cell * width];
     const std::size_t q = index(quantity);
     const double samples = sums[field_quantities];
-    if (is_per_cell(q)) return samples > 0.0 ? sums[q] / samples : nan;
+    if (is_per_cell(q)) return samples > 0.0 ? sums[q] / samples : not_a_number;
     const double particles = sums[index(FieldQuantity::count)];
     // What is left of a sum that has been taken away again is rounding.
-    if (!(particles > 1e-9 * samples)) return nan;
+    if (!(particles > 1e-9 * samples)) return not_a_number;
     if (!is_moment(q)) return sums[q] / particles;
     const Factors factors = factors_of(quantity);
     return sums[q] / particles -
@@ -185,7 +184,7 @@ FieldSums strip_of(const MeanFlow& field, const FieldSums& section, double from,
 
 std::vector<double> period_means(const std::vector<double>& y, const std::vector<double>& values,
                                  double period) {
-    std::vector<double> result(y.size(), nan);
+    std::vector<double> result(y.size(), not_a_number);
     for (std::size_t i = 0; i < y.size(); ++i) {
         double sum = 0.0;
         double count = 0.0;

@@ -4,17 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/not_a_number.hpp"
 #include "laboratory/csv_table.hpp"
 
 namespace riffle {
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double normal_95 = 1.96;
 
 bool varies(const CsvTable& table, char axis) {
@@ -34,7 +33,7 @@ class Mean {
         sum_ += value;
         count_ += 1.0;
     }
-    [[nodiscard]] double value() const { return count_ > 0.0 ? sum_ / count_ : nan; }
+    [[nodiscard]] double value() const { return count_ > 0.0 ? sum_ / count_ : not_a_number; }
     [[nodiscard]] double count() const { return count_; }
 
   private:

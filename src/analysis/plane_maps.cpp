@@ -17,8 +17,6 @@ namespace riffle {
 
 namespace {
 
-constexpr const char* chapter = "profiles";
-
 /// Means of the mean field around the centreline, in its columns along the channel.
 VelocityGrid centreline_plane(const MeanFlow& field, const Case& c) {
     const Strip strip = centreline_strip(c);
@@ -44,7 +42,7 @@ VelocityGrid centreline_plane(const MeanFlow& field, const Case& c) {
 }
 
 /// What a map shows.
-struct Quantity {
+struct MappedQuantity {
     const char* key;
     const char* title;
     const char* label;
@@ -58,8 +56,9 @@ class PlaneMaps {
     PlaneMaps(const FlowRecord& record, const VelocityGrid& grid, Analysis& analysis)
         : record_(record), grid_(grid), analysis_(analysis) {}
 
-    void add(const Quantity& quantity, const std::vector<double>& values, const std::string& more = {}) {
-        Figure figure = make_figure(chapter, quantity.key, quantity.title,
+    void add(const MappedQuantity& quantity, const std::vector<double>& values,
+             const std::string& more = {}) {
+        Figure figure = make_figure(chapters::profiles, quantity.key, quantity.title,
                                     "Time mean over the window, " + grid_.name + "." + more, quantity.source,
                                     make_axis("distance along the channel x", "m"),
                                     make_axis("height above the bed level z", "m"));
@@ -128,7 +127,8 @@ void add_measured_field(const FlowRecord& record, const VelocityGrid* grid, Anal
     if (measured.x.empty()) return;
     const Case& c = *record.flow();
     const auto figure = [&](const char* key, const char* title, const std::string& caption) {
-        return make_figure(chapter, key, title, caption, "", make_axis("distance along the channel x", "m"),
+        return make_figure(chapters::profiles, key, title, caption, "",
+                           make_axis("distance along the channel x", "m"),
                            make_axis("height above the bed level z", "m"));
     };
     const auto map_of = [&](const std::vector<double>& values, const char* label, bool diverging) {
@@ -183,7 +183,7 @@ void add_measured_field(const FlowRecord& record, const VelocityGrid* grid, Anal
         analysis.warnings.emplace_back("none of the measured velocities lies where the run has water");
         return;
     }
-    Finding finding = make_finding(chapter, "field_velocity_error_rms",
+    Finding finding = make_finding(chapters::profiles, "field_velocity_error_rms",
                                    "rms departure of u from the measured field over its mean", "1",
                                    std::sqrt(squares / count) / (mean / count));
     finding.remark = fmt::format("{:.0f} of {} points", count, measured.u.size());
@@ -203,7 +203,7 @@ void add_plane_maps(const FlowRecord& record, Analysis& analysis) {
     } else {
         if (record.flow() != nullptr) add_measured_field(record, nullptr, analysis);
         add_missing(record, analysis,
-                    make_figure(chapter, "mean_velocity_map", "Mean streamwise velocity", "",
+                    make_figure(chapters::profiles, "mean_velocity_map", "Mean streamwise velocity", "",
                                 "thesis Figs 4.9 and 5.11", make_axis("distance along the channel x", "m"),
                                 make_axis("height above the bed level z", "m")),
                     "no means in the x-z plane were recorded; [[probe]] kind = \"grid\" in the case file "

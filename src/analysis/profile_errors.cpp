@@ -9,14 +9,12 @@
 
 #include "analysis/figure_tools.hpp"
 #include "analysis/profile_parts.hpp"
+#include "base/not_a_number.hpp"
 #include "hydraulics/profile_comparison.hpp"
 
 namespace riffle {
 
 namespace {
-
-constexpr const char* chapter = "profiles";
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 Curve error_curve(std::string name, Origin origin, const ProfileComparison& comparison,
                   double ComparedPoint::*member, int variant = 0) {
@@ -48,8 +46,8 @@ void add_error_findings(const Case& c, const ProfileComparison& velocity, const 
     const auto add = [&](const char* key, const char* label, const char* unit, double value,
                          std::optional<double> reference, const char* more = "") {
         if (!std::isfinite(value)) return;
-        analysis.findings.push_back(against(make_finding(chapter, key, label, unit, value), reference,
-                                            thesis.name, "against: " + against_what + more));
+        analysis.findings.push_back(against(make_finding(chapters::profiles, key, label, unit, value),
+                                            reference, thesis.name, "against: " + against_what + more));
     };
     add("velocity_error_rms", "rms relative departure of u from the measured profile", "1",
         velocity.errors.rms_relative, std::nullopt);
@@ -100,7 +98,7 @@ void add_profile_errors(const FlowRecord& record, const Profiles& p, Analysis& a
         std::vector<double> relative;
         for (std::size_t i = 0; i < p.z.size(); ++i) {
             relative.push_back(p.column_velocity[i] != 0.0 ? p.velocity_deviation[i] / p.column_velocity[i]
-                                                           : nan);
+                                                           : not_a_number);
         }
         error.curves.push_back(
             profile_curve(of_the_width ? "against the section twin" : "against the column twin",
@@ -113,7 +111,7 @@ void add_profile_errors(const FlowRecord& record, const Profiles& p, Analysis& a
             error_curve("column twin", Origin::column, beside, &ComparedPoint::relative_error));
         square.curves.push_back(error_curve("column twin", Origin::column, beside, &ComparedPoint::msep));
         if (std::isfinite(beside.errors.mean_msep)) {
-            analysis.findings.push_back(make_finding(chapter, "msep_column",
+            analysis.findings.push_back(make_finding(chapters::profiles, "msep_column",
                                                      "MSEP of the column twin's u at the measured points",
                                                      "%", beside.errors.mean_msep));
         }

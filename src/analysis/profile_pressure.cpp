@@ -99,7 +99,7 @@ void add_pressure(const FlowRecord& record, const Profiles& p, Analysis& analysi
     analysis.figures.push_back(std::move(departure));
     const double rms = std::sqrt(squares / static_cast<double>(p.z.size())) / (weight * level);
     Finding finding =
-        make_finding(profiles_chapter, "pressure_departure_rms",
+        make_finding(chapters::profiles, "pressure_departure_rms",
                      "rms departure of the pressure from hydrostatic over the bottom pressure", "1", rms);
     finding.remark = fmt::format("largest departure {:.3g}", most / (weight * level));
     analysis.findings.push_back(std::move(finding));

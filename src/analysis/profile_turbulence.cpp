@@ -41,7 +41,7 @@ void add_measured_turbulence(const FlowRecord& record, ProfileQuantity quantity,
 
 void add_intensities(const FlowRecord& record, const Profiles& p, Analysis& analysis) {
     const Case& c = *record.flow();
-    Figure figure = make_figure(profiles_chapter, "turbulence_intensity_profile", "Turbulence intensities",
+    Figure figure = make_figure(chapters::profiles, "turbulence_intensity_profile", "Turbulence intensities",
                                 "Root mean squares of the resolved velocity fluctuations over the friction "
                                 "velocity, with Nezu's curves "
                                 "2.30 exp(-z/h), 1.27 exp(-z/h) and, across the flow, 1.63 exp(-z/h).",

@@ -5,16 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <variant>
 
 #include "base/error.hpp"
+#include "base/not_a_number.hpp"
 
 namespace riffle {
 
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 [[noreturn]] void fail(const std::string& path, const std::string& other) {
     throw FileError(
@@ -65,7 +63,7 @@ FieldSums read_window(const ResultsReader& reader, std::size_t row, std::size_t 
     for (std::size_t cell = 0; cell < cells; ++cell) {
         FieldValues here{};
         for (std::size_t q = 0; q < field_quantities; ++q)
-            here[q] = values[q].empty() ? nan : values[q][cell];
+            here[q] = values[q].empty() ? not_a_number : values[q][cell];
         sums.add_window(cell, here, samples);
     }
     return sums;

@@ -5,17 +5,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <utility>
 #include <variant>
 
 #include "base/error.hpp"
+#include "base/not_a_number.hpp"
 
 namespace riffle {
 
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// One instrument: its group, and the rows of it that lie within the window.
 class ProbeGroup {
@@ -171,10 +169,10 @@ void read_grid(const ProbeGroup& group, const TimeWindow& window, RunProbes& pro
     const std::vector<double> y = group.axis("y");
     if (!y.empty()) grid.y = y.front();
     // What files of earlier versions, and runs without a closure, do not have.
-    if (!rows[velocities].empty()) grid.pressure.assign(points, nan);
-    if (!rows[velocities + 1].empty()) grid.shear_stress.assign(points, nan);
+    if (!rows[velocities].empty()) grid.pressure.assign(points, not_a_number);
+    if (!rows[velocities + 1].empty()) grid.shear_stress.assign(points, not_a_number);
     for (std::vector<double>* values : {&grid.u, &grid.w, &grid.uu, &grid.ww, &grid.uw})
-        values->assign(points, nan);
+        values->assign(points, not_a_number);
     for (std::size_t i = 0; i < points; ++i) {
         double n = 0.0;
         std::array<double, 10> sum{};

@@ -5,17 +5,16 @@
 #include <limits>
 #include <span>
 
+#include "base/not_a_number.hpp"
 #include "statistics/jackknife.hpp"
 
 namespace riffle {
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
 /// Mean square of the persistent part of some windows: products of different windows only, cell by cell.
 double persistent_square(std::span<const SecondaryFlow> windows, std::size_t from, std::size_t to) {
-    if (windows.empty()) return nan;
+    if (windows.empty()) return not_a_number;
     const std::size_t cells = windows.front().v.size();
     double sum = 0.0;
     double counted = 0.0;
@@ -37,13 +36,14 @@ double persistent_square(std::span<const SecondaryFlow> windows, std::size_t fro
         sum += (v * v + w * w - squares) / (n * (n - 1.0));
         counted += 1.0;
     }
-    return counted > 0.0 ? sum / counted : nan;
+    return counted > 0.0 ? sum / counted : not_a_number;
 }
 
 }  // namespace
 
 SecondaryFlow secondary_flow(const MeanFlow& field, const FieldSums& section, double above, bool periodic) {
-    SecondaryFlow flow{std::vector<double>(section.cells(), nan), std::vector<double>(section.cells(), nan)};
+    SecondaryFlow flow{std::vector<double>(section.cells(), not_a_number),
+                       std::vector<double>(section.cells(), not_a_number)};
     for (std::size_t iz = 0; iz < field.z.size(); ++iz) {
         if (field.z[iz] < above) continue;
         double sum = 0.0;
@@ -117,7 +117,7 @@ SecondarySurvival secondary_survival(const MeanFlow& field, double above, bool p
 }
 
 std::vector<double> streamfunction(const MeanFlow& field, const SecondaryFlow& flow) {
-    std::vector<double> psi(flow.v.size(), nan);
+    std::vector<double> psi(flow.v.size(), not_a_number);
     const double dz = field.cell_height();
     for (std::size_t iy = 0; iy < field.y.size(); ++iy) {
         double sum = 0.0;
@@ -133,7 +133,7 @@ std::vector<double> streamfunction(const MeanFlow& field, const SecondaryFlow& f
 
 std::vector<double> depth_mean_streamfunction(const MeanFlow& field, const SecondaryFlow& flow) {
     const std::vector<double> psi = streamfunction(field, flow);
-    std::vector<double> mean(field.y.size(), nan);
+    std::vector<double> mean(field.y.size(), not_a_number);
     for (std::size_t iy = 0; iy < field.y.size(); ++iy) {
         double sum = 0.0;
         double count = 0.0;

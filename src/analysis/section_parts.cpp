@@ -4,17 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "analysis/figure_tools.hpp"
+#include "base/not_a_number.hpp"
 #include "case/sphere_tiling.hpp"
 
 namespace riffle {
 
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<double> over(std::vector<double> values, double scale) {
     for (double& value : values) value /= scale;
@@ -99,7 +97,7 @@ double mean_above_datum(const Case& c, const std::vector<double>& z, const std::
         sum += part * values[i];
         weight += part;
     }
-    return weight > 0.0 ? sum / weight : nan;
+    return weight > 0.0 ? sum / weight : not_a_number;
 }
 
 std::vector<double> twin_profile(const SectionTwin& twin, const std::vector<double>& values, double y) {
@@ -189,8 +187,8 @@ Curve section_vectors(const MeanFlow& field, const FieldSums& section, const Cas
     if (!(most > 0.0)) return curve;
     const double scale = 1.0 / (arrows_over_depth * most);
     const auto segment = [&](double y0, double z0, double y1, double z1) {
-        curve.x.insert(curve.x.end(), {y0, y1, nan});
-        curve.y.insert(curve.y.end(), {z0, z1, nan});
+        curve.x.insert(curve.x.end(), {y0, y1, not_a_number});
+        curve.y.insert(curve.y.end(), {z0, z1, not_a_number});
     };
     for (const Arrow& arrow : arrows) {
         const double dy = arrow.v * scale;

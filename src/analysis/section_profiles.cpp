@@ -11,6 +11,7 @@
 #include "analysis/figure_tools.hpp"
 #include "analysis/section_parts.hpp"
 #include "analysis/section_points.hpp"
+#include "base/not_a_number.hpp"
 #include "hydraulics/profile_comparison.hpp"
 #include "hydraulics/turbulence_laws.hpp"
 
@@ -18,12 +19,9 @@ namespace riffle {
 
 namespace {
 
-constexpr const char* chapter = "section";
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
 Figure profile_figure(std::string key, std::string title, std::string caption, std::string source, Axis x) {
-    return make_figure(chapter, std::move(key), std::move(title), std::move(caption), std::move(source),
-                       std::move(x), make_axis("height above the bed level z", "m"));
+    return make_figure(chapters::section, std::move(key), std::move(title), std::move(caption),
+                       std::move(source), std::move(x), make_axis("height above the bed level z", "m"));
 }
 
 Curve profile_curve(std::string name, Origin origin, Mark mark, const SectionProfile& profile) {
@@ -96,7 +94,7 @@ void add_errors(const FlowRecord& record, const SectionProfile& profile, Analysi
                              std::optional<double> thesis) {
             if (!std::isfinite(value)) return;
             analysis.findings.push_back(against(
-                make_finding(chapter, key, label, unit, value), thesis, "thesis, 3D simulations",
+                make_finding(chapters::section, key, label, unit, value), thesis, "thesis, 3D simulations",
                 "against: " + (measured.from_law ? measured_name(c) + ", its log law" : "measured profile")));
         };
         add("centreline_velocity_error_rms", "rms relative departure of u at the centreline", "1",
@@ -188,7 +186,7 @@ void add_lateral(const FlowRecord& record, Analysis& analysis) {
         return depth_means(field, c, section.means(FieldQuantity::velocity));
     });
     Figure figure = make_figure(
-        chapter, "lateral_velocity", "Depth-mean velocity across the channel",
+        chapters::section, "lateral_velocity", "Depth-mean velocity across the channel",
         "Mean of u over the water above the datum, at each distance from the wall, with 95 % intervals; the "
         "section twin's at the same cells.",
         "thesis chapter 5", make_axis("distance from the side wall y", "m"),
@@ -198,7 +196,7 @@ void add_lateral(const FlowRecord& record, Analysis& analysis) {
     figure.curves.push_back(std::move(curve));
     const SectionTwin& twin = record.section_twin();
     if (!twin.empty()) {
-        std::vector<double> values(field.y.size() * field.z.size(), nan);
+        std::vector<double> values(field.y.size() * field.z.size(), not_a_number);
         // Where the run has no water, the twin's velocity does not count either.
         const FieldSums section = field.section();
         for (std::size_t iy = 0; iy < field.y.size(); ++iy) {
@@ -222,7 +220,7 @@ void add_lateral(const FlowRecord& record, Analysis& analysis) {
         }
         if (count > 0.0) {
             Finding finding = make_finding(
-                chapter, "lateral_velocity_error_rms",
+                chapters::section, "lateral_velocity_error_rms",
                 "rms relative departure of the depth-mean velocity across the channel from the section "
                 "twin",
                 "1", std::sqrt(squares / count));

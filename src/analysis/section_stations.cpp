@@ -22,7 +22,6 @@ namespace riffle {
 
 namespace {
 
-constexpr const char* chapter = "section";
 constexpr double normal_95 = 1.96;
 
 /// Distances from the wall, over the depth, at which the thesis shows profiles: those of its condition 8 for
@@ -119,13 +118,13 @@ class StationFigures {
         take(gradient_, without);
         if (std::isfinite(most_)) {
             analysis_.findings.push_back(
-                against(make_finding(chapter, "station_msep_largest",
+                against(make_finding(chapters::section, "station_msep_largest",
                                      "largest mean MSEP of u over the depth at the stations", "%", most_),
                         thesis_error(c_), "thesis, 3D simulations, largest at a point", "at " + where_));
         }
         if (std::isfinite(most_stress_)) {
             analysis_.findings.push_back(against(
-                make_finding(chapter, "station_bed_stress_departure",
+                make_finding(chapters::section, "station_bed_stress_departure",
                              "largest departure of the stress near the bed from the measured one, over tau_b",
                              "1", most_stress_),
                 c_.channel.dimensions == 3 ? std::optional<double>(0.26) : std::nullopt,
@@ -136,7 +135,7 @@ class StationFigures {
   private:
     Figure figure(std::string key, std::string title, std::string source, Axis x) const {
         return make_figure(
-            chapter, std::move(key), std::move(title),
+            chapters::section, std::move(key), std::move(title),
             simulated_ ? "Means over the length and a period of the bed's elements across the channel; "
                          "with the means of the section twin over the same strips."
                        : "Measured profiles, with the section twin at the same places.",
@@ -253,7 +252,7 @@ void add_rows(const FlowRecord& record, Analysis& analysis) {
     if (rows.empty()) return;
     const bool simulated = is_three_dimensional(record);
     Figure figure = make_figure(
-        chapter, "lateral_profile", "Streamwise velocity across the channel at measured heights",
+        chapters::section, "lateral_profile", "Streamwise velocity across the channel at measured heights",
         simulated ? "Means over the length and a period of the bed's elements across the channel; measured "
                     "points with 95 % intervals; the section twin."
                   : "Measured points with 95 % intervals; the section twin.",
@@ -305,7 +304,7 @@ void add_rows(const FlowRecord& record, Analysis& analysis) {
     analysis.figures.push_back(std::move(figure));
     if (count > 0.0) {
         Finding finding =
-            make_finding(chapter, "lateral_profile_error_rms",
+            make_finding(chapters::section, "lateral_profile_error_rms",
                          "rms relative departure of u from the points measured across the channel", "1",
                          std::sqrt(squares / count));
         finding.remark = fmt::format("{:.0f} points at {} heights", count, variant);

@@ -4,16 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 #include "base/error.hpp"
+#include "base/not_a_number.hpp"
 
 namespace riffle {
 
 namespace {
-
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 /// Mean of the wet values; not-a-number where there is none.
 double wet_mean(std::span<const double> values) {

@@ -13,8 +13,6 @@ namespace riffle {
 
 namespace {
 
-constexpr const char* chapter = "subsurface";
-
 /// The depth down to which w' goes with that of the highest point, at height `top`.
 void add_influence_depth(const std::vector<HeightCorrelation>& found, double top, const Case& c,
                          Analysis& analysis) {
@@ -38,7 +36,7 @@ void add_influence_depth(const std::vector<HeightCorrelation>& found, double top
         return;
     }
     Finding finding =
-        make_finding(chapter, "influence_depth",
+        make_finding(chapters::subsurface, "influence_depth",
                      "influence depth of the surface, z/H where w' correlates to 0.5 with the highest point",
                      "1", influence->z / depth);
     finding.remark = "a quarter of the variance explained; the thesis' own is influence_depth_of_zero";
@@ -53,13 +51,13 @@ void add_depth_correlation(const FlowRecord& record, const VelocityInstrument& i
                            Analysis& analysis) {
     if (instrument.probe->w.empty() || instrument.points.size() < 3) return;
     Figure figure = make_figure(
-        chapter, "depth_correlation", "Correlation of the vertical velocity over the depth",
+        chapters::subsurface, "depth_correlation", "Correlation of the vertical velocity over the depth",
         fmt::format("Correlation of w' at each height with w' at {}, at the same time and at the lag of its "
                     "extreme; bars: 95 % intervals.",
                     place(instrument.points.back())),
         "thesis (4.8)", make_axis("correlation", "1"), make_axis("height above the bed level z", "m"));
     Figure lags =
-        make_figure(chapter, "depth_cross_correlation", "Correlation of w' over depth and lag",
+        make_figure(chapters::subsurface, "depth_cross_correlation", "Correlation of w' over depth and lag",
                     "Temporal cross-correlation of w' at three heights with w' at the highest point; a "
                     "positive lag: the height follows.",
                     "thesis (4.8)", make_axis("time lag", "s"), make_axis("correlation", "1"));

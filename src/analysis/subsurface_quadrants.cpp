@@ -14,8 +14,6 @@ namespace riffle {
 
 namespace {
 
-constexpr const char* chapter = "subsurface";
-
 /// A curve without points for each quadrant.
 std::array<Curve, 4> curves_of_quadrants(Origin origin) {
     constexpr std::array names = {"outward interactions (Q1)", "ejections (Q2)", "inward interactions (Q3)",
@@ -31,7 +29,7 @@ std::array<Curve, 4> curves_of_quadrants(Origin origin) {
 void add_quadrants(const FlowRecord& record, const VelocityInstrument& instrument, Analysis& analysis) {
     if (instrument.probe->w.empty()) return;
     Figure figure = make_figure(
-        chapter, "quadrant_profile", "Quadrants of the Reynolds stress over the depth",
+        chapters::subsurface, "quadrant_profile", "Quadrants of the Reynolds stress over the depth",
         "Part of <u'w'> that each quadrant of the plane of u' and w' carries, without a hole; bars: 95 % "
         "intervals.",
         "Lu & Willmarth (1973)", make_axis("part of <u'w'>", "m2/s2"),
@@ -52,7 +50,7 @@ void add_quadrants(const FlowRecord& record, const VelocityInstrument& instrumen
     });
     const ProbePointStatistics& middle = instrument.points[instrument.points.size() / 2];
     Figure holes = make_figure(
-        chapter, "quadrant_holes", "Quadrants against the hole size",
+        chapters::subsurface, "quadrant_holes", "Quadrants against the hole size",
         fmt::format("Share of the time in each quadrant with |u'w'| above H u_rms w_rms, at {}.",
                     place(middle)),
         "Lu & Willmarth (1973)", make_axis("hole size H", "1"), make_axis("share of the time", "1"));
@@ -73,7 +71,8 @@ void add_quadrants(const FlowRecord& record, const VelocityInstrument& instrumen
             if (i > 0 || !(result.mean_product.half_width < std::abs(result.mean_product.value))) continue;
             const auto share = [&](const char* key, const char* label, std::size_t q) {
                 if (!std::isfinite(result.quadrant[q].stress_share)) return;
-                analysis.findings.push_back(make_finding(chapter, key, label + (", " + place(middle)), "1",
+                analysis.findings.push_back(make_finding(chapters::subsurface, key,
+                                                         label + (", " + place(middle)), "1",
                                                          result.quadrant[q].stress_share));
             };
             share("ejection_share", "share of ejections in <u'w'>", 1);

@@ -13,7 +13,6 @@ namespace riffle {
 
 namespace {
 
-constexpr const char* chapter = "subsurface";
 constexpr double thesis_step = 0.005;  // m
 /// Size of an extreme that two unrelated records may have by chance: of the largest of some lags of a record
 /// with a hundred independent samples.
@@ -73,7 +72,7 @@ void add_influence(const std::vector<StreamwiseCorrelation>& heights, const Case
     const double relative = *deepest / c.total_depth();
     const bool space = c.channel.dimensions == 3;
     analysis.findings.push_back(against(
-        make_finding(chapter, key, label, "1", relative), space ? 0.84 : 0.93,
+        make_finding(chapters::subsurface, key, label, "1", relative), space ? 0.84 : 0.93,
         space ? "thesis, 3D simulations" : "thesis, 2D simulations",
         fmt::format("heights {:.3g} of H apart; changes of sign by less than {} count as chance",
                     heights.size() > 1 ? (heights[1].z - heights[0].z) / c.total_depth() : 0.0, by_chance)));
@@ -88,7 +87,7 @@ void add_streamwise_correlation(const FlowRecord& record, Analysis& analysis) {
     if (record.flow() == nullptr) return;
     const Case& c = *record.flow();
     Figure figure = make_figure(
-        chapter, "streamwise_correlation", "Correlation of the vertical velocity between places",
+        chapters::subsurface, "streamwise_correlation", "Correlation of the vertical velocity between places",
         "At each height, the extreme over the lag of the temporal cross-correlation of w' at two places "
         "along the stream, mean over all pairs at a distance. The thesis' influence depth of the surface "
         "lies where, going down from the surface, the correlation last passes through zero.",
@@ -120,7 +119,8 @@ void add_streamwise_correlation(const FlowRecord& record, Analysis& analysis) {
     });
     if (!usable->period) return;
     Figure steady = make_figure(
-        chapter, "streamwise_correlation_of_waves", "The same without the breathing of the water",
+        chapters::subsurface, "streamwise_correlation_of_waves",
+        "The same without the breathing of the water",
         "As above, of w' less its mean along the periodic channel: water that cannot be compressed has no "
         "such mean, and the slight compression of the particles moves all places alike.",
         "after the thesis (4.8)", make_axis("distance along the channel over H", "1"),

@@ -10,6 +10,7 @@
 
 #include "analysis/stations.hpp"
 #include "base/error.hpp"
+#include "base/not_a_number.hpp"
 #include "statistics/jackknife.hpp"
 #include "statistics/least_squares.hpp"
 
@@ -18,7 +19,6 @@ namespace riffle {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t none_left_out = std::numeric_limits<std::size_t>::max();
 
 /// Mean product of the points `lag` columns apart over some rows.

@@ -18,8 +18,6 @@ namespace riffle {
 
 namespace {
 
-constexpr const char* chapter = "surface";
-
 /// Blocks of time for the jackknife: ten, fewer of a short record.
 std::size_t blocks_of(std::size_t samples) { return std::clamp<std::size_t>(samples / 32, 2, 10); }
 
@@ -27,13 +25,14 @@ std::size_t blocks_of(std::size_t samples) { return std::clamp<std::size_t>(samp
 /// characteristic period where it was found.
 template <class Correlate>
 double add_correlation(const FlowRecord& record, const Correlate& correlate, Analysis& analysis) {
-    Figure figure = make_figure(chapter, "surface_correlation", "Spatial correlation of the surface",
-                                "Correlation of the elevation at two places against their distance, mean "
-                                "over places and time, with 95 % "
-                                "intervals; fitted: exp(-rho^2/sigma_w^2) cos(2 pi rho/L0), along a periodic "
-                                "line with its periodic images.",
-                                "thesis (2.32), Horoshenkov et al. (2013)", make_axis("distance rho", "m"),
-                                make_axis("correlation W", "1"));
+    Figure figure =
+        make_figure(chapters::surface, "surface_correlation", "Spatial correlation of the surface",
+                    "Correlation of the elevation at two places against their distance, mean "
+                    "over places and time, with 95 % "
+                    "intervals; fitted: exp(-rho^2/sigma_w^2) cos(2 pi rho/L0), along a periodic "
+                    "line with its periodic images.",
+                    "thesis (2.32), Horoshenkov et al. (2013)", make_axis("distance rho", "m"),
+                    make_axis("correlation W", "1"));
     double found = 0.0;
     attempt(record, analysis, std::move(figure), [&](Figure& f) {
         const SpatialCorrelation correlation = correlate();
@@ -63,9 +62,9 @@ double add_correlation(const FlowRecord& record, const Correlate& correlate, Ana
                                                                                  correlation.period));
         }
         f.curves.push_back(std::move(law));
-        Finding finding =
-            make_finding(chapter, "characteristic_period", "characteristic period of the surface L0", "m",
-                         period, fit.characteristic_period.half_width);
+        Finding finding = make_finding(chapters::surface, "characteristic_period",
+                                       "characteristic period of the surface L0", "m", period,
+                                       fit.characteristic_period.half_width);
         if (record.flow() != nullptr) {
             const double depth = record.flow()->channel.depth;
             finding.remark = fmt::format("{:.2f} h_w", period / depth);
@@ -76,11 +75,11 @@ double add_correlation(const FlowRecord& record, const Correlate& correlate, Ana
         }
         analysis.findings.push_back(std::move(finding));
         analysis.findings.push_back(
-            make_finding(chapter, "correlation_radius", "correlation radius of the surface sigma_w", "m",
-                         fit.correlation_radius.value, fit.correlation_radius.half_width));
+            make_finding(chapters::surface, "correlation_radius", "correlation radius of the surface sigma_w",
+                         "m", fit.correlation_radius.value, fit.correlation_radius.half_width));
         analysis.findings.push_back(
-            make_finding(chapter, "correlated_share", "share of the variance that (2.32) describes", "1",
-                         fit.correlated_share.value, fit.correlated_share.half_width));
+            make_finding(chapters::surface, "correlated_share", "share of the variance that (2.32) describes",
+                         "1", fit.correlated_share.value, fit.correlated_share.half_width));
     });
     return found;
 }
@@ -99,7 +98,7 @@ void add_celerity(const FlowRecord& record, const char* key, const char* label, 
                                                 label, celerity.value, celerity.half_width));
         return;
     }
-    Finding finding = make_finding(chapter, key, label, "m/s", celerity.value, celerity.half_width);
+    Finding finding = make_finding(chapters::surface, key, label, "m/s", celerity.value, celerity.half_width);
     if (velocity > 0.0) finding = against(std::move(finding), velocity, "depth-mean velocity U");
     finding.remark = remark;
     if (of_surface > 0.0) finding.remark += "; " + beside_surface_velocity(celerity.value, of_surface);
@@ -120,7 +119,7 @@ template <class Find>
 void add_station_celerity(const FlowRecord& record, const Find& find, Analysis& analysis) {
     const double velocity = bulk_velocity(record);
     Figure stations = make_figure(
-        chapter, "surface_station_lags", "Lag of the surface against distance",
+        chapters::surface, "surface_station_lags", "Lag of the surface against distance",
         "Lag of the extreme of the temporal cross-correlation over the distance of the places, with 95 % "
         "intervals; the lines are x = c t of the celerity found, of the depth-mean velocity U and of the "
         "velocity of the surface u_s.",
@@ -220,7 +219,8 @@ void add_upwellings(const FlowRecord& record, const SpaceTime& line, Analysis& a
                                                         label, number.mean, number.half_width));
                 return;
             }
-            Finding finding = make_finding(chapter, key, label, "1", number.mean, number.half_width);
+            Finding finding =
+                make_finding(chapters::surface, key, label, "1", number.mean, number.half_width);
             finding.remark = fmt::format(
                 "{:.3g} per water depth along the bed; across a flume of {:.3g} m about A_r/2 = {:.2g} are "
                 "expected (Tamburrino & Gulliver)",

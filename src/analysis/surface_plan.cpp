@@ -14,11 +14,9 @@ namespace riffle {
 
 namespace {
 
-constexpr const char* chapter = "surface";
-
 Figure plan_figure(const char* key, const char* title, std::string caption) {
     Figure figure = make_figure(
-        chapter, key, title, std::move(caption), "thesis chapter 5, maps of the mean water level",
+        chapters::surface, key, title, std::move(caption), "thesis chapter 5, maps of the mean water level",
         make_axis("distance along the channel x", "m"), make_axis("distance from the side wall y", "m"));
     figure.y.equal_scale = true;
     return figure;
@@ -90,7 +88,7 @@ void add_surface_plan(const FlowRecord& record, Analysis& analysis) {
     std::vector<double> level = means_of(maps);
     const double whole = mean_of(level);
     Finding finding =
-        against(make_finding(chapter, "plan_mean_water_depth",
+        against(make_finding(chapters::surface, "plan_mean_water_depth",
                              "mean depth of the water above the datum over the plan", "m", whole - c.datum()),
                 c.channel.depth, "case, h_w");
     for (double& value : level) value -= whole;
@@ -102,7 +100,7 @@ void add_surface_plan(const FlowRecord& record, Analysis& analysis) {
         maps.time.size(), 1000.0 * whole);
     mean.maps.push_back(plan_map(maps, level, "mean level about its mean", true));
     analysis.figures.push_back(std::move(mean));
-    analysis.findings.push_back(make_finding(chapter, "plan_mean_level_deviation",
+    analysis.findings.push_back(make_finding(chapters::surface, "plan_mean_level_deviation",
                                              "standard deviation of the mean level over the plan", "m", [&] {
                                                  double squares = 0.0;
                                                  double count = 0.0;
@@ -130,7 +128,7 @@ void add_surface_plan(const FlowRecord& record, Analysis& analysis) {
         f.maps.push_back(plan_map(maps, values, "standard deviation of eta'", false));
         const DeviationEstimate whole_plan = standard_deviation(line);
         analysis.findings.push_back(
-            against(make_finding(chapter, "plan_standard_deviation",
+            against(make_finding(chapters::surface, "plan_standard_deviation",
                                  "standard deviation of the surface elevation over the plan", "m",
                                  whole_plan.value, whole_plan.half_width),
                     c.measured.surface_standard_deviation, measured_name(c)));

@@ -13,8 +13,6 @@ namespace riffle {
 
 namespace {
 
-constexpr const char* chapter = "surface";
-
 /// xi = velocity tau as far as the map reaches.
 Curve ray(std::string name, Origin origin, double velocity, double longest, double furthest) {
     const double lag = std::min(longest, furthest / velocity);
@@ -25,7 +23,7 @@ Curve ray(std::string name, Origin origin, double velocity, double longest, doub
 
 void add_surface_space_time(const FlowRecord& record, const SpaceTime& line, Analysis& analysis) {
     Figure figure = make_figure(
-        chapter, "surface_space_time_correlation", "Correlation of the surface in space and time",
+        chapters::surface, "surface_space_time_correlation", "Correlation of the surface in space and time",
         "Cross-correlation of the elevation at two places, mean over all pairs at a distance, against the "
         "lag "
         "of the one downstream; the lines are the advection with the depth-mean velocity U and with the "
@@ -66,7 +64,8 @@ void add_surface_space_time(const FlowRecord& record, const SpaceTime& line, Ana
 void add_surface_extremes(const FlowRecord& record, const StationCelerity& found, Analysis& analysis) {
     const double scale = record.flow() != nullptr ? record.flow()->total_depth() : 1.0;
     Figure figure = make_figure(
-        chapter, "surface_extreme_correlation", "Correlation of the surface along the way of its patterns",
+        chapters::surface, "surface_extreme_correlation",
+        "Correlation of the surface along the way of its patterns",
         "Extreme (maximum or minimum) of the temporal cross-correlation of the elevation at two places "
         "against their distance.",
         "thesis (4.7), Figs 4.19 and 5.35",

@@ -17,7 +17,7 @@ namespace riffle {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Hann window of unit mean square.
 std::vector<double> hann_window(std::size_t n) {

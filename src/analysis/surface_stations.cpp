@@ -17,7 +17,6 @@ namespace riffle {
 
 namespace {
 
-constexpr const char* chapter = "surface";
 constexpr std::size_t fewest_samples = 16;
 constexpr double same_place = 1e-6;                   // m
 constexpr double largest_lag_without_velocity = 2.0;  // s
@@ -154,13 +153,13 @@ std::vector<SurfaceStation> stations_of_line(const SpaceTime& line,
 
 void add_station_spectra(const FlowRecord& record, const std::vector<SurfaceStation>& stations,
                          Analysis& analysis) {
-    Figure figure =
-        make_figure(chapter, "surface_frequency_spectrum", "Spectrum of the surface elevation in frequency",
-                    "One-sided power spectral density by Welch's method (eighths of the record, Hann "
-                    "windows, half overlap), "
-                    "averaged over 20 bins per decade; bars: 95 % intervals.",
-                    "thesis chapters 4-5, power spectra", make_axis("frequency f", "Hz", true),
-                    make_axis("power spectral density", "m2/Hz", true));
+    Figure figure = make_figure(
+        chapters::surface, "surface_frequency_spectrum", "Spectrum of the surface elevation in frequency",
+        "One-sided power spectral density by Welch's method (eighths of the record, Hann "
+        "windows, half overlap), "
+        "averaged over 20 bins per decade; bars: 95 % intervals.",
+        "thesis chapters 4-5, power spectra", make_axis("frequency f", "Hz", true),
+        make_axis("power spectral density", "m2/Hz", true));
     attempt(record, analysis, std::move(figure), [&](Figure& f) {
         for (std::size_t i = 0; i < stations.size(); ++i) {
             const SmoothedSpectrum spectrum =
@@ -171,7 +170,7 @@ void add_station_spectra(const FlowRecord& record, const std::vector<SurfaceStat
             const PowerSpectrum& fine = spectrum.fine;
             if (fine.frequency.size() > 2) {
                 Finding finding =
-                    make_finding(chapter, "surface_peak_frequency",
+                    make_finding(chapters::surface, "surface_peak_frequency",
                                  "frequency of the highest spectral density, " + stations[i].name, "Hz",
                                  peak_frequency(fine), 0.5 * fine.resolution);
                 finding.remark = "half-width: half the resolution of the spectrum";
@@ -185,7 +184,7 @@ void add_station_correlations(const FlowRecord& record, const std::vector<Surfac
                               Analysis& analysis) {
     if (stations.size() < 2 || !std::isfinite(stations[1].x)) return;
     Figure figure = make_figure(
-        chapter, "surface_cross_correlation", "Correlation of the surface between places",
+        chapters::surface, "surface_cross_correlation", "Correlation of the surface between places",
         "Temporal cross-correlation of the elevation at the first place and at those downstream; points: "
         "extremes beyond what unrelated records show in 5 % of lags, and the lags x/U at which the water "
         "arrives.",
@@ -226,7 +225,7 @@ void add_station_correlations(const FlowRecord& record, const std::vector<Surfac
             const CorrelationExtreme* const best = arrival(extremes, distance, velocity);
             if (best == nullptr) continue;
             Finding finding = make_finding(
-                chapter, fmt::format("celerity_between_places_{}", i),
+                chapters::surface, fmt::format("celerity_between_places_{}", i),
                 fmt::format("celerity from the lag between places {:.4g} mm apart", 1000.0 * distance), "m/s",
                 distance / best->lag);
             if (velocity > 0.0) finding = against(std::move(finding), velocity, "depth-mean velocity");

@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "analysis/figure_tools.hpp"
 #include "analysis/gravity_capillary_waves.hpp"
 #include "analysis/surface_parts.hpp"
 #include "analysis/surface_spectra.hpp"
+#include "base/not_a_number.hpp"
 #include "case/flow_conditions.hpp"
 #include "statistics/confidence.hpp"
 #include "statistics/record.hpp"
@@ -19,7 +19,6 @@ namespace riffle {
 
 namespace {
 
-constexpr const char* chapter = "surface";
 constexpr double water_surface_tension = 0.072;  // N/m, clean water; the particles have none
 
 /// The waves that can travel on the flow of a record.
@@ -46,13 +45,12 @@ std::size_t segment_rows(const SpaceTime& line) {
 /// Lines in the map of a spectrum, which shows omega >= 0 only: a wave of negative frequency is the one of
 /// -k. A line is broken where it changes sides or leaves the map.
 void add_branch(Curve& curve, double k, double omega, double highest) {
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     const bool shown = std::abs(omega) <= highest;
     const double x = omega < 0.0 ? -k : k;
     const bool drawn = !curve.x.empty() && std::isfinite(curve.x.back());
     if (drawn && (!shown || x * curve.x.back() < 0.0)) {
-        curve.x.push_back(nan);
-        curve.y.push_back(nan);
+        curve.x.push_back(not_a_number);
+        curve.y.push_back(not_a_number);
     }
     if (!shown) return;
     curve.x.push_back(x);
@@ -87,7 +85,7 @@ void add_dispersion(const FlowRecord& record, const WaveSpectrum& spectrum, Figu
 
 void add_wave_spectrum(const FlowRecord& record, const SurfaceFluctuation& surface, Analysis& analysis) {
     Figure figure = make_figure(
-        chapter, "surface_wave_spectrum", "Spectrum of the surface in wavenumber and frequency",
+        chapters::surface, "surface_wave_spectrum", "Spectrum of the surface in wavenumber and frequency",
         "Power spectral density of eta'(x, t); k > 0 travels downstream. Lines: dispersion relation of "
         "gravity-capillary waves on a current of the surface's velocity (the depth mean U where that is not "
         "known), and what the water carries.",
@@ -172,12 +170,12 @@ std::string beside_surface_velocity(double celerity, double surface_velocity) {
 }
 
 void add_surface_spectra(const FlowRecord& record, const SurfaceFluctuation& surface, Analysis& analysis) {
-    Figure figure =
-        make_figure(chapter, "surface_wavenumber_spectrum", "Spectrum of the surface elevation in wavenumber",
-                    "Power spectral density along the line, both directions together, mean over time; bars: "
-                    "95 % intervals.",
-                    "thesis chapters 4-5", make_axis("wavenumber k", "rad/m", true),
-                    make_axis("power spectral density", "m3/rad", true));
+    Figure figure = make_figure(
+        chapters::surface, "surface_wavenumber_spectrum", "Spectrum of the surface elevation in wavenumber",
+        "Power spectral density along the line, both directions together, mean over time; bars: "
+        "95 % intervals.",
+        "thesis chapters 4-5", make_axis("wavenumber k", "rad/m", true),
+        make_axis("power spectral density", "m3/rad", true));
     attempt(record, analysis, std::move(figure), [&](Figure& f) {
         const WavenumberSpectrum spectrum = wavenumber_spectrum(surface.line);
         Curve curve = make_curve("along the line", record.origin(), Mark::line_and_points,
@@ -187,12 +185,12 @@ void add_surface_spectra(const FlowRecord& record, const SurfaceFluctuation& sur
         f.curves.push_back(std::move(curve));
         const auto peak = std::max_element(spectrum.density.begin() + 1, spectrum.density.end());
         const double k = spectrum.wavenumber[static_cast<std::size_t>(peak - spectrum.density.begin())];
-        analysis.findings.push_back(make_finding(chapter, "surface_peak_wavelength",
+        analysis.findings.push_back(make_finding(chapters::surface, "surface_peak_wavelength",
                                                  "wavelength of the highest spectral density", "m",
                                                  2.0 * std::numbers::pi / k));
     });
     Figure in_frequency = make_figure(
-        chapter, "surface_line_frequency_spectrum",
+        chapters::surface, "surface_line_frequency_spectrum",
         "Spectrum of the surface in frequency, mean over the line",
         "Power spectral density in frequency, the mean over all places of the line; bars: 95 % intervals.",
         "thesis chapters 4-5, power spectra", make_axis("frequency f", "Hz", true),

@@ -1,16 +1,14 @@
 #include "analysis/vortices.hpp"
+#include "base/not_a_number.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
 namespace riffle {
 
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 std::size_t stride_of(const CellBox& box, std::size_t axis) {
     std::size_t stride = 1;
@@ -32,7 +30,7 @@ std::optional<std::size_t> neighbour(const CellBox& box, std::size_t cell, std::
 }  // namespace
 
 std::vector<double> derivative(const CellBox& box, const std::vector<double>& values, std::size_t axis) {
-    std::vector<double> result(box.size(), nan);
+    std::vector<double> result(box.size(), not_a_number);
     for (std::size_t cell = 0; cell < result.size(); ++cell) {
         if (!std::isfinite(values[cell])) continue;
         double ends[2] = {values[cell], values[cell]};
@@ -66,7 +64,7 @@ std::vector<double> swirling_strength(const CellBox& plane, const std::vector<do
     for (std::size_t i = 0; i < result.size(); ++i) {
         const double half = 0.5 * (a[i] - d[i]);
         const double discriminant = half * half + b[i] * c[i];
-        result[i] = !std::isfinite(discriminant) ? nan
+        result[i] = !std::isfinite(discriminant) ? not_a_number
                     : discriminant < 0.0         ? std::copysign(std::sqrt(-discriminant), c[i] - b[i])
                                                  : 0.0;
     }

@@ -28,9 +28,9 @@ constexpr std::size_t header = 84;
 constexpr std::size_t record = 50;
 
 /// Words of a text, with the line that each stands on.
-class Words {
+class WordReader {
   public:
-    explicit Words(std::string_view text) : rest_(text) {}
+    explicit WordReader(std::string_view text) : rest_(text) {}
 
     /// The next word; empty at the end.
     std::string_view next() {
@@ -140,7 +140,7 @@ class TextReader {
         return value;
     }
 
-    Words words_;
+    WordReader words_;
     const std::string& name_;
     Triangles triangles_;
 };

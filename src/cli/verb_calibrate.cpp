@@ -14,6 +14,7 @@
 #include "case/case.hpp"
 #include "cli/case_argument.hpp"
 #include "cli/positive_number.hpp"
+#include "cli/printed_number.hpp"
 #include "cli/verbs.hpp"
 #include "column/calibration.hpp"
 #include "output/atomic_file.hpp"
@@ -37,8 +38,6 @@ struct CalibrateOptions {
     [[nodiscard]] CaseArgument argument(std::size_t i) const { return {files[i], settings}; }
 };
 
-std::string number(double value) { return fmt::format("{:.4g}", value); }
-
 /// A line of a table without the blanks of its empty last columns.
 void print_line(std::string line) {
     line.erase(line.find_last_not_of(' ') + 1);
@@ -52,9 +51,9 @@ std::string label(const FittedParameter& p) {
 
 /// An end of the interval of a parameter; beyond its range the end of that.
 std::string end_of_interval(double value, const FittedParameter& p) {
-    return value < p.lower   ? "< " + number(p.lower)
-           : value > p.upper ? "> " + number(p.upper)
-                             : number(value);
+    return value < p.lower   ? "< " + printed_number(p.lower)
+           : value > p.upper ? "> " + printed_number(p.upper)
+                             : printed_number(value);
 }
 
 void print_parameters(const CalibrationResult& r) {
@@ -65,9 +64,9 @@ void print_parameters(const CalibrationResult& r) {
                                          ? fmt::format("{} to {}", end_of_interval(p.value - p.half_width, p),
                                                        end_of_interval(p.value + p.half_width, p))
                                          : "undetermined";
-        const std::string range = fmt::format("{} to {}", number(p.lower), number(p.upper));
-        print_line(fmt::format("  {:<22} {:>10} {:>10}   {:<22} {:<18} {}", label(p), number(p.start),
-                               number(p.value), interval, range, p.unit));
+        const std::string range = fmt::format("{} to {}", printed_number(p.lower), printed_number(p.upper));
+        print_line(fmt::format("  {:<22} {:>10} {:>10}   {:<22} {:<18} {}", label(p), printed_number(p.start),
+                               printed_number(p.value), interval, range, p.unit));
     }
 }
 
@@ -91,14 +90,15 @@ void print_quantities(const CalibrationResult& r) {
         if (r.conditions.size() > 1) fmt::print("  [{}] {}\n", i + 1, r.conditions[i].name);
         for (const FittedQuantity& q : r.conditions[i].quantities) {
             const auto beside = [&](double value, double misfit) {
-                return q.points > 1 ? fmt::format("{} ({:.1f} % rms)", number(value), 100.0 * misfit)
-                                    : fmt::format("{} ({:+.1f} %)", number(value), 100.0 * misfit);
+                return q.points > 1 ? fmt::format("{} ({:.1f} % rms)", printed_number(value), 100.0 * misfit)
+                                    : fmt::format("{} ({:+.1f} %)", printed_number(value), 100.0 * misfit);
             };
             const std::string note = fmt::format("{}{}{}", q.unit, q.fitted_to ? "" : ", not fitted to",
                                                  q.worsened() ? ", worse" : "");
             fmt::print("  {:<22} {:>6} {:>10} {:>10}   {:>18}   {:>18}  {}\n", q.name, q.points,
-                       number(q.measured), number(q.uncertainty), beside(q.before, q.relative_misfit_before),
-                       beside(q.after, q.relative_misfit_after), note);
+                       printed_number(q.measured), printed_number(q.uncertainty),
+                       beside(q.before, q.relative_misfit_before), beside(q.after, q.relative_misfit_after),
+                       note);
         }
     }
 }
@@ -112,8 +112,9 @@ void print_summary(const CalibrationResult& r) {
     print_parameters(r);
     print_correlation(r);
     print_quantities(r);
-    fmt::print("\n  chi^2 {} with {} degrees of freedom; uncertainties widened by {}\n", number(r.chi_square),
-               number(r.degrees_of_freedom), number(r.scatter_factor));
+    fmt::print("\n  chi^2 {} with {} degrees of freedom; uncertainties widened by {}\n",
+               printed_number(r.chi_square), printed_number(r.degrees_of_freedom),
+               printed_number(r.scatter_factor));
     for (const std::string& warning : r.warnings) fmt::print("\nWarning: {}\n", warning);
 }
 

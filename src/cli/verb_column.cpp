@@ -10,6 +10,7 @@
 
 #include "case/case.hpp"
 #include "cli/case_argument.hpp"
+#include "cli/printed_number.hpp"
 #include "cli/verbs.hpp"
 #include "column/column.hpp"
 #include "hydraulics/channel_laws.hpp"
@@ -24,14 +25,12 @@ struct ColumnOptions {
     bool csv = false;
 };
 
-/// Four significant digits: more than any of the measurements has.
-std::string number(double value) { return fmt::format("{:.4g}", value); }
-
 void print_row(const std::string& name, const std::string& unit, double value,
                std::optional<double> measured = std::nullopt) {
-    std::string line = fmt::format("  {:<44} {:>10} ", name, number(value));
+    std::string line = fmt::format("  {:<44} {:>10} ", name, printed_number(value));
     if (measured) {
-        line += fmt::format("{:>10} {:>+8.1f} %  ", number(*measured), 100.0 * (value / *measured - 1.0));
+        line +=
+            fmt::format("{:>10} {:>+8.1f} %  ", printed_number(*measured), 100.0 * (value / *measured - 1.0));
     } else {
         line += fmt::format("{:>23}", "");
     }
@@ -51,8 +50,8 @@ void print_summary(const Case& c, const ColumnResult& r) {
     const double depth = c.channel.depth;
     const double weight = c.streamwise_gravity();
     fmt::print("{}\n", c.title.empty() ? "Column twin of the case" : c.title);
-    fmt::print("depth over the datum {} m, total depth {} m, slope {}\n\n", number(depth),
-               number(c.total_depth()), number(c.channel.slope));
+    fmt::print("depth over the datum {} m, total depth {} m, slope {}\n\n", printed_number(depth),
+               printed_number(c.total_depth()), printed_number(c.channel.slope));
     fmt::print("  {:<44} {:>10} {:>10} {:>10}\n", "", "column", "measured", "difference");
     print_row("depth-mean velocity over the datum, U", "m/s", r.depth_mean_velocity,
               c.measured.depth_mean_velocity);
@@ -87,17 +86,13 @@ void print_summary(const Case& c, const ColumnResult& r) {
     }
     if (r.log_law.valid) {
         fmt::print("\nLog-law fit from the crest, z = {} m, to {} m over the bed level.\n",
-                   number(r.log_law.from), number(r.log_law.to));
+                   printed_number(r.log_law.from), printed_number(r.log_law.to));
     }
     fmt::print("{}Wide channel: the hydraulic radius is the depth over the datum.\n",
                r.log_law.valid ? "" : "\n");
     if (!c.measured.uniform) {
         fmt::print("The measured flow was not uniform; the column is.\n");
     }
-}
-
-nlohmann::ordered_json optional_number(const std::optional<double>& value) {
-    return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
 }
 
 /// The result in SI. What does not exist (the fit of a smooth bed, the time of water at rest) is null.

@@ -16,6 +16,7 @@
 #include "case/case.hpp"
 #include "cli/case_argument.hpp"
 #include "cli/positive_number.hpp"
+#include "cli/printed_number.hpp"
 #include "cli/section_figure.hpp"
 #include "cli/verbs.hpp"
 #include "column/section.hpp"
@@ -46,15 +47,13 @@ struct Transient {
     std::vector<SectionMoment> moments;
 };
 
-std::string number(double value) { return fmt::format("{:.4g}", value); }
-
 void print_row(const char* name, const char* unit, double value, std::optional<double> reference = {},
                const char* source = "") {
-    std::string text = fmt::format("  {:<46} {:>10} ", name, number(value));
+    std::string text = fmt::format("  {:<46} {:>10} ", name, printed_number(value));
     if (reference) {
         const double difference = 100.0 * (value / *reference - 1.0);
         constexpr double shown = 0.05;  // what is less is printed as +0.0
-        text += fmt::format("{:>10} {:>+8.1f} %  ", number(*reference),
+        text += fmt::format("{:>10} {:>+8.1f} %  ", printed_number(*reference),
                             std::abs(difference) < shown ? 0.0 : difference);
     } else {
         text += fmt::format("{:>23}", "");
@@ -72,8 +71,8 @@ void print_steady(const Case& c, const SectionResult& r) {
     const char* const source = divided ? "Yang & Lim" : "";
     fmt::print("{}\n", c.title.empty() ? "Cross-section twin of the case" : c.title);
     fmt::print("depth over the datum {} m, total depth {} m, width {} m, slope {}\n\n",
-               number(c.channel.depth), number(c.total_depth()), number(c.channel.width),
-               number(c.channel.slope));
+               printed_number(c.channel.depth), printed_number(c.total_depth()),
+               printed_number(c.channel.width), printed_number(c.channel.slope));
     fmt::print("  {:<46} {:>10} {:>10} {:>10}\n", "", "section", "reference", "difference");
     print_row("depth mean over the datum at the centreline, U", "m/s", r.centreline_velocity,
               c.measured.depth_mean_velocity, c.measured.depth_mean_velocity ? "measured" : "");
@@ -127,15 +126,16 @@ constexpr Watched watched[] = {
 
 void print_transient(const SectionArguments& a, const SectionResult& steady, const Transient& t) {
     fmt::print("\n  {:<46} {:>10} {:>10} {:>10}   {}\n", fmt::format("from the start \"{}\"", a.from),
-               "steady", fmt::format("{} s", number(*a.time)), "difference", "within 1 % after");
+               "steady", fmt::format("{} s", printed_number(*a.time)), "difference", "within 1 % after");
     for (const Watched& w : watched) {
         const double end = steady.*w.result;
         if (!(end > 0.0)) continue;
         const double now = t.after.*w.result;
         const std::optional<double> time = approach_time(t.moments, w.moment, end);
-        fmt::print("  {:<46} {:>10} {:>10} {:>+8.1f} %   {}\n", w.name, number(end), number(now),
-                   100.0 * (now / end - 1.0),
-                   time ? number(*time) + " s" : "more than " + number(t.moments.back().time) + " s");
+        fmt::print("  {:<46} {:>10} {:>10} {:>+8.1f} %   {}\n", w.name, printed_number(end),
+                   printed_number(now), 100.0 * (now / end - 1.0),
+                   time ? printed_number(*time) + " s"
+                        : "more than " + printed_number(t.moments.back().time) + " s");
     }
 }
 
@@ -162,10 +162,6 @@ nlohmann::ordered_json fields(const SectionResult& r) {
             {"mixing_length", r.mixing_length},
             {"shear_stress", r.shear_stress},
             {"lateral_shear_stress", r.lateral_shear_stress}};
-}
-
-nlohmann::ordered_json optional_number(const std::optional<double>& value) {
-    return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
 }
 
 nlohmann::ordered_json summary(const SectionResult& r) {
@@ -255,10 +251,10 @@ void run_section(const SectionArguments& a) {
     if (!a.json.empty()) write_text(a.json, to_json(a, c, steady, t).dump(1) + "\n");
     if (!a.csv.empty()) write_text(a.csv, to_csv(shown));
     if (!a.figure.empty()) {
-        write_text(a.figure,
-                   section_figure(c, shown,
-                                  t ? fmt::format("after {} s from the start \"{}\"", number(*a.time), a.from)
-                                    : "steady flow of the cross-section twin"));
+        write_text(a.figure, section_figure(c, shown,
+                                            t ? fmt::format("after {} s from the start \"{}\"",
+                                                            printed_number(*a.time), a.from)
+                                              : "steady flow of the cross-section twin"));
     }
 }
 

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/not_a_number.hpp"
 #include "column/calibration_parameter.hpp"
 #include "column/calibration_target.hpp"
 #include "column/centreline.hpp"
@@ -141,7 +142,6 @@ std::string label_of(const CalibrationResult& result, const FittedParameter& p) 
 void describe_uncertainty(CalibrationResult& result, const std::vector<Unknown>& unknowns,
                           const std::optional<Eigen::MatrixXd>& covariance) {
     const std::size_t n = result.parameters.size();
-    constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
     constexpr double normal_95 = 1.959964;
     result.correlation.assign(n, std::vector<double>(n, not_a_number));
     const bool from_scatter = result.scatter_factor > 1.0 && result.degrees_of_freedom >= 1.0;

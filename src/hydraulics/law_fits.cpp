@@ -16,7 +16,7 @@ namespace riffle {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr const char* dependent_points =
     "the points do not determine the parameters: too few different heights for the number of unknowns";
 

@@ -10,12 +10,11 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/not_a_number.hpp"
 
 namespace riffle {
 
 namespace {
-
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 void require_same_number(const ProfileSpan& profile, std::string_view name) {
     if (profile.z.size() != profile.value.size()) {
@@ -79,7 +78,7 @@ ProfileComparison compare_profiles(const ProfileSpan& computed, const ProfileSpa
         const double z = measured.z[i];
         const double value = measured.value[i];
         if (!std::isfinite(z) || !std::isfinite(value)) {
-            result.left_out.push_back({z, value, LeftOut::not_a_number});
+            result.left_out.push_back({z, value, LeftOut::unmeasured});
         } else if (const auto reason = outside(computed, z)) {
             result.left_out.push_back({z, value, *reason});
         } else {

@@ -20,11 +20,11 @@ struct ComparedPoint {
 };
 
 /// What is left out of a comparison, and why.
-enum class LeftOut { above_computed, below_computed, not_a_number };
+enum class LeftOut { above_computed, below_computed, unmeasured };
 struct LeftOutPoint {
     double z = 0;
     double measured = 0;
-    LeftOut reason = LeftOut::not_a_number;
+    LeftOut reason = LeftOut::unmeasured;
 };
 
 /// Errors over a number of points.

@@ -12,7 +12,7 @@ namespace riffle {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// What the phase adds to the linear stress.
 double stress_departure(double xi) { return secondary_flow_bed_amplitude * (1.0 - xi) * (1.0 - 7.0 * xi); }

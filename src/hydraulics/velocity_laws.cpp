@@ -8,7 +8,7 @@
 namespace riffle {
 
 namespace {
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 }  // namespace
 
 double smooth_log_law(double z, double friction_velocity, double kinematic_viscosity, double kappa,

@@ -17,14 +17,14 @@
 
 namespace riffle {
 
-namespace {
-
 std::string lower_case(std::string_view text) {
     std::string result(text);
     std::transform(result.begin(), result.end(), result.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     return result;
 }
+
+namespace {
 
 char separator_of(std::string_view line) {
     for (const char candidate : {'\t', ';'}) {

@@ -65,4 +65,7 @@ enum class MissingValues { refused, allowed };
 [[nodiscard]] std::vector<double> column_in_si(const CsvTable& table, std::size_t column,
                                                std::string_view unit);
 
+/// The text with its ASCII letters small.
+[[nodiscard]] std::string lower_case(std::string_view text);
+
 }  // namespace riffle

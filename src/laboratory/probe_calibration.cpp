@@ -17,12 +17,6 @@ namespace {
 constexpr std::string_view form =
     "\"NAME: x = 28 mm, y = 0 mm, offset = -12.3 mm, gain = 20.4 mm/V\", all but the name optional";
 
-std::string lower_case(std::string_view text) {
-    std::string result(text);
-    for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return result;
-}
-
 }  // namespace
 
 double ProbeCalibration::elevation_half_width(double voltage) const {

@@ -1,16 +1,14 @@
 #include "laboratory/record_repair.hpp"
+#include "base/not_a_number.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace riffle {
 
 namespace {
-
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 /// Standard deviation of a normal distribution over its median absolute deviation.
 constexpr double deviation_of_median = 1.4826;

@@ -5,18 +5,16 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/not_a_number.hpp"
 #include "laboratory/unit.hpp"
 
 namespace riffle {
 
 namespace {
-
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 std::string plain(std::string_view name) {
     std::string result;

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/not_a_number.hpp"
 #include "laboratory/timed_table.hpp"
 #include "laboratory/unit.hpp"
 
@@ -18,8 +18,6 @@ namespace {
 
 /// Half-width of a 95 % interval over the standard uncertainty.
 constexpr double normal_quantile = 1.96;
-
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 std::optional<std::size_t> find_column(const CsvTable& table, std::string_view lower,
                                        std::string_view upper) {

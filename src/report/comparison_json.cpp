@@ -37,7 +37,7 @@ Json run_json(const ComparedRun& compared) {
         return object;
     }
     const ReportData& data = *compared.run;
-    const std::vector<Quantity> quantities = summarize(data, compared.analysis);
+    const std::vector<SummaryRow> quantities = summarize(data, compared.analysis);
     object["kind"] = "run";
     object["title"] = data.title;
     object["source"] = data.source.string();

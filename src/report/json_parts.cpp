@@ -46,9 +46,9 @@ const char* word(Health mark) {
     return "none";
 }
 
-Json quantity_rows(const std::vector<Quantity>& quantities) {
+Json quantity_rows(const std::vector<SummaryRow>& quantities) {
     Json rows = Json::array();
-    for (const Quantity& row : quantities) {
+    for (const SummaryRow& row : quantities) {
         rows.push_back({{"key", row.key},
                         {"label", row.label},
                         {"symbol", row.symbol},
@@ -63,9 +63,9 @@ Json quantity_rows(const std::vector<Quantity>& quantities) {
     return rows;
 }
 
-Json quantities_by_key(const std::vector<Quantity>& quantities) {
+Json quantities_by_key(const std::vector<SummaryRow>& quantities) {
     Json values = Json::object();
-    for (const Quantity& row : quantities) {
+    for (const SummaryRow& row : quantities) {
         values[row.key] = {{"simulated", estimate_json(row.simulated)},
                            {"measured", estimate_json(row.measured)},
                            {"column", estimate_json(row.column)},

@@ -30,10 +30,10 @@ using Json = nlohmann::ordered_json;
 [[nodiscard]] const char* word(Health mark);
 
 /// The summary table as rows for the page, with labels, units and digits.
-[[nodiscard]] Json quantity_rows(const std::vector<Quantity>& quantities);
+[[nodiscard]] Json quantity_rows(const std::vector<SummaryRow>& quantities);
 
 /// The summary table by key, for machines.
-[[nodiscard]] Json quantities_by_key(const std::vector<Quantity>& quantities);
+[[nodiscard]] Json quantities_by_key(const std::vector<SummaryRow>& quantities);
 
 [[nodiscard]] Json diagnostics_json(const std::vector<Diagnostic>& diagnostics);
 

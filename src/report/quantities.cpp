@@ -42,9 +42,9 @@ struct Sources {
 };
 
 /// A row without values; `factor` turns SI into the unit.
-Quantity row_of(const char* key, std::string label, const char* symbol, const char* unit, double factor = 1.0,
-                int digits = 4) {
-    Quantity row;
+SummaryRow row_of(const char* key, std::string label, const char* symbol, const char* unit,
+                  double factor = 1.0, int digits = 4) {
+    SummaryRow row;
     row.key = key;
     row.label = std::move(label);
     row.symbol = symbol;
@@ -56,17 +56,17 @@ Quantity row_of(const char* key, std::string label, const char* symbol, const ch
 
 class Table {
   public:
-    void add(Quantity row, const Sources& sources) {
+    void add(SummaryRow row, const Sources& sources) {
         if (!sources.simulated && !sources.measured && !sources.column) return;
         row.simulated = sources.simulated;
         row.measured = sources.measured;
         row.column = sources.column;
         rows_.push_back(std::move(row));
     }
-    [[nodiscard]] std::vector<Quantity> take() { return std::move(rows_); }
+    [[nodiscard]] std::vector<SummaryRow> take() { return std::move(rows_); }
 
   private:
-    std::vector<Quantity> rows_;
+    std::vector<SummaryRow> rows_;
 };
 
 Sources depth_mean_velocity(const ReportData& data) {
@@ -259,7 +259,7 @@ void add_findings(Table& table, const Analysis& analysis,
         if (!label.empty() && label.front() >= 'a' && label.front() <= 'z')
             label.front() = static_cast<char>(label.front() - 'a' + 'A');
         const std::string unit = millimetres ? "mm" : finding->unit == "m2/s" ? "m²/s" : finding->unit;
-        Quantity row = row_of(key, std::move(label), symbol, unit.c_str(), millimetres ? 1000.0 : 1.0);
+        SummaryRow row = row_of(key, std::move(label), symbol, unit.c_str(), millimetres ? 1000.0 : 1.0);
         row.theory = plain(finding->reference);
         table.add(std::move(row), {SummaryValue{finding->value, finding->half_width}, {}, {}});
     }
@@ -267,7 +267,7 @@ void add_findings(Table& table, const Analysis& analysis,
 
 }  // namespace
 
-std::vector<Quantity> summarize(const ReportData& data, const Analysis& analysis) {
+std::vector<SummaryRow> summarize(const ReportData& data, const Analysis& analysis) {
     Table table;
     const FlowKind kind = flow_kind(data.flow);
     if (is_undriven(kind)) {
@@ -304,9 +304,9 @@ std::vector<Quantity> summarize(const ReportData& data, const Analysis& analysis
     return table.take();
 }
 
-const Quantity* find_quantity(const std::vector<Quantity>& quantities, const std::string& key) {
+const SummaryRow* find_quantity(const std::vector<SummaryRow>& quantities, const std::string& key) {
     const auto found =
-        std::find_if(quantities.begin(), quantities.end(), [&](const Quantity& q) { return q.key == key; });
+        std::find_if(quantities.begin(), quantities.end(), [&](const SummaryRow& q) { return q.key == key; });
     return found == quantities.end() ? nullptr : &*found;
 }
 

@@ -16,7 +16,7 @@ struct SummaryValue {
 };
 
 /// A row of the summary table. `factor` turns SI into the unit shown.
-struct Quantity {
+struct SummaryRow {
     std::string key;  ///< as in the JSON summary
     std::string label;
     std::string symbol;  ///< with <i>, <sub> marks
@@ -30,9 +30,10 @@ struct Quantity {
 /// The rows of the summary table by the kind of flow, those without any value left out. What the analysis
 /// finds is taken from there: the surface's fluctuation, what stands at the centreline between side walls,
 /// what a channel with bodies and a flow that nothing drives are known by.
-[[nodiscard]] std::vector<Quantity> summarize(const ReportData& data, const Analysis& analysis = {});
+[[nodiscard]] std::vector<SummaryRow> summarize(const ReportData& data, const Analysis& analysis = {});
 
 /// The row with this key; nullptr if it is not there.
-[[nodiscard]] const Quantity* find_quantity(const std::vector<Quantity>& quantities, const std::string& key);
+[[nodiscard]] const SummaryRow* find_quantity(const std::vector<SummaryRow>& quantities,
+                                              const std::string& key);
 
 }  // namespace riffle

@@ -178,7 +178,7 @@ std::string summary_note(const ReportData& data) {
 }  // namespace
 
 std::string page_json(const ReportData& data, const Analysis& analysis) {
-    const std::vector<Quantity> quantities = summarize(data, analysis);
+    const std::vector<SummaryRow> quantities = summarize(data, analysis);
     const std::vector<Diagnostic> diagnostics = diagnose(data, analysis);
     Json facts = Json::array();
     for (const Fact& fact : run_facts(data)) facts.push_back({{"label", fact.label}, {"value", fact.value}});

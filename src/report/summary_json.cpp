@@ -7,7 +7,7 @@
 namespace riffle {
 
 Json summary_object(const ReportData& data, const Analysis& analysis) {
-    const std::vector<Quantity> quantities = summarize(data, analysis);
+    const std::vector<SummaryRow> quantities = summarize(data, analysis);
     const std::vector<Diagnostic> diagnostics = diagnose(data, analysis);
     return {{"format", "riffle-report-summary"},
             {"title", data.title},

@@ -23,7 +23,7 @@ std::string against(double value, double reference) {
 }
 
 /// `where`: of which part of the water, `twin`: "column" or "section".
-std::string velocity_sentence(const Quantity& mean, const char* where, const char* twin) {
+std::string velocity_sentence(const SummaryRow& mean, const char* where, const char* twin) {
     const SummaryValue& simulated = *mean.simulated;
     std::string text = fmt::format("The depth-mean velocity {} is {:.4g}", where, simulated.value);
     if (simulated.half_width) text += fmt::format(" ± {:.2g}", *simulated.half_width);
@@ -42,8 +42,8 @@ std::string velocity_sentence(const Quantity& mean, const char* where, const cha
     return text + ".";
 }
 
-void add_friction(std::vector<std::string>& sentences, const std::vector<Quantity>& quantities) {
-    const Quantity* const friction = find_quantity(quantities, "friction_velocity");
+void add_friction(std::vector<std::string>& sentences, const std::vector<SummaryRow>& quantities) {
+    const SummaryRow* const friction = find_quantity(quantities, "friction_velocity");
     if (friction == nullptr || !friction->simulated) return;
     std::string text = fmt::format("The friction velocity is {:.3g} m/s", friction->simulated->value);
     if (friction->measured) {
@@ -51,7 +51,7 @@ void add_friction(std::vector<std::string>& sentences, const std::vector<Quantit
                             against(friction->simulated->value, friction->measured->value),
                             friction->measured->value);
     }
-    const Quantity* const roughness = find_quantity(quantities, "equivalent_roughness");
+    const SummaryRow* const roughness = find_quantity(quantities, "equivalent_roughness");
     if (roughness != nullptr && roughness->simulated) {
         text += fmt::format("; the bed acts with an equivalent roughness of {:.1f} mm",
                             1000 * roughness->simulated->value);
@@ -122,9 +122,9 @@ std::string ended_headline(bool complete, Health worst) {
 }
 
 /// "q = 0.012 ± 0.001 m2/s", of a row of the summary.
-std::optional<std::string> quantity_text(const std::vector<Quantity>& quantities, const char* key,
+std::optional<std::string> quantity_text(const std::vector<SummaryRow>& quantities, const char* key,
                                          const char* name) {
-    const Quantity* const found = find_quantity(quantities, key);
+    const SummaryRow* const found = find_quantity(quantities, key);
     if (found == nullptr || !found->simulated) return std::nullopt;
     const SummaryValue& value = *found->simulated;
     std::string text = fmt::format("{} {:.4g}", name, found->factor * value.value);
@@ -133,9 +133,9 @@ std::optional<std::string> quantity_text(const std::vector<Quantity>& quantities
     return text;
 }
 
-void judge_uniform(const ReportData& data, const std::vector<Quantity>& quantities, Verdict& verdict) {
+void judge_uniform(const ReportData& data, const std::vector<SummaryRow>& quantities, Verdict& verdict) {
     // Between side walls the measured velocity is that of the centreline.
-    const Quantity* const centre = find_quantity(quantities, "centreline_velocity");
+    const SummaryRow* const centre = find_quantity(quantities, "centreline_velocity");
     if (centre != nullptr && centre->simulated)
         verdict.sentences.push_back(
             velocity_sentence(*centre, "above the datum around the centreline", "section"));
@@ -150,7 +150,7 @@ void judge_uniform(const ReportData& data, const std::vector<Quantity>& quantiti
     }
 }
 
-void judge_bodies(const ReportData& data, const std::vector<Quantity>& quantities, Verdict& verdict) {
+void judge_bodies(const ReportData& data, const std::vector<SummaryRow>& quantities, Verdict& verdict) {
     std::string text = "Mean flow around the bodies:";
     const char* joint = " ";
     for (const auto& [key, name] :
@@ -164,7 +164,7 @@ void judge_bodies(const ReportData& data, const std::vector<Quantity>& quantitie
         }
     }
     verdict.sentences.push_back(text + ".");
-    const Quantity* const bodies = find_quantity(quantities, "solid_force_share");
+    const SummaryRow* const bodies = find_quantity(quantities, "solid_force_share");
     if (bodies != nullptr && bodies->simulated) {
         verdict.sentences.push_back(fmt::format("The bodies take {:.1f} % of the water's weight component.",
                                                 100.0 * bodies->simulated->value));
@@ -173,9 +173,9 @@ void judge_bodies(const ReportData& data, const std::vector<Quantity>& quantitie
         verdict.sentences.push_back("There is no twin to compare with: " + *reason + ".");
 }
 
-void judge_course(const ReportData& data, const std::vector<Quantity>& quantities, Verdict& verdict) {
+void judge_course(const ReportData& data, const std::vector<SummaryRow>& quantities, Verdict& verdict) {
     std::string text;
-    for (const Quantity& row : quantities) {
+    for (const SummaryRow& row : quantities) {
         if (!row.theory || !row.simulated || row.theory->value == 0.0) continue;
         text += fmt::format("{}{} {:.4g} {}, {} theory's {:.4g}", text.empty() ? "" : "; ", row.label,
                             row.factor * row.simulated->value, row.unit,
@@ -190,11 +190,11 @@ void judge_course(const ReportData& data, const std::vector<Quantity>& quantitie
 
 }  // namespace
 
-Verdict judge(const ReportData& data, const std::vector<Quantity>& quantities,
+Verdict judge(const ReportData& data, const std::vector<SummaryRow>& quantities,
               const std::vector<Diagnostic>& diagnostics) {
     Verdict verdict;
     const FlowKind kind = flow_kind(data.flow);
-    const Quantity* const mean = find_quantity(quantities, "depth_mean_velocity");
+    const SummaryRow* const mean = find_quantity(quantities, "depth_mean_velocity");
     const bool averaged = mean != nullptr && mean->simulated.has_value();
     const double time = has_column(data.series, "time") ? data.series.at("time").back() : 0.0;
     if (is_channel(kind) ? !averaged : time <= 0.0) {

@@ -18,7 +18,7 @@ struct Verdict {
 
 /// Judge a run by its kind of flow: whether it has come to its end or converged, what came out, and which
 /// diagnostics stand outside of their ranges. No headline calls a run good whose diagnostics do not.
-[[nodiscard]] Verdict judge(const ReportData& data, const std::vector<Quantity>& quantities,
+[[nodiscard]] Verdict judge(const ReportData& data, const std::vector<SummaryRow>& quantities,
                             const std::vector<Diagnostic>& diagnostics);
 
 }  // namespace riffle

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <limits>
 
+#include "base/not_a_number.hpp"
 #include "base/parallel.hpp"
 #include "sph/kernel_registry.hpp"
 
@@ -12,7 +13,6 @@ namespace riffle {
 
 namespace {
 
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t places_per_block = 16;
 
 /// One horizontal axis cut into stretches of at least the support.

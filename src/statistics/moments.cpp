@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "base/not_a_number.hpp"
 #include "statistics/confidence.hpp"
 #include "statistics/record.hpp"
 
@@ -12,7 +13,6 @@ namespace riffle {
 
 namespace {
 
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr Estimate undefined{not_a_number, std::numeric_limits<double>::infinity()};
 
 /// influence(i) for each sample that is there; its mean with confidence.

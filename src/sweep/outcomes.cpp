@@ -13,6 +13,7 @@
 #include "analysis/space_time.hpp"
 #include "analysis/surface_parts.hpp"
 #include "base/error.hpp"
+#include "base/not_a_number.hpp"
 #include "case/nearest.hpp"
 #include "output/results_file.hpp"
 #include "statistics/confidence.hpp"
@@ -21,7 +22,6 @@ namespace riffle {
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr const char* surface_deviation = "surface_standard_deviation";
 
 /// Where the twin has the outcome, in the attributes of /column and /section.
@@ -45,24 +45,24 @@ constexpr TwinName twin_names[] = {
 
 double number(const ResultsReader& reader, const std::string& group, const std::string& name) {
     if (!reader.has(group)) {
-        return nan;
+        return not_a_number;
     }
     const auto value = reader.attribute(group, name);
     if (!value) {
-        return nan;
+        return not_a_number;
     }
     if (const auto* const real = std::get_if<double>(&*value)) {
         return *real;
     }
     const auto* const integer = std::get_if<std::int64_t>(&*value);
-    return integer != nullptr ? static_cast<double>(*integer) : nan;
+    return integer != nullptr ? static_cast<double>(*integer) : not_a_number;
 }
 
 /// Half-width of the mean of a series over the averaging window; not-a-number where there is none.
 double half_width_of_series(const ResultsReader& reader, const std::string& name) {
     const std::string path = "/time_series/" + name;
     if (!reader.has(path)) {
-        return nan;
+        return not_a_number;
     }
     const std::vector<double> time = reader.read_doubles("/time_series/time");
     const std::vector<double> values = reader.read_doubles(path);
@@ -74,20 +74,20 @@ double half_width_of_series(const ResultsReader& reader, const std::string& name
         }
     }
     constexpr std::size_t fewest = 4;
-    return window.size() < fewest ? nan : mean_with_confidence(window).half_width;
+    return window.size() < fewest ? not_a_number : mean_with_confidence(window).half_width;
 }
 
 double twin_of(const ResultsReader& reader, const std::string& key) {
     const auto* const found = std::find_if(std::begin(twin_names), std::end(twin_names),
                                            [&](const TwinName& name) { return key == name.outcome; });
     if (found == std::end(twin_names)) {
-        return nan;
+        return not_a_number;
     }
     // With side walls the section, not the column, is the twin.
     if (reader.has("/section")) {
-        return found->section != nullptr ? number(reader, "/section", found->section) : nan;
+        return found->section != nullptr ? number(reader, "/section", found->section) : not_a_number;
     }
-    return found->column != nullptr ? number(reader, "/column", found->column) : nan;
+    return found->column != nullptr ? number(reader, "/column", found->column) : not_a_number;
 }
 
 OutcomeValue read_outcome(const ResultsReader& reader, const std::string& key) {
@@ -119,7 +119,7 @@ void put_centreline(const std::filesystem::path& results, std::map<std::string, 
     const Analysis fits = analyse(RunRecord(results), "fits");
     const auto value_of = [&](const std::string& key) {
         const Finding* const finding = find_finding(fits, key);
-        return finding == nullptr ? nan : finding->value;
+        return finding == nullptr ? not_a_number : finding->value;
     };
     for (const char* const key : {"friction_velocity", "log_law_friction_velocity", "equivalent_roughness"}) {
         const Finding* const finding = find_finding(fits, key);
@@ -127,7 +127,7 @@ void put_centreline(const std::filesystem::path& results, std::map<std::string, 
             outcomes.erase(key);
             continue;
         }
-        outcomes[key] = {finding->value, finding->half_width.value_or(nan),
+        outcomes[key] = {finding->value, finding->half_width.value_or(not_a_number),
                          value_of(std::string("section_twin_") + key)};
     }
 }
@@ -137,7 +137,7 @@ OutcomeValue read_surface(const std::filesystem::path& results) {
     try {
         const RunRecord record(results);
         const DeviationEstimate deviation = standard_deviation(surface_fluctuation(record.surface()).line);
-        return {deviation.value, deviation.half_width, nan};
+        return {deviation.value, deviation.half_width, not_a_number};
     } catch (const InputError&) {
         return {};  // no surface, or a record too short
     }

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace riffle {
+namespace riffle::analysis_text_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -58,4 +58,4 @@ TEST(AnalysisText, NamesASourceOnceWhereTheNameHoldsIt) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::analysis_text_test

@@ -13,7 +13,7 @@
 #include "base/error.hpp"
 #include "synthetic_surface.hpp"
 
-namespace riffle {
+namespace riffle::celerity_test {
 namespace {
 
 // Of 200 intervals of 95 % some 190 +- 3 cover the truth; at least 180 must in each family.
@@ -236,4 +236,4 @@ TEST(RidgeCelerity, OfNoiseIsNotDetermined) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::celerity_test

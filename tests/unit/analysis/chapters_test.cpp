@@ -20,7 +20,7 @@
 #include "sample_probes.hpp"
 #include "sample_results.hpp"
 
-namespace riffle {
+namespace riffle::chapters_test {
 namespace {
 
 using testing::add_sample_probes;
@@ -276,4 +276,4 @@ TEST_F(Analyses, MakeOneChapterAlone) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::chapters_test

@@ -14,7 +14,7 @@
 #include "case/flow_conditions.hpp"
 #include "synthetic.hpp"
 
-namespace riffle {
+namespace riffle::depth_test {
 namespace {
 
 using synthetic::autoregressive;
@@ -187,4 +187,4 @@ TEST(Subsurface, TakesTheUsersInstrumentAndNoDepthFromOneSpacing) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::depth_test

@@ -9,7 +9,7 @@
 #include "analysis/analysis_json.hpp"
 #include "analysis/figure_csv.hpp"
 
-namespace riffle {
+namespace riffle::export_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -130,4 +130,4 @@ TEST(FigureCsv, WritesFindingsWithEmptyCellsForWhatIsUnknown) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::export_test

@@ -18,7 +18,7 @@
 #include "hydraulics/channel_laws.hpp"
 #include "laboratory_file.hpp"
 
-namespace riffle {
+namespace riffle::laboratory_record_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -194,4 +194,4 @@ TEST(LaboratoryRecords, RefuseAWindowOutsideOfTheRecord) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::laboratory_record_test

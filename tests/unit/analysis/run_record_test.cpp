@@ -11,7 +11,7 @@
 #include "sample_probes.hpp"
 #include "sample_results.hpp"
 
-namespace riffle {
+namespace riffle::run_record_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -151,4 +151,4 @@ TEST_F(RunRecords, SayThatAFileHasNoUsableCase) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::run_record_test

@@ -18,7 +18,7 @@
 #include "sample_results.hpp"
 #include "sample_space.hpp"
 
-namespace riffle {
+namespace riffle::space_analysis_test {
 namespace {
 
 using testing::figure;
@@ -299,4 +299,4 @@ TEST(FieldSumsOf, TwoWindowsAreOneOfTheirParticles) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::space_analysis_test

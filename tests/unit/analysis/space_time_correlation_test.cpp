@@ -11,7 +11,7 @@
 #include "base/error.hpp"
 #include "synthetic_surface.hpp"
 
-namespace riffle {
+namespace riffle::space_time_correlation_test {
 namespace {
 
 constexpr double celerity = 0.3;
@@ -107,4 +107,4 @@ TEST(DeepestZero, IsTheLastOfTheHeightsGoingDown) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::space_time_correlation_test

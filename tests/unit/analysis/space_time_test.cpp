@@ -11,7 +11,7 @@
 #include "base/error.hpp"
 #include "synthetic_surface.hpp"
 
-namespace riffle {
+namespace riffle::space_time_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -159,4 +159,4 @@ TEST(SpaceTimes, FewerColumnsOfAnyNumberKeepThePeriod) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::space_time_test

@@ -9,7 +9,7 @@
 #include "base/error.hpp"
 #include "synthetic_surface.hpp"
 
-namespace riffle {
+namespace riffle::surface_correlation_test {
 namespace {
 
 /// A correlation that is the function itself, in `blocks` equal blocks.
@@ -159,4 +159,4 @@ TEST(SurfaceCorrelation, RefusesTooShortRecords) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::surface_correlation_test

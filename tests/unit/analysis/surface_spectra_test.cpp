@@ -11,10 +11,10 @@
 #include "base/error.hpp"
 #include "synthetic_surface.hpp"
 
-namespace riffle {
+namespace riffle::surface_spectra_test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 double mean_square(const SpaceTime& data) {
     return std::inner_product(data.values.begin(), data.values.end(), data.values.begin(), 0.0) /
@@ -179,4 +179,4 @@ TEST(WaveSpectrum, RefusesDryPointsAndUnevenTimes) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::surface_spectra_test

@@ -10,7 +10,7 @@ namespace riffle {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Transform of exp(-rho^2/s^2) cos(2 pi rho/L0) at k, of integral 1 over k > 0 where the two halves do not
 /// overlap.

@@ -9,10 +9,10 @@
 #include "base/error.hpp"
 #include "synthetic_surface.hpp"
 
-namespace riffle {
+namespace riffle::upwelling_test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// cos(k x + phase) at each time, `waves` of them on the line.
 SpaceTime waves_on_line(int waves, bool periodic, double noise) {
@@ -76,4 +76,4 @@ TEST(Upwelling, ExpectedNumberIsHalfTheAspectRatio) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::upwelling_test

@@ -8,7 +8,7 @@
 
 #include "base/machine.hpp"
 
-namespace riffle {
+namespace riffle::memory_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -54,4 +54,4 @@ TEST_F(AvailableMemory, KnowsTheFirstVersionToo) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::memory_test

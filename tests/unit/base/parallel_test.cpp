@@ -8,7 +8,7 @@
 
 #include "base/error.hpp"
 
-namespace riffle {
+namespace riffle::parallel_test {
 namespace {
 
 TEST(ParallelBlocks, VisitEveryIndexOnce) {
@@ -81,4 +81,4 @@ TEST(Errors, CarryTheirExitStatus) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::parallel_test

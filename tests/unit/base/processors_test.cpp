@@ -9,7 +9,7 @@
 
 #include "base/parallel.hpp"
 
-namespace riffle {
+namespace riffle::processors_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -108,4 +108,4 @@ TEST(ThreadDescription, CountsThreads) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::processors_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace riffle {
+namespace riffle::visible_text_test {
 namespace {
 
 TEST(VisibleText, LeavesWhatIsShown) {
@@ -38,4 +38,4 @@ TEST(VisibleText, ShowsBytesThatAreNoText) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::visible_text_test

@@ -10,7 +10,7 @@
 #include "particles/lattice.hpp"
 #include "sph/kernel.hpp"
 
-namespace riffle {
+namespace riffle::end_wall_space_test {
 namespace {
 
 Case tank() {
@@ -116,4 +116,4 @@ TEST(ClosedTank, HasTheOutlineOfTheWaterAcrossItsWidth) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::end_wall_space_test

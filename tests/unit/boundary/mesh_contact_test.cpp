@@ -12,7 +12,7 @@
 #include "particles/lattice.hpp"
 #include "stl_box.hpp"
 
-namespace riffle {
+namespace riffle::mesh_contact_test {
 namespace {
 
 /// A tank of 60 by 60 by 40 mm, particles 2 mm apart, and a box in it from 20 to 40 mm, up to 20 mm high.
@@ -106,4 +106,4 @@ TEST(MeshContact, LeavesWhatIsDeeperThanASpacingToTheError) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::mesh_contact_test

@@ -7,7 +7,7 @@
 
 #include "smooth_tank.hpp"
 
-namespace riffle {
+namespace riffle::repulsive_wall_test {
 namespace {
 
 constexpr double sound_speed = 10.0;
@@ -94,4 +94,4 @@ TEST(RepulsiveWalls, InSpaceSideWallsPushToo) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::repulsive_wall_test

@@ -10,7 +10,7 @@
 #include "particles/lattice.hpp"
 #include "sph/kernel.hpp"
 
-namespace riffle {
+namespace riffle::side_wall_test {
 namespace {
 
 Case channel(Sides sides, StartLattice arrangement = StartLattice::square) {
@@ -170,4 +170,4 @@ TEST(SideWall, DomainAndLatticeCoverTheSimulatedWidth) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::side_wall_test

@@ -17,7 +17,7 @@
 #include "particles/lattice.hpp"
 #include "sph/kernel.hpp"
 
-namespace riffle {
+namespace riffle::solid_test {
 namespace {
 
 Case tank(const std::vector<Solid>& solids) {
@@ -330,4 +330,4 @@ TEST(WallMotion, NothingMovesInAPlainCase) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::solid_test

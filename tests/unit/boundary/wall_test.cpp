@@ -9,7 +9,7 @@
 #include "particles/lattice.hpp"
 #include "sph/kernel.hpp"
 
-namespace riffle {
+namespace riffle::wall_test {
 namespace {
 
 struct Shape {
@@ -180,4 +180,4 @@ TEST(WallParticlesOfCase, PermuteMovesAllQuantitiesTogether) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::wall_test

@@ -17,7 +17,7 @@
 #include "base/error.hpp"
 #include "column/velocity_measurements.hpp"
 
-namespace riffle {
+namespace riffle::calibration_test {
 namespace {
 
 using testing::HasSubstr;
@@ -353,4 +353,4 @@ TEST(VelocityMeasurements, NamesFileAndLineOfWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::calibration_test

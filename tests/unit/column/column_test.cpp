@@ -10,7 +10,7 @@
 
 #include "base/error.hpp"
 
-namespace riffle {
+namespace riffle::column_test {
 namespace {
 
 /// A measured flow condition of the thesis, Table 3.1; all but condition 4 were uniform.
@@ -250,4 +250,4 @@ TEST(Column, SaysWhenThereIsNoSteadyFlow) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::column_test

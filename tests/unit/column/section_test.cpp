@@ -14,7 +14,7 @@
 #include "column/column.hpp"
 #include "column/section_start.hpp"
 
-namespace riffle {
+namespace riffle::section_test {
 namespace {
 
 using testing::HasSubstr;
@@ -304,4 +304,4 @@ TEST(Section, OfTheSpsClosureHasASubstituteToStartFrom) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::section_test

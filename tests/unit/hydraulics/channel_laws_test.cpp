@@ -6,7 +6,7 @@
 
 #include "base/error.hpp"
 
-namespace riffle {
+namespace riffle::channel_laws_test {
 namespace {
 
 TEST(ChannelLaws, FrictionMeasuresAgreeWithEachOther) {
@@ -89,4 +89,4 @@ TEST(RoughnessClass, HasItsLimits) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::channel_laws_test

@@ -9,7 +9,7 @@
 #include "base/error.hpp"
 #include "coverage.hpp"
 
-namespace riffle {
+namespace riffle::law_fits_test {
 namespace {
 
 using testing::Coverage;
@@ -191,4 +191,4 @@ TEST(LawFits, SayWhyThereIsNoFit) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::law_fits_test

@@ -11,7 +11,7 @@
 #include "coverage.hpp"
 #include "hydraulics/channel_laws.hpp"
 
-namespace riffle {
+namespace riffle::log_law_test {
 namespace {
 
 using testing::Coverage;
@@ -201,4 +201,4 @@ TEST(LogLaw, DepthMeanOfAProfileIsThatOfTheLaw) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::log_law_test

@@ -8,7 +8,7 @@
 
 #include "base/error.hpp"
 
-namespace riffle {
+namespace riffle::profile_comparison_test {
 namespace {
 
 using Values = std::vector<double>;
@@ -57,7 +57,7 @@ TEST(ProfileComparison, TellsWhatItLeavesOut) {
     ASSERT_EQ(c.left_out.size(), 3U);
     EXPECT_EQ(c.left_out[0].reason, LeftOut::below_computed);
     EXPECT_EQ(c.left_out[1].reason, LeftOut::above_computed);
-    EXPECT_EQ(c.left_out[2].reason, LeftOut::not_a_number);
+    EXPECT_EQ(c.left_out[2].reason, LeftOut::unmeasured);
     EXPECT_EQ(c.left_out[1].z, 2.1);
     EXPECT_TRUE(std::isnan(errors_between(c.points, 5.0, 6.0).rms_relative));
 }
@@ -93,4 +93,4 @@ TEST(ProfileComparison, RefusesProfilesThatDoNotRise) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::profile_comparison_test

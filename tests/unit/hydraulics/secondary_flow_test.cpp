@@ -11,7 +11,7 @@
 #include "hydraulics/law_fits.hpp"
 #include "hydraulics/velocity_laws.hpp"
 
-namespace riffle {
+namespace riffle::secondary_flow_test {
 namespace {
 
 using testing::Coverage;
@@ -126,4 +126,4 @@ TEST(BedStressFit, FindsTheCells) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::secondary_flow_test

@@ -9,7 +9,7 @@
 #include "base/error.hpp"
 #include "hydraulics/turbulence_laws.hpp"
 
-namespace riffle {
+namespace riffle::velocity_laws_test {
 namespace {
 
 TEST(SineIntegral, KnownValuesAndDifferentialEquation) {
@@ -111,4 +111,4 @@ TEST(TurbulenceLaws, IntensitiesAndStresses) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::velocity_laws_test

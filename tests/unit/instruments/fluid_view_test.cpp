@@ -10,7 +10,7 @@
 
 #include "water.hpp"
 
-namespace riffle {
+namespace riffle::fluid_view_test {
 namespace {
 
 using test::small_water;
@@ -153,4 +153,4 @@ TEST(FluidView, FollowsASineSurface) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::fluid_view_test

@@ -13,7 +13,7 @@
 #include "water.hpp"
 #include "written_checkpoint.hpp"
 
-namespace riffle {
+namespace riffle::instrument_test {
 namespace {
 
 using test::small_water;
@@ -281,4 +281,4 @@ TEST(StandardProbes, SuitTheCase) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::instrument_test

@@ -6,7 +6,7 @@
 #include "water.hpp"
 #include "working.hpp"
 
-namespace riffle {
+namespace riffle::pressure_gauge_test {
 namespace {
 
 using test::small_water;
@@ -91,4 +91,4 @@ TEST(PressureGauges, OfASingleDropReadThePartThatItCovers) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::pressure_gauge_test

@@ -12,7 +12,7 @@
 #include "water.hpp"
 #include "working.hpp"
 
-namespace riffle {
+namespace riffle::space_test {
 namespace {
 
 using test::values_of;
@@ -258,4 +258,4 @@ TEST(InstrumentsInSpace, SumTheDragOfTheSideWalls) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::space_test

@@ -9,7 +9,7 @@
 #include "laboratory/unit.hpp"
 #include "laboratory_file.hpp"
 
-namespace riffle {
+namespace riffle::csv_table_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -116,4 +116,4 @@ TEST(CsvTable, RefusesUnitsThatDoNotFit) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::csv_table_test

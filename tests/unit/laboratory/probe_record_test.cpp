@@ -12,7 +12,7 @@
 
 #include "laboratory_file.hpp"
 
-namespace riffle {
+namespace riffle::probe_record_test {
 namespace {
 
 using testing::example;
@@ -195,4 +195,4 @@ TEST(ProbeRecord, SaysWhatIsMissing) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::probe_record_test

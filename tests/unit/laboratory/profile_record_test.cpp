@@ -10,7 +10,7 @@
 #include "laboratory/velocity_series.hpp"
 #include "laboratory_file.hpp"
 
-namespace riffle {
+namespace riffle::profile_record_test {
 namespace {
 
 using testing::example;
@@ -128,4 +128,4 @@ TEST(VelocitySeries, MakeAProfile) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::profile_record_test

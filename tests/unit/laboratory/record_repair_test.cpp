@@ -15,7 +15,7 @@
 #include "laboratory_file.hpp"
 #include "synthetic.hpp"
 
-namespace riffle {
+namespace riffle::record_repair_test {
 namespace {
 
 using synthetic::autoregressive;
@@ -178,4 +178,4 @@ TEST(Sampling, RefusesATimeThatWouldNeedMoreSamplesThanThereAre) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::record_repair_test

@@ -9,7 +9,7 @@
 
 #include "laboratory_file.hpp"
 
-namespace riffle {
+namespace riffle::section_record_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -70,4 +70,4 @@ TEST(SectionRecord, SaysWhatIsWrongAndWhere) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::section_record_test

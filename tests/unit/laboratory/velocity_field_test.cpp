@@ -11,7 +11,7 @@
 
 #include "laboratory_file.hpp"
 
-namespace riffle {
+namespace riffle::velocity_field_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -163,4 +163,4 @@ TEST(VelocityField, SaysWhatIsWrongAndWhere) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::velocity_field_test

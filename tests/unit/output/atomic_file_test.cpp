@@ -6,7 +6,7 @@
 #include "messages.hpp"
 #include "temporary_folder.hpp"
 
-namespace riffle {
+namespace riffle::atomic_file_test {
 namespace {
 
 using testing::AllOf;
@@ -44,4 +44,4 @@ TEST(AtomicFile, SaysWhyItCannotBeWritten) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::atomic_file_test

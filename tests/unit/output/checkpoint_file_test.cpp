@@ -9,7 +9,7 @@
 #include "messages.hpp"
 #include "temporary_folder.hpp"
 
-namespace riffle {
+namespace riffle::checkpoint_file_test {
 namespace {
 
 using test::bytes_of;
@@ -179,4 +179,4 @@ TEST_F(Checkpoint, GivesBackAnyState) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::checkpoint_file_test

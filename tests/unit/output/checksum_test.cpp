@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace riffle {
+namespace riffle::checksum_test {
 namespace {
 
 TEST(Checksum, HasTheCheckValueOfCrc64Xz) {
@@ -24,4 +24,4 @@ TEST(Checksum, AgreesWithBoostForAnyBytes) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::checksum_test

@@ -20,7 +20,7 @@
 #include "output/results_update.hpp"
 #include "temporary_folder.hpp"
 
-namespace riffle {
+namespace riffle::crash_test {
 namespace {
 
 using test::FileFault;
@@ -238,4 +238,4 @@ INSTANTIATE_TEST_SUITE_P(Anew, Results, testing::Values(change_in_place_from));
 INSTANTIATE_TEST_SUITE_P(InPlace, Results, testing::Values(0));
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::crash_test

@@ -14,7 +14,7 @@
 #include "output/sealed_reader.hpp"
 #include "temporary_folder.hpp"
 
-namespace riffle {
+namespace riffle::file_update_test {
 namespace {
 
 using test::bytes_of;
@@ -236,4 +236,4 @@ TEST_F(Interrupted, ATornJournalOrOneOfAnotherFileCountsForNothing) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::file_update_test

@@ -10,7 +10,7 @@
 #include "output/results_file.hpp"
 #include "temporary_folder.hpp"
 
-namespace riffle {
+namespace riffle::full_disk_test {
 namespace {
 
 using test::bytes_of;
@@ -101,4 +101,4 @@ TEST_F(FullDisk, LeavesTheEarlierTextAsItWas) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::full_disk_test

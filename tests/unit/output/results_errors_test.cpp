@@ -9,7 +9,7 @@
 #include "output/results_file.hpp"
 #include "temporary_folder.hpp"
 
-namespace riffle {
+namespace riffle::results_errors_test {
 namespace {
 
 using test::file_error_of;
@@ -197,4 +197,4 @@ TEST_F(ResultsErrors, FolderThatDoesNotExistOrIsNone) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::results_errors_test

@@ -16,7 +16,7 @@
 #include "messages.hpp"
 #include "temporary_folder.hpp"
 
-namespace riffle {
+namespace riffle::results_file_test {
 namespace {
 
 using test::bytes_of;
@@ -346,4 +346,4 @@ TEST(ResultsFile, CompressesLargeArraysInChunksOfASensibleSize) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::results_file_test

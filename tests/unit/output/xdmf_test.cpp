@@ -13,7 +13,7 @@
 #include "output/results_file.hpp"
 #include "temporary_folder.hpp"
 
-namespace riffle {
+namespace riffle::xdmf_test {
 namespace {
 
 using test::TemporaryFolder;
@@ -101,4 +101,4 @@ TEST(Xdmf, SaysWhyItCannotBeWritten) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::xdmf_test

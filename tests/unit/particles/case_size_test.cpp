@@ -8,7 +8,7 @@
 #include "base/error.hpp"
 #include "particles/lattice.hpp"
 
-namespace riffle {
+namespace riffle::case_size_test {
 namespace {
 
 using testing::HasSubstr;
@@ -65,4 +65,4 @@ TEST(CaseSize, WhatCannotBeCountedIsRefusedAllTheSame) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::case_size_test

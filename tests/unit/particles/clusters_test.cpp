@@ -9,7 +9,7 @@
 #include "cloud.hpp"
 #include "particles/particles.hpp"
 
-namespace riffle {
+namespace riffle::clusters_test {
 namespace {
 
 template <int D>
@@ -129,4 +129,4 @@ TEST(Particles, PermuteMovesAllQuantitiesTogether) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::clusters_test

@@ -6,7 +6,7 @@
 
 #include "particles/domain.hpp"
 
-namespace riffle {
+namespace riffle::fixed_point_test {
 namespace {
 
 Domain<2> domain() { return {.lower = {0.0, -0.02}, .upper = {0.2, 0.13}, .periodic = {true, false}}; }
@@ -67,4 +67,4 @@ TEST(FixedPoint, KnowsItsRange) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::fixed_point_test

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace riffle {
+namespace riffle::lattice_test {
 namespace {
 
 Case channel(StartLattice lattice, double jitter = 0.0) {
@@ -146,4 +146,4 @@ TEST(DomainOfCase, LeavesRoomForWallsAndWaves) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::lattice_test

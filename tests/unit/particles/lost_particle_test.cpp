@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace riffle {
+namespace riffle::lost_particle_test {
 namespace {
 
 /// A tank of 1 m with 0.3 m of water and end walls of 0.5 m.
@@ -72,4 +72,4 @@ TEST(LostWater, IsTheShareOfAllThatThereWas) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::lost_particle_test

@@ -11,7 +11,7 @@
 #include "report/references.hpp"
 #include "report/verdict.hpp"
 
-namespace riffle {
+namespace riffle::kinds_test {
 namespace {
 
 using testing::HasSubstr;
@@ -114,7 +114,8 @@ TEST(Kinds, BodiesBookTheirDragAndHaveNoTwin) {
     EXPECT_EQ(row(rows, "force_budget")->mark, Health::good);
     EXPECT_EQ(row(rows, "spurious_stress")->mark, Health::none);
     EXPECT_EQ(row(rows, "velocity_error_above"), nullptr);
-    for (const Quantity& quantity : summarize(data, analysis)) EXPECT_FALSE(quantity.column) << quantity.key;
+    for (const SummaryRow& quantity : summarize(data, analysis))
+        EXPECT_FALSE(quantity.column) << quantity.key;
 }
 
 TEST(Kinds, AClosedFlowIsJudgedByWhatItMustKeep) {
@@ -179,4 +180,4 @@ TEST(References, AreThoseThatAPageNames) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::kinds_test

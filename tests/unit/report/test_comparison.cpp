@@ -20,7 +20,7 @@
 #include "sample_analysis.hpp"
 #include "sample_results.hpp"
 
-namespace riffle {
+namespace riffle::comparison_test {
 namespace {
 
 using nlohmann::json;
@@ -180,7 +180,7 @@ TEST_F(Compared, TheSurfaceFluctuationOfTheSummaryIsThatOfTheAnalysis) {
     const Finding* const found = find_finding(runs[0].analysis, "surface_standard_deviation");
     ASSERT_NE(found, nullptr);
     const auto quantities = summarize(*runs[0].run, runs[0].analysis);
-    const Quantity* const row = find_quantity(quantities, "surface_standard_deviation");
+    const SummaryRow* const row = find_quantity(quantities, "surface_standard_deviation");
     ASSERT_TRUE(row != nullptr && row->simulated);
     EXPECT_EQ(row->simulated->value, found->value);
     EXPECT_EQ(row->simulated->half_width, found->half_width);
@@ -276,4 +276,4 @@ TEST(SummaryBeside, TakesItsNameFromThePage) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::comparison_test

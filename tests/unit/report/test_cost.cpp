@@ -12,7 +12,7 @@
 #include "sample_results.hpp"
 #include "sample_space.hpp"
 
-namespace riffle {
+namespace riffle::cost_test {
 namespace {
 
 class Costs : public ::testing::Test {
@@ -55,7 +55,7 @@ TEST_F(Costs, ReportOfThreeDimensionsShowsASliceAlongTheCentreline) {
     EXPECT_FALSE(data.field->frames.back().x.empty());
     // Between side walls the mean over the width has no measured value beside it.
     const auto quantities = summarize(data);
-    const Quantity* const mean = find_quantity(quantities, "depth_mean_velocity");
+    const SummaryRow* const mean = find_quantity(quantities, "depth_mean_velocity");
     ASSERT_NE(mean, nullptr);
     EXPECT_FALSE(mean->measured.has_value());
     ASSERT_TRUE(mean->column.has_value());
@@ -63,4 +63,4 @@ TEST_F(Costs, ReportOfThreeDimensionsShowsASliceAlongTheCentreline) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::cost_test

@@ -9,7 +9,7 @@
 #include "report/html_page.hpp"
 #include "report/page_assets.hpp"
 
-namespace riffle {
+namespace riffle::html_page_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -59,4 +59,4 @@ TEST(PageAssets, AreWholeAndAskForNothingOutside) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::html_page_test

@@ -20,7 +20,7 @@
 #include "sample_analysis.hpp"
 #include "sample_results.hpp"
 
-namespace riffle {
+namespace riffle::report_test {
 namespace {
 
 using nlohmann::json;
@@ -343,4 +343,4 @@ TEST_F(Report, FailedWriteLeavesTheOldReport) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::report_test

@@ -9,7 +9,7 @@
 
 #include "roughness/sphere_bed.hpp"
 
-namespace riffle {
+namespace riffle::bed_drag_test {
 namespace {
 
 Case sphere_bed() {
@@ -99,4 +99,4 @@ INSTANTIATE_TEST_SUITE_P(Forms, EveryForm,
                          testing::Values(DragForm::consistent, DragForm::thesis, DragForm::paper));
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::bed_drag_test

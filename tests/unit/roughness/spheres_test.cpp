@@ -10,7 +10,7 @@
 #include "roughness/sphere_bed.hpp"
 #include "roughness/sphere_lattice.hpp"
 
-namespace riffle {
+namespace riffle::spheres_test {
 namespace {
 
 /// Flow condition 2 in three dimensions, two by two periods of the spheres.
@@ -198,4 +198,4 @@ TEST(SphereLattice, CentresLieWhereTheSpheresAre) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::spheres_test

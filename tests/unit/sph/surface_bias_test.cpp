@@ -14,10 +14,10 @@
 #include "sph/free_surface.hpp"
 #include "sph/kernel.hpp"
 
-namespace riffle {
+namespace riffle::surface_bias_test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double dx = 0.002;
 constexpr int columns = 60;
 constexpr int rows = 20;
@@ -300,4 +300,4 @@ TEST(FreeSurfaceBias, WithoutWaterIsNotANumber) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::surface_bias_test

@@ -12,7 +12,7 @@
 #include "statistics/confidence.hpp"
 #include "synthetic.hpp"
 
-namespace riffle {
+namespace riffle::autocorrelation_test {
 namespace {
 
 constexpr double gap = std::numeric_limits<double>::quiet_NaN();
@@ -115,4 +115,4 @@ TEST(IntegralScale, OfTheMeanIsThatOfTheCorrelation) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::autocorrelation_test

@@ -9,7 +9,7 @@
 
 #include "synthetic.hpp"
 
-namespace riffle {
+namespace riffle::confidence_test {
 namespace {
 
 constexpr double truth = 3.0;
@@ -155,4 +155,4 @@ TEST(TrendWithConfidence, SeesADriftThatMatters) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::confidence_test

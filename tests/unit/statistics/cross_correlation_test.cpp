@@ -17,13 +17,13 @@
 #include "statistics/power_spectrum.hpp"
 #include "synthetic.hpp"
 
-namespace riffle {
+namespace riffle::cross_correlation_test {
 namespace {
 
 using synthetic::autoregressive;
 
 constexpr double interval = 0.01;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// By the definition, pair by pair.
 double direct(const std::vector<double>& a, const std::vector<double>& b, long lag, LagDivisor divisor) {
@@ -208,4 +208,4 @@ TEST(CrossSpectrum, RefusesWhatItCannotDo) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::cross_correlation_test

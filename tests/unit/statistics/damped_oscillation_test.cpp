@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-namespace riffle {
+namespace riffle::damped_oscillation_test {
 namespace {
 
 struct Record {
@@ -69,4 +69,4 @@ TEST(DampedOscillation, OfLessThanAPeriodThereIsNone) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::damped_oscillation_test

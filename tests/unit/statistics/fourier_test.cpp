@@ -12,7 +12,7 @@
 
 #include "base/error.hpp"
 
-namespace riffle {
+namespace riffle::fourier_test {
 namespace {
 
 std::vector<double> noise(std::size_t n, std::uint64_t seed = 1) {
@@ -175,4 +175,4 @@ TEST(Fourier, RefusesWrongSizes) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::fourier_test

@@ -10,7 +10,7 @@
 
 #include "base/error.hpp"
 
-namespace riffle {
+namespace riffle::grid_convergence_test {
 namespace {
 
 std::vector<RefinedValue> power_sequence(double limit, double factor, double order,
@@ -179,4 +179,4 @@ TEST(PowerLawFit, NeedsTwoSizesAndNoZero) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::grid_convergence_test

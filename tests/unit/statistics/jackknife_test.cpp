@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-namespace riffle {
+namespace riffle::jackknife_test {
 namespace {
 
 constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
@@ -55,4 +55,4 @@ TEST(Jackknife, WithoutTwoFiniteValuesThereIsNoInterval) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::jackknife_test

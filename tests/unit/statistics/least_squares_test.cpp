@@ -10,7 +10,7 @@
 
 #include "base/error.hpp"
 
-namespace riffle {
+namespace riffle::least_squares_test {
 namespace {
 
 using Eigen::Index;
@@ -142,4 +142,4 @@ TEST(LeastSquares, CovarianceIsTheInverseOfTheNormalMatrix) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::least_squares_test

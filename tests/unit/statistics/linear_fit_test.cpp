@@ -10,7 +10,7 @@
 #include "base/error.hpp"
 #include "statistics/separable_fit.hpp"
 
-namespace riffle {
+namespace riffle::linear_fit_test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -122,4 +122,4 @@ TEST(SeparableFit, SaysWhenTheParameterIsNotBounded) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::linear_fit_test

@@ -13,7 +13,7 @@
 #include "base/error.hpp"
 #include "synthetic.hpp"
 
-namespace riffle {
+namespace riffle::moments_test {
 namespace {
 
 using synthetic::autoregressive;
@@ -178,4 +178,4 @@ TEST(Covariance, TakesSamplesThatBothHave) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::moments_test

@@ -16,7 +16,7 @@
 #include "statistics/fourier.hpp"
 #include "synthetic.hpp"
 
-namespace riffle {
+namespace riffle::power_spectrum_test {
 namespace {
 
 using synthetic::autoregressive;
@@ -225,4 +225,4 @@ TEST(PowerSpectrum, RefusesWhatItCannotDo) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::power_spectrum_test

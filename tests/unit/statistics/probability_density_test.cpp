@@ -13,7 +13,7 @@
 #include "base/error.hpp"
 #include "synthetic.hpp"
 
-namespace riffle {
+namespace riffle::probability_density_test {
 namespace {
 
 using synthetic::autoregressive;
@@ -137,4 +137,4 @@ TEST(ProbabilityDensity, RefusesWhatItCannotDo) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::probability_density_test

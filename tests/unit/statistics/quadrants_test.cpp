@@ -18,10 +18,10 @@
 #include "base/error.hpp"
 #include "synthetic.hpp"
 
-namespace riffle {
+namespace riffle::quadrants_test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Density of the product of two Gaussian numbers of unit variance and correlation r.
 double product_density(double s, double r) {
@@ -142,4 +142,4 @@ TEST(Quadrants, RefusesWhatItCannotDo) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::quadrants_test

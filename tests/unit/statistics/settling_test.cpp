@@ -12,7 +12,7 @@
 #include "statistics/confidence.hpp"
 #include "synthetic.hpp"
 
-namespace riffle {
+namespace riffle::settling_test {
 namespace {
 
 using synthetic::autoregressive;
@@ -58,4 +58,4 @@ TEST(SettledAfter, OfAStartUpIsItsAnalyticTime) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::settling_test

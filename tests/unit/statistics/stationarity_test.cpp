@@ -15,7 +15,7 @@
 #include "base/error.hpp"
 #include "synthetic.hpp"
 
-namespace riffle {
+namespace riffle::stationarity_test {
 namespace {
 
 using synthetic::autoregressive;
@@ -156,4 +156,4 @@ TEST(Stationarity, OfAnExactLineAndAConstant) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::stationarity_test

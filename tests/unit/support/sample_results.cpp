@@ -16,7 +16,7 @@ namespace riffle::testing {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 constexpr double run_time = 30.0;
 constexpr double window_start = 15.0;
 

@@ -7,7 +7,7 @@
 
 #include "base/error.hpp"
 
-namespace riffle {
+namespace riffle::matrix_test {
 namespace {
 
 using ::testing::AllOf;
@@ -133,4 +133,4 @@ TEST(Matrix, RefusesWhatOnlyShowsWhenARunIsSetUp) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::matrix_test

@@ -7,7 +7,7 @@
 #include "base/error.hpp"
 #include "sweep/study_files.hpp"
 
-namespace riffle {
+namespace riffle::study_test {
 namespace {
 
 using ::testing::AllOf;
@@ -155,4 +155,4 @@ TEST(Shares, DivideTheThreadsAmongTheRuns) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::study_test

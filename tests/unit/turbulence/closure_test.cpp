@@ -13,7 +13,7 @@
 #include "turbulence/ramp.hpp"
 #include "turbulence/sps.hpp"
 
-namespace riffle {
+namespace riffle::closure_test {
 namespace {
 
 Case rough_bed() {
@@ -125,4 +125,4 @@ INSTANTIATE_TEST_SUITE_P(Closures, EveryMixingLength,
                          testing::Values(ClosureKind::ramp, ClosureKind::nezu_rodi, ClosureKind::nikuradse));
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::closure_test

@@ -7,7 +7,7 @@
 #include "turbulence/closure.hpp"
 #include "turbulence/nezu_rodi.hpp"
 
-namespace riffle {
+namespace riffle::czernuszenko_rylov_test {
 namespace {
 
 TEST(CzernuszenkoRylov, EdgeZoneJoinsTheMiddleContinuously) {
@@ -79,4 +79,4 @@ TEST(CzernuszenkoRylov, WeighsPairsByTheirDirection) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::czernuszenko_rylov_test

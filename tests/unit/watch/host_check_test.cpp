@@ -6,7 +6,7 @@
 #include <array>
 #include <string>
 
-namespace riffle {
+namespace riffle::host_check_test {
 namespace {
 
 TEST(HostCheck, KnowsLoopbackAddresses) {
@@ -66,4 +66,4 @@ TEST(HostCheck, OnOtherAddressesNumbersAndOwnNamesMayAsk) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::host_check_test

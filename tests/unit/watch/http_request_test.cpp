@@ -5,7 +5,7 @@
 #include <random>
 #include <string>
 
-namespace riffle {
+namespace riffle::http_request_test {
 namespace {
 
 TEST(HttpRequest, IsCompleteWithItsEmptyLine) {
@@ -72,4 +72,4 @@ TEST(HttpAnswer, HasItsLengthAndTheHeadersOfEveryPage) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::http_request_test

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace riffle {
+namespace riffle::progress_test {
 namespace {
 
 Progress progress(double time, std::int64_t steps, double wall_seconds) {
@@ -62,4 +62,4 @@ TEST(ProgressJson, CountsTheTimeLeftAtThePresentSpeed) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::progress_test

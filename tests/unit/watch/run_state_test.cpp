@@ -8,7 +8,7 @@
 #include <fstream>
 #include <string>
 
-namespace riffle {
+namespace riffle::run_state_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -114,4 +114,4 @@ TEST(RunState, WithoutResultsItWaits) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::run_state_test

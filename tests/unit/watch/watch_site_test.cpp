@@ -12,7 +12,7 @@
 #include "case/case.hpp"
 #include "output/results_file.hpp"
 
-namespace riffle {
+namespace riffle::watch_site_test {
 namespace {
 
 using nlohmann::json;
@@ -127,4 +127,4 @@ TEST_F(Site, SaysWhyAFileCannotBeRead) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::watch_site_test
