@@ -70,6 +70,11 @@ void add_meshes(const Case& c, const Lattice& lattice, int rows, WallParticles<3
 
 }  // namespace
 
+double end_wall_height(const Case& c) {
+    const Lattice lattice = lattice_of(c);
+    return end_wall_rows(c, lattice) * lattice.dz;
+}
+
 template <>
 WallParticles<2> wall_particles<2>(const Case& c) {
     WallParticles<2> wall;

@@ -27,6 +27,9 @@ struct WallLaw {
 };
 [[nodiscard]] WallLaw wall_law(const Case& c);
 
+/// Height up to which end walls and side walls stand, m.
+[[nodiscard]] double end_wall_height(const Case& c);
+
 /// Whether walls may stand dry at the start of a case: the water has an outline of its own, or there are
 /// solids.
 [[nodiscard]] bool starts_beside_dry_walls(const Case& c);

@@ -112,7 +112,7 @@ struct Numerics {
     double impact_dissipation = 0.0;     ///< eta of Zhang, Hu & Adams (2017); 0: none
     double acoustic_damping = 0.0;       ///< bulk viscosity over h c0; 0: none
     double xsph = 0.0;
-    Stepping stepping = Stepping::semi_implicit_euler;
+    Stepping stepping = Stepping::leapfrog;
     StepRule step_rule = StepRule::acoustic;
     double courant_number = 0.7;
     std::optional<double> time_step;  ///< fixed step, s; unset: from the Courant number and the forces

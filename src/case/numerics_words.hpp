@@ -161,17 +161,15 @@ struct Words<EddyStress> {
 template <>
 struct Words<Stepping> {
     static constexpr std::array<Word, 6> list{{
-        {"semi-implicit-euler",
-         "one force evaluation per step, first order: as fast again as those with two, and layered flow the "
-         "same to 0.03 %; disordered water swells",
+        {"semi-implicit-euler", "one force evaluation per step, first order; disordered water swells",
          "theory 10; order 1.00",
-         "flows with a mixing length, whose particles keep their order; eddying water in three dimensions "
+         "to save a tenth of the time where particles keep their order; eddying water in three dimensions "
          "grows by 0.25 % a second"},
         {"leapfrog",
          "one force evaluation per step, velocities half a step before positions, densities from the middle "
          "of each step's way: keeps the volume of disordered water",
          "theory 10; order 1.00 with friction, positions 12 times as accurate as Euler's",
-         "resolved turbulence and violent flow: volume within 0.1 % in 3 s where Euler's grows by 0.7 %"},
+         "always: volume within 0.1 % in 3 s where Euler's grows by 0.7 %"},
         {"predictor-corrector", "two force evaluations per step, second order (the thesis)",
          "thesis (2.50-2.52), Monaghan (1989); order 2.00", "transients; Courant number 0.4 or less"},
         {"verlet",

@@ -7,12 +7,10 @@ namespace riffle {
 
 namespace {
 
-/// The default scheme with what impacts ask for: a density that follows the motion exactly, and dissipation
-/// of what collides and of sound.
+/// The default scheme with what impacts ask for: dissipation of what collides and of sound.
 Numerics violent_numerics() {
     Numerics n;
     n.preset = Preset::violent;
-    n.stepping = Stepping::leapfrog;
     n.impact_dissipation = 3.0;
     n.acoustic_damping = 0.2;
     return n;

@@ -98,15 +98,8 @@ const std::vector<SchemeRule>& scheme_rules() {
         {{"numerics.stepping", "numerics.xsph"},
          "`stepping = \"leapfrog\"` with `xsph` above 0",
          "the leapfrog takes the way of the last step from the velocities, and XSPH moves the particles with "
-         "others; set xsph = 0, or choose another stepping",
+         "others; set xsph = 0, or stepping = \"semi-implicit-euler\"",
          [](const Case& c) { return c.numerics.stepping == Stepping::leapfrog && c.numerics.xsph > 0.0; }},
-        {{"numerics.stepping", "numerics.wall"},
-         "`stepping = \"leapfrog\"` with `wall = \"dynamic\"`",
-         "dynamic wall particles take their density from the continuity equation as other methods integrate "
-         "it; choose wall = \"dummy\", or stepping = \"predictor-corrector\"",
-         [](const Case& c) {
-             return c.numerics.stepping == Stepping::leapfrog && c.numerics.wall == WallKind::dynamic;
-         }},
         {{"numerics.pressure_form", "channel.top"},
          "`pressure_form = \"riemann-non-conservative\"` with a free surface",
          "the difference of two pressures does not vanish where there is none, and the surface blows up: "

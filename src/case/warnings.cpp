@@ -218,7 +218,7 @@ class Warnings {
         if (n.stepping == Stepping::semi_implicit_euler && eddies && c_.run.time > 1.0 &&
             c_.channel.slope > 0.0) {
             add("numerics.stepping: water whose particles are in disorder swells with \"{}\", in three "
-                "dimensions by about 0.25 % a second; \"leapfrog\" keeps its volume at the same cost",
+                "dimensions by about 0.25 % a second; \"leapfrog\" keeps its volume",
                 word(n.stepping));
         }
         const bool layered = n.wall == WallKind::dummy || n.wall == WallKind::modified_dynamic;

@@ -43,7 +43,6 @@ LoopOptions loop_options(const Case& c) {
         .viscosity = n.viscosity,
         .gradients = needs_gradients(c),
         .directional = has_directional_viscosity(c),
-        .midway = n.stepping == Stepping::leapfrog,
         .pair_pressure = n.has_riemann_problem() || n.impact_dissipation > 0.0 || n.tensile_correction > 0.0};
 }
 

@@ -7,6 +7,7 @@
 
 #include "base/parallel.hpp"
 #include "boundary/mesh_contact.hpp"
+#include "boundary/plane_contact.hpp"
 #include "boundary/repulsive_wall.hpp"
 #include "boundary/solid_contact.hpp"
 #include "boundary/wall_motion.hpp"
@@ -67,7 +68,8 @@ class SimulationOf final : public SimulationIn<D> {
         double density = 0.0;
         double wall = 0.0;  ///< density of dynamic walls
         double motion = 0.0;
-        double kick = -1.0;  ///< of the velocities, where it is another than that of the motion
+        double kick = -1.0;   ///< of the velocities, where it is another than that of the motion
+        bool midway = false;  ///< the continuity sum is that of PairLoops::gradient_midway
     };
     /// Time of the pair sums of a block, s, and how often both were measured.
     struct BlockSeconds {
@@ -111,8 +113,8 @@ class SimulationOf final : public SimulationIn<D> {
     void move_walls();
     /// Widen the range of velocities by those of the solids in the step that begins now.
     void add_wall_motion(double step, Vec<D>& slowest, Vec<D>& fastest) const;
-    /// Put moved particles of a block that are in a solid back onto its face.
-    void keep_out_of_solids(std::size_t begin, std::size_t end, double step);
+    /// Put moved particles of a block that are behind a wall or in a solid back onto its face.
+    void keep_out_of_walls(std::size_t begin, std::size_t end, double step);
     /// Error where water stands more than a spacing deep in a solid.
     void check_solids() const;
     // Forces on the solids (simulation_solids.cpp).
@@ -142,7 +144,7 @@ class SimulationOf final : public SimulationIn<D> {
     void find_mixing_lengths(Task& task, std::size_t begin, std::size_t end) const;
     /// The sweeps of one wave; `alone`: by this thread, beside others with other sections.
     void evaluate_wave(std::size_t wave, const StageSteps& steps, Displacement<D>* moved, bool alone);
-    void evaluate_gradients(Task& task, std::size_t begin, std::size_t end, double density_step);
+    void evaluate_gradients(Task& task, std::size_t begin, std::size_t end, const StageSteps& steps);
     void evaluate_walls(Task& task, std::size_t begin, std::size_t end, double step);
     /// The same from the particles' ghost nodes (ghost_walls.cpp).
     void update_walls_by_ghosts(std::size_t begin, std::size_t end);
@@ -239,6 +241,7 @@ class SimulationOf final : public SimulationIn<D> {
     WallLaw wall_law_;
     WallMotion motion_;
     std::conditional_t<D == 2, SolidContact, MeshContact> contact_;
+    PlaneContact<D> planes_;
     std::vector<BodyState> bodies_after_;  ///< at the end of the step; empty without solids
     std::vector<double> contact_depth_;    ///< by block, the largest of the step, m
     std::vector<BodyState> bodies_;        ///< at the begin of the step; empty where no wall moves

@@ -87,6 +87,7 @@ SimulationOf<D, Real>::SimulationOf(const Case& c, const ColumnResult* column, P
     } else {
         contact_ = MeshContact(c, walls_);
     }
+    planes_ = PlaneContact<D>(c);
     wall_deviation_.resize(walls_.size());
     for (std::size_t i = 0; i < walls_.size(); ++i) {
         wall_deviation_[i] = scheme_.hydrostatic_deviation(walls_.position[vertical][i]);
@@ -175,13 +176,17 @@ void SimulationOf<D, Real>::take_step(double fields_due) {
         take_step_by_rates(dt, filtered);
     } else if (numerics.stepping == Stepping::leapfrog) {
         // Velocities stand half a step before the positions: those that brought the particles here say how
-        // the density has changed on the way (midway_continuity), over the step that has been taken.
-        data_.constants.half_way = static_cast<Real>(0.5 * clock_.time_step / scheme_.smoothing_length);
+        // the density has changed on the way, over the step that has been taken. What the middle of the way
+        // adds to the sum at its end changes slowly: each fourth step takes it, four times.
+        constexpr int interval = 4;
         const double before = clock_.time_step;
-        evaluate({.density = before, .wall = dt, .motion = dt, .kick = 0.5 * (before + dt)});
+        const bool midway = clock_.steps % interval == 0;
+        data_.constants.half_way = static_cast<Real>(0.5 * interval * before / scheme_.smoothing_length);
+        evaluate(
+            {.density = before, .wall = before, .motion = dt, .kick = 0.5 * (before + dt), .midway = midway});
     } else {
-        // Density, pressure, walls, forces, velocity, position, each with the newest of the others (numerics
-        // of the default scheme, docs/theory.md). The drag is implicit: u1 + dt beta u1|u1| = u*.
+        // Density, pressure, walls, forces, velocity, position, each with the newest of the others. The drag
+        // is implicit: u1 + dt beta u1|u1| = u*.
         evaluate({.density = dt, .wall = dt, .motion = dt});
     }
     if (keep_fields_ && !solid_lists_.empty()) {

@@ -32,8 +32,8 @@ void SimulationOf<D, Real>::evaluate(const StageSteps& steps) {
     move_walls();
     if (!contact_.empty()) {
         bodies_after_ = motion_.at(clock_.time + steps.motion);
-        contact_depth_.assign(block_advance_.size(), 0.0);
     }
+    contact_depth_.assign(block_advance_.size(), 0.0);
     measure_stirring();
     for (const auto& sweep : sweeps_) {
         sweep->begin(data_, clusters_);
@@ -62,9 +62,7 @@ void SimulationOf<D, Real>::evaluate_wave(std::size_t wave, const StageSteps& st
                                           bool alone) {
     for_blocks(
         clusters_.size(), order_.gradients.blocks(wave),
-        [&](Task& task, std::size_t begin, std::size_t end) {
-            evaluate_gradients(task, begin, end, steps.density);
-        },
+        [&](Task& task, std::size_t begin, std::size_t end) { evaluate_gradients(task, begin, end, steps); },
         alone);
     if (ghosts_) {  // all in one wave (build_lists)
         timed(profile_.walls, [&] { ghosts_->interpolate(data_, clusters_, particles_.density_deviation); });
@@ -132,17 +130,17 @@ void SimulationOf<D, Real>::fetch_for_motion(std::size_t begin, std::size_t end)
 
 template <int D, class Real>
 void SimulationOf<D, Real>::evaluate_gradients(Task& task, std::size_t begin, std::size_t end,
-                                               double density_step) {
+                                               const StageSteps& steps) {
     fetch_for_stress(begin, end);
     timed(block_seconds_[begin / block_clusters].gradients,
-          [&] { loops_.gradient(data_, begin, end, task.sums); });
+          [&] { (steps.midway ? loops_.gradient_midway : loops_.gradient)(data_, begin, end, task.sums); });
     for (const auto& sweep : sweeps_) {
         sweep->complete(data_, clusters_, begin, end, task.sums.gradient);
     }
     if (closure_) {
         find_mixing_lengths(task, begin, end);
     }
-    particle_loops_.stress(particle_data_, data_, task.sums, task.particles, density_step, begin, end);
+    particle_loops_.stress(particle_data_, data_, task.sums, task.particles, steps.density, begin, end);
     if (stepper_) {
         for_clusters(begin, end, [&](std::size_t first, std::size_t last, std::size_t lane) {
             std::copy_n(&task.particles.density_rate[lane], last - first, &density_rate_[first]);
@@ -261,8 +259,8 @@ void SimulationOf<D, Real>::evaluate_forces(Task& task, std::size_t begin, std::
     if (keep_fields_) {
         keep_force_fields(task, begin, end);
     }
-    if (!contact_.empty()) {
-        keep_out_of_solids(begin, end, steps.motion);
+    if (!contact_.empty() || !planes_.empty()) {
+        keep_out_of_walls(begin, end, steps.motion);
     }
 }
 
@@ -307,7 +305,7 @@ void SimulationOf<D, Real>::gather_motion(double step) {
     last_motion_ =
         stepper_ ? std::numeric_limits<double>::infinity() : (1.0 + 1e-6) * step * std::sqrt(squared);
     clock_.displacement_bound += last_motion_;
-    if (!contact_.empty()) {
+    if (!contact_depth_.empty()) {
         clock_.displacement_bound += 2.0 * *std::max_element(contact_depth_.begin(), contact_depth_.end());
     }
 }

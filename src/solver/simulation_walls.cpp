@@ -127,7 +127,7 @@ void SimulationOf<D, Real>::add_wall_motion(double step, Vec<D>& slowest, Vec<D>
 }
 
 template <int D, class Real>
-void SimulationOf<D, Real>::keep_out_of_solids(std::size_t begin, std::size_t end, double step) {
+void SimulationOf<D, Real>::keep_out_of_walls(std::size_t begin, std::size_t end, double step) {
     double deepest = 0.0;
     for (std::size_t cluster = begin; cluster < end; ++cluster) {
         if (fluid_wall_.run_begin[cluster] == fluid_wall_.run_begin[cluster + 1]) {
@@ -142,9 +142,12 @@ void SimulationOf<D, Real>::keep_out_of_solids(std::size_t begin, std::size_t en
                     u[k] = particles_.velocity[k][i];
                 }
                 const Vec<D> before = u;
-                const double depth = contact_.resolve(bodies_after_, x, u);
+                double depth = planes_.resolve(x, u);
+                if (!contact_.empty()) {
+                    depth = std::max(depth, contact_.resolve(bodies_after_, x, u));
+                }
                 if (depth > 0.0 && keep_fields_) {
-                    // What the solid takes from the velocity is a force of the wall.
+                    // What the wall takes from the velocity is a force of the wall.
                     auto& along = fields_.wall_acceleration_x;
                     auto& upright = fields_.wall_acceleration_z;
                     along.set(i, along[i] + (u[0] - before[0]) / step);

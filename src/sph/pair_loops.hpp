@@ -91,8 +91,7 @@ struct PairConstants {
     Real gradient_scale;                                 ///< h^-(D+2)
     Real diffusion;                                      ///< delta h c0; 0: no density diffusion
     Real hydrostatic_gradient;                           ///< g_z/c0^2, 1/m
-    /// Half of the last step over h: the continuity sum is taken where the pair was half a step ago
-    /// (LoopOptions::midway), s/m.
+    /// How long ago a pair was where PairLoops::gradient_midway takes its continuity sum, over h, s/m.
     Real half_way = Real(0);
     bool correct_pressure;  ///< B = M^-1 near full support, else the identity
     bool correct_gradient;
@@ -198,8 +197,6 @@ struct LoopOptions {
     bool gradients = true;
     /// Morris' viscosity with a weight of the pair's direction (three dimensions).
     bool directional = false;
-    /// The continuity sum is taken at the middle of the last step's way.
-    bool midway = false;
     /// Pressures of the pair beside p_i + p_j: of a Riemann problem, or against clumping.
     bool pair_pressure = false;
 };
@@ -215,10 +212,11 @@ struct LoopOptions {
 template <int D, class Real>
 struct PairLoops {
     using Loop = void (*)(PairData<D, Real>&, std::size_t begin, std::size_t end, BlockWork<D, Real>& work);
-    Loop gradient;  ///< fluid: continuity, diffusion, velocity gradient, M -> B
-    Loop force;     ///< fluid: pressure and stress divergence, viscosity; of fluid and walls
-    Loop wall;      ///< walls: extrapolated pressure and velocity, continuity
-    Loop filter;    ///< fluid: moments for density filters and XSPH
+    Loop gradient;         ///< fluid: continuity, diffusion, velocity gradient, M -> B
+    Loop gradient_midway;  ///< the same with the continuity sum of PairConstants::half_way ago
+    Loop force;            ///< fluid: pressure and stress divergence, viscosity; of fluid and walls
+    Loop wall;             ///< walls: extrapolated pressure and velocity, continuity
+    Loop filter;           ///< fluid: moments for density filters and XSPH
 };
 
 /// Instruction sets with their own objects in this binary.

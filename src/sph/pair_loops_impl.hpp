@@ -633,8 +633,8 @@ template <int D, class Real, class Kernel, class Record>
 PairLoops<D, Real> loops_of(const LoopOptions& options) {
     constexpr bool gradients = std::is_same_v<Record, StressRecord<D, Real>>;
     PairLoops<D, Real> loops{};
-    loops.gradient = options.midway ? &gradient_loop<D, Real, Kernel, gradients, true>
-                                    : &gradient_loop<D, Real, Kernel, gradients, false>;
+    loops.gradient = &gradient_loop<D, Real, Kernel, gradients, false>;
+    loops.gradient_midway = &gradient_loop<D, Real, Kernel, gradients, true>;
     loops.force = &force_loop<D, Real, Kernel, PairForm<Real>, Record>;
     if constexpr (!std::is_same_v<Kernel, TabulatedKernel<Real>>) {
         if (!needs_pair_form(options)) {

@@ -60,8 +60,10 @@ RefinementBounds bounds_of(const std::string& key, const Outcome& outcome, Stepp
     double lowest = 1.0;
     double highest = 2.0;
     if (key != "numerics.spacing") {
-        lowest = stepping == Stepping::semi_implicit_euler ? 1.0 : stepping == Stepping::beeman ? 3.0 : 2.0;
-        highest = lowest;
+        // The leapfrog's motion is of second order, its friction of first.
+        const bool first = stepping == Stepping::semi_implicit_euler || stepping == Stepping::leapfrog;
+        lowest = first ? 1.0 : stepping == Stepping::beeman ? 3.0 : 2.0;
+        highest = stepping == Stepping::leapfrog ? 2.0 : lowest;
     }
     return {0.5 * lowest, 2.0 * highest, outcome.magnitude};
 }

@@ -115,7 +115,7 @@ class Report(CommandLineTest):
         """A dam break, a step, a wave and vortices are not judged as uniform channels."""
         runs = {
             "dam-break": ("tank", ["--set", "numerics.spacing=5mm", *until(0.6), *every(snapshot=0.1)]),
-            "flow-over-step": ("bodies", ["--set", "numerics.spacing=1.6mm", *until(3), "--set", "run.average_from=2", *every(snapshot=0.5)]),
+            "flow-over-step": ("bodies", ["--set", "numerics.spacing=1.6mm", *until(5), "--set", "run.average_from=3", *every(snapshot=0.5)]),
             "standing-wave": ("wave", ["--set", "numerics.spacing=4mm", *until(1)]),
             "taylor-green": ("box", ["--set", "numerics.spacing=40mm", *until(0.5)]),
         }

@@ -42,9 +42,9 @@ CHOICES = [
     ("c0 = 10 U_max", {"numerics.sound_speed": "4.53"}),
     ("c0 = 40 U_max", {"numerics.sound_speed": "18.1"}),
     ("wall modified-dynamic", {"numerics.wall": "modified-dynamic"}),
-    ("xsph 0.1", {"numerics.xsph": "0.1"}),
+    ("xsph 0.1", {"numerics.xsph": "0.1", "numerics.stepping": "semi-implicit-euler"}),
     ("Courant number 0.35", {"numerics.courant_number": "0.35"}),
-    ("stepping leapfrog", {"numerics.stepping": "leapfrog"}),
+    ("stepping semi-implicit-euler", {"numerics.stepping": "semi-implicit-euler"}),
     ("stepping predictor-corrector", {"numerics.stepping": "predictor-corrector", "numerics.courant_number": "0.4"}),
     ("preset thesis", {"numerics.preset": "thesis", "numerics.spacing": '"2 mm"', "numerics.sound_speed": "9"}),
 ]

@@ -11,7 +11,7 @@ using namespace riffle::verification;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Free-surface flow of depth H on a no-slip bed, started with the uniform velocity U.
 double start_up_channel(double force, double nu, double depth, double start, double z, double t) {

@@ -15,7 +15,7 @@ using namespace riffle::verification;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Flow between plates at rest, the upper of which moves at V from t = 0 on (Morris, Fox & Zhu 1997, eq. 23).
 double start_up_couette(double lid, double nu, double width, double z, double t) {

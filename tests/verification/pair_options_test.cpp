@@ -16,7 +16,7 @@ using namespace riffle::verification;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Largest error of u of any particle, 50 times up to L^2/nu, over U_max.
 double poiseuille_error(const std::vector<Override>& overrides) {

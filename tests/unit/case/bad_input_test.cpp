@@ -4,7 +4,7 @@
 
 #include "case_test.hpp"
 
-namespace riffle {
+namespace riffle::bad_input_test {
 namespace {
 
 using test::changed;
@@ -286,4 +286,4 @@ TEST_F(BadFiles, FilesAreFoundFromTheFolderOfTheCase) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::bad_input_test

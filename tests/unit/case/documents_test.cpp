@@ -16,7 +16,7 @@
 #include "case/presets.hpp"
 #include "case_test.hpp"
 
-namespace riffle {
+namespace riffle::documents_test {
 namespace {
 
 using test::smallest;
@@ -228,7 +228,6 @@ INSTANTIATE_TEST_SUITE_P(
         Warned{"numerics.kernel_correction", "kernel", "spurious shear stress of the symmetric form"},
         Warned{"numerics.density_diffusion", "none", "free of noise"},
         Warned{"numerics.density_diffusion_coefficient", "0.5", "from 0.02 to 0.1"},
-        Warned{"numerics.xsph", "0.5", "numerics.xsph"},
         Warned{"numerics.sound_speed", "2", "compresses it by 13.7 %"},
         Warned{"numerics.viscosity", "monaghan-gingold", "too weak"},
         Warned{"numerics.eddy_stress", "stress-divergence", "zigzags"},
@@ -240,6 +239,11 @@ INSTANTIATE_TEST_SUITE_P(
         Warned{"start.jitter", "0.4", "start.jitter"},
         Warned{"start.exponent", "4", "has no effect: it is used only with start.kind = \"power-law\""},
         Warned{"turbulence.filter_width", "1 mm", "has no effect"}));
+
+TEST(Warnings, SmoothedMotion) {
+    EXPECT_THAT(warnings_with({{"numerics.xsph", "0.5"}, {"numerics.stepping", "semi-implicit-euler"}}),
+                Contains(HasSubstr("numerics.xsph")));
+}
 
 TEST(Warnings, LittleDensityDiffusionIsForAWideKernel) {
     const auto with_ratio = [](const std::string& ratio) {
@@ -301,4 +305,4 @@ TEST(Warnings, PresetsOfTheLiteratureAreForStudy) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::documents_test

@@ -9,7 +9,7 @@
 #include <map>
 #include <string>
 
-namespace riffle {
+namespace riffle::flow_kind_test {
 namespace {
 
 using testing::AllOf;
@@ -77,4 +77,4 @@ TEST(FlowKind, TheReasonIsTheTrueOne) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::flow_kind_test

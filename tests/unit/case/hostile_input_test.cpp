@@ -7,7 +7,7 @@
 #include "case/key_table.hpp"
 #include "case_test.hpp"
 
-namespace riffle {
+namespace riffle::hostile_input_test {
 namespace {
 
 using test::changed;
@@ -136,4 +136,4 @@ TEST(HostileInput, LengthsAreShownInFewDigits) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::hostile_input_test

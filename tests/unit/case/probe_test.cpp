@@ -3,7 +3,7 @@
 #include "case/case_documents.hpp"
 #include "case_test.hpp"
 
-namespace riffle {
+namespace riffle::probe_test {
 namespace {
 
 using test::error_of;
@@ -129,4 +129,4 @@ TEST(Probes, StandUnderDoubleBrackets) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::probe_test

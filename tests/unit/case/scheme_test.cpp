@@ -5,7 +5,7 @@
 #include "case/scheme_rules.hpp"
 #include "case_test.hpp"
 
-namespace riffle {
+namespace riffle::scheme_test {
 namespace {
 
 using test::error_of;
@@ -98,4 +98,4 @@ TEST(Options, OfTheMethodHaveASourceAndAdvice) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::scheme_test

@@ -16,7 +16,7 @@
 #include "case/stl_file.hpp"
 #include "case_test.hpp"
 
-namespace riffle {
+namespace riffle::solid_mesh_test {
 namespace {
 
 using test::error_of;
@@ -267,4 +267,4 @@ TEST(SolidsInSpace, NeedAFileAndAPlaceInTheChannel) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::solid_mesh_test

@@ -4,7 +4,7 @@
 
 #include "case_test.hpp"
 
-namespace riffle {
+namespace riffle::solid_motion_test {
 namespace {
 
 using test::error_of;
@@ -100,4 +100,4 @@ TEST(Solids, ThatMoveThroughEachOtherAreRefused) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::solid_motion_test

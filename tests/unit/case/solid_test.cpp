@@ -4,7 +4,7 @@
 #include "case/outline.hpp"
 #include "case_test.hpp"
 
-namespace riffle {
+namespace riffle::solid_test {
 namespace {
 
 using test::error_of;
@@ -147,4 +147,4 @@ TEST(Outline, KnowsInsideDistanceAndCeiling) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::solid_test

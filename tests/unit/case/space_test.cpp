@@ -6,7 +6,7 @@
 #include "case/flow_conditions.hpp"
 #include "case_test.hpp"
 
-namespace riffle {
+namespace riffle::space_test {
 namespace {
 
 using test::error_of;
@@ -115,4 +115,4 @@ TEST(Space, HalfOfAChannelEndsAtItsCentreline) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::space_test

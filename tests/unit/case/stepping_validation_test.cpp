@@ -6,7 +6,7 @@
 #include "base/error.hpp"
 #include "case/case.hpp"
 
-namespace riffle {
+namespace riffle::stepping_validation_test {
 namespace {
 
 using testing::HasSubstr;
@@ -39,4 +39,4 @@ TEST(SteppingValidation, TheOtherMethodsAreTaken) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::stepping_validation_test

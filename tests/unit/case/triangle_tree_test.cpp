@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-namespace riffle {
+namespace riffle::triangle_tree_test {
 namespace {
 
 /// Small triangles anywhere in a unit cube, some of them twice, some flat.
@@ -107,4 +107,4 @@ TEST(TriangleTree, HoldsNoneOrManyInOnePlace) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::triangle_tree_test

@@ -2,7 +2,7 @@
 
 #include "case_test.hpp"
 
-namespace riffle {
+namespace riffle::wall_options_test {
 namespace {
 
 using test::error_of;
@@ -57,4 +57,4 @@ TEST(WallValidation, APlaneOfSymmetryDoesNotPush) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::wall_options_test

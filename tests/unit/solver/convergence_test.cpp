@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-namespace riffle {
+namespace riffle::convergence_test {
 namespace {
 
 struct Record {
@@ -139,4 +139,4 @@ TEST(Convergence, TakesParticlesThatMoveAsOneForSteady) {
 TEST(Convergence, OfNothingIsNotReached) { EXPECT_FALSE(test_convergence({}, 5.0, 0.005).converged); }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::convergence_test

@@ -10,7 +10,7 @@
 #include "sph/pair_terms.hpp"
 #include "turbulence/czernuszenko_rylov.hpp"
 
-namespace riffle {
+namespace riffle::directional_viscosity_test {
 namespace {
 
 using Vector = Components<double, 3>;
@@ -113,4 +113,4 @@ TEST(DirectionalViscosity, DampsAllWaves) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::directional_viscosity_test

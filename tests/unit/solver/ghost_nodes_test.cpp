@@ -8,7 +8,7 @@
 #include "particles/lattice.hpp"
 #include "smooth_tank.hpp"
 
-namespace riffle {
+namespace riffle::ghost_nodes_test {
 namespace {
 
 constexpr double column_width = 0.005;
@@ -125,4 +125,4 @@ TEST(GhostNodes, FallBackAboveTheSurface) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::ghost_nodes_test

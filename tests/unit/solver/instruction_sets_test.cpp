@@ -16,7 +16,7 @@
 #include "small_case.hpp"
 #include "sph/pair_loops.hpp"
 
-namespace riffle {
+namespace riffle::instruction_sets_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -152,4 +152,4 @@ TEST(InstructionSets, AgreeToRounding) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::instruction_sets_test

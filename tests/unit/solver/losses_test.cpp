@@ -10,7 +10,7 @@
 #include "saved_state.hpp"
 #include "small_case.hpp"
 
-namespace riffle {
+namespace riffle::losses_test {
 namespace {
 
 /// Still water and some drops over it that fly up and out of the domain, one after the other.
@@ -153,4 +153,4 @@ TEST(Losses, OfAWildStepAreAnError) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::losses_test

@@ -10,7 +10,7 @@
 #include "saved_state.hpp"
 #include "small_case.hpp"
 
-namespace riffle {
+namespace riffle::method_options_test {
 namespace {
 
 using test::Channel;
@@ -147,4 +147,4 @@ TEST(MethodOptionsInSpace, WallsByGhostNodesKeepTheFlow) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::method_options_test

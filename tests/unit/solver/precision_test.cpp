@@ -7,7 +7,7 @@
 
 #include "small_case.hpp"
 
-namespace riffle {
+namespace riffle::precision_test {
 namespace {
 
 constexpr double velocity = 1.0;  // U, m/s
@@ -99,4 +99,4 @@ TEST(Precision, SingleIsNearDoubleInSpace) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::precision_test

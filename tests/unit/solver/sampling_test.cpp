@@ -7,7 +7,7 @@
 #include "solver/series.hpp"
 #include "solver/summary.hpp"
 
-namespace riffle {
+namespace riffle::sampling_test {
 namespace {
 
 using test::Channel;
@@ -88,4 +88,4 @@ TEST(Summary, KnowsWhatItWasNotGiven) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::sampling_test

@@ -11,7 +11,7 @@
 #include "saved_state.hpp"
 #include "small_case.hpp"
 
-namespace riffle {
+namespace riffle::side_walls_test {
 namespace {
 
 using test::expect_same_bits;
@@ -240,4 +240,4 @@ TEST(SectionStart, TakesItsVelocityOverTheCrossSection) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::side_walls_test

@@ -10,7 +10,7 @@
 #include "saved_state.hpp"
 #include "small_case.hpp"
 
-namespace riffle {
+namespace riffle::simulation_test {
 namespace {
 
 using test::Channel;
@@ -160,7 +160,11 @@ INSTANTIATE_TEST_SUITE_P(
                   }},
         std::pair{"shepard", +[](Case& c) { c.numerics.density_filter = DensityFilter::shepard; }},
         std::pair{"mls", +[](Case& c) { c.numerics.density_filter = DensityFilter::mls; }},
-        std::pair{"xsph", +[](Case& c) { c.numerics.xsph = 0.3; }},
+        std::pair{"xsph",
+                  +[](Case& c) {
+                      c.numerics.stepping = Stepping::semi_implicit_euler;
+                      c.numerics.xsph = 0.3;
+                  }},
         std::pair{"dynamic_wall",
                   +[](Case& c) {
                       c.numerics.wall = WallKind::dynamic;
@@ -173,4 +177,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& instance) { return std::string(instance.param.first); });
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::simulation_test

@@ -11,7 +11,7 @@
 #include "solver/snapshots.hpp"
 #include "written_checkpoint.hpp"
 
-namespace riffle {
+namespace riffle::solid_force_test {
 namespace {
 
 Solid rectangle(const char* name, double from, double to, double bottom, double top) {
@@ -150,4 +150,4 @@ TEST(Snapshots, TheLastStateIsKeptAndForgottenOnResume) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::solid_force_test

@@ -19,7 +19,7 @@
 #include "solver/series.hpp"
 #include "solver/snapshots.hpp"
 
-namespace riffle {
+namespace riffle::space_records_test {
 namespace {
 
 using Space = test::ChannelIn<3>;
@@ -279,4 +279,4 @@ TEST(Snapshots, HoldTheChosenFieldsOfTheChosenParticles) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::space_records_test

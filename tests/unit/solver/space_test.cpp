@@ -13,7 +13,7 @@
 #include "saved_state.hpp"
 #include "small_case.hpp"
 
-namespace riffle {
+namespace riffle::space_test {
 namespace {
 
 using test::expect_same_bits;
@@ -213,4 +213,4 @@ TEST(Space, StopsWhenAStepBlowsUp) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::space_test

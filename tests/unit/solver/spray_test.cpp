@@ -8,7 +8,7 @@
 #include "small_case.hpp"
 #include "sph/spray.hpp"
 
-namespace riffle {
+namespace riffle::spray_test {
 namespace {
 
 /// Still water and a drop high above it: particles on a ring and one in its middle, half a spacing and more
@@ -138,4 +138,4 @@ TEST(Spray, IsNoPartOfAFlatSurface) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::spray_test

@@ -9,7 +9,7 @@
 #include "small_case.hpp"
 #include "solver/scheme.hpp"
 
-namespace riffle {
+namespace riffle::step_rule_test {
 namespace {
 
 using test::Channel;
@@ -56,4 +56,4 @@ TEST(StepRule, OfMonaghanAndKosFollowsItsFormula) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::step_rule_test

@@ -6,7 +6,7 @@
 
 #include "small_case.hpp"
 
-namespace riffle {
+namespace riffle::stirring_test {
 namespace {
 
 Case stirred_case() {
@@ -145,4 +145,4 @@ TEST(Stirring, DrivesNothingThroughSideWalls) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::stirring_test

@@ -9,7 +9,7 @@
 #include "base/parallel.hpp"
 #include "small_case.hpp"
 
-namespace riffle {
+namespace riffle::sweep_order_test {
 namespace {
 
 /// Wave of each block, and that every block has exactly one.
@@ -132,4 +132,4 @@ TEST(SweepOrder, LongChannelsGiveTheSameBitsInManyWavesAsInOne) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::sweep_order_test

@@ -8,7 +8,7 @@
 #include "particles/lattice.hpp"
 #include "small_case.hpp"
 
-namespace riffle {
+namespace riffle::wall_pressure_test {
 namespace {
 
 // In the symmetric form, sum m_j (p_i/rho_i^2 + p_j/rho_j^2) grad W, a particle of a dynamic wall counts as
@@ -53,4 +53,4 @@ TEST(DynamicWall, PushesAsWaterOfItsDensityWould) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::wall_pressure_test

@@ -11,7 +11,7 @@
 #include "loop_run.hpp"
 #include "plain_sums.hpp"
 
-namespace riffle {
+namespace riffle::correction_test {
 namespace {
 
 double number(double low, double high) {
@@ -277,4 +277,4 @@ TEST(PairForces, SumToNothing2D) { check_pair_forces<2>(); }
 TEST(PairForces, SumToNothing3D) { check_pair_forces<3>(); }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::correction_test

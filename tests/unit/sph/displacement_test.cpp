@@ -11,7 +11,7 @@
 #include "particle_set.hpp"
 #include "sph/neighbour_list.hpp"
 
-namespace riffle {
+namespace riffle::displacement_test {
 namespace {
 
 constexpr double support = 0.2;  // 2h, m
@@ -252,4 +252,4 @@ TEST(Displacement, CountsAgainstWalls2D) { check_walls<2>(); }
 TEST(Displacement, CountsAgainstWalls3D) { check_walls<3>(); }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::displacement_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace riffle {
+namespace riffle::elastic_energy_test {
 namespace {
 
 double work_of_pressure(const StateEquation& state, double s) {
@@ -32,4 +32,4 @@ TEST(ElasticEnergy, IsTheWorkOfThePressure) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::elastic_energy_test

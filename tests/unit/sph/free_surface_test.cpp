@@ -8,7 +8,7 @@
 
 #include "case/case.hpp"
 
-namespace riffle {
+namespace riffle::free_surface_test {
 namespace {
 
 constexpr double spacing = 0.002;
@@ -98,4 +98,4 @@ TEST(FreeSurface, WithoutWaterIsNotANumber) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::free_surface_test

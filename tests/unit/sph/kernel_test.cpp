@@ -14,7 +14,7 @@
 #include "sph/kernel_registry.hpp"
 #include "sph/kernel_table.hpp"
 
-namespace riffle {
+namespace riffle::kernel_test {
 
 namespace {
 
@@ -208,4 +208,4 @@ TEST(KernelTable, EqualsTheFormulaToRounding) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::kernel_test

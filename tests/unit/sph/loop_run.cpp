@@ -74,6 +74,7 @@ LoopRun<D, Real>::LoopRun(const PairSample<D>& sample, const RunOptions& options
     data.constants.gradient_scale = static_cast<Real>(std::pow(h, -(D + 2)));
     data.constants.diffusion = static_cast<Real>(options.diffusion);
     data.constants.hydrostatic_gradient = static_cast<Real>(options.hydrostatic_gradient);
+    data.constants.half_way = static_cast<Real>(options.ago / h);
     data.constants.correct_pressure = options.correct;
     data.constants.correct_gradient = options.correct;
     data.constants.directional = {.slope = static_cast<Real>(options.directional.slope),
@@ -196,8 +197,10 @@ void LoopRun<D, Real>::run(const PairLoops<D, Real>& loops) {
         }
     };
     blocks(clusters.size(), [&](std::size_t begin, std::size_t end) {
-        loops.gradient(data, begin, end, *work);
+        loops.gradient_midway(data, begin, end, *work);
         const auto& result = work->gradient;
+        collect(result.density_rate, begin, end, gradient.midway_density_rate);
+        loops.gradient(data, begin, end, *work);
         collect(result.density_rate, begin, end, gradient.density_rate);
         collect(result.diffusion, begin, end, gradient.diffusion);
         if (gradients_) {

@@ -14,6 +14,7 @@ namespace riffle {
 struct RunOptions {
     double diffusion = 0.0;
     double hydrostatic_gradient = 0.0;
+    double ago = 0.0;       ///< of the continuity sum midway, s
     bool correct = true;    ///< pressure and velocity gradient
     bool gradients = true;  ///< as in LoopOptions: without them the stress is the pressure alone
     DirectionalViscosity<double> directional = {};
@@ -41,7 +42,7 @@ struct LoopRun {
     NeighbourList wall_fluid;
     PairData<D, Real> data;
     struct {
-        Values density_rate, diffusion, viscosity_factor, regularity;
+        Values density_rate, midway_density_rate, diffusion, viscosity_factor, regularity;
         Matrices velocity_gradient, correction;
     } gradient;
     struct {

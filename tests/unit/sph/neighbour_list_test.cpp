@@ -11,7 +11,7 @@
 #include "../particles/cloud.hpp"
 #include "base/parallel.hpp"
 
-namespace riffle {
+namespace riffle::neighbour_list_test {
 namespace {
 
 /// Every pair within range stands in the list, no slot twice, none out of reach of its cluster.
@@ -139,4 +139,4 @@ TEST(NeighbourList, DoesNotDependOnTheNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::neighbour_list_test

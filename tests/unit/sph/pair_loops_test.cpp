@@ -12,11 +12,12 @@
 #include "plain_sums.hpp"
 #include "sph/correction.hpp"
 
-namespace riffle {
+namespace riffle::pair_loops_test {
 namespace {
 
 constexpr double diffusion = 0.7;
 constexpr double hydrostatic_gradient = 0.05;
+constexpr double ago = 0.002;  // pairs have come up to 0.06 h since then
 /// Low enough for the limiter of the Riemann problem to reach it in some pairs
 /// (tests/unit/sph/pair_sample.cpp).
 constexpr double sound_speed = 1.0;
@@ -175,6 +176,7 @@ void compare_with_plain_sums(const Option& option) {
     }
     LoopRun<D, Real> run(sample, {.diffusion = diffusion,
                                   .hydrostatic_gradient = hydrostatic_gradient,
+                                  .ago = ago,
                                   .gradients = option.gradients,
                                   .directional = directional,
                                   .kernel = option.kernel,
@@ -206,6 +208,7 @@ void compare_with_plain_sums(const Option& option) {
                                              {.kernel = option.kernel,
                                               .viscosity = option.viscosity,
                                               .diffusion = diffusion,
+                                              .ago = ago,
                                               .hydrostatic_gradient = hydrostatic_gradient,
                                               .impact = option.impact,
                                               .sound_speed = sound_speed,
@@ -217,6 +220,8 @@ void compare_with_plain_sums(const Option& option) {
     for (std::size_t i = 0; i < sample.fluid.size(); ++i) {
         const std::size_t slot = run.fluid_slot[i];
         expect_near(plain.density_rate, i, run.gradient.density_rate, slot, "density rate");
+        expect_near(plain.midway_density_rate, i, run.gradient.midway_density_rate, slot,
+                    "density rate midway");
         expect_near(plain.diffusion, i, run.gradient.diffusion, slot, "diffusion");
         expect_near(plain.tensor, i, run.force.tensor, slot, "tensor force");
         expect_near(plain.viscous, i, run.force.viscous, slot, "viscous force");
@@ -311,6 +316,7 @@ template <int D>
 void expect_all_loops() {
     const PairLoops<D, float> loops = pair_loops<D, float>({});
     EXPECT_NE(loops.gradient, nullptr);
+    EXPECT_NE(loops.gradient_midway, nullptr);
     EXPECT_NE(loops.force, nullptr);
     EXPECT_NE(loops.wall, nullptr);
     EXPECT_NE(loops.filter, nullptr);
@@ -323,4 +329,4 @@ TEST(PairLoops, ActiveSetIsOffered) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::pair_loops_test

@@ -9,7 +9,7 @@
 
 #include "loop_run.hpp"
 
-namespace riffle {
+namespace riffle::pair_sweep_test {
 namespace {
 
 /// f(slot, sums, lane) for all particles of a run; the sums start from `initial`.
@@ -163,4 +163,4 @@ TEST(ShepardCorrection, FadesOutAtTheSurface) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::pair_sweep_test

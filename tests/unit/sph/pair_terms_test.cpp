@@ -7,7 +7,7 @@
 
 #include "sph/equation_of_state.hpp"
 
-namespace riffle {
+namespace riffle::pair_terms_test {
 namespace {
 
 /// A number in [-1, 1] with 40 bits.
@@ -140,4 +140,4 @@ TEST(EquationOfState, HasItsSoundSpeedAtRest) {
 }
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::pair_terms_test

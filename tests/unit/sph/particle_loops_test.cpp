@@ -9,7 +9,7 @@
 
 #include "particle_set.hpp"
 
-namespace riffle {
+namespace riffle::particle_loops_test {
 namespace {
 
 /// Rounding of a result of up to twenty operations in `Real`, relative to the size of its terms.
@@ -507,4 +507,4 @@ INSTANTIATE_TEST_SUITE_P(All, ParticleLoopsTest,
                          [](const auto& instance) { return instruction_set_name(instance.param); });
 
 }  // namespace
-}  // namespace riffle
+}  // namespace riffle::particle_loops_test

@@ -11,7 +11,7 @@ namespace riffle {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// W and dW/dr of the kernels, written down again.
 struct KernelValue {
@@ -110,7 +110,8 @@ class Summation {
                 array.resize(size);
             }
         };
-        for (auto* array : {&sums.density_rate, &sums.diffusion, &sums.zeroth, &sums.mass}) {
+        for (auto* array :
+             {&sums.density_rate, &sums.midway_density_rate, &sums.diffusion, &sums.zeroth, &sums.mass}) {
             array->resize(n);
         }
         resize(sums.gradient, n);
@@ -194,6 +195,44 @@ class Summation {
             const double force = viscous_force(a, b, p, k);
             sums.viscous[k][i].add(force);
             sums.wall[k][i].add(force);
+        }
+    }
+
+    /// The continuity sum of pairs that have come straight to where they are; a wall counts with the part of
+    /// the particle's velocity that its projector takes.
+    void add_midway() {
+        for (std::size_t n = 0; n < sample_.fluid.size(); ++n) {
+            const Particle& a = sample_.fluid[n];
+            const auto add = [&](const Particle& b, const Vec<D>& u) {
+                Vec<D> r = sample_.difference(a.x, b.x);
+                double squared = 0.0;
+                for (std::size_t k = 0; k < D; ++k) {
+                    r[k] -= options_.ago * u[k];
+                    squared += r[k] * r[k];
+                }
+                if (squared < 4.0 * sample_.h * sample_.h) {
+                    const Pair<D> p = pair_of(r, std::sqrt(squared));
+                    for (std::size_t k = 0; k < D; ++k) {
+                        sums.midway_density_rate[n].add(b.volume * u[k] * p.gradient[k]);
+                    }
+                }
+            };
+            for (const Particle& b : sample_.fluid) {
+                Vec<D> u{};
+                for (std::size_t k = 0; k < D; ++k) {
+                    u[k] = a.u[k] - b.u[k];
+                }
+                add(b, u);
+            }
+            for (const Particle& b : sample_.wall) {
+                Vec<D> u{};
+                for (std::size_t k = 0; k < D; ++k) {
+                    for (std::size_t l = 0; l < D; ++l) {
+                        u[k] += b.projector[D * k + l] * a.u[l];
+                    }
+                }
+                add(b, u);
+            }
         }
     }
 
@@ -316,6 +355,7 @@ PlainSums<D> plain_sums(const PairSample<D>& sample, const PlainOptions& options
     sum.for_pairs(sample.fluid, sample.wall, [&](std::size_t i, const auto& a, const auto& b, const auto& p) {
         sum.add_wall(i, a, b, p);
     });
+    sum.add_midway();
     sum.for_pairs(sample.wall, sample.fluid, [&](std::size_t i, const auto&, const auto& b, const auto& p) {
         sum.extrapolate(i, b, p);
     });

@@ -26,7 +26,8 @@ struct PlainSums {
     using SymmetricMatrices = std::array<Sums, static_cast<std::size_t>(D*(D + 1) / 2)>;
 
     Sums density_rate, diffusion;
-    Matrices gradient;  ///< uncorrected, du_k/dx_l
+    Sums midway_density_rate;  ///< with each pair where it was `ago` before
+    Matrices gradient;         ///< uncorrected, du_k/dx_l
     SymmetricMatrices m_fluid, m_wall, m_continued;
     Vectors tensor, viscous, wall;
     Sums wall_weight, wall_pressure, wall_density_rate;
@@ -41,6 +42,7 @@ struct PlainOptions {
     KernelKind kernel = KernelKind::wendland_c2;
     ViscosityForm viscosity = ViscosityForm::morris;
     double diffusion = 0.0;
+    double ago = 0.0;
     double hydrostatic_gradient = 0.0;
     double impact = 0.0;       ///< Riemann problem of the pair
     double sound_speed = 0.0;  ///< of it

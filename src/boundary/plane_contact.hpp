@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "case/case.hpp"
+#include "particles/domain.hpp"
+
+namespace riffle {
+
+/// Keeps water before the plane walls of a case: bed, end walls, side walls and lid. Their pressure does so
+/// but for single particles that an impact drives in between the wall particles.
+template <int D>
+class PlaneContact {
+  public:
+    PlaneContact() = default;
+    /// None where the channel has no walls, or walls that are planes already (`wall = "repulsive"`).
+    explicit PlaneContact(const Case& c);
+
+    [[nodiscard]] bool empty() const { return planes_.empty(); }
+    /// Put a particle that is up to a spacing behind a wall back onto its plane, and take from its velocity
+    /// what still leads into the wall. Returns how deep it was, m; 0 before all walls. Deeper it stays where
+    /// it is: it has come over the wall's top.
+    double resolve(Vec<D>& position, Vec<D>& velocity) const;
+
+  private:
+    struct Plane {
+        std::size_t axis;
+        double place;
+        double inward;  ///< 1: the water has larger coordinates; -1: smaller ones
+        double top = std::numeric_limits<double>::infinity();  ///< height up to which the wall stands
+    };
+    std::vector<Plane> planes_;
+    double spacing_ = 0.0;
+};
+
+}  // namespace riffle
