@@ -134,12 +134,13 @@ typename FluidViewIn<D>::Mirrored FluidViewIn<D>::mirror(const Case& c, const Pa
             // Images have images where two walls meet.
             const std::size_t present = n + mirrored.of.size();
             for (std::size_t i = 0; i < present; ++i) {
-                const double place = (i < n ? particles.position : mirrored.position)[axis][i];
+                const auto value = [&](std::size_t k) {
+                    return i < n ? particles.position[k][i] : mirrored.position[k][i - n];
+                };
+                const double place = value(axis);
                 if (std::abs(place - plane) >= reach) continue;
-                if (mirrored.of.empty()) mirrored.position = particles.position;
                 for (std::size_t k = 0; k < D; ++k) {
-                    const double value = mirrored.position[k][i];
-                    mirrored.position[k].push_back(k == axis ? 2.0 * plane - place : value);
+                    mirrored.position[k].push_back(k == axis ? 2.0 * plane - place : value(k));
                 }
                 mirrored.of.push_back(i < n ? i : mirrored.of[i - n]);
             }
@@ -150,10 +151,11 @@ typename FluidViewIn<D>::Mirrored FluidViewIn<D>::mirror(const Case& c, const Pa
 
 template <int D>
 typename FluidViewIn<D>::Positions FluidViewIn<D>::positions() const {
-    const auto& source = mirrored_.of.empty() ? particles_.position : mirrored_.position;
-    Positions spans;
-    std::copy(source.begin(), source.end(), spans.begin());
-    return spans;
+    Positions joined;
+    for (std::size_t k = 0; k < D; ++k) {
+        joined[k] = {particles_.position[k], mirrored_.position[k]};
+    }
+    return joined;
 }
 
 template <int D>

@@ -88,7 +88,7 @@ class FluidViewIn final : public FluidView {
     /// The particles with their mirror images behind ends and sides that are not periodic.
     struct Mirrored {
         std::array<std::vector<double>, static_cast<std::size_t>(D)> position;
-        std::vector<std::size_t> of;  ///< particle of each image; empty: there are none, nor positions
+        std::vector<std::size_t> of;  ///< particle of each image
     };
     using Positions = typename ParticleCells<D>::Positions;
     [[nodiscard]] static Mirrored mirror(const Case& c, const Particles<D>& particles, double reach);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "particles/domain.hpp"
+#include "particles/joined_values.hpp"
 
 namespace riffle {
 
@@ -15,7 +16,7 @@ namespace riffle {
 template <int D>
 class ParticleCells {
   public:
-    using Positions = std::array<std::span<const double>, static_cast<std::size_t>(D)>;
+    using Positions = std::array<JoinedValues, static_cast<std::size_t>(D)>;
 
     /// `reach`: distance within which around() finds all particles, m.
     ParticleCells(const Domain<D>& domain, const Positions& positions, double reach);

@@ -1,5 +1,7 @@
 #include "particles/particles.hpp"
 
+#include <type_traits>
+
 #include "base/parallel.hpp"
 
 namespace riffle {
@@ -38,19 +40,22 @@ void Particles<D>::permute(const std::vector<std::int32_t>& order) {
 
 template <int D>
 void WallParticles<D>::permute(const std::vector<std::int32_t>& order) {
-    std::vector<double> scratch;
+    // Into arrays of their own size: those that grew while the walls were made may hold twice as much.
+    const auto reorder = [&](auto& values) {
+        std::remove_reference_t<decltype(values)> reordered;
+        permute_array(values, order, reordered);
+    };
     for (std::size_t k = 0; k < D; ++k) {
-        permute_array(position[k], order, scratch);
-        permute_array(normal[k], order, scratch);
+        reorder(position[k]);
+        reorder(normal[k]);
     }
     for (auto& component : projector) {
-        permute_array(component, order, scratch);
+        reorder(component);
     }
-    permute_array(volume, order, scratch);
-    permute_array(depth, order, scratch);
+    reorder(volume);
+    reorder(depth);
     if (!body.empty()) {
-        std::vector<std::int32_t> scratch_body;
-        permute_array(body, order, scratch_body);
+        reorder(body);
     }
 }
 

@@ -10,12 +10,41 @@ CellSums::CellSums(const CellPlace& count)
       bed_(count[0] * count[2]),
       sides_(count[0] * count[1]) {}
 
-void CellSums::add(const CellPlace& cell, const std::array<double, cell_quantities>& terms) {
-    double* const sums = &dense_[index(cell) * dense_quantities];
-    for (std::size_t q = 0; q < dense_quantities; ++q) {
-        sums[q] += terms[q];
+void CellSums::add(const CellPlace& cell, const CellSample& sample) {
+    float* const values = &dense_[index(cell) * dense_quantities];
+    const auto at = [&](CellQuantity quantity) -> float& {
+        return values[static_cast<std::size_t>(quantity)];
+    };
+    using enum CellQuantity;
+    at(count) += 1.0F;
+    const double share = 1.0 / static_cast<double>(at(count));
+    // What a value departs from the mean of those before it; and the mean that includes it.
+    const auto step = [&](CellQuantity quantity, double value) {
+        const double departure = value - static_cast<double>(at(quantity));
+        at(quantity) = static_cast<float>(static_cast<double>(at(quantity)) + share * departure);
+        return departure;
+    };
+    constexpr std::array means{u, v, w};
+    std::array<double, 3> before{};
+    std::array<double, 3> after{};
+    for (std::size_t k = 0; k < means.size(); ++k) {
+        before[k] = step(means[k], sample.velocity[k]);
+        after[k] = sample.velocity[k] - static_cast<double>(at(means[k]));
     }
-    add_forces(cell, terms[dense_quantities], terms[dense_quantities + 1], terms[dense_quantities + 2]);
+    const auto multiply = [&](CellQuantity quantity, std::size_t k, std::size_t l) {
+        at(quantity) = static_cast<float>(static_cast<double>(at(quantity)) + before[k] * after[l]);
+    };
+    multiply(uu, 0, 0);
+    multiply(vv, 1, 1);
+    multiply(ww, 2, 2);
+    multiply(uw, 0, 2);
+    multiply(uv, 0, 1);
+    multiply(vw, 1, 2);
+    step(shear_stress, sample.shear_stress);
+    step(lateral_shear_stress, sample.lateral_shear_stress);
+    step(pressure, sample.pressure);
+    step(eddy_viscosity, sample.eddy_viscosity);
+    add_forces(cell, sample.drag_force, sample.spanwise_drag_force, sample.side_wall_force);
 }
 
 void CellSums::add_forces(const CellPlace& cell, double drag, double across, double side) {
@@ -50,12 +79,17 @@ double CellSums::get(const CellPlace& cell, CellQuantity quantity) const {
             return column != nullptr ? column[z] : 0.0;
         }
         default:
-            return dense_[index(cell) * dense_quantities + static_cast<std::size_t>(quantity)];
+            break;
     }
+    const float* const values = &dense_[index(cell) * dense_quantities];
+    const auto value = static_cast<double>(values[static_cast<std::size_t>(quantity)]);
+    const bool product = quantity >= CellQuantity::uu && quantity <= CellQuantity::vw;
+    const auto samples = static_cast<double>(values[0]);
+    return product && samples > 0.0 ? value / samples : value;
 }
 
 void CellSums::clear() {
-    std::fill(dense_.begin(), dense_.end(), 0.0);
+    std::fill(dense_.begin(), dense_.end(), 0.0F);
     clear_forces();
 }
 
@@ -79,14 +113,14 @@ void CellSums::set_forces(const std::vector<double>& values) {
 }
 
 std::size_t CellSums::bytes() const {
-    std::size_t values = dense_.capacity() + bed_.capacity() + sides_.capacity();
+    std::size_t values = bed_.capacity() + sides_.capacity();
     for (const Row& row : bed_) {
         values += row != nullptr ? 2 * count_[1] : 0;
     }
     for (const Row& column : sides_) {
         values += column != nullptr ? count_[2] : 0;
     }
-    return values * sizeof(double);
+    return values * sizeof(double) + dense_.capacity() * sizeof(float);
 }
 
 }  // namespace riffle

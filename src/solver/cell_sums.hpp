@@ -8,7 +8,8 @@
 
 namespace riffle {
 
-/// Sums over the particles of a cell that the mean field is made of.
+/// What the mean field is made of, by cell: the number of samples, means, mean products of fluctuations, and
+/// sums of forces.
 enum class CellQuantity : std::size_t {
     count,
     u,
@@ -35,9 +36,23 @@ inline constexpr std::size_t cell_quantities = static_cast<std::size_t>(CellQuan
 /// A cell by its place along x, y and z.
 using CellPlace = std::array<std::size_t, 3>;
 
-/// The sums of all cells of a grid. Those of the forces take memory where there are any: those of the bed by
-/// rows across the channel, those of the side walls by columns. Slices across the channel (one place along x)
-/// may be added to by several threads, each slice by one.
+/// A sample of a cell: one particle at one instant. Forces times mass, N.
+struct CellSample {
+    std::array<double, 3> velocity{};
+    double shear_stress = 0.0;
+    double lateral_shear_stress = 0.0;
+    double pressure = 0.0;
+    double eddy_viscosity = 0.0;
+    double drag_force = 0.0;
+    double spanwise_drag_force = 0.0;
+    double side_wall_force = 0.0;
+};
+
+/// The statistics of all cells of a grid. Means and products of fluctuations are kept up to date sample by
+/// sample (Welford 1962; Chan, Golub & LeVeque 1983), so that single precision suffices for them: half of the
+/// memory of sums, and no difference of large numbers. Those of the forces take memory where there are any:
+/// those of the bed by rows across the channel, those of the side walls by columns. Slices across the channel
+/// (one place along x) may be added to by several threads, each slice by one.
 class CellSums {
   public:
     /// Quantities that each cell has.
@@ -46,15 +61,17 @@ class CellSums {
     CellSums() = default;
     explicit CellSums(const CellPlace& count);
 
-    /// Add the terms of one particle, in the order of CellQuantity.
-    void add(const CellPlace& cell, const std::array<double, cell_quantities>& terms);
+    void add(const CellPlace& cell, const CellSample& sample);
+    /// The count, a mean, a mean product of two fluctuations, or a sum of forces; 0 in a cell without
+    /// samples.
     [[nodiscard]] double get(const CellPlace& cell, CellQuantity quantity) const;
-    /// Let all sums be zero.
+    /// Forget all samples.
     void clear();
 
-    /// By cell (x outermost, then y, z) and dense quantity; for the checkpoint.
-    [[nodiscard]] const std::vector<double>& dense() const { return dense_; }
-    void set_dense(std::vector<double> values) { dense_ = std::move(values); }
+    /// By cell (x outermost, then y, z) and dense quantity, products of fluctuations as sums; for the
+    /// checkpoint.
+    [[nodiscard]] const std::vector<float>& dense() const { return dense_; }
+    void set_dense(const std::vector<double>& values) { dense_.assign(values.begin(), values.end()); }
     /// The forces by cell, three each; the reverse of it for all cells at once.
     [[nodiscard]] double force(std::size_t number) const;
     void set_forces(const std::vector<double>& values);
@@ -75,7 +92,7 @@ class CellSums {
     void add_forces(const CellPlace& cell, double drag, double across, double side);
 
     CellPlace count_{};
-    std::vector<double> dense_;
+    std::vector<float> dense_;
     std::vector<Row> bed_;    ///< by x and z: for each y the drag along x and y
     std::vector<Row> sides_;  ///< by x and y: for each z the force
 };

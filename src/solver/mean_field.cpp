@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <span>
 #include <utility>
 
+#include "base/not_a_number.hpp"
 #include "base/parallel.hpp"
 #include "particles/lattice.hpp"
 #include "solver/content.hpp"
@@ -16,16 +16,14 @@ namespace riffle {
 
 namespace {
 
-/// A field of the file: how it follows from the sums of a cell.
+/// A field of the file: how it follows from the statistics of a cell.
 struct Field {
-    enum class Kind { count, mean, covariance, force };
+    enum class Kind { count, mean, force };
     const char* name;
     const char* unit;
     const char* long_name;
     Kind kind;
-    CellQuantity sum;
-    CellQuantity first = CellQuantity::count;  ///< of a covariance
-    CellQuantity second = CellQuantity::count;
+    CellQuantity quantity;
 };
 
 constexpr std::array<Field, 17> fields = [] {
@@ -36,12 +34,12 @@ constexpr std::array<Field, 17> fields = [] {
         {"velocity", "m/s", "mean streamwise velocity", mean, Q::u},
         {"spanwise_velocity", "m/s", "mean spanwise velocity", mean, Q::v},
         {"vertical_velocity", "m/s", "mean vertical velocity", mean, Q::w},
-        {"velocity_variance", "m2/s2", "mean square of u'", covariance, Q::uu, Q::u, Q::u},
-        {"spanwise_velocity_variance", "m2/s2", "mean square of v'", covariance, Q::vv, Q::v, Q::v},
-        {"vertical_velocity_variance", "m2/s2", "mean square of w'", covariance, Q::ww, Q::w, Q::w},
-        {"velocity_covariance", "m2/s2", "mean of u'w'", covariance, Q::uw, Q::u, Q::w},
-        {"velocity_spanwise_covariance", "m2/s2", "mean of u'v'", covariance, Q::uv, Q::u, Q::v},
-        {"spanwise_vertical_covariance", "m2/s2", "mean of v'w'", covariance, Q::vw, Q::v, Q::w},
+        {"velocity_variance", "m2/s2", "mean square of u'", mean, Q::uu},
+        {"spanwise_velocity_variance", "m2/s2", "mean square of v'", mean, Q::vv},
+        {"vertical_velocity_variance", "m2/s2", "mean square of w'", mean, Q::ww},
+        {"velocity_covariance", "m2/s2", "mean of u'w'", mean, Q::uw},
+        {"velocity_spanwise_covariance", "m2/s2", "mean of u'v'", mean, Q::uv},
+        {"spanwise_vertical_covariance", "m2/s2", "mean of v'w'", mean, Q::vw},
         {"shear_stress", "Pa", "stress tau_xz of viscosity and closure", mean, Q::shear_stress},
         {"lateral_shear_stress", "Pa", "stress tau_xy of viscosity and closure", mean,
          Q::lateral_shear_stress},
@@ -58,26 +56,16 @@ constexpr std::array<Field, 17> fields = [] {
 /// The value of a field in a cell. `volume`: of the cell, m3.
 double value_of(const Field& field, const CellSums& sums, const CellPlace& cell, double samples,
                 double volume) {
-    const auto sum = [&](CellQuantity q) { return sums.get(cell, q); };
-    const double n = sum(CellQuantity::count);
-    const double mean_of_none = std::numeric_limits<double>::quiet_NaN();
+    const double value = sums.get(cell, field.quantity);
     switch (field.kind) {
         case Field::Kind::count:
-            return n / samples;
+            return value / samples;
         case Field::Kind::mean:
-            return n > 0.0 ? sum(field.sum) / n : mean_of_none;
-        case Field::Kind::covariance: {
-            if (n == 0.0) {
-                return mean_of_none;
-            }
-            const double value = sum(field.sum) / n - sum(field.first) * sum(field.second) / (n * n);
-            // A mean square is none below zero; rounding may leave one there.
-            return field.first == field.second ? std::max(0.0, value) : value;
-        }
+            return sums.get(cell, CellQuantity::count) > 0.0 ? value : not_a_number;
         case Field::Kind::force:
-            return sum(field.sum) / (samples * volume);
+            return value / (samples * volume);
     }
-    return mean_of_none;
+    return not_a_number;
 }
 
 }  // namespace
@@ -152,14 +140,15 @@ void MeanField::sample(const SimulationIn<3>& simulation) {
     parallel_blocks(count_[0], 1, [&](std::size_t slice, std::size_t) {
         for (std::size_t k = begin_of[slice]; k < begin_of[slice + 1]; ++k) {
             const std::size_t i = order_[k];
-            const double u = p.velocity[0][i];
-            const double v = p.velocity[1][i];
-            const double w = p.velocity[2][i];
             const double mass = p.mass[i];
-            sums_.add(cell_of(p, i), {1.0, u, v, w, u * u, v * v, w * w, u * w, u * v, v * w,
-                                      f.shear_stress[i], f.lateral_shear_stress[i], f.pressure[i],
-                                      f.eddy_viscosity[i], mass * f.drag_acceleration_x[i],
-                                      mass * f.drag_acceleration_y[i], mass * f.side_wall_acceleration_x[i]});
+            sums_.add(cell_of(p, i), {.velocity = {p.velocity[0][i], p.velocity[1][i], p.velocity[2][i]},
+                                      .shear_stress = f.shear_stress[i],
+                                      .lateral_shear_stress = f.lateral_shear_stress[i],
+                                      .pressure = f.pressure[i],
+                                      .eddy_viscosity = f.eddy_viscosity[i],
+                                      .drag_force = mass * f.drag_acceleration_x[i],
+                                      .spanwise_drag_force = mass * f.drag_acceleration_y[i],
+                                      .side_wall_force = mass * f.side_wall_acceleration_x[i]});
         }
     });
     std::vector<std::uint32_t>().swap(order_);
@@ -282,8 +271,9 @@ void MeanField::save(Content& checkpoint) const {
                                        .long_name = long_name});
     };
     add(
-        "/recorder/mean_field_sums", sums_.dense().size(), [this](std::size_t i) { return sums_.dense()[i]; },
-        "its sums, by cell and quantity");
+        "/recorder/mean_field_sums", sums_.dense().size(),
+        [this](std::size_t i) { return static_cast<double>(sums_.dense()[i]); },
+        "its statistics, by cell and quantity");
     add(
         "/recorder/mean_field_forces", 3 * cells(), [this](std::size_t i) { return sums_.force(i); },
         "its sums of the forces, by cell and quantity");

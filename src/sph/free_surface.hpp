@@ -6,6 +6,7 @@
 
 #include "case/options.hpp"
 #include "particles/domain.hpp"
+#include "particles/joined_values.hpp"
 
 namespace riffle {
 
@@ -13,8 +14,8 @@ namespace riffle {
 template <int D>
 struct FluidParticles {
     Domain<D> domain;
-    std::array<std::span<const double>, static_cast<std::size_t>(D)> position;  ///< m
-    std::span<const double> volume;                                             ///< m2 in 2D, m3 in 3D
+    std::array<JoinedValues, static_cast<std::size_t>(D)> position;  ///< m
+    std::span<const double> volume;                                  ///< m2 in 2D, m3 in 3D
     KernelKind kernel = KernelKind::wendland_c2;
     double smoothing_length = 0.0;  ///< h, m
 };
