@@ -10,6 +10,7 @@
 #include "analysis/figure_tools.hpp"
 #include "analysis/surface_parts.hpp"
 #include "base/not_a_number.hpp"
+#include "case/flow_kind.hpp"
 #include "statistics/probability_density.hpp"
 #include "statistics/stationarity.hpp"
 
@@ -19,6 +20,7 @@ namespace {
 
 /// Why a simulated surface is far flatter than the measured one.
 std::string flatness_remark(const Case& c) {
+    if (resolves_eddies(c)) return "of the eddies, those larger than some spacings are resolved";
     if (c.channel.dimensions == 3 && c.turbulence.closure != ClosureKind::none) {
         return "the closure averages turbulence out and keeps its mean stress only, so that no eddies reach "
                "the surface, which stays almost flat (the thesis: 0.06 to 0.085 mm in 3D)";
@@ -31,6 +33,8 @@ std::string flatness_remark(const Case& c) {
         case ClosureKind::nezu_rodi:
         case ClosureKind::nikuradse:
         case ClosureKind::czernuszenko_rylov:
+        case ClosureKind::wale:
+        case ClosureKind::vreman:
             break;
     }
     return "the mixing-length closure averages turbulence out and keeps its mean stress only, so that no "

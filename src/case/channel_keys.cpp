@@ -154,12 +154,12 @@ SectionKeys turbulence() {
                          .greater_than(0)
                          .at_most(10)
                          .because("used: 0.06 to 0.2")
-                         .applies_with(closure, {"sps"}));
+                         .applies_with(closure, {"sps", "wale", "vreman"}));
     s.keys.push_back(key("filter_width", &Turbulence::filter_width, "Filter width Delta.")
                          .measured_in(length)
                          .greater_than(0)
-                         .unset_by("auto", "spacing / sqrt(2)")
-                         .applies_with(closure, {"sps"}));
+                         .unset_by("auto", "spacing / sqrt(2) for sps, the spacing for wale and vreman")
+                         .applies_with(closure, {"sps", "wale", "vreman"}));
     s.keys.push_back(
         key("stress_terms", &Turbulence::stress_terms, "What is kept of the strain rate and the stress.")
             .applies_with(closure, {"ramp", "nezu-rodi", "nikuradse", "sps"}));

@@ -152,6 +152,32 @@ Case paper() {
     return c;
 }
 
+/// A cell of condition 2 whose eddies the particles carry: three depths long, two lattice periods of the
+/// spheres wide.
+Case resolved_eddies() {
+    Case c = flow_condition(2);
+    c.title = "Resolved eddies over a bed of spheres: a cell of flow condition 2";
+    c.channel.dimensions = 3;
+    c.channel.sides = Sides::periodic;
+    c.channel.length = 0.15;
+    c.channel.width = 2.0 * std::sqrt(3.0) * c.bed.sphere_diameter;
+    c.turbulence.closure = ClosureKind::wale;
+    c.turbulence.smagorinsky_constant = 0.1;
+    c.numerics.spacing = 0.003;
+    c.numerics.smoothing_ratio = 1.5;
+    c.numerics.wall_layers = 3;
+    c.start.kind = StartKind::power_law;
+    c.start.velocity = 0.4;
+    c.start.jitter = 0.1;
+    c.run.until = RunUntil::time;
+    c.run.time = 20.0;
+    c.run.average_from = 8.0;
+    c.output.snapshot_interval = 0.5;
+    c.output.surface_map_interval = 0.05;
+    c.output.mean_field_interval = 2.0;
+    return c;
+}
+
 /// Water that breaks against the far wall of a tank, in the proportions of Buchner (2002) and Lobovsky et al.
 /// (2014).
 Case dam_break() {
@@ -186,7 +212,7 @@ Case dam_break() {
 }  // namespace
 
 std::vector<std::string> builtin_case_names() {
-    std::vector<std::string> names{"rough-bed", "dam-break"};
+    std::vector<std::string> names{"rough-bed", "dam-break", "resolved-eddies"};
     for (std::size_t number = 1; number <= conditions.size(); ++number) {
         names.push_back(fmt::format("condition-{}", number));
     }
@@ -213,6 +239,8 @@ Case builtin_case(std::string_view name) {
         c = rough_bed();
     } else if (name == "dam-break") {
         c = dam_break();
+    } else if (name == "resolved-eddies") {
+        c = resolved_eddies();
     } else if (name == "paper-2016") {
         c = paper();
     } else {

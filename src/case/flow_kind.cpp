@@ -63,6 +63,10 @@ const char* flow_kind_name(FlowKind kind) {
     return "periodic box";
 }
 
+bool resolves_eddies(const Case& c) {
+    return c.turbulence.closure == ClosureKind::wale || c.turbulence.closure == ClosureKind::vreman;
+}
+
 std::optional<std::string> why_no_column(const Case& c) {
     if (c.channel.top == Top::periodic) {
         return "the box repeats itself over its height too (channel.top = \"periodic\"): it has neither a "
@@ -93,6 +97,13 @@ std::optional<std::string> why_no_column(const Case& c) {
         return "the water starts within an outline (start.water_x), so the depth of its uniform flow is not "
                "that of "
                "the case: leave the outline out";
+    }
+    if (resolves_eddies(c)) {
+        return "the eddies of the flow are resolved and carry its stress, which no model of the mean flow "
+               "knows: the "
+               "column of the same channel with a mixing length (turbulence.closure = \"nezu-rodi\") is one "
+               "to compare "
+               "with";
     }
     if (!bed_resists(c.bed)) {
         return "nothing resists the flow down the slope, so it has no steady state: a slip bed, or spheres "

@@ -33,6 +33,10 @@ enum class FlowKind {
 /// Whether the water keeps within closed ends or repeats itself, and nothing drives it steadily.
 [[nodiscard]] inline bool is_undriven(FlowKind kind) { return !is_channel(kind); }
 
+/// Whether the particles carry the eddies, and the closure only what is smaller: the mean flow is then a mean
+/// over time and plan, and no model of the mean flow is its limit.
+[[nodiscard]] bool resolves_eddies(const Case& c);
+
 /// Why the case has no steady uniform flow, the one that the column twin solves: a sentence with what to
 /// change. Nothing where it has one.
 [[nodiscard]] std::optional<std::string> why_no_column(const Case& c);

@@ -64,8 +64,8 @@ SectionKeys numerics() {
                          .applies_with("numerics.density_filter", {"shepard", "mls"}));
     s.keys.push_back(key("viscosity", &Numerics::viscosity, "Form of the pair viscosity."));
     s.keys.push_back(key("eddy_stress", &Numerics::eddy_stress, "How the stress of the closure acts.")
-                         .applies_with("turbulence.closure",
-                                       {"ramp", "nezu-rodi", "nikuradse", "sps", "czernuszenko-rylov"}));
+                         .applies_with("turbulence.closure", {"ramp", "nezu-rodi", "nikuradse", "sps",
+                                                              "czernuszenko-rylov", "wale", "vreman"}));
     s.keys.push_back(
         key("artificial_viscosity", &Numerics::artificial_viscosity, "alpha of the artificial viscosity.")
             .at_least(1e-4)

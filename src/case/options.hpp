@@ -14,7 +14,7 @@ enum class SideDragForm { consistent, thesis, none };
 enum class BedKind { spheres, slip, no_slip };
 enum class Packing { hexagonal, square };
 enum class DragForm { consistent, thesis, paper, slice, plan_mean };
-enum class ClosureKind { none, ramp, nezu_rodi, nikuradse, sps, czernuszenko_rylov };
+enum class ClosureKind { none, ramp, nezu_rodi, nikuradse, sps, czernuszenko_rylov, wale, vreman };
 enum class StressTerms { full, shear };
 enum class KernelKind {
     wendland_c2,

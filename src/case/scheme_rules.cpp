@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "case/conversion.hpp"
+#include "case/flow_kind.hpp"
 #include "case/key_table.hpp"
 
 namespace riffle {
@@ -35,6 +36,12 @@ const std::vector<SchemeRule>& scheme_rules() {
              return c.numerics.tensile_correction > 0.0 &&
                     c.numerics.pressure_form != PressureForm::symmetric;
          }},
+        {{"turbulence.closure", "channel.dimensions"},
+         "`closure = \"wale\"` or `\"vreman\"` in two dimensions",
+         "eddies hand their energy down to smaller ones in three dimensions only; set [channel] dimensions = "
+         "3, or "
+         "choose a mixing length",
+         [](const Case& c) { return resolves_eddies(c) && c.channel.dimensions == 2; }},
         {{"numerics.tensile_correction", "numerics.kernel"},
          "`tensile_correction` above 0 without `kernel = \"cubic-spline\"`",
          "it is made for the cubic spline, whose gradient vanishes at the centre faster than particles "

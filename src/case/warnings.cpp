@@ -6,6 +6,7 @@
 
 #include "case/case.hpp"
 #include "case/conversion.hpp"
+#include "case/flow_kind.hpp"
 #include "case/key_table.hpp"
 #include "case/presets.hpp"
 #include "case/units.hpp"
@@ -213,8 +214,9 @@ class Warnings {
             add("numerics.courant_number: {} is more than {}, the largest value verified with \"{}\"",
                 n.courant_number, verified, word(n.stepping));
         }
-        const bool eddies = c_.channel.dimensions == 3 && (c_.turbulence.closure == ClosureKind::sps ||
-                                                           c_.turbulence.closure == ClosureKind::none);
+        const bool eddies =
+            c_.channel.dimensions == 3 && (c_.turbulence.closure == ClosureKind::sps ||
+                                           c_.turbulence.closure == ClosureKind::none || resolves_eddies(c_));
         if (n.stepping == Stepping::semi_implicit_euler && eddies && c_.run.time > 1.0 &&
             c_.channel.slope > 0.0) {
             add("numerics.stepping: water whose particles are in disorder swells with \"{}\", in three "

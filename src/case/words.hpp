@@ -93,7 +93,7 @@ struct Words<DragForm> {
 
 template <>
 struct Words<ClosureKind> {
-    static constexpr std::array<Word, 6> list{{
+    static constexpr std::array<Word, 8> list{{
         {"none", "laminar", "", "laminar flow"},
         {"ramp", "mixing length kappa z, at most lambda H (thesis 4.2)",
          "thesis (4.2); Nezu & Nakagawa (1993), Stansby (2003)",
@@ -109,6 +109,12 @@ struct Words<ClosureKind> {
          "of 0.34 m/s"},
         {"czernuszenko-rylov", "anisotropic mixing lengths over the cross-section (thesis 5.1-5.7)",
          "thesis (5.1-5.7); Czernuszenko & Rylov (2000)", "3D channels with side walls"},
+        {"wale", "eddies resolved by the particles, those below by the wall-adapting local eddy viscosity",
+         "Nicoud & Ducros (1999); C_w^2 = 10.6 C_s^2",
+         "resolved eddies in 3D: none where the flow is plane shear"},
+        {"vreman", "eddies resolved by the particles, those below by Vreman's viscosity",
+         "Vreman (2004); c = 2.5 C_s^2",
+         "resolved eddies in 3D, as wale: the difference shows what the closure does"},
     }};
 };
 

@@ -20,6 +20,7 @@ struct NewOptions {
     std::string file;
     std::string from = "rough-bed";
     bool violent = false;
+    bool resolved = false;
     bool force = false;
 };
 
@@ -29,7 +30,9 @@ void write_new_case(const NewOptions& options) {
         throw InputError(fmt::format(
             "{}: the file exists already; give another name, or --force to overwrite it", options.file));
     }
-    const std::string from = options.violent ? "dam-break" : options.from;
+    const std::string from = options.violent    ? "dam-break"
+                             : options.resolved ? "resolved-eddies"
+                                                : options.from;
     const bool from_file = std::filesystem::is_regular_file(from);
     const Case c = from_file ? read_case(from) : builtin_case(from);
     write_text_atomically(file, case_template(c));
@@ -46,18 +49,23 @@ void add_verb_new(CLI::App& app) {
     verb->add_option(
             "--from", options->from,
             "Case file to take the values from, or a built-in case: rough-bed, condition-1 to condition-8, "
-            "paper-2016, dam-break")
+            "paper-2016, dam-break, resolved-eddies")
         ->capture_default_str();
     verb->add_flag(
             "--violent", options->violent,
             "A case of water that falls and breaks, with the numerics for it: the same as --from dam-break")
         ->excludes("--from");
+    verb->add_flag("--resolved", options->resolved,
+                   "A cell of a channel whose eddies the particles carry: the same as --from resolved-eddies")
+        ->excludes("--from")
+        ->excludes("--violent");
     verb->add_flag("--force", options->force, "Overwrite an existing file");
     verb->footer(
         "Examples:\n"
         "  riffle new my-flume.toml\n"
         "  riffle new my-flume.toml --from condition-2\n"
         "  riffle new my-tank.toml --violent             water that falls, breaks and hits\n"
+        "  riffle new my-eddies.toml --resolved          eddies and a surface that moves with them\n"
         "  riffle new other.toml --from my-flume.toml   its values, with the comments of all keys");
     verb->callback([options] { write_new_case(*options); });
 }

@@ -21,6 +21,18 @@ bool needs_gradients(const Case& c) {
 
 namespace {
 
+/// What the closure of a case makes of the velocity gradient.
+StrainMeasure strain_measure(const Case& c) {
+    switch (c.turbulence.closure) {
+        case ClosureKind::wale:
+            return StrainMeasure::wale;
+        case ClosureKind::vreman:
+            return StrainMeasure::vreman;
+        default:
+            return StrainMeasure::strain_rate;
+    }
+}
+
 /// l_y/l_x of the closure of a case.
 double spanwise_ratio(const Case& c) {
     const auto closure = make_closure(c);
@@ -157,6 +169,7 @@ ParticleData<D> particle_constants(const Case& c, const Scheme& scheme, const Do
     data.corrected = weighs_by_volume(c);
     data.closure = c.turbulence.closure != ClosureKind::none;
     data.two_point = !data.closure || c.numerics.eddy_stress == EddyStress::two_point;
+    data.strain_measure = strain_measure(c);
     data.shear_only = c.turbulence.stress_terms == StressTerms::shear;
     if constexpr (D == 3) {
         data.shear_weight_across = stress_weight(false, true, spanwise_ratio(c));

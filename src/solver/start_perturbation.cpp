@@ -8,6 +8,8 @@
 #include <random>
 #include <vector>
 
+#include "case/flow_kind.hpp"
+
 namespace riffle {
 
 namespace {
@@ -98,6 +100,11 @@ double start_perturbation(const Case& c) {
     if (c.start.perturbation) {
         return *c.start.perturbation;
     }
+    const double friction_velocity = std::sqrt(std::max(0.0, c.streamwise_gravity() * c.channel.depth));
+    // Enough to trip the eddies, which else grow from the rounding of the arithmetic.
+    if (resolves_eddies(c) && c.start.kind != StartKind::results) {
+        return friction_velocity;
+    }
     const bool quiet = c.channel.dimensions == 2 && c.bed.kind == BedKind::spheres &&
                        c.channel.ends == Ends::periodic && c.channel.top == Top::free_surface &&
                        c.solids.empty() && c.numerics.preset == Preset::riffle;
@@ -106,7 +113,7 @@ double start_perturbation(const Case& c) {
     if (!quiet || !flows) {
         return 0.0;
     }
-    return 0.25 * std::sqrt(std::max(0.0, c.streamwise_gravity() * c.channel.depth));
+    return 0.25 * friction_velocity;
 }
 
 template <int D>

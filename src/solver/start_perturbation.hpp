@@ -6,8 +6,9 @@
 namespace riffle {
 
 /// The perturbation of a case, m/s: what it gives, or a quarter of the friction velocity sqrt(g S0 h) of a
-/// flow over spheres in two dimensions, 0 of others. Without it the particles of such a flow slide in the
-/// rows of the lattice for tens of seconds, before they break up into the state that lasts.
+/// flow over spheres in two dimensions, all of it where the eddies are resolved, 0 of others. Without it the
+/// particles of such a flow slide in the rows of the lattice for tens of seconds, before they break up into
+/// the state that lasts.
 [[nodiscard]] double start_perturbation(const Case& c);
 
 /// Add a random velocity without divergence to the particles of a start: the curl of a vector potential of

@@ -8,6 +8,7 @@
 #include "particles/clusters.hpp"
 #include "sph/equation_of_state.hpp"
 #include "sph/pair_loops.hpp"
+#include "sph/strain_measure.hpp"
 
 namespace riffle {
 
@@ -33,9 +34,10 @@ struct ParticleData {
     double bulk_viscosity = 0.0;  ///< against sound, m2/s
     double sound_rate = 0.0;      ///< c0/h, 1/s: how fast spray loses its pressure
     std::array<double, static_cast<std::size_t>(D)> gravity{};
-    bool corrected = true;    ///< pressure form: Q = p B with weight V_j, else p/rho^2 with m_j/rho0
-    bool closure = false;     ///< an eddy viscosity is wanted
-    bool two_point = true;    ///< it acts through the two-point viscosity, else in the tensor
+    bool corrected = true;  ///< pressure form: Q = p B with weight V_j, else p/rho^2 with m_j/rho0
+    bool closure = false;   ///< an eddy viscosity is wanted
+    bool two_point = true;  ///< it acts through the two-point viscosity, else in the tensor
+    StrainMeasure strain_measure = StrainMeasure::strain_rate;
     bool shear_only = false;  ///< |S| = |du/dz|, and tau_xz alone
     /// Weights of the eddy stresses in the tensor with one axis across the channel, and with both.
     double shear_weight_across = 1.0;

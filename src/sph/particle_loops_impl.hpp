@@ -109,21 +109,18 @@ RIFFLE_INLINE Column<Value> column(const Lanes<Value>& v) {
     return values;
 }
 
-/// Strain rate |S| = sqrt(2 S_ij S_ij) from the velocity gradient du_k/dx_l at k D + l.
+/// The measure of the velocity gradient that a closure's length goes with, 1/s.
 template <class T, int D>
-RIFFLE_INLINE T strain_rate(const Components<T, D * D>& g) {
-    using std::sqrt;
-    using stdx::sqrt;
-    using R = scalar_of<T>;
-    T sum(0);
-    for (std::size_t k = 0; k < D; ++k) {
-        sum += R(2) * g[k * D + k] * g[k * D + k];
-        for (std::size_t l = k + 1; l < D; ++l) {
-            const T shear = g[k * D + l] + g[l * D + k];
-            sum += shear * shear;
+RIFFLE_INLINE T strain_measure(StrainMeasure measure, const Components<T, D * D>& g) {
+    if constexpr (D == 3) {
+        if (measure == StrainMeasure::wale) {
+            return wale_rate<T>(g);
+        }
+        if (measure == StrainMeasure::vreman) {
+            return vreman_rate<T>(g);
         }
     }
-    return sqrt(sum);
+    return strain_rate<T, D>(g);
 }
 
 /// Pressure over rho0 in lanes.
@@ -264,7 +261,8 @@ template <int D, class Real>
                 }
                 if (p.closure) {
                     const T length = convert<Real>(of_block(members, block_first, own.mixing_length));
-                    const T strain = p.shear_only ? T(abs(g[D - 1])) : strain_rate<T, D>(g);
+                    const T strain =
+                        p.shear_only ? T(abs(g[D - 1])) : strain_measure<T, D>(p.strain_measure, g);
                     nu_t = length * length * strain;
                 }
             }

@@ -9,6 +9,7 @@
 #include "turbulence/nezu_rodi.hpp"
 #include "turbulence/nikuradse.hpp"
 #include "turbulence/ramp.hpp"
+#include "turbulence/resolved.hpp"
 #include "turbulence/sps.hpp"
 
 namespace riffle {
@@ -98,6 +99,18 @@ std::unique_ptr<const Closure> make_sps(const Case& c) {
     return height_closure([length](double) { return length; });
 }
 
+std::unique_ptr<const Closure> make_wale(const Case& c) {
+    const double length = wale_length(c.turbulence.smagorinsky_constant,
+                                      c.turbulence.filter_width.value_or(c.numerics.spacing));
+    return height_closure([length](double) { return length; });
+}
+
+std::unique_ptr<const Closure> make_vreman(const Case& c) {
+    const double length = vreman_length(c.turbulence.smagorinsky_constant,
+                                        c.turbulence.filter_width.value_or(c.numerics.spacing));
+    return height_closure([length](double) { return length; });
+}
+
 std::unique_ptr<const Closure> make_none(const Case&) { return nullptr; }
 
 std::unique_ptr<const Closure> make_czernuszenko_rylov(const Case& c) {
@@ -112,6 +125,8 @@ constexpr std::array registry{
     Registration{ClosureKind::nikuradse, make_nikuradse},
     Registration{ClosureKind::sps, make_sps},
     Registration{ClosureKind::czernuszenko_rylov, make_czernuszenko_rylov},
+    Registration{ClosureKind::wale, make_wale},
+    Registration{ClosureKind::vreman, make_vreman},
 };
 
 }  // namespace

@@ -22,7 +22,8 @@ class Closure {
   public:
     virtual ~Closure() = default;
 
-    /// Mixing length l_m at height z above the bed level (m). For SPS: C_s Delta.
+    /// Mixing length l_m at height z above the bed level (m). For SPS: C_s Delta. For resolved eddies the
+    /// length that goes with their measure of the velocity gradient in place of |S| (sph/strain_measure.hpp).
     [[nodiscard]] virtual double mixing_length(double z) const = 0;
 
     /// Eddy viscosity nu_t = l_m^2 |S| (m2/s), |S| = sqrt(2 S_ij S_ij) (1/s).

@@ -71,7 +71,7 @@ class RiffleRun:
 def half_width(values, name):
     """Text of a 95 % interval, which a mean of fewer than ten independent samples does not have."""
     width = values.get(f"{name}_half_width")
-    return "few samples" if width is None else f"{width:.4f}"
+    return "few samples" if width is None else f"{width:.1g}"
 
 
 def default_riffle():

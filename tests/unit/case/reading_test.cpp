@@ -358,6 +358,9 @@ Case any_case() {
     if (n.stepping == Stepping::leapfrog) {
         n.xsph = 0.0;
     }
+    if (c.channel.dimensions == 2 && resolves_eddies(c)) {
+        c.turbulence.closure = ClosureKind::nezu_rodi;
+    }
     const int probes = *rc::gen::inRange(0, 4);
     for (int i = 0; i < probes; ++i) {
         c.probes.push_back(any_probe(c, "probe-" + std::to_string(i)));

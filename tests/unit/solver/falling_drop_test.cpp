@@ -14,19 +14,13 @@ namespace {
 /// clusters (8 rows), so that the drop is a cluster of its own.
 template <int D>
 struct WaterWithDrop {
-    Case parameters = test::small_channel(D);
+    Case parameters = test::still_water(D);
     std::int64_t drop = 0;
     std::unique_ptr<SimulationIn<D>> simulation;
 
     WaterWithDrop(double height, double velocity) {
         Case& c = parameters;
-        c.channel.slope = 0.0;
         c.channel.depth = 0.032;
-        c.bed.kind = BedKind::slip;
-        c.bed.roughness_height = 0.0;
-        c.bed.datum_below_crest = 0.0;
-        c.turbulence.closure = ClosureKind::none;
-        c.start.kind = StartKind::rest;
         Particles<D> particles = initial_particles<D>(c, make_scheme(c, nullptr), nullptr);
         drop = static_cast<std::int64_t>(particles.size());
         particles.resize(particles.size() + 1);

@@ -16,18 +16,12 @@ namespace {
 /// Still water and some drops over it that fly up and out of the domain, one after the other.
 template <int D>
 struct WaterWithDrops {
-    Case parameters = test::small_channel(D);
+    Case parameters = test::still_water(D);
     std::size_t water = 0;
     std::unique_ptr<SimulationIn<D>> simulation;
 
     explicit WaterWithDrops(Stepping stepping = Stepping::semi_implicit_euler, double speed = 4.0) {
         Case& c = parameters;
-        c.channel.slope = 0.0;
-        c.bed.kind = BedKind::slip;
-        c.bed.roughness_height = 0.0;
-        c.bed.datum_below_crest = 0.0;
-        c.turbulence.closure = ClosureKind::none;
-        c.start.kind = StartKind::rest;
         c.start.jitter = 0.1;
         c.numerics.stepping = stepping;
         c.numerics.courant_number = stepping == Stepping::verlet ? 0.2 : 0.4;

@@ -24,6 +24,18 @@ inline Case small_channel(int dimensions = 2) {
     return c;
 }
 
+/// The same with still water over a smooth bed, without a closure.
+inline Case still_water(int dimensions = 2) {
+    Case c = small_channel(dimensions);
+    c.channel.slope = 0.0;
+    c.bed.kind = BedKind::slip;
+    c.bed.roughness_height = 0.0;
+    c.bed.datum_below_crest = 0.0;
+    c.turbulence.closure = ClosureKind::none;
+    c.start.kind = StartKind::rest;
+    return c;
+}
+
 /// A case with its column, where it has one, and the simulation that starts from it.
 template <int D>
 struct ChannelIn {

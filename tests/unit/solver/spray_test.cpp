@@ -16,18 +16,12 @@ namespace {
 template <int D>
 struct WaterWithSpinningDrop {
     static constexpr std::size_t members = 5;
-    Case parameters = test::small_channel(D);
+    Case parameters = test::still_water(D);
     std::size_t water = 0;
     std::unique_ptr<SimulationIn<D>> simulation;
 
     explicit WaterWithSpinningDrop(Stepping stepping, double spin = 250.0, double deviation = 0.0) {
         Case& c = parameters;
-        c.channel.slope = 0.0;
-        c.bed.kind = BedKind::slip;
-        c.bed.roughness_height = 0.0;
-        c.bed.datum_below_crest = 0.0;
-        c.turbulence.closure = ClosureKind::none;
-        c.start.kind = StartKind::rest;
         c.numerics.stepping = stepping;
         c.numerics.sound_speed = 20.0;
         Particles<D> p = initial_particles<D>(c, make_scheme(c, nullptr), nullptr);
