@@ -19,9 +19,9 @@ class PlaneContact {
     explicit PlaneContact(const Case& c);
 
     [[nodiscard]] bool empty() const { return planes_.empty(); }
-    /// Put a particle that is up to a spacing behind a wall back onto its plane, and take from its velocity
-    /// what still leads into the wall. Returns how deep it was, m; 0 before all walls. Deeper it stays where
-    /// it is: it has come over the wall's top.
+    /// Put a particle that is a quarter of a spacing to a spacing behind a wall back to the quarter, and take
+    /// from its velocity what still leads into the wall. Returns how deep it was, m; 0 where nothing was
+    /// done. Deeper than a spacing it stays where it is: it has come over the wall's top.
     double resolve(Vec<D>& position, Vec<D>& velocity) const;
 
   private:
@@ -33,6 +33,8 @@ class PlaneContact {
     };
     std::vector<Plane> planes_;
     double spacing_ = 0.0;
+    /// How deep a particle may be, m: with 0 the front of Ritter's dam break is 9 % off its speed, so 1 %.
+    double slack_ = 0.0;
 };
 
 }  // namespace riffle

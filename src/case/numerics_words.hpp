@@ -168,7 +168,7 @@ struct Words<Stepping> {
         {"leapfrog",
          "one force evaluation per step, velocities half a step before positions, densities from the middle "
          "of each step's way: keeps the volume of disordered water",
-         "theory 10; order 1.00 with friction, positions 12 times as accurate as Euler's",
+         "theory 10; order 1.00 once friction counts",
          "always: volume within 0.1 % in 3 s where Euler's grows by 0.7 %"},
         {"predictor-corrector", "two force evaluations per step, second order (the thesis)",
          "thesis (2.50-2.52), Monaghan (1989); order 2.00", "transients; Courant number 0.4 or less"},

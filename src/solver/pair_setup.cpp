@@ -111,6 +111,7 @@ PairConstants<D, Real> pair_constants(const Case& c, const Scheme& scheme, const
     constants.gradient_scale = static_cast<Real>(std::pow(h, -(D + 2)));
     constants.diffusion =
         static_cast<Real>(in_loops ? c.numerics.density_diffusion_coefficient * h * c0 : 0.0);
+    constants.largest_midway = static_cast<Real>(0.01 * c0 / h);
     // Molteni's diffusion acts on the hydrostatic difference too.
     constants.hydrostatic_gradient =
         static_cast<Real>(diffusion == DensityDiffusion::molteni ? 0.0 : scheme.normal_gravity / (c0 * c0));

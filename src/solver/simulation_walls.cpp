@@ -256,9 +256,9 @@ void SimulationOf<D, Real>::update_wall(std::size_t slot, std::size_t i, const W
         for (std::size_t k = 0; k < axes; ++k) {
             height -= walls_.normal[k][i] * static_cast<double>(sums.offset[k][lane]);
         }
-        if (is_solid(walls_, i) && height > 0.0) {
-            // Behind the corner of a solid the water may lie beside the face, its mean height above it nearly
-            // 0.
+        if (height > 0.0) {
+            // Behind the corner of a solid the water may lie beside the face, and all that a wall particle
+            // sees may be a drop on the surface: the mean height is nearly 0 there.
             height = std::max(height, 0.25 * case_.numerics.spacing * weight);
         }
         for (std::size_t k = 0; k < axes; ++k) {

@@ -18,12 +18,13 @@ SKIPPED = 77  # exit status by which ctest knows a skipped test
 
 # Instructions when they were last looked at: GCC 12.2, -O3, x86-64-v3, lists with the skins of workload_case
 # (solver/benchmark.cpp): a thicker skin brings more pairs that do not count. A change that needs more than MARGIN times
-# as many has to be worth it; then, or after an improvement, write the new figures.
+# as many has to be worth it; then, or after an improvement, write the new figures. The leapfrog's was: every other step takes
+# the continuity sum a second time, and eddying water keeps its volume.
 MEASURED = {
-    ("2", "plain"): {"gradient_loop": 13.86, "force_loop": 17.92, "particles": 104.1, "search": 396.8},
-    ("2", "default"): {"gradient_loop": 18.80, "force_loop": 20.53, "particles": 112.6, "search": 396.8},
-    ("3", "plain"): {"gradient_loop": 15.47, "force_loop": 19.41, "particles": 147.0, "search": 2119.3},
-    ("3", "default"): {"gradient_loop": 24.67, "force_loop": 29.48, "particles": 176.6, "search": 2119.3},
+    ("2", "plain"): {"gradient_loop": 17.66, "force_loop": 17.92, "particles": 104.1, "search": 396.8},
+    ("2", "default"): {"gradient_loop": 21.74, "force_loop": 20.53, "particles": 112.6, "search": 396.8},
+    ("3", "plain"): {"gradient_loop": 19.29, "force_loop": 19.41, "particles": 147.0, "search": 2119.3},
+    ("3", "default"): {"gradient_loop": 28.57, "force_loop": 29.48, "particles": 176.6, "search": 2119.3},
 }
 # What is counted: the functions, and per what.
 PARTS = {
@@ -33,6 +34,7 @@ PARTS = {
     "search": (("search_neighbours",), "particle and build of the lists"),
 }
 MARGIN = 1.10
+LOOPS = {"gradient_loop": 2}  # how many forms of a function the steps execute, where not one
 
 
 def instructions(profile):
@@ -75,9 +77,10 @@ def count(program, dimensions, scheme):
         total = 0
         for function in functions:
             found = [n for name, n in of_function.items() if f" riffle::avx2::{function}<" in name.split("(")[0]]
-            if len(found) != 1:
-                sys.exit(f"expected one function riffle::avx2::{function}<...> to be executed, found {len(found)}")
-            total += found[0]
+            # The leapfrog's steps take two of the gradient loops in turn.
+            if len(found) != LOOPS.get(function, 1):
+                sys.exit(f"riffle::avx2::{function}<...> was executed in {len(found)} forms, which is not expected")
+            total += sum(found)
         totals[part] = total / per[unit]
     return totals
 

@@ -75,6 +75,7 @@ LoopRun<D, Real>::LoopRun(const PairSample<D>& sample, const RunOptions& options
     data.constants.diffusion = static_cast<Real>(options.diffusion);
     data.constants.hydrostatic_gradient = static_cast<Real>(options.hydrostatic_gradient);
     data.constants.half_way = static_cast<Real>(options.ago / h);
+    data.constants.largest_midway = static_cast<Real>(options.largest_midway);
     data.constants.correct_pressure = options.correct;
     data.constants.correct_gradient = options.correct;
     data.constants.directional = {.slope = static_cast<Real>(options.directional.slope),
