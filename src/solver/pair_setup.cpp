@@ -76,10 +76,13 @@ PairForm<Real> pair_form(const Case& c, const Scheme& scheme, const DirectionalV
     if (n.has_riemann_problem()) {
         form.own = Real(n.pressure_form == PressureForm::riemann_non_conservative ? 2 : 0);
         form.impact = Real(3);
+        form.impact_bound = static_cast<Real>(scheme.state.sound_speed);
     } else {
         form.impact = static_cast<Real>(n.impact_dissipation);
+        // Three times the largest speed expected. A drop between others that reaches c0 would be thrown back
+        // faster than it came: the dissipation is explicit, and c0 dt is most of a smoothing length.
+        form.impact_bound = static_cast<Real>(0.3 * scheme.state.sound_speed);
     }
-    form.sound_speed = static_cast<Real>(scheme.state.sound_speed);
     if (n.tensile_correction > 0.0) {
         form.tensile = static_cast<Real>(n.tensile_correction);
         form.tensile_scale = static_cast<Real>(visit_kernel<D>(
@@ -111,7 +114,6 @@ PairConstants<D, Real> pair_constants(const Case& c, const Scheme& scheme, const
     constants.gradient_scale = static_cast<Real>(std::pow(h, -(D + 2)));
     constants.diffusion =
         static_cast<Real>(in_loops ? c.numerics.density_diffusion_coefficient * h * c0 : 0.0);
-    constants.largest_midway = static_cast<Real>(0.01 * c0 / h);
     // Molteni's diffusion acts on the hydrostatic difference too.
     constants.hydrostatic_gradient =
         static_cast<Real>(diffusion == DensityDiffusion::molteni ? 0.0 : scheme.normal_gravity / (c0 * c0));

@@ -74,6 +74,10 @@ double largest_step(const Case& c, const Scheme& scheme) {
     return c.numerics.time_step.value_or(scheme.acoustic_step);
 }
 
+int midway_interval(const Case& c) {
+    return c.channel.ends == Ends::walls || c.numerics.impact_dissipation > 0.0 ? 1 : 2;
+}
+
 double force_limited_step(const Scheme& scheme, double largest_acceleration) {
     return largest_acceleration > 0.0 ? 0.25 * std::sqrt(scheme.smoothing_length / largest_acceleration)
                                       : std::numeric_limits<double>::infinity();

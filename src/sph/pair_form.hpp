@@ -22,8 +22,8 @@ struct PairForm {
     DirectionalViscosity<Real> direction = {};
 
     // Pressure, added to (p_i + p_j)/rho0.
-    Real impact = Real(0);  ///< 3: dissipation of the Riemann problem; 0: none
-    Real sound_speed = Real(0);
+    Real impact = Real(0);         ///< 3: dissipation of the Riemann problem; 0: none
+    Real impact_bound = Real(0);   ///< of impact times the speed of approach, m/s
     Real own = Real(0);            ///< 2: the particle's own pressure taken off twice, p_j - p_i; 0: not
     Real tensile = Real(0);        ///< epsilon of Monaghan (2000); 0: none
     Real tensile_scale = Real(0);  ///< 1/W(dx)
@@ -51,14 +51,14 @@ struct PairForm {
 
     /// Riemann problem along the line of centres, linearised (Zhang, Hu & Adams 2017): 2 p*/rho0 = (p_i +
     /// p_j)/rho0 + (rho_ij/rho0) beta v, v = -u.r/r the velocity of approach, beta = min(impact max(v, 0),
-    /// c0). What it adds to the sum of the pressures; `density` is rho_ij/rho0.
+    /// bound), bound = c0 in their paper. What it adds to the sum of the pressures; `density` is rho_ij/rho0.
     template <class T, int D>
     RIFFLE_INLINE T dissipation(const T& density, const Components<T, D>& u, const Components<T, D>& r,
                                 const T& distance) const {
         using std::min;
         using std::experimental::min;
         const T approach = positive_part<T>(T(Real(0) - dot<T, D>(u, r) / (distance + Real(1e-12))));
-        return density * approach * min(T(impact * approach), T(sound_speed));
+        return density * approach * min(T(impact * approach), T(impact_bound));
     }
 
     /// Monaghan's (2000) repulsion against clumping, R f^4 with f = W(r)/W(dx), of P = p/rho^2 rho0: R = 0.01

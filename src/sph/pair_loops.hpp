@@ -93,9 +93,6 @@ struct PairConstants {
     Real hydrostatic_gradient;                           ///< g_z/c0^2, 1/m
     /// How long ago a pair was where PairLoops::gradient_midway takes its continuity sum, over h, s/m.
     Real half_way = Real(0);
-    /// Largest change of the continuity sum by taking it there, 1/s. In the water it is some thousand times
-    /// smaller; drops that an impact squeezes move so fast that the middle of their way says nothing.
-    Real largest_midway = Real(0);
     bool correct_pressure;  ///< B = M^-1 near full support, else the identity
     bool correct_gradient;
     bool correct_along = false;  ///< walls that continue the fluid do so along the channel too: with solids

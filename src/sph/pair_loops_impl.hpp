@@ -194,7 +194,6 @@ template <int D, class Real, class Kernel, bool Gradients, bool Midway>
 
         W wide_diffusion(0);
         W wide_divergence(0);
-        [[maybe_unused]] W wide_midway(0);
         Components<W, D * D> wide_gradient{};
         Symmetric<W, D> wide_m{};
         for_turns<Real>(
@@ -222,9 +221,8 @@ template <int D, class Real, class Kernel, bool Gradients, bool Midway>
                     }
                 }
                 if constexpr (Midway) {
-                    wide_midway += midway_continuity<D, Real>(kernel, volume, u, r, c.half_way);
-                }
-                if constexpr (!Gradients) {
+                    wide_divergence += midway_continuity<D, Real>(kernel, volume, u, r, c.half_way);
+                } else if constexpr (!Gradients) {
                     wide_divergence += continuity<W, D>(weight, u, r);
                 }
             });
@@ -233,7 +231,7 @@ template <int D, class Real, class Kernel, bool Gradients, bool Midway>
         T divergence(0);
         const Components<T, D* D> gradient = fold_all<Real>(wide_gradient, -scale * c.h);
         Symmetric<T, D> m_fluid = fold_all<Real>(wide_m, -scale * c.h * c.h);
-        if constexpr (Gradients) {
+        if constexpr (Gradients && !Midway) {
             for (std::size_t k = 0; k < D; ++k) {
                 divergence -= gradient[k * D + k];
             }
@@ -274,9 +272,10 @@ template <int D, class Real, class Kernel, bool Gradients, bool Midway>
                         }
                     }
                     if constexpr (Midway) {
-                        wide_midway += midway_continuity<D, Real>(kernel, volume, u, r, c.half_way);
+                        wall_divergence += midway_continuity<D, Real>(kernel, volume, u, r, c.half_way);
+                    } else {
+                        wall_divergence += continuity<W, D>(weight, u, r);
                     }
-                    wall_divergence += continuity<W, D>(weight, u, r);
                     if constexpr (Gradients) {
                         const W continued = weight * halves<Real, Real>(a.continuation, b.continuation);
                         for (std::size_t l = 0; l < D; ++l) {
@@ -301,18 +300,13 @@ template <int D, class Real, class Kernel, bool Gradients, bool Midway>
                             u[k] = halves<Real, Real>(data.wall_drift[slot_a][k], data.wall_drift[slot_b][k]);
                         }
                         if constexpr (Midway) {
-                            wide_midway -= midway_continuity<D, Real>(kernel, volume, u, r, c.half_way);
+                            wall_divergence -= midway_continuity<D, Real>(kernel, volume, u, r, c.half_way);
+                        } else {
+                            wall_divergence -= continuity<W, D>(weight, u, r);
                         }
-                        wall_divergence -= continuity<W, D>(weight, u, r);
                     });
             }
             divergence += fold<Real>(wall_divergence) * (scale * c.h);
-        }
-        if constexpr (Midway) {
-            using stdx::max;
-            using stdx::min;
-            const T midway = fold<Real>(wide_midway) * (scale * c.h) - divergence;
-            divergence += min(max(midway, T(-c.largest_midway)), T(c.largest_midway));
         }
 
         const std::size_t lane = (cluster - begin) * cluster_size;

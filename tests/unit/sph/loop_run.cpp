@@ -75,7 +75,6 @@ LoopRun<D, Real>::LoopRun(const PairSample<D>& sample, const RunOptions& options
     data.constants.diffusion = static_cast<Real>(options.diffusion);
     data.constants.hydrostatic_gradient = static_cast<Real>(options.hydrostatic_gradient);
     data.constants.half_way = static_cast<Real>(options.ago / h);
-    data.constants.largest_midway = static_cast<Real>(options.largest_midway);
     data.constants.correct_pressure = options.correct;
     data.constants.correct_gradient = options.correct;
     data.constants.directional = {.slope = static_cast<Real>(options.directional.slope),
@@ -87,7 +86,7 @@ LoopRun<D, Real>::LoopRun(const PairSample<D>& sample, const RunOptions& options
     form.by_direction = options.by_direction;
     form.direction = data.constants.directional;
     form.impact = static_cast<Real>(options.impact);
-    form.sound_speed = static_cast<Real>(options.sound_speed);
+    form.impact_bound = static_cast<Real>(options.sound_speed);
     form.own = static_cast<Real>(options.own);
     form.tensile = static_cast<Real>(options.tensile);
     form.tensile_scale = static_cast<Real>(visit_kernel<D>(options.kernel, [&](auto kernel) {

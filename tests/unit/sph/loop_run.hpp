@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 #include "pair_sample.hpp"
@@ -15,9 +14,8 @@ namespace riffle {
 struct RunOptions {
     double diffusion = 0.0;
     double hydrostatic_gradient = 0.0;
-    double ago = 0.0;                                           ///< of the continuity sum midway, s
-    double largest_midway = std::numeric_limits<float>::max();  ///< as in PairConstants, 1/s
-    bool correct = true;                                        ///< pressure and velocity gradient
+    double ago = 0.0;       ///< of the continuity sum midway, s
+    bool correct = true;    ///< pressure and velocity gradient
     bool gradients = true;  ///< as in LoopOptions: without them the stress is the pressure alone
     DirectionalViscosity<double> directional = {};
     KernelKind kernel = KernelKind::wendland_c2;  ///< kernel and viscosity as in LoopOptions

@@ -322,38 +322,6 @@ void expect_all_loops() {
     EXPECT_NE(loops.filter, nullptr);
 }
 
-// Between particles that cross much of the kernel in a step the middle of the way changes the sum by the
-// bound; where the bound is wide, by what it is.
-template <int D>
-void expect_bounded_midway() {
-    const PairSample<D> sample = disordered_sample<D>(0.3, 3, 11);
-    const auto change = [&](double largest) {
-        LoopRun<D, double> run(sample, {.ago = ago, .largest_midway = largest});
-        run.run(pair_loops<D, double>({}));
-        std::vector<double> values;
-        for (const std::size_t slot : run.fluid_slot) {
-            values.push_back(run.gradient.midway_density_rate[slot] - run.gradient.density_rate[slot]);
-        }
-        return values;
-    };
-    const std::vector<double> free = change(1e30);
-    std::vector<double> magnitudes;
-    std::transform(free.begin(), free.end(), std::back_inserter(magnitudes),
-                   [](double value) { return std::abs(value); });
-    std::sort(magnitudes.begin(), magnitudes.end());
-    const double bound = magnitudes[magnitudes.size() / 2];  // half of the particles meet it
-    ASSERT_GT(bound, 0.0);
-    const std::vector<double> bounded = change(bound);
-    for (std::size_t i = 0; i < free.size(); ++i) {
-        EXPECT_NEAR(bounded[i], std::clamp(free[i], -bound, bound), 1e-9 * magnitudes.back());
-    }
-}
-
-TEST(PairLoops, TheMiddleOfTheWayChangesTheDensityWithinABound) {
-    expect_bounded_midway<2>();
-    expect_bounded_midway<3>();
-}
-
 TEST(PairLoops, ActiveSetIsOffered) {
     EXPECT_TRUE(processor_offers(active_instruction_set()));
     expect_all_loops<2>();
