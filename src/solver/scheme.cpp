@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "boundary/wall_motion.hpp"
+#include "case/flow_kind.hpp"
 #include "particles/lattice.hpp"
 
 namespace riffle {
@@ -75,7 +76,9 @@ double largest_step(const Case& c, const Scheme& scheme) {
 }
 
 int midway_interval(const Case& c) {
-    return c.channel.ends == Ends::walls || c.numerics.impact_dissipation > 0.0 ? 1 : 2;
+    const bool layered = c.channel.ends == Ends::periodic && c.solids.empty() && !resolves_eddies(c) &&
+                         c.numerics.impact_dissipation == 0.0;
+    return layered ? 2 : 1;
 }
 
 double force_limited_step(const Scheme& scheme, double largest_acceleration) {

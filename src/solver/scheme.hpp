@@ -30,8 +30,8 @@ struct Scheme {
 /// Bound of the time step of a run, s: the fixed step, or that of the Courant number and the viscosity.
 [[nodiscard]] double largest_step(const Case& c, const Scheme& scheme);
 
-/// Each which step the leapfrog takes its continuity sum in the middle of the way: the second along a
-/// channel, each one where water falls and hits, between end walls or with impact dissipation.
+/// Each which step the leapfrog takes its continuity sum in the middle of the way: the second of flow in
+/// layers along a channel, each one around bodies, between end walls, with resolved eddies and impacts.
 [[nodiscard]] int midway_interval(const Case& c);
 
 /// Step by the largest acceleration: 0.25 sqrt(h/|a|) (Monaghan & Kos 1999; thesis 2.53).

@@ -177,7 +177,7 @@ void SimulationOf<D, Real>::take_step(double fields_due) {
     } else if (numerics.stepping == Stepping::leapfrog) {
         // Velocities stand half a step before the positions: those that brought the particles here say how
         // the density has changed on the way, over the step that has been taken. What the middle of the way
-        // adds to the sum at its end changes slowly along a channel: every other step takes it there, twice.
+        // adds to the sum at its end changes slowly in layers: every other step takes it there, twice.
         const int interval = midway_interval(case_);
         const double before = clock_.time_step;
         const bool midway = clock_.steps % interval == 0;
