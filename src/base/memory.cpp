@@ -1,5 +1,6 @@
 #include "base/memory.hpp"
 
+#include <malloc.h>
 #include <unistd.h>
 
 #include <array>
@@ -67,6 +68,14 @@ void OutOfMemoryEnd::tell_in(int log) { log_descriptor = log; }
 std::optional<std::size_t> peak_memory() { return status_value("VmHWM"); }
 
 std::optional<std::size_t> resident_memory() { return status_value("VmRSS"); }
+
+std::size_t kept_free_memory() {
+#ifdef __GLIBC__
+    return mallinfo2().fordblks;
+#else
+    return 0;
+#endif
+}
 
 bool reset_peak_memory() {
     std::ofstream control("/proc/self/clear_refs");

@@ -27,6 +27,10 @@ class OutOfMemoryEnd {
 /// Memory that it has now, bytes (VmRSS).
 [[nodiscard]] std::optional<std::size_t> resident_memory();
 
+/// What of it the program has given back and the library keeps for the next request, bytes; 0 where the
+/// library does not say.
+[[nodiscard]] std::size_t kept_free_memory();
+
 /// Count the peak anew; whether the system lets it.
 bool reset_peak_memory();
 

@@ -168,7 +168,8 @@ double rehearse_memory(const Case& c, const Twins& twins, SimulationIn<D>& simul
     const auto particles = static_cast<double>(simulation.particles().size());
     const double sampling = static_cast<double>(peak_memory().value_or(0));
     const double between = static_cast<double>(resident_memory().value_or(0));
-    return std::max({sampling, between + sorting_bytes * particles, between + writing_bytes});
+    const auto free = static_cast<double>(kept_free_memory());
+    return std::max({sampling, between + sorting_bytes * particles - free, between + writing_bytes});
 }
 
 template <int D>

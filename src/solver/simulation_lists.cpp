@@ -88,12 +88,19 @@ template <int D, class Real>
 void SimulationOf<D, Real>::allocate() {
     // One record more than slots: it fills up turns of the loops.
     const std::size_t records = clusters_.slots() + 1;
-    data_.motion.resize(records);
+    // A vector that grows by itself doubles: a few clusters more would take as much memory again.
+    const auto resize = [&](auto& values) {
+        if (records > values.capacity()) {
+            values.reserve(records + records / 64);
+        }
+        values.resize(records);
+    };
+    resize(data_.motion);
     const bool gradients = needs_gradients(case_);
     if (gradients) {
-        data_.stress.resize(records);
+        resize(data_.stress);
     } else {
-        data_.pressure.resize(records);
+        resize(data_.pressure);
     }
     // The force pass needs B only where walls continue the fluid.
     const bool continued = std::any_of(data_.wall_gradient.begin(), data_.wall_gradient.end(),
