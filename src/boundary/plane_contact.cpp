@@ -7,7 +7,7 @@
 namespace riffle {
 
 template <int D>
-PlaneContact<D>::PlaneContact(const Case& c) : spacing_(c.numerics.spacing), deepest_(1.5 * spacing_) {
+PlaneContact<D>::PlaneContact(const Case& c) : spacing_(c.numerics.spacing) {
     if (c.channel.top == Top::periodic || c.numerics.wall == WallKind::repulsive) {
         return;
     }
@@ -34,7 +34,7 @@ double PlaneContact<D>::resolve(Vec<D>& position, Vec<D>& velocity) const {
     double deepest = 0.0;
     for (const Plane& plane : planes_) {
         const double depth = plane.inward * (plane.place - position[plane.axis]);
-        if (depth > spacing_ && depth <= deepest_ && position[D - 1] <= plane.top) {
+        if (depth > 0.25 * spacing_ && depth <= spacing_ && position[D - 1] <= plane.top) {
             position[plane.axis] = plane.place;
             velocity[plane.axis] = plane.inward * std::max(plane.inward * velocity[plane.axis], 0.0);
             deepest = std::max(deepest, depth);

@@ -19,11 +19,10 @@ class PlaneContact {
     explicit PlaneContact(const Case& c);
 
     [[nodiscard]] bool empty() const { return planes_.empty(); }
-    /// Put a particle that is between 1 and 1.5 spacings behind a wall onto its plane, and take from its
-    /// velocity what still leads into the wall. Returns how deep it was, m; 0 where nothing was done. Before,
-    /// the wall's own pressure holds it: the drops at the tip of a dam break rest in a bed's first row, and
-    /// held farther up they gain speed along it (5 to 200 % in a few depths). Farther behind it has come
-    /// over the wall's top; no step moves water by half a spacing.
+    /// Put a particle that is a quarter of a spacing to a spacing behind a wall onto its plane, and take from
+    /// its velocity what still leads into the wall. Returns how deep it was, m; 0 where nothing was done. Up
+    /// to the quarter the wall's own pressure holds it. Farther behind it has come over the wall's top.
+    /// Both depths are measured (docs/theory.md).
     double resolve(Vec<D>& position, Vec<D>& velocity) const;
 
   private:
@@ -35,7 +34,6 @@ class PlaneContact {
     };
     std::vector<Plane> planes_;
     double spacing_ = 0.0;
-    double deepest_ = 0.0;
 };
 
 }  // namespace riffle
