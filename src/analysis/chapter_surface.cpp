@@ -20,7 +20,9 @@ namespace {
 
 /// Why a simulated surface is far flatter than the measured one.
 std::string flatness_remark(const Case& c) {
-    if (resolves_eddies(c)) return "of the eddies, those larger than some spacings are resolved";
+    if (resolves_eddies(c)) {
+        return "of the eddies, those larger than some spacings are resolved";
+    }
     if (c.channel.dimensions == 3 && c.turbulence.closure != ClosureKind::none) {
         return "the closure averages turbulence out and keeps its mean stress only, so that no eddies reach "
                "the surface, which stays almost flat (the thesis: 0.06 to 0.085 mm in 3D)";

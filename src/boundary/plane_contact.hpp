@@ -22,7 +22,7 @@ class PlaneContact {
     /// Put a particle that is a quarter of a spacing to a spacing behind a wall onto its plane, and take from
     /// its velocity what still leads into the wall. Returns how deep it was, m; 0 where nothing was done. Up
     /// to the quarter the wall's own pressure holds it. Farther behind it has come over the wall's top.
-    /// Both depths are measured (docs/theory.md).
+    /// Why a quarter, and why onto the plane: the table of docs/theory.md, section 9.
     double resolve(Vec<D>& position, Vec<D>& velocity) const;
 
   private:

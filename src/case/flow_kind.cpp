@@ -100,10 +100,8 @@ std::optional<std::string> why_no_column(const Case& c) {
     }
     if (resolves_eddies(c)) {
         return "the eddies of the flow are resolved and carry its stress, which no model of the mean flow "
-               "knows: the "
-               "column of the same channel with a mixing length (turbulence.closure = \"nezu-rodi\") is one "
-               "to compare "
-               "with";
+               "knows: the column of the same channel with a mixing length (turbulence.closure = "
+               "\"nezu-rodi\") is one to compare with";
     }
     if (!bed_resists(c.bed)) {
         return "nothing resists the flow down the slope, so it has no steady state: a slip bed, or spheres "

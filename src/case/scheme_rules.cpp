@@ -38,9 +38,8 @@ const std::vector<SchemeRule>& scheme_rules() {
          }},
         {{"turbulence.closure", "channel.dimensions"},
          "`closure = \"wale\"` or `\"vreman\"` in two dimensions",
-         "eddies hand their energy down to smaller ones in three dimensions only; set [channel] dimensions = "
-         "3, or "
-         "choose a mixing length",
+         "eddies hand their energy down to smaller ones in three dimensions only; set [channel] dimensions "
+         "= 3, or choose a mixing length",
          [](const Case& c) { return resolves_eddies(c) && c.channel.dimensions == 2; }},
         {{"numerics.tensile_correction", "numerics.kernel"},
          "`tensile_correction` above 0 without `kernel = \"cubic-spline\"`",

@@ -79,8 +79,9 @@ PairForm<Real> pair_form(const Case& c, const Scheme& scheme, const DirectionalV
         form.impact_bound = static_cast<Real>(scheme.state.sound_speed);
     } else {
         form.impact = static_cast<Real>(n.impact_dissipation);
-        // Three times the largest speed expected. A drop between others that reaches c0 would be thrown back
-        // faster than it came: the dissipation is explicit, and c0 dt is most of a smoothing length.
+        // With a factor of 3 it acts from an approach at c0/10 on, above the largest speed expected. By c0
+        // a drop between others may be thrown back faster than it came: the dissipation is explicit, and
+        // c0 dt is most of a smoothing length.
         form.impact_bound = static_cast<Real>(0.3 * scheme.state.sound_speed);
     }
     if (n.tensile_correction > 0.0) {

@@ -93,22 +93,24 @@ std::unique_ptr<const Closure> make_nikuradse(const Case& c) {
     });
 }
 
+/// One length everywhere.
+std::unique_ptr<const Closure> uniform_closure(double length) {
+    return height_closure([length](double) { return length; });
+}
+
 std::unique_ptr<const Closure> make_sps(const Case& c) {
     const double filter_width = c.turbulence.filter_width.value_or(sps_filter_width(c.numerics.spacing));
-    const double length = sps_mixing_length(c.turbulence.smagorinsky_constant, filter_width);
-    return height_closure([length](double) { return length; });
+    return uniform_closure(sps_mixing_length(c.turbulence.smagorinsky_constant, filter_width));
 }
 
 std::unique_ptr<const Closure> make_wale(const Case& c) {
-    const double length = wale_length(c.turbulence.smagorinsky_constant,
-                                      c.turbulence.filter_width.value_or(c.numerics.spacing));
-    return height_closure([length](double) { return length; });
+    return uniform_closure(wale_length(c.turbulence.smagorinsky_constant,
+                                       c.turbulence.filter_width.value_or(c.numerics.spacing)));
 }
 
 std::unique_ptr<const Closure> make_vreman(const Case& c) {
-    const double length = vreman_length(c.turbulence.smagorinsky_constant,
-                                        c.turbulence.filter_width.value_or(c.numerics.spacing));
-    return height_closure([length](double) { return length; });
+    return uniform_closure(vreman_length(c.turbulence.smagorinsky_constant,
+                                         c.turbulence.filter_width.value_or(c.numerics.spacing)));
 }
 
 std::unique_ptr<const Closure> make_none(const Case&) { return nullptr; }
