@@ -81,7 +81,8 @@ SectionKeys numerics() {
     s.keys.push_back(
         key("impact_dissipation", &Numerics::impact_dissipation,
             "Dissipation between particles that approach each other, that of a Riemann problem, with "
-            "this factor of its limiter; 0: none. 3 in impacts; the Riemann forms have it.")
+            "this factor of its limiter; 0: none. 3 in impacts; the Riemann forms have it. Above 0, "
+            "particles that an impact has driven to one place are parted too.")
             .at_least(0)
             .at_most(20));
     s.keys.push_back(

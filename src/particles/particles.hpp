@@ -57,6 +57,17 @@ struct Particles {
     void permute(const std::vector<std::int32_t>& order);
 };
 
+/// A vector of one particle as (x, y, z); y of a plane is 0.
+template <int D>
+std::array<double, 3> in_space(const std::array<std::vector<double>, static_cast<std::size_t>(D)>& components,
+                               std::size_t particle) {
+    std::array<double, 3> v{};
+    for (std::size_t k = 0; k < D; ++k) {
+        v[k == D - 1 ? 2 : k] = components[k][particle];
+    }
+    return v;
+}
+
 /// Particles of walls and solids.
 template <int D>
 struct WallParticles {

@@ -22,17 +22,23 @@ namespace {
 constexpr std::size_t table_rows = 12;
 
 template <int D>
+bool is_finite(const Vec<D>& v) {
+    return std::all_of(v.begin(), v.end(), [](double x) { return std::isfinite(x); });
+}
+
+/// Where a particle is, or was when the lists were built where it is nowhere now.
+template <int D>
 Vec<D> place_of(const SimulationIn<D>& simulation, std::size_t particle) {
     Vec<D> place{};
     for (std::size_t k = 0; k < D; ++k) {
         place[k] = simulation.particles().position[k][particle];
     }
+    if (!is_finite<D>(place)) {
+        for (std::size_t k = 0; k < D; ++k) {
+            simulation.listed_positions(k, particle, {&place[k], 1});
+        }
+    }
     return place;
-}
-
-template <int D>
-bool is_finite(const Vec<D>& v) {
-    return std::all_of(v.begin(), v.end(), [](double x) { return std::isfinite(x); });
 }
 
 template <int D>
@@ -57,13 +63,6 @@ double speed_of(const SimulationIn<D>& simulation, std::size_t particle) {
         sum += u * u;
     }
     return std::sqrt(sum);
-}
-
-/// x, y, z of a particle's vector; y of a plane is 0.
-template <int D>
-std::array<double, 3> in_space(const std::array<std::vector<double>, static_cast<std::size_t>(D)>& vectors,
-                               std::size_t i) {
-    return {vectors[0][i], D == 3 ? vectors[1][i] : 0.0, vectors[D - 1][i]};
 }
 
 template <int D>
@@ -119,17 +118,11 @@ template <int D>
 FailureScene look_around(const Case& c, const SimulationIn<D>& simulation, std::size_t particle) {
     const Domain<D> domain = domain_of<D>(c);
     const std::size_t n = simulation.particles().size();
-    Vec<D> centre = place_of(simulation, particle);
-    if (!is_finite<D>(centre)) {
-        for (std::size_t k = 0; k < D; ++k) {
-            simulation.listed_positions(k, particle, {&centre[k], 1});
-        }
-    }
+    const Vec<D> centre = place_of(simulation, particle);
     std::vector<std::pair<double, std::size_t>> others;  // squared distance, particle
     for (std::size_t i = 0; i < n; ++i) {
-        const Vec<D> place = place_of(simulation, i);
-        if (i != particle && is_finite<D>(place)) {
-            others.emplace_back(squared_distance<D>(domain, centre, place), i);
+        if (i != particle) {
+            others.emplace_back(squared_distance<D>(domain, centre, place_of(simulation, i)), i);
         }
     }
     const std::size_t count = std::min(failure_neighbours, others.size());
@@ -140,7 +133,7 @@ FailureScene look_around(const Case& c, const SimulationIn<D>& simulation, std::
     const double support = 2.0 * simulation.scheme().smoothing_length;
     FailureScene scene{.particle = particle, .nearest = {}};
     for (const auto& [squared, near] : others) {
-        const Vec<D> place = near == particle ? centre : place_of(simulation, near);
+        const Vec<D> place = place_of(simulation, near);
         std::size_t neighbours = 0;
         for (std::size_t i = 0; i < n; ++i) {
             neighbours +=
@@ -225,27 +218,21 @@ std::string advice(const SimulationIn<D>& simulation, const FailureScene& scene)
     for (const NearbyParticle& near : scene.nearest) {
         const double speed = speed_of(simulation, near.particle);
         const double s = p.density_deviation[near.particle];
-        if (!std::isfinite(speed) || !std::isfinite(s)) {
-            ++not_finite;
-            continue;
-        }
-        fastest = std::max(fastest, speed);
-        density = std::max(density, std::abs(s));
+        not_finite += std::isfinite(speed) && std::isfinite(s) ? 0 : 1;
+        fastest = std::max(fastest, std::isfinite(speed) ? speed : 0.0);
+        density = std::max(density, std::isfinite(s) ? std::abs(s) : 0.0);
     }
     const double sound = simulation.scheme().state.sound_speed;
     std::string text = fmt::format(
-        "Around it, among {} particles: largest finite speed {:.3g} m/s (sound {:.3g} m/s, largest expected "
-        "{:.3g} "
-        "m/s), largest finite density deviation {:.2g}, {} not finite, {} neighbours. ",
+        "Around it, among {} particles: largest finite speed {:.3g} m/s (sound {:.3g} m/s, largest "
+        "expected {:.3g} m/s), largest finite density deviation {:.2g}, {} not finite, {} neighbours. ",
         scene.nearest.size(), fastest, sound, simulation.scheme().maximum_velocity, density, not_finite,
         scene.nearest.front().neighbours);
     if (density > 0.1 || fastest > 0.5 * sound) {
         text +=
             "So the water is compressed far beyond what the scheme allows: either the step is too long (a "
-            "smaller "
-            "one helps at once), or the flow is faster than the sound speed was chosen for: look at the "
-            "surroundings "
-            "of the particle, and raise numerics.sound_speed.";
+            "smaller one helps at once), or the flow is faster than the sound speed was chosen for: look "
+            "at the surroundings of the particle, and raise numerics.sound_speed.";
     } else if (scene.nearest.front().neighbours < 4) {
         text += "So it is spray: a particle with hardly any neighbours, of which the sums know little.";
     } else {

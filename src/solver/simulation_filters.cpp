@@ -1,6 +1,7 @@
-// Density filters and XSPH: options that smooth over the neighbours.
+// Density filters, XSPH and crowds: what takes sums of W over the neighbours, beside the steps.
 
 #include "solver/simulation_of.hpp"
+#include "sph/crowding.hpp"
 
 namespace riffle {
 
@@ -74,6 +75,21 @@ void SimulationOf<D, Real>::filter_density() {
                 : static_cast<double>(sums.mass[lane]) / static_cast<double>(sums.zeroth[lane]);
         particles_.density_deviation[particle] = density - 1.0;
     });
+}
+
+template <int D, class Real>
+bool SimulationOf<D, Real>::dissolves_crowds() const {
+    return case_.numerics.impact_dissipation > 0.0 && clock_.steps % crowding_interval == 0;
+}
+
+template <int D, class Real>
+void SimulationOf<D, Real>::dissolve_crowds(double dt) {
+    const double turns = crowding_interval * dt * scheme_.state.sound_speed / scheme_.smoothing_length;
+    for_filter_blocks([&](const FilterResult<D, Real>& sums, std::size_t particle, std::size_t lane) {
+        particles_.density_deviation[particle] +=
+            turns * crowding_rate(static_cast<double>(sums.zeroth[lane]));
+    });
+    repack();
 }
 
 template <int D, class Real>

@@ -3,26 +3,12 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 
 #include "base/error.hpp"
 #include "solver/simulation_of.hpp"
 
 namespace riffle {
-
-namespace {
-
-/// Components of a vector as (x, y, z); y of a plane is 0.
-template <int D>
-std::array<double, 3> in_space(const std::array<std::vector<double>, static_cast<std::size_t>(D)>& components,
-                               std::size_t i) {
-    std::array<double, 3> v{};
-    for (std::size_t k = 0; k < D; ++k) {
-        v[k == D - 1 ? 2 : k] = components[k][i];
-    }
-    return v;
-}
-
-}  // namespace
 
 template <int D, class Real>
 bool SimulationOf<D, Real>::stays(std::size_t particle) const {
@@ -48,33 +34,52 @@ bool SimulationOf<D, Real>::can_be_packed(std::size_t begin, std::size_t end) co
     return possible;
 }
 
+// What is not finite spreads over the kernel's support within a step. Where it began, the density departs
+// most.
 template <int D, class Real>
 void SimulationOf<D, Real>::check_state() const {
+    std::size_t faults = 0;
+    std::size_t worst = 0;
+    double departure = -1.0;
     for (std::size_t i = 0; i < particles_.size(); ++i) {
-        bool finite = std::isfinite(particles_.density_deviation[i]);
-        bool inside = true;
-        std::array<double, 3> x{};  // x, y, z; y of a plane is 0
-        std::array<double, 3> u{};
+        const double s = particles_.density_deviation[i];
+        bool fault = !std::isfinite(s);
         for (std::size_t k = 0; k < axes; ++k) {
-            const std::size_t axis = k == vertical ? 2 : k;
-            x[axis] = particles_.position[k][i];
-            u[axis] = particles_.velocity[k][i];
-            finite = finite && std::isfinite(x[axis]) && std::isfinite(u[axis]);
-            inside = inside && fixed_point_.in_range(x[axis], k);
+            const double x = particles_.position[k][i];
+            fault = fault || !std::isfinite(x) || !std::isfinite(particles_.velocity[k][i]) ||
+                    !fixed_point_.in_range(x, k);
         }
-        if (finite && inside) {
-            continue;
+        if (fault) {
+            ++faults;
+            const double size = std::isfinite(s) ? std::abs(s) : std::numeric_limits<double>::infinity();
+            if (size > departure) {
+                departure = size;
+                worst = i;
+            }
         }
-        const std::string y = D == 3 ? fmt::format("y = {:.6g} m, ", x[1]) : "";
-        const std::string v = D == 3 ? fmt::format("{:.4g}, ", u[1]) : "";
-        throw ParticleFault(
-            i,
-            fmt::format("{}: particle {} at x = {:.6g} m, {}z = {:.6g} m, velocity ({:.4g}, {}{:.4g}) m/s, "
-                        "density deviation {:.4g}, at t = {:.6g} s (step {})",
-                        finite ? "a particle left the domain at one bound" : "the state is no longer finite",
-                        particles_.id[i], x[0], y, x[2], u[0], v, u[2], particles_.density_deviation[i],
-                        clock_.time, clock_.steps));
     }
+    if (faults > 0) {
+        throw ParticleFault(worst, fault_text(worst, faults));
+    }
+}
+
+template <int D, class Real>
+std::string SimulationOf<D, Real>::fault_text(std::size_t particle, std::size_t faults) const {
+    const auto x = in_space<D>(particles_.position, particle);
+    const auto u = in_space<D>(particles_.velocity, particle);
+    const double s = particles_.density_deviation[particle];
+    bool finite = std::isfinite(s);
+    for (std::size_t k = 0; k < 3; ++k) {
+        finite = finite && std::isfinite(x[k]) && std::isfinite(u[k]);
+    }
+    return fmt::format(
+        "{}: particle {}{} at x = {:.6g} m, {}z = {:.6g} m, velocity ({:.4g}, {}{:.4g}) m/s, density "
+        "deviation {:.4g}, at t = {:.6g} s (step {})",
+        finite ? "a particle left the domain at one bound" : "the state is no longer finite",
+        particles_.id[particle],
+        faults > 1 ? fmt::format(" (of {}, the one whose density departs most)", faults) : "", x[0],
+        D == 3 ? fmt::format("y = {:.6g} m, ", x[1]) : "", x[2], u[0],
+        D == 3 ? fmt::format("{:.4g}, ", u[1]) : "", u[2], s, clock_.time, clock_.steps);
 }
 
 // The lists still count the particles that go: they are built anew at the next step, and a saved state has

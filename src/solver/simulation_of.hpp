@@ -98,6 +98,8 @@ class SimulationOf final : public SimulationIn<D> {
     [[nodiscard]] bool can_be_packed(std::size_t begin, std::size_t end) const;
     /// Error where a particle is no longer finite or beyond all integer positions.
     void check_state() const;
+    /// What is wrong with a particle, one of so many.
+    [[nodiscard]] std::string fault_text(std::size_t particle, std::size_t faults) const;
     /// Take the particles that stand beyond the domain out of the water and into the ledger.
     void take_out_leaving();
 
@@ -178,6 +180,9 @@ class SimulationOf final : public SimulationIn<D> {
     /// f(sums, particle, lane) for each particle.
     template <class F>
     void for_filter_blocks(const F& f);
+    /// With dissipation of impacts, each `crowding_interval` steps: raise the density of crowded particles.
+    [[nodiscard]] bool dissolves_crowds() const;
+    void dissolve_crowds(double dt);
 
     // Stepping (simulation_step.cpp).
     void take_step(double fields_due);

@@ -166,6 +166,9 @@ void SimulationOf<D, Real>::take_step(double fields_due) {
         sweep_smoothed_velocity();
     }
     const double dt = choose_step();
+    if (dissolves_crowds()) {
+        dissolve_crowds(dt);
+    }
     // As the recorder will see the time: the same sum.
     keep_fields_ = clock_.time + dt >= fields_due;
     if (keep_fields_) {

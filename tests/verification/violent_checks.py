@@ -200,7 +200,7 @@ def _violent(study, name, title, text, case, gauge, pictures, limit, spacings=("
 
 def box(study):
     return _violent(study, "box", "Dam break on a box", "The water hits a box on the bed, jumps over it and fills the tank behind.",
-                    "cases/violent/box-2d.toml", "box_pressure", [0.4, 0.7, 1.2], 3)
+                    "cases/violent/box-2d.toml", "box_pressure", [0.4, 0.7, 1.2], 3, ("10 mm", "5 mm", "3 mm"))
 
 
 def box_3d(study):
