@@ -30,8 +30,7 @@ class ChannelRows : public DiagnosticRows {
         add({"velocity_interval", "Certainty of the depth-mean velocity", "± " + percent(share),
              "at most ± " + percent(bar),
              "Half-width of the 95 % confidence interval of the time mean, with the correlation of "
-             "successive values "
-             "taken into account. If it is too wide, run longer.",
+             "successive values taken into account. If it is too wide, run longer.",
              mark_of(share, bar)});
     }
 
@@ -49,9 +48,8 @@ class ChannelRows : public DiagnosticRows {
                                     percent(change->value, 3))
                       : fmt::format("{:.1f}", found->value),
              "10 make an interval; or a velocity that does not vary",
-             "Length of the window over twice the integral time scale of the depth-mean velocity. Fewer make "
-             "no "
-             "interval of the mean that can be trusted, and slow changes are not seen.",
+             "Length of the window over twice the integral time scale of the depth-mean velocity. Fewer "
+             "make no interval of the mean that can be trusted, and slow changes are not seen.",
              constant || found->value >= fewest ? Health::good
              : found->value >= 0.5 * fewest     ? Health::caution
                                                 : Health::bad});
@@ -67,8 +65,8 @@ class ChannelRows : public DiagnosticRows {
              (found->value < 0.0 ? "" : "+") + percent(found->value, 0),
              "at most 25 %, as far as its interval tells",
              "By the trend of the logarithm of the velocity fluctuation. One that grows says that the "
-             "particles are "
-             "leaving the order they started in: the flow is on its way to another state, with another mean.",
+             "particles are leaving the order they started in: the flow is on its way to another state, with "
+             "another mean.",
              least <= bar         ? Health::good
              : least <= 2.0 * bar ? Health::caution
                                   : Health::bad});
@@ -80,8 +78,7 @@ class ChannelRows : public DiagnosticRows {
         const double times = data_.window_start / *relaxation;
         add({"start_up", "Time before averaging", fmt::format("{:.1f} relaxation times", times), "at least 3",
              fmt::format("Departures from the steady flow die out with an e-folding time of {:.2f} s. "
-                         "Averages taken too "
-                         "early still carry the start.",
+                         "Averages taken too early still carry the start.",
                          *relaxation),
              times >= 3   ? Health::good
              : times >= 1 ? Health::caution
@@ -97,15 +94,13 @@ class ChannelRows : public DiagnosticRows {
              bodies_ ? "Force on bed, walls and bodies over the weight component"
                      : "Drag and wall friction over the weight component",
              percent(share), "100 ± 1 %",
-             bodies_ ? "In steady flow bed, walls and bodies together must carry the whole component of the "
-                       "water's "
-                       "weight down the slope, the bodies by the pressure on their faces (form drag) and by "
-                       "friction. "
-                       "More: the flow still slows down; less: it still speeds up."
-                     : "In steady uniform flow the bed must carry the whole component of the water's weight "
-                       "down the "
-                       "slope. More: the flow still slows down, or numerical friction acts; less: it still "
-                       "speeds up.",
+             bodies_
+                 ? "In steady flow bed, walls and bodies together must carry the whole component of the "
+                   "water's weight down the slope, the bodies by the pressure on their faces (form drag) "
+                   "and by friction. More: the flow still slows down; less: it still speeds up."
+                 : "In steady uniform flow the bed must carry the whole component of the water's weight down "
+                   "the slope. More: the flow still slows down, or numerical friction acts; less: it still "
+                   "speeds up.",
              mark_of(std::abs(share - 1), 0.01)});
     }
 
@@ -117,8 +112,7 @@ class ChannelRows : public DiagnosticRows {
             text += fmt::format(", by pressure {}", percent(pressure->value, 1));
         add({"form_drag", "Force on the bodies over the weight component", text, "what the bodies take",
              "Streamwise force of the water on the bodies: form drag, by the pressure on their faces, and "
-             "friction. The "
-             "rest of the weight component goes to the bed and the walls.",
+             "friction. The rest of the weight component goes to the bed and the walls.",
              Health::none});
     }
 
@@ -132,9 +126,8 @@ class ChannelRows : public DiagnosticRows {
              percent(*share) + " of the bed stress",
              bodies_ ? "below their tops pressure carries form drag" : "at most " + percent(bar, 1),
              "Pressure alone must not drag layers along each other. In a particle method it can, when "
-             "particles lie "
-             "unevenly; a few percent of the bed stress would act as an additional roughness. Rms over the "
-             "depth.",
+             "particles lie unevenly; a few percent of the bed stress would act as an additional "
+             "roughness. Rms over the depth.",
              bodies_ ? Health::none : mark_of(*share, bar)});
     }
 
@@ -145,8 +138,7 @@ class ChannelRows : public DiagnosticRows {
         add({"stress_error", "Total shear stress against the analytic line",
              percent(*share) + " of the stress at the crests", "at most " + percent(bar, 1),
              "In steady uniform flow the shear stress grows linearly from the surface down. Rms departure "
-             "above the "
-             "crests.",
+             "above the crests.",
              mark_of(*share, bar)});
     }
 
@@ -188,6 +180,28 @@ class ChannelRows : public DiagnosticRows {
              drift_mark(std::abs(trend.slope) * minute / depth, trend.half_width * minute / depth)});
     }
 
+    /// What the start-up has done to the volume stays in every mean after it, steady as they may be. The
+    /// level knows of it; the density that the particles carry does not.
+    void volume() {
+        if (!has_column(data_.series, "mean_level") || data_.flow.channel.ends != Ends::periodic) return;
+        const auto& all = data_.series.at("mean_level");
+        const auto first = std::find_if(all.begin(), all.end(), [](double z) { return std::isfinite(z); });
+        double sum = 0.0;
+        double count = 0.0;
+        for (const double z : in_window("mean_level")) {
+            sum += std::isfinite(z) ? z : 0.0;
+            count += std::isfinite(z) ? 1.0 : 0.0;
+        }
+        if (count < 1.0) return;
+        constexpr double bar = 0.005;
+        const double change = (sum / count - *first) / data_.flow.total_depth();
+        add({"volume", "Volume of the water since the start", signed_percent(change) + " of the depth",
+             "at most " + percent(bar, 1),
+             "The mean level in the window over that at the start: water that takes more room as its "
+             "particles leave their lattice is a flow of another depth, however steady.",
+             bodies_ ? Health::none : mark_of(std::abs(change), bar)});
+    }
+
   private:
     /// A drift counts as bad only where it stands out of its own uncertainty.
     static Health drift_mark(double drift, double half_width) {
@@ -206,8 +220,7 @@ class ChannelRows : public DiagnosticRows {
              fmt::format("rms {}, largest {}", percent(*rms), percent(*maximum)),
              fmt::format("rms at most {}, largest at most {}", percent(rms_bar, 1), percent(maximum_bar, 0)),
              fmt::format("The {} is the exact steady solution of the same equations, so this is the error of "
-                         "the particles, "
-                         "not of the model.",
+                         "the particles, not of the model.",
                          twin),
              std::max(mark_of(*rms, rms_bar), mark_of(*maximum, maximum_bar))});
     }
@@ -231,6 +244,7 @@ std::vector<Diagnostic> diagnose_channel(const ReportData& data, const Analysis&
     rows.stress_error();
     rows.velocity_errors();
     rows.depth_drift();
+    rows.volume();
     rows.density();
     rows.particles_lost();
     rows.order();

@@ -91,6 +91,22 @@ TEST(Kinds, AFluctuationThatGrowsOrTooFewSamplesAreNotGood) {
     EXPECT_EQ(verdict_of(channel(), laminar).mark, Health::good);
 }
 
+// Water that swells before the window and is steady in it: the drift knows nothing of it, the volume does.
+TEST(Kinds, WaterThatHasSwollenBeforeTheWindowIsNotGood) {
+    for (const auto& [swelling, mark] :
+         {std::pair{0.001, Health::good}, {0.008, Health::caution}, {-0.03, Health::bad}}) {
+        ReportData data = channel();
+        for (std::size_t i = 0; i < data.series["time"].size(); ++i) {
+            data.series["mean_level"][i] *= 1.0 + swelling * std::min(data.series["time"][i] / 5.0, 1.0);
+        }
+        const std::vector<Diagnostic> rows = diagnose(data, {});
+        ASSERT_NE(row(rows, "volume"), nullptr);
+        EXPECT_EQ(row(rows, "volume")->mark, mark) << swelling;
+        ASSERT_NE(row(rows, "depth_drift"), nullptr);
+        EXPECT_EQ(row(rows, "depth_drift")->mark, Health::good) << swelling;
+    }
+}
+
 TEST(Kinds, BodiesBookTheirDragAndHaveNoTwin) {
     ReportData data = channel();
     Solid& step = data.flow.solids.emplace_back();
