@@ -74,7 +74,7 @@ PairForm<Real> pair_form(const Case& c, const Scheme& scheme, const DirectionalV
     form.by_direction = has_directional_viscosity(c);
     form.direction = directional;
     if (n.has_riemann_problem()) {
-        form.own = Real(n.pressure_form == PressureForm::riemann_non_conservative ? 2 : 0);
+        form.non_conservative = Real(n.pressure_form == PressureForm::riemann_non_conservative ? 2 : 0);
         form.impact = Real(3);
         form.impact_bound = static_cast<Real>(scheme.state.sound_speed);
     } else {

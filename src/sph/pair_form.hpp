@@ -13,20 +13,21 @@ namespace riffle {
 /// lengths.
 template <class Real>
 struct PairForm {
-    // Viscosity: V_j 2 mu_ij F [along r^2 u + central min(u.r, ceiling) r]/(r^2 + softening).
-    Real along = Real(1);
-    Real central = Real(0);
-    Real ceiling = std::numeric_limits<Real>::max();  ///< 0: between approaching particles alone
-    Real softening = Real(1e-20);                     ///< (eta/h)^2
+    // Viscosity: V_j 2 mu_ij F [laplacian r^2 u + line_of_centres min(u.r, opening_limit) r]/(r^2 +
+    // softening).
+    Real laplacian = Real(1);
+    Real line_of_centres = Real(0);
+    Real opening_limit = std::numeric_limits<Real>::max();  ///< 0: between approaching particles alone
+    Real softening = Real(1e-20);                           ///< (eta/h)^2
     bool by_direction = false;  ///< the weights of `direction` instead (three dimensions)
     DirectionalViscosity<Real> direction = {};
 
     // Pressure, added to (p_i + p_j)/rho0.
-    Real impact = Real(0);         ///< 3: dissipation of the Riemann problem; 0: none
-    Real impact_bound = Real(0);   ///< of impact times the speed of approach, m/s
-    Real own = Real(0);            ///< 2: the particle's own pressure taken off twice, p_j - p_i; 0: not
-    Real tensile = Real(0);        ///< epsilon of Monaghan (2000); 0: none
-    Real tensile_scale = Real(0);  ///< 1/W(dx)
+    Real impact = Real(0);            ///< 3: dissipation of the Riemann problem; 0: none
+    Real impact_bound = Real(0);      ///< of impact times the speed of approach, m/s
+    Real non_conservative = Real(0);  ///< 2: the particle's own pressure taken off twice, p_j - p_i; 0: not
+    Real tensile = Real(0);           ///< epsilon of Monaghan (2000); 0: none
+    Real tensile_scale = Real(0);     ///< 1/W(dx)
 
     template <class T, int D>
     RIFFLE_INLINE Components<T, D> force(const T& volume_gradient, const T& viscosity_sum,
@@ -40,8 +41,8 @@ struct PairForm {
             }
         }
         const T factor = volume_gradient * viscosity_sum / (r_squared + softening);
-        const T of_velocity = along * (factor * r_squared);
-        const T of_distance = central * (factor * min(dot<T, D>(u, r), T(ceiling)));
+        const T of_velocity = laplacian * (factor * r_squared);
+        const T of_distance = line_of_centres * (factor * min(dot<T, D>(u, r), T(opening_limit)));
         Components<T, D> a{};
         for (std::size_t k = 0; k < D; ++k) {
             a[k] = of_velocity * u[k] + of_distance * r[k];
@@ -79,8 +80,9 @@ struct PairForm {
     }
 };
 
-/// The viscosity of a case's choice in D dimensions. `artificial` expects the viscosity alpha h c0/2 in the
-/// roots of the particles.
+/// The viscosity of a case's choice in D dimensions. That along the line of centres (Monaghan & Gingold 1983;
+/// Monaghan 2005) keeps the angular momentum, and its natural surface condition is zero traction.
+/// `artificial` expects the viscosity alpha h c0/2 in the roots of the particles.
 template <int D, class Real>
 [[nodiscard]] PairForm<Real> viscosity_form(ViscosityForm viscosity) {
     PairForm<Real> form;
@@ -88,16 +90,16 @@ template <int D, class Real>
         case ViscosityForm::morris:
             break;
         case ViscosityForm::monaghan_gingold:
-            form.along = Real(0);
-            form.central = Real(D + 2);
+            form.laplacian = Real(0);
+            form.line_of_centres = Real(D + 2);
             break;
         case ViscosityForm::lo_shao:
             form.softening = Real(0.01);
             break;
         case ViscosityForm::artificial:
-            form.along = Real(0);
-            form.central = Real(1);
-            form.ceiling = Real(0);
+            form.laplacian = Real(0);
+            form.line_of_centres = Real(1);
+            form.opening_limit = Real(0);
             form.softening = Real(0.01);
             break;
     }

@@ -439,8 +439,8 @@ template <int D, class Real, class Kernel, class Viscosity, class Record>
                 if constexpr (further) {
                     const W density = Real(1) + Real(0.5) * (s + halves<Real, Real>(data.motion[slot_a].s,
                                                                                     data.motion[slot_b].s));
-                    W more =
-                        form.template dissipation<W, D>(density, u, r, distance) - form.own * own_pressure;
+                    W more = form.template dissipation<W, D>(density, u, r, distance) -
+                             form.non_conservative * own_pressure;
                     if constexpr (may_repel<Kernel, D>) {
                         if (form.tensile > Real(0)) {
                             more += form.template repulsion<W>(own_pressure,
@@ -488,7 +488,7 @@ template <int D, class Real, class Kernel, class Viscosity, class Record>
                     const W wall_pressure = halves<Real, Real>(a.pressure, b.pressure);
                     W pressure_sum = pressure + wall_pressure;
                     if constexpr (further) {
-                        pressure_sum -= form.own * pressure;
+                        pressure_sum -= form.non_conservative * pressure;
                     }
                     if constexpr (further && may_repel<Kernel, D>) {
                         if (form.tensile > Real(0)) {

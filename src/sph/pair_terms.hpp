@@ -125,22 +125,4 @@ struct DirectionalViscosity {
     }
 };
 
-/// Viscosity along the line of centres (Monaghan & Gingold 1983; Monaghan 2005): (D+2) V_j 2 mu_ij
-/// (u.r/r^2) F r. It keeps the angular momentum, and its natural surface condition is zero traction.
-struct MonaghanGingoldViscosity {
-    template <class T, int D>
-    RIFFLE_INLINE static Components<T, D> force(const T& volume_gradient, const T& viscosity_sum,
-                                                const Components<T, D>& u, const Components<T, D>& r,
-                                                const T& r_squared) {
-        using R = scalar_of<T>;
-        const T factor =
-            R(D + 2) * volume_gradient * viscosity_sum * dot<T, D>(u, r) / (r_squared + R(1e-20));
-        Components<T, D> a{};
-        for (std::size_t k = 0; k < D; ++k) {
-            a[k] = factor * r[k];
-        }
-        return a;
-    }
-};
-
 }  // namespace riffle

@@ -227,7 +227,7 @@ void check_pair_forces() {
         for (const ViscosityForm form : {ViscosityForm::morris, ViscosityForm::monaghan_gingold,
                                          ViscosityForm::lo_shao, ViscosityForm::artificial}) {
             LoopRun<D, double> run(
-                sample, {.gradients = gradients, .viscosity = form, .impact = 3.0, .sound_speed = 1.0});
+                sample, {.gradients = gradients, .viscosity = form, .impact = 3.0, .impact_bound = 1.0});
             run.run(pair_loops<D, double>({.viscosity = form, .gradients = gradients}));
             for (std::size_t k = 0; k < D; ++k) {
                 double tensor = 0.0;
@@ -255,9 +255,10 @@ void check_uniform_pressure() {
         particle.pressure = 3.0;
         particle.u = {};
     }
-    LoopRun<D, double> run(sample, {.gradients = false, .impact = 3.0, .sound_speed = 1.0, .own = 2.0});
+    LoopRun<D, double> run(sample,
+                           {.gradients = false, .impact = 3.0, .impact_bound = 1.0, .non_conservative = 2.0});
     run.run(pair_loops<D, double>({.gradients = false, .pair_pressure = true}));
-    LoopRun<D, double> conservative(sample, {.gradients = false, .impact = 3.0, .sound_speed = 1.0});
+    LoopRun<D, double> conservative(sample, {.gradients = false, .impact = 3.0, .impact_bound = 1.0});
     conservative.run(pair_loops<D, double>({.gradients = false, .pair_pressure = true}));
     double largest = 0.0;
     double felt = 0.0;

@@ -86,8 +86,8 @@ LoopRun<D, Real>::LoopRun(const PairSample<D>& sample, const RunOptions& options
     form.by_direction = options.by_direction;
     form.direction = data.constants.directional;
     form.impact = static_cast<Real>(options.impact);
-    form.impact_bound = static_cast<Real>(options.sound_speed);
-    form.own = static_cast<Real>(options.own);
+    form.impact_bound = static_cast<Real>(options.impact_bound);
+    form.non_conservative = static_cast<Real>(options.non_conservative);
     form.tensile = static_cast<Real>(options.tensile);
     form.tensile_scale = static_cast<Real>(visit_kernel<D>(options.kernel, [&](auto kernel) {
         return 1.0 / decltype(kernel)::value(PairSample<D>::spacing / h);

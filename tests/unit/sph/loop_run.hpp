@@ -21,8 +21,8 @@ struct RunOptions {
     KernelKind kernel = KernelKind::wendland_c2;  ///< kernel and viscosity as in LoopOptions
     ViscosityForm viscosity = ViscosityForm::morris;
     double impact = 0.0;  ///< as in PairForm
-    double sound_speed = 0.0;
-    double own = 0.0;
+    double impact_bound = 0.0;
+    double non_conservative = 0.0;
     double tensile = 0.0;
     bool by_direction = false;
 };

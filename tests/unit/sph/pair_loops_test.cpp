@@ -20,7 +20,7 @@ constexpr double hydrostatic_gradient = 0.05;
 constexpr double ago = 0.002;  // pairs have come up to 0.06 h since then
 /// Low enough for the limiter of the Riemann problem to reach it in some pairs
 /// (tests/unit/sph/pair_sample.cpp).
-constexpr double sound_speed = 1.0;
+constexpr double impact_bound = 1.0;
 
 template <class Real>
 constexpr double epsilon_of = static_cast<double>(std::numeric_limits<Real>::epsilon());
@@ -61,7 +61,7 @@ struct Option {
     bool directional = false;  ///< in three dimensions
     double impact = 0.0;       ///< of the Riemann problem
     double tensile = 0.0;
-    double own = 0.0;  ///< 2: p_j - p_i
+    double non_conservative = 0.0;  ///< 2: p_j - p_i
 };
 
 template <int D>
@@ -182,8 +182,8 @@ void compare_with_plain_sums(const Option& option) {
                                   .kernel = option.kernel,
                                   .viscosity = option.viscosity,
                                   .impact = option.impact,
-                                  .sound_speed = sound_speed,
-                                  .own = option.own,
+                                  .impact_bound = impact_bound,
+                                  .non_conservative = option.non_conservative,
                                   .tensile = option.tensile,
                                   .by_direction = option.directional});
     run.run(pair_loops<D, Real>({.kernel = option.kernel,
@@ -211,8 +211,8 @@ void compare_with_plain_sums(const Option& option) {
                                               .ago = ago,
                                               .hydrostatic_gradient = hydrostatic_gradient,
                                               .impact = option.impact,
-                                              .sound_speed = sound_speed,
-                                              .own = option.own,
+                                              .impact_bound = impact_bound,
+                                              .non_conservative = option.non_conservative,
                                               .tensile = option.tensile,
                                               .weighted = option.directional,
                                               .directional = directional},
@@ -259,7 +259,7 @@ std::string name_of(const testing::TestParamInfo<Option>& info) {
            in_name(info.param.viscosity) + (info.param.layers > 0 ? "_walls" : "_periodic") +
            (info.param.gradients ? "" : "_plain") + (info.param.directional ? "_directional" : "") +
            (info.param.impact > 0.0 ? "_riemann" : "") + (info.param.tensile > 0.0 ? "_tensile" : "") +
-           (info.param.own > 0.0 ? "_own" : "");
+           (info.param.non_conservative > 0.0 ? "_nonconservative" : "");
 }
 
 std::vector<Option> all_options() {

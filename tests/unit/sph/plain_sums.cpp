@@ -152,7 +152,8 @@ class Summation {
             const double u = a.u[k] - b.u[k];
             sums.density_rate[i].add(V * u * p.gradient[k]);
             sums.tensor[k][i].add(
-                -V * (dissipation(a, b, p) + repulsion(a, b, p) - options_.own * a.pressure) * p.gradient[k]);
+                -V * (dissipation(a, b, p) + repulsion(a, b, p) - options_.non_conservative * a.pressure) *
+                p.gradient[k]);
             for (std::size_t l = 0; l < D; ++l) {
                 sums.gradient[D * k + l][i].add(-V * u * p.gradient[l]);
                 sums.tensor[k][i].add(-V * (a.stress[D * k + l] + b.stress[D * k + l]) * p.gradient[l]);
@@ -181,7 +182,8 @@ class Summation {
         const double V = b.volume;
         const bool continued = b.continuation > 0.0;
         add_moment(continued ? sums.m_continued : sums.m_wall, i, V, p);
-        const double pressure = a.pressure + b.pressure + repulsion(a, b, p) - options_.own * a.pressure;
+        const double pressure =
+            a.pressure + b.pressure + repulsion(a, b, p) - options_.non_conservative * a.pressure;
         for (std::size_t k = 0; k < D; ++k) {
             for (std::size_t l = 0; l < D; ++l) {
                 sums.density_rate[i].add(V * b.projector[D * k + l] * a.u[l] * p.gradient[k]);
@@ -275,7 +277,7 @@ class Summation {
             return 0.0;
         }
         const double difference = -scalar_product(a, b, p) / p.distance;
-        const double beta = std::min(options_.impact * std::max(difference, 0.0), options_.sound_speed);
+        const double beta = std::min(options_.impact * std::max(difference, 0.0), options_.impact_bound);
         return (1.0 + 0.5 * (a.s + b.s)) * beta * difference;
     }
 

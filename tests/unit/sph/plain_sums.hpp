@@ -44,11 +44,11 @@ struct PlainOptions {
     double diffusion = 0.0;
     double ago = 0.0;
     double hydrostatic_gradient = 0.0;
-    double impact = 0.0;       ///< Riemann problem of the pair
-    double sound_speed = 0.0;  ///< of it
-    double own = 0.0;          ///< of the particle's own pressure, taken off
-    double tensile = 0.0;      ///< Monaghan's (2000) epsilon
-    bool weighted = false;     ///< Morris' viscosity by `directional` (three dimensions)
+    double impact = 0.0;            ///< Riemann problem of the pair
+    double impact_bound = 0.0;      ///< of it
+    double non_conservative = 0.0;  ///< of the particle's own pressure, taken off
+    double tensile = 0.0;           ///< Monaghan's (2000) epsilon
+    bool weighted = false;          ///< Morris' viscosity by `directional` (three dimensions)
     DirectionalViscosity<double> directional = {};
 };
 
