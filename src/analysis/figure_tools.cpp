@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "base/interpolation.hpp"
 #include "statistics/confidence.hpp"
 
 namespace riffle {
@@ -136,11 +137,7 @@ std::vector<double> thinned(const std::vector<double>& values, std::size_t most)
 
 double interpolated(const std::vector<double>& x, const std::vector<double>& y, double at) {
     if (x.empty() || at < x.front() || at > x.back()) return std::numeric_limits<double>::quiet_NaN();
-    const auto above = std::upper_bound(x.begin(), x.end(), at);
-    if (above == x.end()) return y.back();
-    const auto i = static_cast<std::size_t>(above - x.begin());
-    const double fraction = (at - x[i - 1]) / (x[i] - x[i - 1]);
-    return y[i - 1] + fraction * (y[i] - y[i - 1]);
+    return place_in(x, at).in(y);
 }
 
 }  // namespace riffle

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "analysis/figure_tools.hpp"
+#include "base/interpolation.hpp"
 #include "base/not_a_number.hpp"
 #include "case/sphere_tiling.hpp"
 
@@ -17,19 +18,6 @@ namespace {
 std::vector<double> over(std::vector<double> values, double scale) {
     for (double& value : values) value /= scale;
     return values;
-}
-
-/// Cells before and behind a place and the weight of the latter; constant beyond the ends.
-struct Place {
-    std::size_t below, above;
-    double weight;
-};
-Place place_in(const std::vector<double>& x, double at) {
-    const auto above = std::upper_bound(x.begin(), x.end(), at);
-    if (above == x.begin()) return {0, 0, 0.0};
-    if (above == x.end()) return {x.size() - 1, x.size() - 1, 0.0};
-    const auto i = static_cast<std::size_t>(above - x.begin());
-    return {i - 1, i, (at - x[i - 1]) / (x[i] - x[i - 1])};
 }
 
 }  // namespace
@@ -101,11 +89,11 @@ double mean_above_datum(const Case& c, const std::vector<double>& z, const std::
 }
 
 std::vector<double> twin_profile(const SectionTwin& twin, const std::vector<double>& values, double y) {
-    const Place place = place_in(twin.y, y);
+    const TablePlace place = place_in(twin.y, y);
     std::vector<double> profile;
     for (std::size_t iz = 0; iz < twin.z.size(); ++iz) {
         const double* const row = &values[iz * twin.y.size()];
-        profile.push_back(row[place.below] + place.weight * (row[place.above] - row[place.below]));
+        profile.push_back(place.in(row));
     }
     return profile;
 }
@@ -124,8 +112,8 @@ std::vector<double> twin_profile(const SectionTwin& twin, const std::vector<doub
 
 double twin_value(const SectionTwin& twin, const std::vector<double>& values, double y, double z) {
     const std::vector<double> profile = twin_profile(twin, values, y);
-    const Place place = place_in(twin.z, z);
-    return profile[place.below] + place.weight * (profile[place.above] - profile[place.below]);
+    const TablePlace place = place_in(twin.z, z);
+    return place.in(profile);
 }
 
 Figure section_figure(const char* chapter, std::string key, std::string title, std::string caption,

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "base/error.hpp"
+#include "base/interpolation.hpp"
 #include "hydraulics/channel_laws.hpp"
 
 namespace riffle {
@@ -34,8 +35,7 @@ void check_uses(const CalibrationOptions& options) {
         if (std::find(uses.begin(), uses.end(), use) != uses.end()) continue;
         throw InputError(
             fmt::format("unknown measured quantity \"{}\" to fit to: choose among depth-mean, profile, "
-                        "friction-velocity, "
-                        "section",
+                        "friction-velocity, section",
                         use));
     }
 }
@@ -116,8 +116,7 @@ CalibrationTarget::CalibrationTarget(const Case& c, const CalibrationOptions& op
         (uses_profile_ && !std::all_of(profile_.uncertainty.begin(), profile_.uncertainty.end(), positive))) {
         throw InputError(
             "each measured value needs an uncertainty greater than 0: give relative uncertainties greater "
-            "than 0, "
-            "and u_uncertainty for measured velocities of 0");
+            "than 0, and u_uncertainty for measured velocities of 0");
     }
 }
 
@@ -125,14 +124,7 @@ std::vector<CalibrationTarget::SectionValue> CalibrationTarget::section_values(
     const Case& c, const SectionResult& section) const {
     std::vector<SectionValue> values;
     const std::vector<double> means = section.depth_means(c.datum(), c.total_depth());
-    const auto mean_at = [&](double y) {
-        const auto above = std::upper_bound(section.y.begin(), section.y.end(), y);
-        if (above == section.y.begin()) return means.front();
-        if (above == section.y.end()) return means.back();
-        const auto i = static_cast<std::size_t>(above - section.y.begin());
-        const double part = (y - section.y[i - 1]) / (section.y[i] - section.y[i - 1]);
-        return means[i - 1] + part * (means[i] - means[i - 1]);
-    };
+    const auto mean_at = [&](double y) { return place_in(section.y, y).in(means); };
     // The points keep their heights over the datum when the bed's elements change theirs.
     const double shift = c.datum() - case_.datum();
     for (std::size_t i = 0; i < section_.y.size(); ++i) {
@@ -280,10 +272,8 @@ std::string CalibrationTarget::contradiction() const {
     if (std::abs(mean - *depth_mean_) < deviations * depth_mean_uncertainty_) return {};
     return fmt::format(
         "the measured values contradict each other: the log law through u* = {:.4g} m/s and ks = {:.4g} m "
-        "has "
-        "the depth mean {:.4g} m/s, {:+.1f} % from the measured {:.4g} m/s, and the fit must miss one of "
-        "them; "
-        "choose what to trust with --use depth-mean or --use profile",
+        "has the depth mean {:.4g} m/s, {:+.1f} % from the measured {:.4g} m/s, and the fit must miss one "
+        "of them; choose what to trust with --use depth-mean or --use profile",
         *m.friction_velocity, *m.equivalent_roughness, mean, 100.0 * difference, *depth_mean_);
 }
 

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "base/error.hpp"
+#include "base/interpolation.hpp"
 #include "column/centreline.hpp"
 #include "column/column_grid.hpp"
 #include "column/momentum_balance.hpp"
@@ -134,16 +135,7 @@ HeightRange log_law_range(const Case& c) {
     return {c.crest(), c.datum() + share_of_depth * c.channel.depth};
 }
 
-double ColumnResult::velocity_at(double z) const {
-    const std::vector<double>& height = profile.z;
-    const std::vector<double>& u = profile.velocity;
-    if (z <= height.front()) return u.front();
-    if (z >= height.back()) return u.back();
-    const auto above = std::upper_bound(height.begin(), height.end(), z);
-    const auto i = static_cast<std::size_t>(above - height.begin());
-    const double fraction = (z - height[i - 1]) / (height[i] - height[i - 1]);
-    return u[i - 1] + fraction * (u[i] - u[i - 1]);
-}
+double ColumnResult::velocity_at(double z) const { return place_in(profile.z, z).in(profile.velocity); }
 
 ColumnResult solve_column(const Case& c, int cells) {
     check_channel(c);

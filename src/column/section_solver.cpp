@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "base/interpolation.hpp"
 #include "roughness/side_wall_partition.hpp"
 
 namespace riffle {
@@ -33,25 +34,11 @@ Eigen::VectorXd SectionFactorisation::solve(const Eigen::VectorXd& right) const 
 }
 
 double SectionResult::velocity_at(double across, double height) const {
-    struct Place {
-        std::size_t low;
-        std::size_t high;
-        double fraction;
-    };
-    const auto place = [](const std::vector<double>& at, double x) -> Place {
-        if (x <= at.front()) return {0, 0, 0.0};
-        if (x >= at.back()) return {at.size() - 1, at.size() - 1, 0.0};
-        const auto high = static_cast<std::size_t>(std::upper_bound(at.begin(), at.end(), x) - at.begin());
-        return {high - 1, high, (x - at[high - 1]) / (at[high] - at[high - 1])};
-    };
-    const Place column = place(y, across);
-    const Place row = place(z, height);
-    const auto along = [&](std::size_t iz) {
-        const double* const u = velocity.data() + iz * y.size();
-        return u[column.low] + column.fraction * (u[column.high] - u[column.low]);
-    };
+    const TablePlace column = place_in(y, across);
+    const TablePlace row = place_in(z, height);
+    const auto along = [&](std::size_t iz) { return column.in(velocity.data() + iz * y.size()); };
     const double low = along(row.low);
-    return low + row.fraction * (along(row.high) - low);
+    return low + row.share * (along(row.high) - low);
 }
 
 std::vector<double> SectionResult::depth_means(double datum, double total_depth) const {

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -10,6 +9,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/interpolation.hpp"
 #include "base/not_a_number.hpp"
 
 namespace riffle {
@@ -32,15 +32,6 @@ void require_rising(const ProfileSpan& profile, std::string_view name) {
                         "{}, value {}",
                         name, i + 1, profile.z[i], profile.value[i]));
     }
-}
-
-/// Value at z within the range of the profile.
-double interpolated(const ProfileSpan& profile, double z) {
-    const auto above = std::lower_bound(profile.z.begin(), profile.z.end(), z);
-    const auto i = static_cast<std::size_t>(above - profile.z.begin());
-    if (*above == z) return profile.value[i];
-    const double share = (z - profile.z[i - 1]) / (profile.z[i] - profile.z[i - 1]);
-    return profile.value[i - 1] + share * (profile.value[i] - profile.value[i - 1]);
 }
 
 ComparedPoint compared(double z, double measured, double computed) {
@@ -82,7 +73,7 @@ ProfileComparison compare_profiles(const ProfileSpan& computed, const ProfileSpa
         } else if (const auto reason = outside(computed, z)) {
             result.left_out.push_back({z, value, *reason});
         } else {
-            result.points.push_back(compared(z, value, interpolated(computed, z)));
+            result.points.push_back(compared(z, value, place_in(computed.z, z).in(computed.value)));
         }
     }
     return with_errors(std::move(result));
@@ -105,7 +96,8 @@ ProfileComparison compare_gradients(const ProfileSpan& computed, const ProfileSp
             result.left_out.push_back({z, gradient, *reason});
             continue;
         }
-        const double difference = interpolated(computed, upper) - interpolated(computed, lower);
+        const double difference =
+            place_in(computed.z, upper).in(computed.value) - place_in(computed.z, lower).in(computed.value);
         result.points.push_back(compared(z, gradient, difference / (upper - lower)));
     }
     return with_errors(std::move(result));

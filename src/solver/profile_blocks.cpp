@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 
+#include "base/interpolation.hpp"
 #include "base/parallel.hpp"
 #include "particles/lattice.hpp"
 #include "statistics/confidence.hpp"
@@ -17,19 +18,13 @@ constexpr std::size_t index(LayerQuantity q) { return static_cast<std::size_t>(q
 
 /// Stress of a twin at height z, Pa, from its profile: rho g S0 (H - z) less the drag above z.
 double stress_at(const std::vector<double>& height, const std::vector<double>& stress, double z) {
-    const auto above = std::upper_bound(height.begin(), height.end(), z);
-    if (above == height.begin()) {
-        return stress.front();
-    }
-    if (above == height.end()) {
+    if (z >= height.back()) {
         // Above the last cell centre the stress goes to zero at the surface on its straight line.
         const double dz = height[height.size() - 1] - height[height.size() - 2];
         const double slope = (stress[stress.size() - 1] - stress[stress.size() - 2]) / dz;
         return stress.back() + slope * (z - height.back());
     }
-    const auto i = static_cast<std::size_t>(above - height.begin());
-    const double fraction = (z - height[i - 1]) / (height[i] - height[i - 1]);
-    return stress[i - 1] + fraction * (stress[i] - stress[i - 1]);
+    return place_in(height, z).in(stress);
 }
 
 /// Mean of the section's stress tau_xz across the channel at each of its heights, Pa.
