@@ -49,8 +49,7 @@ void add_cells(const Distribution& d, double scale, const Case& c, Figure& figur
                      "undulation of the bed stress over its mean, by cells (2.29)", "1", fit.amplitude),
         secondary_flow_bed_amplitude, "Wang & Cheng, over strips");
     finding.remark = fmt::format(
-        "cells {:.3g} H wide, fitted a depth and more from side walls; the thesis' "
-        "runs: 0.9 to 1.2 H",
+        "cells {:.3g} H wide, fitted a depth and more from side walls; the thesis' runs: 0.9 to 1.2 H",
         fit.cell_width.value / c.total_depth());
     analysis.findings.push_back(std::move(finding));
     Curve curve = make_curve("cells (2.29)", Origin::fit, Mark::line, {}, {});

@@ -104,9 +104,8 @@ void add_channel_numbers(const FlowRecord& record, Analysis& analysis) {
     add("froude", "Froude number", "1", [&](double u) { return froude_number(u, c.fluid.gravity, depth); });
     Figure figure =
         make_figure(chapters::fits, "friction_factor", "Friction factor",
-                    "Friction factor of Darcy and Weisbach against the relative roughness ks/R with "
-                    "the law of Colebrook and White for wide channels at the Reynolds number of "
-                    "the flow.",
+                    "Friction factor of Darcy and Weisbach against the relative roughness ks/R with the "
+                    "law of Colebrook and White for wide channels at the Reynolds number of the flow.",
                     "thesis (2.6), (2.9)", make_axis("relative roughness ks/R", "1", true),
                     make_axis("friction factor f", "1", true));
     add_friction_figure(c, record.origin(), analysis, velocity, factor, figure);

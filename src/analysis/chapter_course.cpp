@@ -94,8 +94,7 @@ void add_level_lines(const FlowRecord& record, const SpaceTime& surface, Analysi
         figure.curves.push_back(std::move(exact));
         figure.caption +=
             " Theory: a dam that is gone at once before a long reservoir on a bed without friction (Ritter "
-            "1892), up "
-            "to when its waves come to an end of the channel.";
+            "1892), up to when its waves come to an end of the channel.";
     }
     analysis.figures.push_back(std::move(figure));
 }

@@ -39,8 +39,7 @@ void add_instruments(const FlowRecord& record, const char* kind, Figure figure, 
     solids.title = "Forces on the bodies";
     solids.caption = fmt::format(
         "Forces of the water on each solid, {}: downstream, of that by the pressure on its faces (form "
-        "drag), and away "
-        "from the bed; the weight of still water on their tops is in them.",
+        "drag), and away from the bed; the weight of still water on their tops is in them.",
         figure.y.unit == "N" ? "of the whole channel" : "per unit width");
     solids.source = "";
     constexpr std::size_t most = 3000;

@@ -146,8 +146,7 @@ void analyse_profiles(const FlowRecord& record, Analysis& analysis) {
         if (!record.velocity_grids().empty()) add_plane_maps(record, analysis);
         analysis.warnings.emplace_back(
             "of a profile without its case only the velocity is drawn: --case CASE.toml gives depth, slope "
-            "and "
-            "datum");
+            "and datum");
         return;
     }
     if (p.empty() || p.velocity.empty()) {

@@ -265,9 +265,8 @@ void add_space_vortices(const Setting& s, Analysis& analysis) {
     }
     const std::vector<std::vector<std::size_t>> regions = connected_regions(box, marked, 8);
     Finding count = make_finding(chapters::secondary, "vortex_regions",
-                                 "regions of the mean flow in space with Q above "
-                                 "its rms",
-                                 "1", static_cast<double>(regions.size()));
+                                 "regions of the mean flow in space with Q above its rms", "1",
+                                 static_cast<double>(regions.size()));
     count.remark = fmt::format(
         "of at least 8 cells; Q > rms in {:.2g} % of the water; behind the spheres "
         "the mean flow turns at each of them",
@@ -309,8 +308,7 @@ void analyse_secondary(const FlowRecord& record, Analysis& analysis) {
             make_figure(chapters::secondary, "secondary_strength_averaging",
                         "Strength of the secondary flow against averaging time", "", "",
                         make_axis("averaging time T", "s", true), make_axis("strength over U", "1", true)),
-            field.empty() ? "the results file holds no window of the mean field within the averaging "
-                            "window"
+            field.empty() ? "the results file holds no window of the mean field within the averaging window"
                           : "no depth-mean velocity is known to compare with");
         return;
     }

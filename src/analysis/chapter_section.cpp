@@ -41,8 +41,7 @@ std::vector<double> twin_on_cells(const SectionTwin& twin, const std::vector<dou
 
 std::string window_text(const MeanFlow& field) {
     return fmt::format(
-        "Means over the length of the channel and {} window{} of {:.3g} s, {:.4g} s to "
-        "{:.4g} s.",
+        "Means over the length of the channel and {} window{} of {:.3g} s, {:.4g} s to {:.4g} s.",
         field.time.size(), field.time.size() == 1 ? "" : "s", field.interval,
         field.time.front() - field.interval, field.time.back());
 }

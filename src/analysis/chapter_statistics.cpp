@@ -89,8 +89,7 @@ void add_settling(const FlowRecord& record, const WindowRecord& window, Analysis
         make_figure(chapters::statistics, window.prefix + "_settling",
                     fmt::format("Settling of the mean of {}", window.symbol),
                     "Mean from the start of the window up to each time, with its 95 % interval, over the "
-                    "mean of the whole "
-                    "window.",
+                    "mean of the whole window.",
                     "thesis Figs 4.4-4.5, 5.10", make_axis("time t", "s"),
                     make_axis("running mean over final mean", "1"));
     attempt(record, analysis, std::move(figure), [&](Figure& f) {

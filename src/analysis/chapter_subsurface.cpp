@@ -89,8 +89,7 @@ void add_scales(const FlowRecord& record, const VelocityInstrument& instrument, 
     Figure figure =
         make_figure(chapters::subsurface, "integral_scale_profile", "Integral length scale of the velocity",
                     "Integral length scale of u' over the depth, by Taylor's hypothesis from its "
-                    "autocorrelation in time up to "
-                    "the first zero crossing.",
+                    "autocorrelation in time up to the first zero crossing.",
                     "Tennekes & Lumley (1972)", make_axis("integral length scale", "m"),
                     make_axis("height above the bed level z", "m"));
     Curve curve = make_curve(instrument.probe->name, record.origin(), Mark::line_and_points, {}, {});
@@ -150,8 +149,7 @@ void add_spectra(const FlowRecord& record, const VelocityInstrument& instrument,
         chapters::subsurface, vertical ? "vertical_velocity_spectrum" : "velocity_spectrum",
         fmt::format("Spectrum of {}", vertical ? "the vertical velocity" : "the streamwise velocity"),
         "One-sided power spectral density by Welch's method (eighths of the record, Hann windows, half "
-        "overlap), "
-        "averaged over 20 bins per decade; bars: 95 % intervals.",
+        "overlap), averaged over 20 bins per decade; bars: 95 % intervals.",
         "thesis chapters 4-5, power spectra with the -5/3 line", make_axis("frequency f", "Hz", true),
         make_axis(fmt::format("power spectral density of {}", symbol), "m2/s", true));
     attempt(record, analysis, std::move(figure), [&](Figure& f) {

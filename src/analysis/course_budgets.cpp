@@ -105,8 +105,7 @@ void add_energies(const FlowRecord& record, Analysis& analysis) {
         add("change of kinetic, potential and elastic together", total, 2);
         figure.caption +=
             ", potential energy less that of the start, and what all energy, that of the compression too, "
-            "has changed "
-            "by. Friction takes energy away; without moving bodies nothing adds any.";
+            "has changed by. Friction takes energy away; without moving bodies nothing adds any.";
         if (most > 0.0) {
             analysis.findings.push_back(make_finding(chapters::course, "energy_change",
                                                      "change of all energy over the largest kinetic energy",

@@ -46,8 +46,7 @@ std::vector<HeightCorrelation> depth_correlation(std::span<const HeightRecord> v
     if (!(interval > 0.0) || !(largest_lag >= 0.0)) {
         throw InputError(
             fmt::format("correlation over depth: interval {:.4g} s and largest lag {:.4g} s; an interval "
-                        "above 0 and a lag of at "
-                        "least 0 are needed",
+                        "above 0 and a lag of at least 0 are needed",
                         interval, largest_lag));
     }
     const auto lags = static_cast<std::size_t>(largest_lag / interval + 1e-6);

@@ -164,8 +164,7 @@ struct LaboratoryRecord::Impl {
         if (rows.size() < plane.z.size()) {
             warnings.push_back(
                 fmt::format("vectors are missing at {} of {} heights of the column x = {:.4g} mm; spectra "
-                            "and quadrants are "
-                            "those of the others",
+                            "and quadrants are those of the others",
                             plane.z.size() - rows.size(), plane.z.size(), 1000.0 * plane.x[middle]));
         }
         if (rows.empty()) return;

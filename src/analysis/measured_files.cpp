@@ -217,9 +217,8 @@ void add_measured_file(const std::filesystem::path& path, const Case& c, FlowRec
         case LaboratoryKind::waves:
             throw FileError(
                 path.string() +
-                ": --measured takes time means: a profile (column z), points of a cross-section (y) or "
-                "a field of velocities (x, z, u, w); records over time are analysed by naming them as "
-                "inputs");
+                ": --measured takes time means: a profile (column z), points of a cross-section (y) or a "
+                "field of velocities (x, z, u, w); records over time are analysed by naming them as inputs");
     }
 }
 

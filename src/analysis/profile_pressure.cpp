@@ -85,8 +85,7 @@ void add_pressure(const FlowRecord& record, const Profiles& p, Analysis& analysi
     Figure departure =
         profile_figure("pressure_departure_profile", "Departure of the pressure from hydrostatic",
                        "Time-mean pressure of the particles less the hydrostatic pressure below the mean "
-                       "surface level, over "
-                       "that at the bed level.",
+                       "surface level, over that at the bed level.",
                        "", make_axis("pressure departure over bottom pressure", "1"));
     std::vector<double> share;
     for (std::size_t i = 0; i < p.z.size(); ++i)

@@ -147,10 +147,8 @@ SurfaceMaps read_surface_maps(const ResultsReader& reader, const TimeWindow& win
     while (end < std::min(time.size(), shape[0]) && time[end] <= window.to + 1e-9) ++end;
     const std::size_t most = std::max<std::size_t>(2, most_values / std::max<std::size_t>(1, points));
     if (end - first > most) {
-        warnings.push_back(
-            fmt::format("of {} plan maps of the surface in the window the last {} were "
-                        "analysed",
-                        end - first, most));
+        warnings.push_back(fmt::format(
+            "of {} plan maps of the surface in the window the last {} were analysed", end - first, most));
         first = end - most;
     }
     if (points == 0 || first == end) return maps;

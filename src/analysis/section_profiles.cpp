@@ -221,8 +221,7 @@ void add_lateral(const FlowRecord& record, Analysis& analysis) {
         if (count > 0.0) {
             Finding finding = make_finding(
                 chapters::section, "lateral_velocity_error_rms",
-                "rms relative departure of the depth-mean velocity across the channel from the section "
-                "twin",
+                "rms relative departure of the depth-mean velocity across the channel from the section twin",
                 "1", std::sqrt(squares / count));
             finding.remark = "outside of the side walls' layers";
             analysis.findings.push_back(std::move(finding));

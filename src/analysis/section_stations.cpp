@@ -111,9 +111,8 @@ class StationFigures {
         take(stress_, "none of the thesis' distances from the wall lies in this channel");
         if (!simulated_) return;
         const char* const without =
-            "no profiles at distances from the side wall were measured: --measured FILE.csv with columns y, "
-            "z "
-            "and u";
+            "no profiles at distances from the side wall were measured: --measured FILE.csv with columns "
+            "y, z and u";
         take(error_, without);
         take(gradient_, without);
         if (std::isfinite(most_)) {
@@ -319,9 +318,8 @@ void add_section_stations(const FlowRecord& record, Analysis& analysis) {
     if (!c.has_side_walls() && record.origin() == Origin::simulated) {
         if (!record.measured().section.empty()) {
             analysis.warnings.emplace_back(
-                "the points measured across the channel are not compared with: the run has no side walls to "
-                "count "
-                "their distances from");
+                "the points measured across the channel are not compared with: the run has no side walls "
+                "to count their distances from");
         }
         return;
     }

@@ -261,8 +261,7 @@ void require_wet(const SpaceTime& data, const char* purpose) {
         if (std::isnan(data.values[n])) {
             throw InputError(fmt::format(
                 "{}: no surface at x = {:.6g} m, t = {:.6g} s ({:.2g} % of the points are dry); choose "
-                "columns and a "
-                "window that stay wet",
+                "columns and a window that stay wet",
                 purpose, data.x(n % data.columns), data.times[n / data.columns], 100.0 * dry_share(data)));
         }
     }

@@ -27,10 +27,9 @@ template <class Correlate>
 double add_correlation(const FlowRecord& record, const Correlate& correlate, Analysis& analysis) {
     Figure figure =
         make_figure(chapters::surface, "surface_correlation", "Spatial correlation of the surface",
-                    "Correlation of the elevation at two places against their distance, mean "
-                    "over places and time, with 95 % "
-                    "intervals; fitted: exp(-rho^2/sigma_w^2) cos(2 pi rho/L0), along a periodic "
-                    "line with its periodic images.",
+                    "Correlation of the elevation at two places against their distance, mean over places "
+                    "and time, with 95 % intervals; fitted: exp(-rho^2/sigma_w^2) cos(2 pi rho/L0), along "
+                    "a periodic line with its periodic images.",
                     "thesis (2.32), Horoshenkov et al. (2013)", make_axis("distance rho", "m"),
                     make_axis("correlation W", "1"));
     double found = 0.0;
@@ -270,8 +269,7 @@ void add_place_patterns(const FlowRecord& record, const std::vector<SurfaceStati
         if (pairs.empty() || pairs.front().distance > flow->channel.depth) {
             analysis.warnings.emplace_back(
                 "the nearest places are further apart than a water depth, about half a pattern of the "
-                "surface: "
-                "neither its celerity nor L0 can be had from their lags alone");
+                "surface: neither its celerity nor L0 can be had from their lags alone");
             return;
         }
     }

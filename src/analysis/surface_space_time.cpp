@@ -25,9 +25,8 @@ void add_surface_space_time(const FlowRecord& record, const SpaceTime& line, Ana
     Figure figure = make_figure(
         chapters::surface, "surface_space_time_correlation", "Correlation of the surface in space and time",
         "Cross-correlation of the elevation at two places, mean over all pairs at a distance, against the "
-        "lag "
-        "of the one downstream; the lines are the advection with the depth-mean velocity U and with the "
-        "celerity found from the extremes.",
+        "lag of the one downstream; the lines are the advection with the depth-mean velocity U and with "
+        "the celerity found from the extremes.",
         "thesis (4.7), Fig. 5.34", make_axis("time lag tau", "s"), make_axis("distance xi", "m"));
     const double velocity = bulk_velocity(record);
     attempt(record, analysis, std::move(figure), [&](Figure& f) {

@@ -155,9 +155,8 @@ void add_station_spectra(const FlowRecord& record, const std::vector<SurfaceStat
                          Analysis& analysis) {
     Figure figure = make_figure(
         chapters::surface, "surface_frequency_spectrum", "Spectrum of the surface elevation in frequency",
-        "One-sided power spectral density by Welch's method (eighths of the record, Hann "
-        "windows, half overlap), "
-        "averaged over 20 bins per decade; bars: 95 % intervals.",
+        "One-sided power spectral density by Welch's method (eighths of the record, Hann windows, half "
+        "overlap), averaged over 20 bins per decade; bars: 95 % intervals.",
         "thesis chapters 4-5, power spectra", make_axis("frequency f", "Hz", true),
         make_axis("power spectral density", "m2/Hz", true));
     attempt(record, analysis, std::move(figure), [&](Figure& f) {

@@ -19,10 +19,9 @@ namespace riffle {
 namespace {
 
 constexpr const char* message =
-    "out of memory: this takes more than the system gives. `riffle check CASE` says what a run needs; take a "
-    "larger spacing, a shorter channel or fewer records, or a computer with more memory. A run goes on from "
-    "its "
-    "last checkpoint: `riffle resume DIR`\n";
+    "out of memory: this takes more than the system gives. `riffle check CASE` says what a run needs; take "
+    "a larger spacing, a shorter channel or fewer records, or a computer with more memory. A run goes on "
+    "from its last checkpoint: `riffle resume DIR`\n";
 
 std::atomic<int> log_descriptor = -1;
 

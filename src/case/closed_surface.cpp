@@ -203,9 +203,7 @@ class Surface {
         triangles_.resize(kept);
         if (triangles_.empty()) {
             throw FileError(
-                fmt::format("{}: holds no triangle with an area: give the closed surface of a "
-                            "body",
-                            name_));
+                fmt::format("{}: holds no triangle with an area: give the closed surface of a body", name_));
         }
     }
 

@@ -188,8 +188,7 @@ std::variant<Value, std::string> convert_list(const Key& key, const RawValue& ra
     }
     if (items.size() > longest_list) {
         return fmt::format(
-            "{} holds {} values: expected at most {}; leave out what is finer than the particle "
-            "spacing",
+            "{} holds {} values: expected at most {}; leave out what is finer than the particle spacing",
             shown_name(key), items.size(), longest_list);
     }
     std::vector<double> numbers;

@@ -70,19 +70,16 @@ bool resolves_eddies(const Case& c) {
 std::optional<std::string> why_no_column(const Case& c) {
     if (c.channel.top == Top::periodic) {
         return "the box repeats itself over its height too (channel.top = \"periodic\"): it has neither a "
-               "bed nor "
-               "a surface between which a flow could be uniform";
+               "bed nor a surface between which a flow could be uniform";
     }
     if (c.channel.ends == Ends::walls) {
-        return "walls close the channel at its ends (channel.ends = \"walls\"), so no steady flow runs along "
-               "it: a "
-               "uniform flow needs channel.ends = \"periodic\" and channel.slope > 0";
+        return "walls close the channel at its ends (channel.ends = \"walls\"), so no steady flow runs "
+               "along it: a uniform flow needs channel.ends = \"periodic\" and channel.slope > 0";
     }
     if (!c.solids.empty()) {
         return fmt::format(
-            "the flow meets the solid \"{}\"{}, around which it is not uniform: the balance of a column has "
-            "no "
-            "drag of bodies. Without the [[solid]] the case has a uniform flow to compare with",
+            "the flow meets the solid \"{}\"{}, around which it is not uniform: the balance of a column "
+            "has no drag of bodies. Without the [[solid]] the case has a uniform flow to compare with",
             c.solids.front().name,
             c.solids.size() > 1 ? fmt::format(" and {} more", c.solids.size() - 1) : std::string());
     }
@@ -94,9 +91,8 @@ std::optional<std::string> why_no_column(const Case& c) {
         return "nothing drives a steady flow (channel.slope = 0): a uniform flow needs channel.slope > 0";
     }
     if (!c.start.water_x.empty()) {
-        return "the water starts within an outline (start.water_x), so the depth of its uniform flow is not "
-               "that of "
-               "the case: leave the outline out";
+        return "the water starts within an outline (start.water_x), so the depth of its uniform flow is "
+               "not that of the case: leave the outline out";
     }
     if (resolves_eddies(c)) {
         return "the eddies of the flow are resolved and carry its stress, which no model of the mean flow "

@@ -194,8 +194,7 @@ struct Words<StepRule> {
          "C times the smaller of sqrt(h / a) and h / (c0 + the largest velocity of a pair along its line)",
          "thesis (2.53); Monaghan & Kos (1999)",
          "to repeat the thesis, and violent flow with a low speed of sound; the pairs are looked at once "
-         "more "
-         "in each step, in plain code"},
+         "more in each step, in plain code"},
     }};
 };
 
@@ -214,11 +213,10 @@ struct Words<WallKind> {
          "al.)",
          "s_w = s_g + (x_w - x_g).grad s, s_g and its gradient by Liu & Liu's first-order interpolation "
          "(English et al. 2022)",
-         "plane walls of still water and laminar flow, as accurate as dummy: at rest within 1e-4 sqrt(g H), "
-         "its pressure within 0.5 %, Poiseuille flow within 0.07 %. In a stirred channel dummy is better "
-         "(spurious stress 0.4 % of the bed's, here 1.0 %, U 1.3 % lower). Only with density diffusion: "
-         "without "
-         "it the pressure of still water scatters by 14 %"},
+         "plane walls of still water and laminar flow, as accurate as dummy: at rest within 1e-4 sqrt(g "
+         "H), its pressure within 0.5 %, Poiseuille flow within 0.07 %. In a stirred channel dummy is "
+         "better (spurious stress 0.4 % of the bed's, here 1.0 %, U 1.3 % lower). Only with density "
+         "diffusion: without it the pressure of still water scatters by 14 %"},
         {"repulsive",
          "one row of particles that push the water away (Monaghan & Kos): no pressure, no friction",
          "n R(y) P(x) eps, R = (g H / h) (1 - q) / sqrt(q), q = y / (2 dx) (Monaghan & Kos 1999; SPHysics)",

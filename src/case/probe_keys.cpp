@@ -40,8 +40,7 @@ SectionKeys probe_keys() {
             .applies_with(kind, {"velocity", "wave", "flow_rate", "pressure"}, true));
     s.keys.push_back(key("y", &Probe::y,
                          "Positions across a three-dimensional channel: one, or as many as x (velocity and "
-                         "pressure: as the "
-                         "points).")
+                         "pressure: as the points).")
                          .measured_in(length)
                          .may_be_empty()
                          .with_default_note("the centreline")

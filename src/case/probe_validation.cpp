@@ -223,8 +223,7 @@ class ProbeValidation {
         const double interval = 1.0 / p_.sampling_frequency;
         if (p_.averaging_time < 2.0 * interval * (1.0 - 1e-9)) {
             add("averaging_time",
-                fmt::format("averaging_time is {:.6g} s, less than two samples at {:.6g} Hz: make it "
-                            "longer",
+                fmt::format("averaging_time is {:.6g} s, less than two samples at {:.6g} Hz: make it longer",
                             p_.averaging_time, p_.sampling_frequency));
         }
         if (p_.start + p_.averaging_time > c_.run.time * (1.0 + 1e-9)) {

@@ -77,8 +77,7 @@ const std::vector<SchemeRule>& scheme_rules() {
         {{"numerics.impact_dissipation", "numerics.viscosity"},
          "`impact_dissipation` above 0 with `viscosity = \"artificial\"`",
          "both damp approaching particles, and no viscosity of the water would be left; set it to 0, or "
-         "choose "
-         "viscosity = \"morris\"",
+         "choose viscosity = \"morris\"",
          [](const Case& c) {
              return c.numerics.impact_dissipation > 0.0 && c.numerics.viscosity == ViscosityForm::artificial;
          }},

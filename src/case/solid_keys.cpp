@@ -9,8 +9,7 @@ namespace riffle {
 SectionKeys solid_keys() {
     using enum Dimension;
     SectionKeys s{"solid",
-                  "A body that the water flows around; any number of them, each under "
-                  "[[solid]].",
+                  "A body that the water flows around; any number of them, each under [[solid]].",
                   {},
                   [](const Case& c) { return c.solids.size(); }};
     const auto key = [](const char* name, auto member, const char* meaning) {

@@ -107,9 +107,8 @@ class SolidValidation {
         }
         if (c_.channel.top != Top::wall) {
             add({"channel.lid_velocity", "channel.top"},
-                fmt::format("[channel] lid_velocity: the lid is the wall at the top, and the top is \"{}\"; "
-                            "set top = "
-                            "\"wall\" or remove the key",
+                fmt::format("[channel] lid_velocity: the lid is the wall at the top, and the top is "
+                            "\"{}\"; set top = \"wall\" or remove the key",
                             word(c_.channel.top)));
             return;
         }
@@ -219,8 +218,7 @@ class SolidValidation {
         if (solid.x.empty() || solid.z.empty()) {
             say("x",
                 "x or z is missing: give the corners of its outline, for example x = [\"100 mm\", \"140 "
-                "mm\", "
-                "\"120 mm\"] and z = [\"0 mm\", \"0 mm\", \"20 mm\"]");
+                "mm\", \"120 mm\"] and z = [\"0 mm\", \"0 mm\", \"20 mm\"]");
             return;
         }
         const Outline outline{solid.x, solid.z};
@@ -306,8 +304,7 @@ class SolidValidation {
         }
         if (!constant && ((solid.amplitude_x == 0.0 && solid.amplitude_z == 0.0) || solid.frequency <= 0.0)) {
             say("motion",
-                "swings by nothing: give amplitude_x or amplitude_z and frequency, or motion = "
-                "\"fixed\"");
+                "swings by nothing: give amplitude_x or amplitude_z and frequency, or motion = \"fixed\"");
         }
         if (solid.start >= c_.run.time) {
             say("start",

@@ -52,8 +52,7 @@ class SpaceValidation {
         if (c_.bed.drag_form == DragForm::slice || c_.bed.drag_form == DragForm::plan_mean) {
             add({"bed.drag_form", "channel.dimensions"},
                 "[bed] drag_form = \"slice\" or \"plan-mean\" goes with [channel] dimensions = 3; in two "
-                "dimensions choose "
-                "\"consistent\", which is its plan mean");
+                "dimensions choose \"consistent\", which is its plan mean");
         }
         if (c_.start.lattice == StartLattice::body_centred) {
             add({"start.lattice", "channel.dimensions"},
@@ -169,8 +168,7 @@ class SpaceValidation {
         if (layer <= 0.0) {
             add({"side_walls.layer", "bed.roughness_height"},
                 "[side_walls] layer is missing: on a smooth bed there is no roughness height to take it "
-                "from; "
-                "give a length, or drag_form = \"none\"");
+                "from; give a length, or drag_form = \"none\"");
             return;
         }
         if (layer < c_.numerics.spacing) {

@@ -158,8 +158,7 @@ class Validation {
         if (c_.fluid.gravity != 0) {
             add({"fluid.gravity", "channel.top"},
                 "[fluid] gravity must be 0 with [channel] top = \"periodic\", where no bed carries the "
-                "water: set it "
-                "to 0");
+                "water: set it to 0");
         }
     }
 
@@ -183,16 +182,14 @@ class Validation {
                 if (s.file.empty()) {
                     add({"start.file", "start.kind"},
                         "[start] file is missing: kind = \"results\" needs the results file to start from, "
-                        "for "
-                        "example file = \"run/results.h5\"");
+                        "for example file = \"run/results.h5\"");
                 }
                 break;
             case StartKind::standing_wave:
                 if (s.amplitude <= 0 && !s.velocity) {
                     add({"start.amplitude", "start.kind"},
-                        "[start] kind = \"standing-wave\" needs an amplitude of the surface greater than 0, "
-                        "for "
-                        "example amplitude = \"1 mm\", or a velocity amplitude");
+                        "[start] kind = \"standing-wave\" needs an amplitude of the surface greater than "
+                        "0, for example amplitude = \"1 mm\", or a velocity amplitude");
                 }
                 if (s.amplitude >= c_.total_depth()) {
                     add({"start.amplitude"},
@@ -203,9 +200,8 @@ class Validation {
             case StartKind::taylor_green:
                 if (!s.velocity) {
                     add({"start.velocity", "start.kind"},
-                        "[start] velocity is missing: kind = \"taylor-green\" needs the velocity amplitude, "
-                        "for "
-                        "example velocity = \"1 m/s\"");
+                        "[start] velocity is missing: kind = \"taylor-green\" needs the velocity "
+                        "amplitude, for example velocity = \"1 m/s\"");
                 }
                 if (c_.channel.top != Top::periodic) {
                     add({"start.kind"},
@@ -253,8 +249,7 @@ class Validation {
         if (c_.run.until == RunUntil::converged && c_.channel.slope == 0 && c_.stirring.acceleration == 0) {
             add({"run.until", "channel.slope"},
                 "[run] until = \"converged\" needs a flow that becomes steady: with slope = 0 give a time, "
-                "for "
-                "example until = \"5 s\"");
+                "for example until = \"5 s\"");
         }
     }
 

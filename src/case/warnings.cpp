@@ -61,8 +61,7 @@ class Warnings {
         const double over_depth = space ? space_rows_over_depth : rows_over_depth;
         if (spacing > c_.bed.roughness_height / in_roughness * (1 + small)) {
             add("numerics.spacing: {} leaves only {:.1f} rows in the roughness zone of {}; verified with "
-                "{:.0f} "
-                "and more ({} here)",
+                "{:.0f} and more ({} here)",
                 shown_length(spacing), c_.bed.roughness_height / spacing,
                 shown_length(c_.bed.roughness_height), in_roughness,
                 shown_length(c_.bed.roughness_height / in_roughness));
@@ -98,11 +97,10 @@ class Warnings {
     void pressure() {
         const Numerics& n = c_.numerics;
         if (n.pressure_form == PressureForm::symmetric) {
-            add("numerics.pressure_form: in the symmetric form any disorder of the particles turns 0.2-0.4 % "
-                "of the "
-                "pressure into a shear stress as large as the flow's own friction, which refinement does not "
-                "cure; "
-                "the mean velocity is then 4-30 % low. Use \"corrected\" unless this is what you study");
+            add("numerics.pressure_form: in the symmetric form any disorder of the particles turns 0.2-0.4 "
+                "% of the pressure into a shear stress as large as the flow's own friction, which "
+                "refinement does not cure; the mean velocity is then 4-30 % low. Use \"corrected\" unless "
+                "this is what you study");
         }
         if (n.kernel_correction == KernelCorrection::kernel) {
             add("numerics.kernel_correction: \"kernel\" leaves the spurious shear stress of the symmetric "
@@ -111,9 +109,8 @@ class Warnings {
         }
         if (n.has_riemann_problem()) {
             add("numerics.pressure_form: a Riemann form keeps the spurious shear stress of the symmetric "
-                "one, and the mean velocity is low with it; use \"corrected\" unless this is what you study, "
-                "and "
-                "preset = \"violent\" for impacts");
+                "one, and the mean velocity is low with it; use \"corrected\" unless this is what you "
+                "study, and preset = \"violent\" for impacts");
         }
         if (n.density_diffusion == DensityDiffusion::molteni && c_.channel.top == Top::free_surface) {
             add("numerics.density_diffusion: \"molteni\" diffuses the hydrostatic difference too, and moves "
@@ -128,9 +125,8 @@ class Warnings {
         }
         if (n.density_diffusion == DensityDiffusion::fourtakas && delta < 0.1 - small &&
             n.smoothing_ratio < 2.0) {
-            add("numerics.density_diffusion_coefficient: with h = {} dx use 0.1; {} lets density and spacing "
-                "drift "
-                "apart in a disordered flow",
+            add("numerics.density_diffusion_coefficient: with h = {} dx use 0.1; {} lets density and "
+                "spacing drift apart in a disordered flow",
                 n.smoothing_ratio, delta);
         }
         if (n.xsph > 0) {
@@ -147,16 +143,14 @@ class Warnings {
         constexpr double allowed_compression = 0.02;
         if (compression > allowed_compression) {
             add("numerics.sound_speed: at {} m/s the water's own weight compresses it by {:.1f} % at the "
-                "bed; take at "
-                "least {:.2g} m/s (10 sqrt(g H))",
+                "bed; take at least {:.2g} m/s (10 sqrt(g H))",
                 speed, 100 * compression, 10 * std::sqrt(c_.normal_gravity() * c_.total_depth()));
         }
         const double from_measured = c_.measured.depth_mean_velocity.value_or(0.0) * velocity_to_maximum;
         const double velocity = std::max(from_measured, std::abs(c_.start.velocity.value_or(0.0)));
         if (speed < 10 * velocity) {
             add("numerics.sound_speed: {} m/s is less than 10 times the largest velocity of about {:.2g} "
-                "m/s; the "
-                "density would vary by more than 1 %",
+                "m/s; the density would vary by more than 1 %",
                 speed, velocity);
         }
     }
@@ -169,8 +163,7 @@ class Warnings {
         }
         if (n.viscosity == ViscosityForm::artificial) {
             add("numerics.viscosity: \"artificial\" is no viscosity of the water: it grows with c0 and h, "
-                "and a shear "
-                "flow with it does not converge to the profile of fluid.kinematic_viscosity");
+                "and a shear flow with it does not converge to the profile of fluid.kinematic_viscosity");
         }
         if (c_.turbulence.closure == ClosureKind::none) {
             if (c_.bed.kind == BedKind::spheres) {
@@ -181,15 +174,12 @@ class Warnings {
         }
         if (n.eddy_stress == EddyStress::stress_divergence) {
             add("numerics.eddy_stress: with \"stress-divergence\" the velocity zigzags from row to row; "
-                "verified with "
-                "\"two-point\"");
+                "verified with \"two-point\"");
         }
         if (c_.turbulence.closure == ClosureKind::sps) {
-            add("turbulence.closure: the constant-C_s model at this resolution gives a stress far below the "
-                "weight of "
-                "the water above, so the velocity does not settle at a real value; it is offered to show "
-                "this. Use a "
-                "mixing length (\"ramp\", \"nezu-rodi\", \"nikuradse\")");
+            add("turbulence.closure: the constant-C_s model at this resolution gives a stress far below "
+                "the weight of the water above, so the velocity does not settle at a real value; it is "
+                "offered to show this. Use a mixing length (\"ramp\", \"nezu-rodi\", \"nikuradse\")");
             if (c_.has_side_walls()) {
                 add("turbulence.closure: between side walls the constant-C_s model has no steady flow, and "
                     "the run no cross-section twin{}",
@@ -199,9 +189,8 @@ class Warnings {
             }
         }
         if (c_.bed.kind == BedKind::no_slip) {
-            add("bed.kind: a no-slip bed with a mixing length is under-resolved at this kind of spacing (2 % "
-                "in the "
-                "mean velocity at 2 mm)");
+            add("bed.kind: a no-slip bed with a mixing length is under-resolved at this kind of spacing (2 "
+                "% in the mean velocity at 2 mm)");
         }
     }
 
@@ -237,8 +226,7 @@ class Warnings {
         }
         if (n.wall == WallKind::repulsive) {
             add("numerics.wall: \"repulsive\" walls hold the water and give no more: no friction, and "
-                "between "
-                "end walls they stir still water to 9 % of sqrt(g H); verified with \"dummy\" walls");
+                "between end walls they stir still water to 9 % of sqrt(g H); verified with \"dummy\" walls");
         }
         if (n.wall == WallKind::dynamic && n.preset == Preset::riffle) {
             add("numerics.wall: verified with \"dummy\" walls, which act by their pressure only");
@@ -248,8 +236,7 @@ class Warnings {
     void bed() {
         if (c_.bed.kind == BedKind::spheres && c_.bed.drag_form == DragForm::thesis) {
             add("bed.drag_form: the form printed in the thesis scales as 1 / spacing, so the flow changes "
-                "with the "
-                "resolution; \"consistent\" does not");
+                "with the resolution; \"consistent\" does not");
         }
         if (!c_.measured.uniform) {
             add("measured.uniform: the measured flow was not uniform; a uniform simulation need not agree "
@@ -296,8 +283,7 @@ class Warnings {
         }
         if (c_.start.lattice == StartLattice::body_centred && c_.start.kind != StartKind::rest) {
             add("start.lattice: \"body-centred\" has no layers that slide in a shear flow (spurious stress "
-                "of "
-                "1.3 % against 0.2 % in a cell of spheres at 5 mm); verified with \"square\"");
+                "of 1.3 % against 0.2 % in a cell of spheres at 5 mm); verified with \"square\"");
         }
         constexpr double verified_jitter = 0.25;
         if (c_.start.jitter > verified_jitter) {

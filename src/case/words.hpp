@@ -71,9 +71,8 @@ template <>
 struct Words<DragForm> {
     static constexpr std::array<Word, 5> list{{
         {"consistent",
-         "frontal area of the packed spheres per volume; in 3D the drag of each sphere over its volume; does "
-         "not "
-         "depend on the spacing",
+         "frontal area of the packed spheres per volume; in 3D the drag of each sphere over its volume; "
+         "does not depend on the spacing",
          "thesis (2.16) on each sphere, per volume",
          "always: independent of the spacing, within 5 % of seven measured conditions with nothing fitted"},
         {"thesis", "as printed in the thesis; scales as 1 / spacing", "thesis (4.3-4.4) as printed",
@@ -85,8 +84,7 @@ struct Words<DragForm> {
          "thesis (2.16), slice by slice", "3D runs to be compared with a 2D one"},
         {"plan-mean",
          "3D: at each height the mean of the consistent form over the plan; spheres without places, for "
-         "checks against "
-         "the twins",
+         "checks against the twins",
          "plan mean of the consistent form", "checks of a 3D run against its section twin"},
     }};
 };
@@ -182,8 +180,7 @@ struct Words<SolidSurface> {
     static constexpr std::array<Word, 2> list{{
         {"no-slip", "the water rests at it",
          "dummy particles whose velocity continues the water's through that of the surface (Adami, Hu & "
-         "Adams "
-         "2012)",
+         "Adams 2012)",
          "the default; the boundary layer needs some four particles"},
         {"slip", "frictionless: it gives pressure alone", "dummy particles without viscous pairs",
          "for water at rest and where the boundary layer is far thinner than the spacing"},

@@ -217,9 +217,8 @@ void run_calibrate(const CalibrateOptions& options) {
     if (result.worsened() && !options.accept_worse) {
         throw InputError(
             "the fitted values make a measured quantity worse and miss it, as said above, and are not "
-            "written: "
-            "fit other parameters, choose with --use what to trust, or write them all the same with "
-            "--accept-worse");
+            "written: fit other parameters, choose with --use what to trust, or write them all the same "
+            "with --accept-worse");
     }
     write_fitted_cases(options, result);
     if (!options.json) fmt::print("\n{} written\n", options.write);

@@ -195,9 +195,8 @@ void warn_of_parameters(CalibrationResult& result, bool determined, const Eigen:
         const FittedParameter& p = result.parameters[i];
         if (p.at_bound) {
             result.warnings.push_back(
-                fmt::format("{} lies at the end {:.6g} of its range {:.6g} to {:.6g}: no minimum within the "
-                            "range, and its "
-                            "uncertainty means little",
+                fmt::format("{} lies at the end {:.6g} of its range {:.6g} to {:.6g}: no minimum within "
+                            "the range, and its uncertainty means little",
                             label_of(result, p), p.value, p.lower, p.upper));
         }
         for (std::size_t j = i + 1; j < result.parameters.size(); ++j) {

@@ -65,9 +65,8 @@ ColumnGrid make_column_grid(const Case& c, int cells) {
     if (!(c.datum() >= 0.0) || !(c.total_depth() > c.datum())) {
         throw InputError(
             fmt::format("the column needs water above a datum at or above the bed level, but the datum "
-                        "stands at {:.6g} m "
-                        "and the surface at {:.6g} m: check channel.depth, bed.roughness_height and "
-                        "bed.datum_below_crest",
+                        "stands at {:.6g} m and the surface at {:.6g} m: check channel.depth, "
+                        "bed.roughness_height and bed.datum_below_crest",
                         c.datum(), c.total_depth()));
     }
     constexpr int fewest = 4;

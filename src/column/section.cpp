@@ -116,16 +116,14 @@ std::optional<std::string> why_no_section(const Case& c) {
     }
     if (c.turbulence.closure == ClosureKind::sps) {
         return "the SPS closure has no steady flow over the cross-section: its stress is far too small to "
-               "carry "
-               "the weight to the side walls, whose layers come to rest beside a flow of several m/s; choose "
-               "turbulence.closure = \"czernuszenko-rylov\"";
+               "carry the weight to the side walls, whose layers come to rest beside a flow of several "
+               "m/s; choose turbulence.closure = \"czernuszenko-rylov\"";
     }
     // Whether there is friction does not depend on the grid.
     constexpr int coarse = 8;
     if (SectionBalance(c, make_section_grid(c, coarse, coarse)).has_friction()) return std::nullopt;
     return "nothing resists the flow down the slope, so it has no steady state: it needs a bed that does, "
-           "spheres "
-           "with bed.drag_coefficient > 0 or bed.kind = \"no-slip\"";
+           "spheres with bed.drag_coefficient > 0 or bed.kind = \"no-slip\"";
 }
 
 std::optional<Case> section_start_substitute(const Case& c) {

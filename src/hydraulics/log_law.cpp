@@ -104,8 +104,7 @@ LogLawFit fit_log_law_with_zero_plane(const VelocityPoints& points, double kappa
     if (!search.determined()) {
         fail(fit,
              "no zero plane between 0.001 and 3 times the height of the range below the lowest point fits "
-             "best: "
-             "the points do not lie on a log law, or scatter too much to tell its zero plane");
+             "best: the points do not lie on a log law, or scatter too much to tell its zero plane");
         return fit;
     }
     const FittedValue distance = exponential_of(search.parameter());

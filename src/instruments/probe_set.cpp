@@ -33,10 +33,9 @@ void check_frequencies(const Case& c, double largest_step) {
         const double limit = 0.5 / largest_step;
         if (p.sampling_frequency > limit) {
             faults += fmt::format(
-                "{}{}: [[probe]] sampling_frequency of \"{}\" is {} Hz, but the time step of this case is up "
-                "to "
-                "{:.3g} s: expected at most {:.4g} Hz, every second step; sample less often or make the step "
-                "smaller (numerics.courant_number)",
+                "{}{}: [[probe]] sampling_frequency of \"{}\" is {} Hz, but the time step of this case is "
+                "up to {:.3g} s: expected at most {:.4g} Hz, every second step; sample less often or make "
+                "the step smaller (numerics.courant_number)",
                 faults.empty() ? "" : "\n", i < c.probe_places.size() ? c.probe_places[i] : c.path.string(),
                 p.name, p.sampling_frequency, largest_step, limit);
         }

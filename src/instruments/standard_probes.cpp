@@ -83,9 +83,8 @@ class StandardSet {
                     x.push_back(position);
                 } else {
                     set_.notes.push_back(fmt::format(
-                        "standard_wave: the laboratory's wave probe at x = {:.4g} mm is left out, as "
-                        "the channel is {} "
-                        "long",
+                        "standard_wave: the laboratory's wave probe at x = {:.4g} mm is left out, as the "
+                        "channel is {} long",
                         1e3 * position, quantity_text(length, Dimension::length)));
                 }
             }

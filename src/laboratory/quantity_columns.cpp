@@ -107,8 +107,7 @@ std::vector<Role> roles_of(const CsvTable& table, std::string_view axes) {
     if (roles.size() < 2 || roles.size() > positional.size()) {
         throw FileError(
             fmt::format("{}:{}: expected the columns z, u and, if known, the uncertainty of u, or a header "
-                        "that names the columns, "
-                        "like \"z [mm], u [m/s], u_rms [m/s]\"; got {} columns",
+                        "that names the columns, like \"z [mm], u [m/s], u_rms [m/s]\"; got {} columns",
                         table.path.string(), table.header_line > 0 ? table.header_line : table.lines.front(),
                         roles.size()));
     }

@@ -82,10 +82,8 @@ EvenSampling find_even_sampling(std::span<const double> times, double tolerance,
     if (sampling.largest_departure > tolerance) {
         throw FileError(
             fmt::format("{}: the times are not evenly spaced: at {} s it is {:.2g} sampling intervals of "
-                        "{:.6g} s off its place, "
-                        "{:.2g} are allowed; resample the record evenly, or leave out the time column and "
-                        "give the sampling "
-                        "frequency",
+                        "{:.6g} s off its place, {:.2g} are allowed; resample the record evenly, or leave "
+                        "out the time column and give the sampling frequency",
                         row_name(worst), times[worst], sampling.largest_departure, interval, tolerance));
     }
     return sampling;

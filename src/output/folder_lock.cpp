@@ -55,8 +55,7 @@ std::string refusal(const std::filesystem::path& folder, FolderLock::Work work, 
     }
     return fmt::format(
         "{} is at work on the run in {}. Wait for its end, follow it with `riffle watch {}`, stop it with "
-        "`kill "
-        "{}` (it then writes a checkpoint), or choose another folder with -o",
+        "`kill {}` (it then writes a checkpoint), or choose another folder with -o",
         who, folder.string(), folder.string(),
         holder.process > 0 ? std::to_string(holder.process) : "PROCESS");
 }

@@ -128,8 +128,7 @@ void ResultsFile::create(const std::filesystem::path& path, const Content& conte
     if (exists && !overwrite) {
         throw FileError(
             fmt::format("{}: exists already, and would be lost. Continue that run with `riffle resume {}`, "
-                        "or choose another "
-                        "folder for this one.",
+                        "or choose another folder for this one.",
                         path.string(), path.has_parent_path() ? path.parent_path().string() : "."));
     }
     told(path, "created", exists ? earlier_results_intact : "", [&](std::size_t& bytes) {

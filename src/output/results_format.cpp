@@ -62,8 +62,7 @@ void require_results_format(const Hdf5Handle& file, const std::filesystem::path&
     const char* older = "Read it with the Riffle that wrote it";
     throw FileError(
         fmt::format("{}: has the results format version {}{}; this Riffle reads version {}. {}, or run the "
-                    "case again with "
-                    "this one: the case is in the file's dataset /case/text.",
+                    "case again with this one: the case is in the file's dataset /case/text.",
                     path.string(), found, written_by, results_format_version,
                     version.value_or(0) > results_format_version ? newer : older));
 }

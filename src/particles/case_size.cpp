@@ -128,9 +128,8 @@ std::string unit_slip(const Case& c) {
     constexpr double fewest = 10.0;
     if (1e-3 * slip.value < fewest * dx) {
         return fmt::format(
-            "[numerics] spacing is {}, of which {:.0f} stand over the depth and {:.0f} along the channel: is "
-            "{} "
-            "meant?",
+            "[numerics] spacing is {}, of which {:.0f} stand over the depth and {:.0f} along the channel: "
+            "is {} meant?",
             shown_length(dx), c.total_depth() / dx, c.channel.length / dx, shown_length(1000.0 * dx));
     }
     return fmt::format("{} is {}, {:.0f} spacings of {}: is {} meant? A number without unit is in metres",

@@ -22,9 +22,8 @@ class CourseRows : public DiagnosticRows {
         if (found == nullptr) return;
         constexpr double bar = 0.01;
         add({"volume", "Largest change of the water's volume", signed_percent(found->value), "within ± 1 %",
-             "The water is closed in, so its volume must stay, but for the slight compression by impacts and "
-             "by its own "
-             "weight.",
+             "The water is closed in, so its volume must stay, but for the slight compression by impacts "
+             "and by its own weight.",
              mark_of(std::abs(found->value), bar)});
     }
 
@@ -47,8 +46,7 @@ class CourseRows : public DiagnosticRows {
              : moved ? "moving walls and bodies add energy"
                      : "the water is nearly still",
              "Kinetic, potential and elastic energy together, since the start. Friction takes energy away, "
-             "and so does the "
-             "density diffusion; nothing at rest may add any.",
+             "and so does the density diffusion; nothing at rest may add any.",
              judged ? mark_of(gain->value, bar) : Health::none});
     }
 
@@ -60,8 +58,7 @@ class CourseRows : public DiagnosticRows {
         add({"largest_speed", "Fastest particle in the end",
              fmt::format("{:.2g} mm/s, {:.1e} of √(gH)", 1000 * speed, speed / scale), "at rest: none",
              "Still water must stay still. Particles that lie unevenly find no rest beside inclined faces; "
-             "the order of "
-             "magnitude is that of the spurious currents.",
+             "the order of magnitude is that of the spurious currents.",
              Health::none});
     }
 

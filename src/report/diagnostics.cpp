@@ -54,12 +54,10 @@ void DiagnosticRows::density() {
     add({"density_range", "Range of the density", signed_percent(least) + " to " + signed_percent(most),
          impacts ? "within ± 3 %" : "within ± 1.5 %",
          impacts ? "The water is treated as slightly compressible: its own weight alone may compress it by "
-                   "up to 1 % at "
-                   "the bed, and an impact by more for a moment. Beyond 3 % the speed of sound of the case "
-                   "is too low."
+                   "up to 1 % at the bed, and an impact by more for a moment. Beyond 3 % the speed of "
+                   "sound of the case is too low."
                  : "The water is treated as slightly compressible: its own weight alone may compress it by "
-                   "up to 1 % at "
-                   "the bed. More tells of pressure noise.",
+                   "up to 1 % at the bed. More tells of pressure noise.",
          mark_of(std::max(std::abs(least), std::abs(most)), bar)});
 }
 
@@ -70,9 +68,8 @@ void DiagnosticRows::order() {
     add({"particle_order", "Order of the particles",
          fmt::format("{:.2f} (mean over the window)", mean_with_confidence(values).mean),
          "1: perfect layers, 0: none",
-         "A flow without resolved turbulence lets the particles slide in layers. Loss of order is not wrong "
-         "in itself; "
-         "it tells how hard the test of the pressure form is.",
+         "A flow without resolved turbulence lets the particles slide in layers. Loss of order is not "
+         "wrong in itself; it tells how hard the test of the pressure form is.",
          Health::none});
 }
 
@@ -88,9 +85,8 @@ void DiagnosticRows::fluctuation() {
     add({"velocity_fluctuation", "Velocity fluctuation of the particles", text,
          data_.flow.stirring.acceleration > 0 ? "set by the stirring force"
                                               : "small where the closure carries the turbulence",
-         "Rms departure from the mean of the layer. The closure stands for the turbulence, so the particles "
-         "themselves "
-         "need not fluctuate as the water in a flume does.",
+         "Rms departure from the mean of the layer. The closure stands for the turbulence, so the "
+         "particles themselves need not fluctuate as the water in a flume does.",
          Health::none});
 }
 

@@ -141,22 +141,18 @@ std::string summary_note(const ReportData& data) {
     std::string note;
     if (kind == FlowKind::channel_with_bodies) {
         note =
-            "Levels are time means above the bed level along the channel; forces are shares of the component "
-            "of the "
-            "water's weight down the slope. ";
+            "Levels are time means above the bed level along the channel; forces are shares of the "
+            "component of the water's weight down the slope. ";
     } else if (!why_no_column(data.flow)) {
         note =
-            "The column twin is the steady one-dimensional solution of the same equations, closure and drag: "
-            "what the "
-            "particles would give with perfect numerics. ";
+            "The column twin is the steady one-dimensional solution of the same equations, closure and "
+            "drag: what the particles would give with perfect numerics. ";
     }
     if (data.flow.has_side_walls() && kind == FlowKind::uniform_channel) {
         note +=
-            "Between side walls the twin is that of the section, the steady flow over the cross-section, and "
-            "what was "
-            "measured at the centreline stands beside the simulated centreline: means over the length and a "
-            "period of the "
-            "bed's elements across the channel. ";
+            "Between side walls the twin is that of the section, the steady flow over the cross-section, "
+            "and what was measured at the centreline stands beside the simulated centreline: means over "
+            "the length and a period of the bed's elements across the channel. ";
     }
     if (data.flow.bed.kind == BedKind::spheres && kind == FlowKind::uniform_channel) {
         note +=
@@ -168,9 +164,8 @@ std::string summary_note(const ReportData& data) {
     }
     if (data.flow.channel.slope > 0 && kind == FlowKind::uniform_channel) {
         note +=
-            "Channel numbers are for a wide channel: hydraulic radius = depth above the datum; those of the "
-            "measured "
-            "flow follow from its depth-mean velocity in the same way.";
+            "Channel numbers are for a wide channel: hydraulic radius = depth above the datum; those of "
+            "the measured flow follow from its depth-mean velocity in the same way.";
     }
     return note;
 }

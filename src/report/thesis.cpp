@@ -235,8 +235,7 @@ class Thesis {
         set.title = fmt::format("Condition {} in three dimensions: heights of the roughness", number);
         set.introduction =
             "The height of the roughness decides how much of a sphere takes drag: the thesis lowered it "
-            "until "
-            "the velocity met the measured one.";
+            "until the velocity met the measured one.";
         set.chapters = {"statistics", "profiles"};
         comparison_.sets.push_back(std::move(set));
     }
@@ -256,8 +255,7 @@ class Thesis {
         set.title = fmt::format("Chapter 6: condition {} in two and in three dimensions", number);
         set.introduction =
             "Of the flow in three dimensions the profiles are those of the centreline, where side walls "
-            "leave "
-            "the flow as it is in a wide channel.";
+            "leave the flow as it is in a wide channel.";
         set.members = {*plane, *space};
         set.chapters = {"statistics", "profiles", "surface", "subsurface"};
         comparison_.sets.push_back(std::move(set));
@@ -270,13 +268,11 @@ class Thesis {
             if (space.empty()) continue;
             const std::vector<std::size_t> plane = runs_at({Kind::sps, number, 2});
             set.title = fmt::format(
-                "Chapter 6: condition {} with the original SPS closure, in two and in three "
-                "dimensions",
+                "Chapter 6: condition {} with the original SPS closure, in two and in three dimensions",
                 number);
             set.introduction =
                 "The stress of the SPS closure is a small part of the weight of the water in either: the "
-                "flow "
-                "is not steady, and gathers speed while the bed's drag takes over.";
+                "flow is not steady, and gathers speed while the bed's drag takes over.";
             set.members = plane;
             set.members.insert(set.members.end(), space.begin(), space.end());
             set.chapters = {"statistics", "profiles"};
@@ -294,9 +290,8 @@ class Thesis {
         set.title = "The paper of 2016";
         set.introduction =
             "The case of the paper, with its mixing length of Nezu and Rodi and its bed drag, against its "
-            "run "
-            "with the SPS closure: its Figs 2 to 4, the drag over the height, the mixing length, and the "
-            "profiles of velocity and of shear stress.";
+            "run with the SPS closure: its Figs 2 to 4, the drag over the height, the mixing length, and "
+            "the profiles of velocity and of shear stress.";
         set.members = runs_at({Kind::paper, 0, 2});
         if (set.members.empty()) miss("the paper's case", "cases/paper-2016.toml");
         const std::vector<std::size_t> sps = runs_at({Kind::paper_sps, 0, 2});

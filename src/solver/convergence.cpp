@@ -46,8 +46,7 @@ std::string objection(const Convergence& found, double tolerance) {
     if (least > std::log1p(largest_fluctuation_growth)) {
         return fmt::format(
             "the velocity fluctuation has grown {:.2g}-fold over the window: the particles are leaving the "
-            "order they "
-            "started in",
+            "order they started in",
             std::exp(found.fluctuation_growth));
     }
     return {};

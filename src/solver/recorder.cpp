@@ -48,9 +48,8 @@ std::vector<double> first_rows(const ResultsReader& results, const std::string& 
     const std::size_t there = shape.empty() ? 0 : shape[0];
     if (there < rows || !std::equal(shape.begin() + 1, shape.end(), row_shape.begin(), row_shape.end())) {
         throw FileError(
-            fmt::format("{}: {} has {} rows, or such of another width; the checkpoint goes on from {}: they "
-                        "are not of one "
-                        "run, or the results are older than the checkpoint",
+            fmt::format("{}: {} has {} rows, or such of another width; the checkpoint goes on from {}: "
+                        "they are not of one run, or the results are older than the checkpoint",
                         results.path().string(), path, there, rows));
     }
     return results.read_rows(path, 0, rows);

@@ -69,8 +69,7 @@ RunOutcome run_case(const Case& c, const RunOptions& given) {
     if (!options.overwrite && (fs::exists(files.results()) || fs::exists(files.checkpoint()))) {
         throw FileError(
             fmt::format("{} already holds results. Go on with `riffle resume {}`, give another folder with "
-                        "-o, or replace them with "
-                        "--force",
+                        "-o, or replace them with --force",
                         options.folder.string(), options.folder.string()));
     }
     return in_dimensions(c, [&]<int D>() { return RunSession<D>(c, options).run(); });

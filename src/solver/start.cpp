@@ -80,8 +80,7 @@ Particles<D> initial_particles(const Case& c, const Scheme& scheme, const Column
     if (c.start.kind == StartKind::section && (D == 2 || !section)) {
         throw InputError(
             "[start] kind = \"section\" needs the steady flow over the cross-section, which this case does "
-            "not "
-            "have; choose \"column\", \"rest\" or \"uniform\"");
+            "not have; choose \"column\", \"rest\" or \"uniform\"");
     }
     Particles<D> particles = lattice_particles<D>(c);
     const Lattice lattice = lattice_of(c);

@@ -257,9 +257,8 @@ Particles<D> particles_from_results(const Case& c, const Scheme& scheme, const R
     }
     if (D == 3 && (differs(other.channel.width, c.channel.width) || other.channel.sides != c.channel.sides)) {
         throw InputError(
-            fmt::format("[start] file = \"{}\" was run with channel.width {} m and sides = \"{}\", this case "
-                        "has {} m and "
-                        "\"{}\": start from a run of the same water, or from the column",
+            fmt::format("[start] file = \"{}\" was run with channel.width {} m and sides = \"{}\", this "
+                        "case has {} m and \"{}\": start from a run of the same water, or from the column",
                         file_name, other.channel.width, word(other.channel.sides), c.channel.width,
                         word(c.channel.sides)));
     }
@@ -267,9 +266,8 @@ Particles<D> particles_from_results(const Case& c, const Scheme& scheme, const R
         differs(other.numerics.spacing, c.numerics.spacing)) {
         throw InputError(
             fmt::format("[start] file = \"{}\" was run with channel.length {} m, total depth {} m and "
-                        "numerics.spacing {} m, this "
-                        "case has {} m, {} m and {} m: start from a run of the same water and spacing, or "
-                        "from the column",
+                        "numerics.spacing {} m, this case has {} m, {} m and {} m: start from a run of the "
+                        "same water and spacing, or from the column",
                         file_name, other.channel.length, other.total_depth(), other.numerics.spacing,
                         c.channel.length, c.total_depth(), c.numerics.spacing));
     }

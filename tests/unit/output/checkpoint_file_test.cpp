@@ -69,8 +69,7 @@ TEST_F(Checkpoint, NamesThePreviousOneWhenTheNewestIsDamaged) {
     CheckpointFile::write(path, test::state(10, 13.0));
     const std::string whole = bytes_of(path);
     const std::string way_on =
-        "checkpoint-previous.h5 (simulated time 12.5 s) is whole; continue from it with: riffle "
-        "resume " +
+        "checkpoint-previous.h5 (simulated time 12.5 s) is whole; continue from it with: riffle resume " +
         folder.path().string() + " --from checkpoint-previous.h5";
 
     put_bytes(path, whole.substr(0, whole.size() - 1));
