@@ -173,10 +173,16 @@ class Failures(CommandLineTest):
         with h5py.File(folder / "failure.h5") as file:
             around = file["neighbourhood"]
             self.assertEqual(around["id"][0], file.attrs["particle"])
-            # The particle itself and the 50 nearest that are still somewhere.
-            places = file["snapshots/00000/position"][:]
-            others = file["snapshots/00000/id"][:] != file.attrs["particle"]
-            self.assertEqual(len(around["id"]), 1 + min(50, sum(np.isfinite(places[others]).all(axis=1))))
+            # The particle itself and the 50 nearest, by where those were last that are nowhere now.
+            self.assertEqual(len(around["id"]), 51)
+            self.assertTrue(np.isfinite(around["distance"][:]).all())
+            # It is the one that departs most of those that are not finite: there the failure began.
+            places, velocity = file["snapshots/00000/position"][:], file["snapshots/00000/velocity"][:]
+            density, first = file["snapshots/00000/density"][:], file["snapshots/00000/id"][:] == file.attrs["particle"]
+            lost = ~(np.isfinite(places).all(axis=1) & np.isfinite(velocity).all(axis=1) & np.isfinite(density))
+            departure = np.where(np.isfinite(density), abs(density - 1000), np.inf)
+            self.assertTrue(lost[first][0])
+            self.assertEqual(departure[first][0], departure[lost].max())
             self.assertEqual(sorted(around["distance"][:]), list(around["distance"][:]))
             self.assertEqual(file["snapshots/00000/position"].shape[1], 3)
         log = (folder / "run.log").read_text()
