@@ -47,8 +47,12 @@ std::string standing_of(const fs::path& path) {
     if (!results.has_checksums()) {
         return "has no checksums (of another program, or of an early Riffle); --accept makes them";
     }
-    results.verify();
-    return "whole";
+    const std::uint64_t behind = results.verify();
+    if (behind == 0) return "whole";
+    return fmt::format(
+        "whole, but for {} byte{} behind the end that do{} not belong to it: a change that did not "
+        "come to its end leaves such, and the next one takes them away",
+        behind, behind == 1 ? "" : "s", behind == 1 ? "es" : "");
 }
 
 void verify(const VerifyOptions& options) {

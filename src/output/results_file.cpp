@@ -184,11 +184,11 @@ bool ResultsReader::has_checksums() const {
     return dynamic_cast<const SealedReader*>(impl().store.get()) != nullptr;
 }
 
-void ResultsReader::verify() const {
+std::uint64_t ResultsReader::verify() const {
     const auto* const sealed = dynamic_cast<const SealedReader*>(impl().store.get());
-    if (sealed == nullptr) return;
+    if (sealed == nullptr) return 0;
     const std::vector<std::uint64_t> pages = impl().told([&] { return sealed->content().damaged_pages(); });
-    if (pages.empty()) return;
+    if (pages.empty()) return sealed->content().bytes_behind();
     throw FileError(fmt::format("{}: has been altered or damaged: {} {}", path().string(),
                                 damage_text(path(), results_seal, pages), after_damage));
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -50,8 +51,9 @@ class ResultsReader : public ContentReader {
     explicit ResultsReader(const std::filesystem::path& path);
 
     /// Compare the whole file with its checksums. Throws FileError, naming what is lost. Files without
-    /// checksums, which other programs and the first Riffle write, pass.
-    void verify() const;
+    /// checksums, which other programs and the first Riffle write, pass. Returns how many bytes stand behind
+    /// the end of what is whole: a change in place that did not come to its end leaves some.
+    std::uint64_t verify() const;
     [[nodiscard]] bool has_checksums() const;
 };
 

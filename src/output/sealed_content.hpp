@@ -31,8 +31,11 @@ class SealedContent {
     /// Numbers of all pages that do not fit their checksums.
     [[nodiscard]] std::vector<std::uint64_t> damaged_pages() const;
 
+    /// Bytes behind the end of the content, of which no checksum knows: a change that ended in its midst
+    /// leaves such, or something that is not Riffle.
+    [[nodiscard]] std::uint64_t bytes_behind() const { return file_size() - seal_.file_size(); }
     /// Whether the file ends where it should.
-    [[nodiscard]] bool ends_with_table() const { return file_size() == seal_.file_size(); }
+    [[nodiscard]] bool ends_with_table() const { return bytes_behind() == 0; }
 
   private:
     [[nodiscard]] std::uint64_t file_size() const;

@@ -273,6 +273,14 @@ class Verify(CommandLineTest):
         result = self.fail_with(3, "verify", folder, says=["of its pages of 64 KiB", "Lost: "])
         self.assertIn("checkpoint.h5: whole", result.stdout)
 
+    def test_tells_of_bytes_behind_the_end(self):
+        folder = self.run_small("run", 0.1)
+        with open(folder / "results.h5", "ab") as file:
+            file.write(b"x" * 100)
+        self.assertIn("results.h5: whole, but for 100 bytes behind the end", self.succeed("verify", folder).stdout)
+        self.succeed("resume", folder, "-q", "-j", 1, *until(0.2))
+        self.assertIn("results.h5: whole\n", self.succeed("verify", folder).stdout)
+
     def test_accepts_a_change_that_was_meant(self):
         import h5py
 
