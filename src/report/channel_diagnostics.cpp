@@ -8,6 +8,7 @@
 #include "case/flow_kind.hpp"
 #include "report/diagnostic_rows.hpp"
 #include "statistics/confidence.hpp"
+#include "statistics/record.hpp"
 
 namespace riffle {
 
@@ -184,17 +185,12 @@ class ChannelRows : public DiagnosticRows {
     /// level knows of it; the density that the particles carry does not.
     void volume() {
         if (!has_column(data_.series, "mean_level") || data_.flow.channel.ends != Ends::periodic) return;
+        const double level = mean_of(in_window("mean_level"));
+        if (!std::isfinite(level)) return;
         const auto& all = data_.series.at("mean_level");
         const auto first = std::find_if(all.begin(), all.end(), [](double z) { return std::isfinite(z); });
-        double sum = 0.0;
-        double count = 0.0;
-        for (const double z : in_window("mean_level")) {
-            sum += std::isfinite(z) ? z : 0.0;
-            count += std::isfinite(z) ? 1.0 : 0.0;
-        }
-        if (count < 1.0) return;
         constexpr double bar = 0.005;
-        const double change = (sum / count - *first) / data_.flow.total_depth();
+        const double change = (level - *first) / data_.flow.total_depth();
         add({"volume", "Volume of the water since the start", signed_percent(change) + " of the depth",
              "at most " + percent(bar, 1),
              "The mean level in the window over that at the start: water that takes more room as its "

@@ -135,9 +135,11 @@ def spacings(run):
         share = v["crest"] / v["total_depth"]
         whole = (share * below**2 + (1 - share) * above**2) ** 0.5
         table.rows[-1].append(f"{100 * whole:.2f}")
-        for label, error, coarser in (("over the whole depth", whole, before and before[0]), ("below the crest", below, before and before[1])):
-            table.rows[-1].append(table.check(row, f"error {label} over that at the spacing before", error / coarser, 1.0, f"{error / coarser:.2f}") if coarser else "")
-        before = (whole, below)
+        errors = {"over the whole depth": whole, "below the crest": below}
+        for label, error in errors.items():
+            ratio = error / before[label] if before else None
+            table.rows[-1].append(table.check(row, f"error {label} over that at the spacing before", ratio, 1.0, f"{ratio:.2f}") if before else "")
+        before = errors
     return table
 
 

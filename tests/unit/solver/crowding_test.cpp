@@ -18,27 +18,22 @@ template <int D>
 struct CrowdedWater {
     Case parameters = test::still_water(D);
     std::unique_ptr<SimulationIn<D>> simulation;
-    std::size_t water = 0;
 
     CrowdedWater(std::size_t more, double impact_dissipation) {
         Case& c = parameters;
         c.numerics.impact_dissipation = impact_dissipation;
         c.start.jitter = more == 0 ? 0.1 : 0.0;
-        const Scheme scheme = make_scheme(c, nullptr);
-        Particles<D> p = initial_particles<D>(c, scheme, nullptr);
-        water = p.size();
-        p.resize(water + more);
+        std::vector<Vec<D>> places;
         for (std::size_t n = 0; n < more; ++n) {
-            const std::size_t i = water + n;
             const double angle = 2.4 * static_cast<double>(n);
             const double radius = 0.05 * c.numerics.spacing * std::sqrt(static_cast<double>(n) + 0.5);
-            p.id[i] = static_cast<std::int32_t>(i);
-            p.mass[i] = p.mass.front();
-            p.position[0][i] = 0.5 * c.channel.length + radius * std::cos(angle);
-            if constexpr (D == 3) {
-                p.position[1][i] = 0.5 * c.channel.width + radius * std::sin(3.0 * angle);
-            }
-            p.position[D - 1][i] = 0.5 * c.total_depth() + radius * std::sin(angle);
+            places.push_back(test::place<D>(0.5 * c.channel.length + radius * std::cos(angle),
+                                            0.5 * c.channel.width + radius * std::sin(3.0 * angle),
+                                            0.5 * c.total_depth() + radius * std::sin(angle)));
+        }
+        Particles<D> p = test::water_and<D>(c, places);
+        const Scheme scheme = make_scheme(c, nullptr);
+        for (std::size_t i = p.size() - more; i < p.size(); ++i) {
             p.density_deviation[i] = scheme.hydrostatic_deviation(p.position[D - 1][i]);
         }
         simulation = make_simulation<D>(c, nullptr, p);
@@ -60,8 +55,8 @@ struct CrowdedWater {
                 }
                 const double q = std::sqrt(squared) / h;
                 if (q < 2.0) {
-                    sum += p.mass[j] / (1000.0 * (1.0 + p.density_deviation[j])) * kernel.value(q) /
-                           std::pow(h, D);
+                    const double density = parameters.fluid.density * (1.0 + p.density_deviation[j]);
+                    sum += p.mass[j] / density * kernel.value(q) / std::pow(h, D);
                 }
             }
             largest = std::max(largest, sum);
@@ -95,8 +90,7 @@ struct CrowdedWater {
 template <int D>
 void expect_dissolved(std::size_t more) {
     const CrowdedWater<D> water(more, 3.0);
-    const double before = water.fill();
-    EXPECT_GT(before, 1.8);
+    EXPECT_GT(water.fill(), 1.8);
     double speed = 0.0;
     water.advance(5.0, speed);
     EXPECT_LT(water.fill(), 1.2);

@@ -21,16 +21,10 @@ struct WaterWithDrop {
     WaterWithDrop(double height, double velocity) {
         Case& c = parameters;
         c.channel.depth = 0.032;
-        Particles<D> particles = initial_particles<D>(c, make_scheme(c, nullptr), nullptr);
-        drop = static_cast<std::int64_t>(particles.size());
-        particles.resize(particles.size() + 1);
-        particles.id.back() = static_cast<std::int32_t>(drop);
-        particles.mass.back() = particles.mass.front();
-        particles.position[0].back() = 0.5 * c.channel.length;
-        if constexpr (D == 3) {
-            particles.position[1].back() = 0.5 * c.channel.width;
-        }
-        particles.position[D - 1].back() = c.total_depth() + height * c.numerics.spacing;
+        Particles<D> particles =
+            test::water_and<D>(c, {test::place<D>(0.5 * c.channel.length, 0.5 * c.channel.width,
+                                                  c.total_depth() + height * c.numerics.spacing)});
+        drop = particles.id.back();
         particles.velocity[D - 1].back() = velocity;
         simulation = make_simulation<D>(c, nullptr, particles);
     }

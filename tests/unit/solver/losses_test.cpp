@@ -25,21 +25,15 @@ struct WaterWithDrops {
         c.start.jitter = 0.1;
         c.numerics.stepping = stepping;
         c.numerics.courant_number = stepping == Stepping::verlet ? 0.2 : 0.4;
-        Particles<D> p = initial_particles<D>(c, make_scheme(c, nullptr), nullptr);
-        water = p.size();
-        constexpr std::size_t drops = 3;
-        p.resize(water + drops);
-        for (std::size_t i = water; i < p.size(); ++i) {
-            p.id[i] = static_cast<std::int32_t>(i);
-            p.mass[i] = p.mass.front();
-            p.position[0][i] = 0.02 * static_cast<double>(i - water) + 0.01;
-            if constexpr (D == 3) {
-                p.position[1][i] = 0.5 * c.channel.width;
-            }
-            p.position[D - 1][i] =
-                c.total_depth() + (6.0 + 3.0 * static_cast<double>(i - water)) * c.numerics.spacing;
-            p.velocity[D - 1][i] = speed;
+        std::vector<Vec<D>> drops;
+        for (int n = 0; n < 3; ++n) {
+            drops.push_back(test::place<D>(0.02 * n + 0.01, 0.5 * c.channel.width,
+                                           c.total_depth() + (6.0 + 3.0 * n) * c.numerics.spacing));
         }
+        Particles<D> p = test::water_and<D>(c, drops);
+        water = p.size() - drops.size();
+        std::fill(p.velocity[D - 1].begin() + static_cast<std::ptrdiff_t>(water), p.velocity[D - 1].end(),
+                  speed);
         simulation = make_simulation<D>(c, nullptr, p);
     }
     void advance(int steps) const {

@@ -36,6 +36,32 @@ inline Case still_water(int dimensions = 2) {
     return c;
 }
 
+/// A place in D dimensions; a plane has no y.
+template <int D>
+Vec<D> place(double x, double y, double z) {
+    if constexpr (D == 2) {
+        return {x, z};
+    } else {
+        return {x, y, z};
+    }
+}
+
+/// The water of a case as it starts and single particles more, at rest at these places, with the next ids.
+template <int D>
+Particles<D> water_and(const Case& c, const std::vector<Vec<D>>& places) {
+    Particles<D> p = initial_particles<D>(c, make_scheme(c, nullptr), nullptr);
+    const std::size_t water = p.size();
+    p.resize(water + places.size());
+    for (std::size_t i = water; i < p.size(); ++i) {
+        p.id[i] = static_cast<std::int32_t>(i);
+        p.mass[i] = p.mass.front();
+        for (std::size_t k = 0; k < D; ++k) {
+            p.position[k][i] = places[i - water][k];
+        }
+    }
+    return p;
+}
+
 /// A case with its column, where it has one, and the simulation that starts from it.
 template <int D>
 struct ChannelIn {

@@ -24,25 +24,21 @@ struct WaterWithSpinningDrop {
         Case& c = parameters;
         c.numerics.stepping = stepping;
         c.numerics.sound_speed = 20.0;
-        Particles<D> p = initial_particles<D>(c, make_scheme(c, nullptr), nullptr);
-        water = p.size();
-        p.resize(water + members);
+        const double x = 0.5 * c.channel.length;
+        const double z = c.total_depth() + 8.0 * c.numerics.spacing;
+        std::vector<Vec<D>> places;
         for (std::size_t n = 0; n < members; ++n) {
-            const std::size_t i = water + n;
             const double radius = n == 0 ? 0.0 : 0.6 * c.numerics.spacing;
             const double angle = 2.0 * 3.141592653589793 * static_cast<double>(n) / (members - 1);
-            const double x = radius * std::cos(angle);
-            const double z = radius * std::sin(angle);
-            p.id[i] = static_cast<std::int32_t>(i);
-            p.mass[i] = p.mass.front();
+            places.push_back(test::place<D>(x + radius * std::cos(angle), 0.5 * c.channel.width,
+                                            z + radius * std::sin(angle)));
+        }
+        Particles<D> p = test::water_and<D>(c, places);
+        water = p.size() - members;
+        for (std::size_t i = water; i < p.size(); ++i) {
             p.density_deviation[i] = deviation;
-            p.position[0][i] = 0.5 * c.channel.length + x;
-            if constexpr (D == 3) {
-                p.position[1][i] = 0.5 * c.channel.width;
-            }
-            p.position[D - 1][i] = c.total_depth() + 8.0 * c.numerics.spacing + z;
-            p.velocity[0][i] = -spin * z;
-            p.velocity[D - 1][i] = spin * x;
+            p.velocity[0][i] = -spin * (p.position[D - 1][i] - z);
+            p.velocity[D - 1][i] = spin * (p.position[0][i] - x);
         }
         simulation = make_simulation<D>(c, nullptr, p);
     }
