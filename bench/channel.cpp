@@ -3,10 +3,11 @@
 #include "boundary/wall.hpp"
 #include "particles/lattice.hpp"
 #include "solver/benchmark.hpp"
-#include "solver/pair_setup.hpp"
-#include "solver/simulation_of.hpp"
+#include "engine/pair_setup.hpp"
+#include "engine/flow.hpp"
 #include "solver/start.hpp"
 #include "sph/directed_pairs.hpp"
+#include "walls/wall_records.hpp"
 
 namespace riffle::bench {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "particles/particles.hpp"
-#include "solver/scheme.hpp"
+#include "engine/scheme.hpp"
 #include "sph/pair_loops.hpp"
 #include "sph/particle_loops.hpp"
 

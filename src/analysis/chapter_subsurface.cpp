@@ -11,7 +11,7 @@
 #include "analysis/space_time.hpp"
 #include "analysis/subsurface_parts.hpp"
 #include "analysis/velocity_spectra.hpp"
-#include "solver/scheme.hpp"
+#include "engine/scheme.hpp"
 #include "statistics/power_spectrum.hpp"
 
 namespace riffle {

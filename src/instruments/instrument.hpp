@@ -10,15 +10,10 @@
 
 #include "case/case.hpp"
 #include "instruments/fluid_view.hpp"
+#include "particles/force_on_solid.hpp"
 #include "particles/sparse_values.hpp"
 
 namespace riffle {
-
-/// Force of the water on a solid along x, y and z, N; in two dimensions per width, N/m.
-struct ForceOnSolid {
-    std::array<double, 3> pressure{};  ///< by the pressure on its faces
-    std::array<double, 3> friction{};
-};
 
 /// The state after a step, for instruments.
 struct FlowState {

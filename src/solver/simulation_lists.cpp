@@ -5,89 +5,76 @@
 #include <limits>
 
 #include "base/parallel.hpp"
-#include "solver/pair_setup.hpp"
+#include "engine/pair_setup.hpp"
 #include "solver/simulation_of.hpp"
 #include "sph/directed_pairs.hpp"
 
 namespace riffle {
 
-namespace {
-
-/// Clusters per task of a sweep without sums.
-constexpr std::size_t light_block = 128;
-
-}  // namespace
-
 template <int D, class Real>
 void SimulationOf<D, Real>::build_lists(bool sort) {
-    const double spacing = case_.numerics.spacing;
+    const double spacing = flow_.c.numerics.spacing;
+    Particles<D>& particles = flow_.particles;
     // What is made anew below is freed first: else both would be there for a while.
-    fluid_fluid_ = {};
-    fluid_wall_ = {};
-    wall_fluid_ = {};
-    data_.stress = {};
-    data_.pressure = {};
+    flow_.fluid_fluid = {};
+    flow_.fluid_wall = {};
+    flow_.wall_fluid = {};
+    flow_.data.stress = {};
+    flow_.data.pressure = {};
     if (sort) {
-        particles_.permute(
-            spatial_order<D>(domain_, position_view<D>(particles_.position), column_width_, 0.5 * spacing));
-        ++clock_.list_builds;
-        check_solids();
-        clock_.displacement_bound = 0.0;
-        if (motion_.displaces()) {
-            clock_.listed_time = clock_.time;
-            place_walls(clock_.listed_time);
+        particles.permute(spatial_order<D>(flow_.domain, position_view<D>(particles.position),
+                                           flow_.column_width, 0.5 * spacing));
+        ++flow_.clock.list_builds;
+        for (const auto& component : components_) {
+            component->particles_sorted(flow_);
         }
-        refer_to_particles();
+        flow_.clock.displacement_bound = 0.0;
+        walls_.place_for_lists(flow_);
+        flow_.refer_to_particles();
     }
-    clusters_ = build_clusters<D>(domain_, fixed_point_,
-                                  position_view<D>(sort ? particles_.position : particles_.listed_position),
-                                  column_width_);
-    const double range = list_reach<D>(case_, scheme_);
-    fluid_fluid_ = build_neighbour_list<D>(clusters_, clusters_, fixed_point_, range);
-    if (walls_.size() > 0) {
-        fluid_wall_ = build_neighbour_list<D>(clusters_, wall_clusters_, fixed_point_, range);
-        wall_fluid_ = build_neighbour_list<D>(wall_clusters_, clusters_, fixed_point_, range);
-        data_.fluid_wall = &fluid_wall_;
-        data_.wall_fluid = &wall_fluid_;
+    flow_.clusters = build_clusters<D>(
+        flow_.domain, flow_.fixed_point,
+        position_view<D>(sort ? particles.position : particles.listed_position), flow_.column_width);
+    const double reach = list_reach<D>(flow_.c, flow_.scheme);
+    const auto list = [&](const Clusters<D>& from, const Clusters<D>& to) {
+        return build_neighbour_list<D>(from, to, flow_.fixed_point, reach);
+    };
+    flow_.fluid_fluid = list(flow_.clusters, flow_.clusters);
+    flow_.data.fluid_fluid = &flow_.fluid_fluid;
+    if (flow_.walls.size() > 0) {
+        flow_.fluid_wall = list(flow_.clusters, flow_.wall_clusters);
+        flow_.wall_fluid = list(flow_.wall_clusters, flow_.clusters);
+        flow_.data.fluid_wall = &flow_.fluid_wall;
+        flow_.data.wall_fluid = &flow_.wall_fluid;
     }
-    if (ghosts_) {
-        ghosts_->build_list(clusters_, range);
-    }
-    const bool walled = walls_.size() > 0;
-    SweepPlan plan{.threads = static_cast<std::size_t>(thread_count())};
-    if (ghosts_) {  // they look at all of the water
-        plan = {.threads = 1, .wave_blocks = clusters_.size()};
-    }
-    order_ = order_sweeps({.fluid_fluid = &fluid_fluid_,
-                           .fluid_wall = walled ? &fluid_wall_ : nullptr,
-                           .wall_fluid = walled ? &wall_fluid_ : nullptr},
-                          plan);
+    walls_.lists_built(flow_, reach);
+    order_passes_anew();
     loose_ = has_loose_particles();
-    clusters_.release_boxes();
-    data_.fluid_fluid = &fluid_fluid_;
+    flow_.clusters.release_boxes();
     unlisted_ = false;
     allocate();
-    repack();
+    flow_.repack();
 }
 
 template <int D, class Real>
-void SimulationOf<D, Real>::refer_to_particles() {
-    for (std::size_t k = 0; k < axes; ++k) {
-        particle_data_.position[k] = particles_.position[k].data();
-        particle_data_.velocity[k] = particles_.velocity[k].data();
+void SimulationOf<D, Real>::order_passes_anew() {
+    std::vector<PassDeclaration> declarations;
+    for (const Pass& pass : passes_) {
+        declarations.push_back(pass.declaration);
     }
-    particle_data_.density_deviation = particles_.density_deviation.data();
-    particle_data_.mass = particles_.mass.data();
-    const auto& mass = particles_.mass;
-    const bool uniform = std::all_of(mass.begin(), mass.end(), [&](double m) { return m == mass.front(); });
-    particle_data_.uniform_mass = uniform && !mass.empty() ? mass.front() : 0.0;
-    particle_data_.clusters = &clusters_;
+    std::vector<ListBetween> lists{{.from = fluid_set, .to = fluid_set, .list = &flow_.fluid_fluid}};
+    if (flow_.walls.size() > 0) {
+        lists.push_back({.from = fluid_set, .to = wall_set, .list = &flow_.fluid_wall});
+        lists.push_back({.from = wall_set, .to = fluid_set, .list = &flow_.wall_fluid});
+    }
+    const std::array sizes{flow_.clusters.size(), flow_.wall_clusters.size()};
+    order_ = order_passes(declarations, lists, sizes, {.threads = static_cast<std::size_t>(thread_count())});
 }
 
 template <int D, class Real>
 void SimulationOf<D, Real>::allocate() {
     // One record more than slots: it fills up turns of the loops.
-    const std::size_t records = clusters_.slots() + 1;
+    const std::size_t records = flow_.clusters.slots() + 1;
     // A vector that grows by itself doubles: a few clusters more would take as much memory again.
     const auto resize = [&](auto& values) {
         if (records > values.capacity()) {
@@ -95,79 +82,57 @@ void SimulationOf<D, Real>::allocate() {
         }
         values.resize(records);
     };
-    resize(data_.motion);
-    const bool gradients = needs_gradients(case_);
+    resize(flow_.data.motion);
+    const bool gradients = needs_gradients(flow_.c);
     if (gradients) {
-        resize(data_.stress);
+        resize(flow_.data.stress);
     } else {
-        resize(data_.pressure);
+        resize(flow_.data.pressure);
     }
     // The force pass needs B only where walls continue the fluid.
-    const bool continued = std::any_of(data_.wall_gradient.begin(), data_.wall_gradient.end(),
+    const bool continued = std::any_of(flow_.data.wall_gradient.begin(), flow_.data.wall_gradient.end(),
                                        [](const auto& record) { return record.continuation > Real(0); });
     if (continued && gradients) {
         std::int32_t lanes = 0;
-        data_.correction_lane.assign(clusters_.size(), -1);
-        for (std::size_t cluster = 0; cluster < clusters_.size(); ++cluster) {
-            if (fluid_wall_.run_begin[cluster] < fluid_wall_.run_begin[cluster + 1]) {
-                data_.correction_lane[cluster] = lanes;
+        flow_.data.correction_lane.assign(flow_.clusters.size(), -1);
+        for (std::size_t cluster = 0; cluster < flow_.clusters.size(); ++cluster) {
+            if (flow_.fluid_wall.run_begin[cluster] < flow_.fluid_wall.run_begin[cluster + 1]) {
+                flow_.data.correction_lane[cluster] = lanes;
                 lanes += cluster_size;
             }
         }
-        for (auto& component : data_.correction) {
+        for (auto& component : flow_.data.correction) {
             component.resize(static_cast<std::size_t>(lanes));
         }
     }
     // State and records of a particle; most processors have a mebibyte of second-level cache or more.
     constexpr std::size_t cache = std::size_t{1} << 20U;
-    asks_ahead_ = particles_.size() * ((2 * axes + 1) * sizeof(double) + sizeof(data_.motion[0]) +
-                                       (gradients ? sizeof(data_.stress[0]) : sizeof(data_.pressure[0]))) >
+    asks_ahead_ = flow_.particles.size() *
+                      ((2 * axes + 1) * sizeof(double) + sizeof(flow_.data.motion[0]) +
+                       (gradients ? sizeof(flow_.data.stress[0]) : sizeof(flow_.data.pressure[0]))) >
                   cache;
-    moved_.resize(clusters_.size());
-    const std::size_t blocks = blocks_of(clusters_.size());
-    block_advance_.assign(blocks, {});
+    flow_.moved.resize(flow_.clusters.size());
+    const std::size_t blocks = blocks_of(flow_.clusters.size());
+    flow_.block_advance.assign(blocks, {});
     if (block_seconds_.size() < blocks) {
         block_seconds_.resize(blocks);
     }
-    const std::size_t wall_blocks = blocks_of(wall_clusters_.size());
+    const std::size_t wall_blocks = blocks_of(flow_.wall_clusters.size());
     if (wall_seconds_.size() < wall_blocks) {
         wall_seconds_.resize(wall_blocks);
-    }
-    if (stepper_) {
-        density_rate_.resize(particles_.size());
-    }
-}
-
-template <int D, class Real>
-void SimulationOf<D, Real>::repack() {
-    parallel_blocks(clusters_.size(), light_block, [&](std::size_t begin, std::size_t end) {
-        particle_loops_.pack(particle_data_, data_, &moved_, begin, end);
-    });
-    moved_known_ = true;
-    fill_last_records();
-}
-
-template <int D, class Real>
-void SimulationOf<D, Real>::fill_last_records() {
-    data_.motion.back() = MotionRecord<D, Real>{};
-    data_.motion.back().x = data_.motion.front().x;
-    if (!data_.stress.empty()) {
-        data_.stress.back() = StressRecord<D, Real>{};
-    } else {
-        data_.pressure.back() = PressureRecord<Real>{};
     }
 }
 
 template <int D, class Real>
 double SimulationOf<D, Real>::displacement_limit() const {
-    return case_.numerics.skin_in(D) * scheme_.smoothing_length;
+    return flow_.c.numerics.skin_in(D) * flow_.scheme.smoothing_length;
 }
 
 // Finding the displacements with the packing costs less than finding them later, but most steps need none.
 template <int D, class Real>
 bool SimulationOf<D, Real>::displacements_due() const {
     constexpr double margin = 1.1;  // the next step may be a little faster
-    return clock_.displacement_bound + margin * last_motion_ > displacement_limit();
+    return flow_.clock.displacement_bound + margin * last_motion_ > displacement_limit();
 }
 
 // A list stays complete as long as no two particles of neighbouring clusters have moved against each other by
@@ -182,43 +147,43 @@ bool SimulationOf<D, Real>::lists_valid(double fraction) {
         return false;
     }
     const double limit = fraction * displacement_limit();
-    if (clock_.displacement_bound <= limit || loose_ || ghosts_ || motion_.displaces()) {
-        return clock_.displacement_bound <= limit;
+    if (flow_.clock.displacement_bound <= limit || loose_ || walls_.outside_of_lists(flow_)) {
+        return flow_.clock.displacement_bound <= limit;
     }
-    if (!moved_known_) {
-        repack();
+    if (!flow_.moved_known) {
+        flow_.repack();
     }
     const double worst = reduce_blocks(
-        clusters_.size(), light_block, 0.0,
+        flow_.clusters.size(), light_block, 0.0,
         [&](std::size_t begin, std::size_t end) {
-            return particle_loops_.displaced(data_, fixed_point_, moved_, begin, end);
+            return flow_.particle_loops.displaced(flow_.data, flow_.fixed_point, flow_.moved, begin, end);
         },
         [](double a, double b) { return std::max(a, b); });
-    clock_.displacement_bound = std::sqrt(worst);
-    return clock_.displacement_bound <= limit;
+    flow_.clock.displacement_bound = std::sqrt(worst);
+    return flow_.clock.displacement_bound <= limit;
 }
 
 // Whether any column of particles has a gap wider than the kernel's support, or does not reach down to the
 // bed.
 template <int D, class Real>
 bool SimulationOf<D, Real>::has_loose_particles() const {
-    if (domain_.periodic[vertical]) {
+    if (flow_.domain.periodic[vertical]) {
         return false;
     }
-    const double support = 2.0 * scheme_.smoothing_length;
-    const std::size_t columns = clusters_.column_begin.size() - 1;
-    const auto height = [&](std::int32_t code) { return fixed_point_.decode(code, vertical); };
+    const double support = 2.0 * flow_.scheme.smoothing_length;
+    const std::size_t columns = flow_.clusters.column_begin.size() - 1;
+    const auto height = [&](std::int32_t code) { return flow_.fixed_point.decode(code, vertical); };
     return reduce_blocks(
                columns, light_block, 0,
                [&](std::size_t begin, std::size_t end) {
                    for (std::size_t column = begin; column < end; ++column) {
                        double reached = 0.0;  // the bed
-                       for (auto c = static_cast<std::size_t>(clusters_.column_begin[column]);
-                            c < static_cast<std::size_t>(clusters_.column_begin[column + 1]); ++c) {
-                           if (height(clusters_.lowest[c]) > reached + support) {
+                       for (auto c = static_cast<std::size_t>(flow_.clusters.column_begin[column]);
+                            c < static_cast<std::size_t>(flow_.clusters.column_begin[column + 1]); ++c) {
+                           if (height(flow_.clusters.lowest[c]) > reached + support) {
                                return 1;
                            }
-                           reached = height(clusters_.highest[c]);
+                           reached = height(flow_.clusters.highest[c]);
                        }
                    }
                    return 0;
@@ -229,7 +194,7 @@ bool SimulationOf<D, Real>::has_loose_particles() const {
 template <int D, class Real>
 void SimulationOf<D, Real>::listed_positions(std::size_t axis, std::size_t first,
                                              std::span<double> values) const {
-    const auto& begin = clusters_.begin;
+    const auto& begin = flow_.clusters.begin;
     const auto after = std::upper_bound(begin.begin(), begin.end(), static_cast<std::int32_t>(first));
     auto cluster = static_cast<std::size_t>(after - begin.begin()) - 1;
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -238,41 +203,36 @@ void SimulationOf<D, Real>::listed_positions(std::size_t axis, std::size_t first
             ++cluster;
         }
         const std::size_t slot = cluster * cluster_size + static_cast<std::size_t>(particle - begin[cluster]);
-        values[i] = fixed_point_.decode(clusters_.slot_position[axis][slot], axis);
+        values[i] = flow_.fixed_point.decode(flow_.clusters.slot_position[axis][slot], axis);
     }
 }
 
 template <int D, class Real>
 void SimulationOf<D, Real>::restore(Particles<D> particles, const SimulationClock& clock,
                                     std::vector<double> wall_deviation) {
-    particles_ = std::move(particles);
-    clock_ = clock;
-    if (motion_.displaces()) {
-        place_walls(clock_.listed_time);
-    }
-    wall_deviation_ = std::move(wall_deviation);
-    if (clock_.steps > 0 || starts_beside_dry_walls(case_)) {
-        wet_walls();
-    }
+    flow_.particles = std::move(particles);
+    flow_.clock = clock;
+    walls_.restore(flow_, std::move(wall_deviation));
     check_state();
-    refer_to_particles();
-    if (particles_.listed_position[0].empty()) {
+    flow_.refer_to_particles();
+    if (flow_.particles.listed_position[0].empty()) {
         build_lists(true);
         return;
     }
     build_lists(false);
-    particles_.listed_position = {};
+    flow_.particles.listed_position = {};
 }
 
 template <int D, class Real>
 double SimulationOf<D, Real>::mean_listed_neighbours() const {
-    return static_cast<double>(fluid_fluid_.neighbours) / static_cast<double>(clusters_.size());
+    return static_cast<double>(flow_.fluid_fluid.neighbours) / static_cast<double>(flow_.clusters.size());
 }
 
 template <int D, class Real>
 double SimulationOf<D, Real>::count_neighbours() const {
-    return count_directed_pairs(data_, clusters_, fixed_point_, 2.0 * scheme_.smoothing_length) /
-           static_cast<double>(particles_.size());
+    return count_directed_pairs(flow_.data, flow_.clusters, flow_.fixed_point,
+                                2.0 * flow_.scheme.smoothing_length) /
+           static_cast<double>(flow_.particles.size());
 }
 
 template <int D, class Real>
@@ -280,42 +240,40 @@ std::size_t SimulationOf<D, Real>::bytes() const {
     std::size_t total = 0;
     const auto add = [&](const auto& values) { total += values.capacity() * sizeof(values[0]); };
     for (std::size_t k = 0; k < axes; ++k) {
-        add(particles_.position[k]);
-        add(particles_.velocity[k]);
-        add(clusters_.slot_position[k]);
-        add(clusters_.centre[k]);
-        add(clusters_.half_extent[k]);
-        add(moved_.low[k]);
-        add(moved_.high[k]);
-        add(smoothed_velocity_[k]);
+        add(flow_.particles.position[k]);
+        add(flow_.particles.velocity[k]);
+        add(flow_.clusters.slot_position[k]);
+        add(flow_.clusters.centre[k]);
+        add(flow_.clusters.half_extent[k]);
+        add(flow_.moved.low[k]);
+        add(flow_.moved.high[k]);
     }
-    add(particles_.density_deviation);
-    add(particles_.mass);
-    add(particles_.id);
-    add(clusters_.begin);
-    add(clusters_.column_begin);
-    add(clusters_.highest);
-    add(clusters_.lowest);
-    add(data_.motion);
-    add(data_.stress);
-    add(data_.pressure);
-    add(data_.wall_gradient);
-    add(data_.wall_force);
-    for (const auto& component : data_.correction) {
+    add(flow_.particles.density_deviation);
+    add(flow_.particles.mass);
+    add(flow_.particles.id);
+    add(flow_.clusters.begin);
+    add(flow_.clusters.column_begin);
+    add(flow_.clusters.highest);
+    add(flow_.clusters.lowest);
+    add(flow_.data.motion);
+    add(flow_.data.stress);
+    add(flow_.data.pressure);
+    add(flow_.data.wall_gradient);
+    add(flow_.data.wall_force);
+    for (const auto& component : flow_.data.correction) {
         add(component);
     }
-    add(data_.correction_lane);
-    add(density_rate_);
-    for (const auto& component : particles_.previous.motion) {
+    add(flow_.data.correction_lane);
+    for (const auto& component : flow_.particles.previous.motion) {
         add(component);
     }
-    add(particles_.previous.density);
-    total += fields_.bytes();
-    total += ghosts_ ? ghosts_->bytes() : 0;
-    for (const auto& sweep : sweeps_) {
-        total += sweep->bytes();
+    add(flow_.particles.previous.density);
+    total += flow_.fields.bytes();
+    for (const auto& component : components_) {
+        total += component->bytes();
     }
-    return total + fluid_fluid_.bytes() + fluid_wall_.bytes() + wall_fluid_.bytes();
+    return total + walls_.bytes() + method_->bytes() + flow_.fluid_fluid.bytes() + flow_.fluid_wall.bytes() +
+           flow_.wall_fluid.bytes();
 }
 
 template class SimulationOf<2, float>;

@@ -13,8 +13,8 @@ namespace riffle {
 template <int D, class Real>
 bool SimulationOf<D, Real>::stays(std::size_t particle) const {
     for (std::size_t k = 0; k < axes; ++k) {
-        const double x = particles_.position[k][particle];
-        if (!(x >= particle_data_.stay_from[k] && x < particle_data_.stay_to[k])) {
+        const double x = flow_.particles.position[k][particle];
+        if (!(x >= flow_.particle_data.stay_from[k] && x < flow_.particle_data.stay_to[k])) {
             return false;
         }
     }
@@ -24,10 +24,10 @@ bool SimulationOf<D, Real>::stays(std::size_t particle) const {
 template <int D, class Real>
 bool SimulationOf<D, Real>::can_be_packed(std::size_t begin, std::size_t end) const {
     bool possible = true;
-    for_clusters(begin, end, [&](std::size_t first, std::size_t last, std::size_t) {
+    flow_.for_clusters(begin, end, [&](std::size_t first, std::size_t last, std::size_t) {
         for (std::size_t i = first; i < last; ++i) {
             for (std::size_t k = 0; k < axes; ++k) {
-                possible = possible && fixed_point_.in_range(particles_.position[k][i], k);
+                possible = possible && flow_.fixed_point.in_range(flow_.particles.position[k][i], k);
             }
         }
     });
@@ -41,13 +41,13 @@ void SimulationOf<D, Real>::check_state() const {
     std::size_t faults = 0;
     std::size_t worst = 0;
     double departure = -1.0;
-    for (std::size_t i = 0; i < particles_.size(); ++i) {
-        const double s = particles_.density_deviation[i];
+    for (std::size_t i = 0; i < flow_.particles.size(); ++i) {
+        const double s = flow_.particles.density_deviation[i];
         bool fault = !std::isfinite(s);
         for (std::size_t k = 0; k < axes; ++k) {
-            const double x = particles_.position[k][i];
-            fault = fault || !std::isfinite(x) || !std::isfinite(particles_.velocity[k][i]) ||
-                    !fixed_point_.in_range(x, k);
+            const double x = flow_.particles.position[k][i];
+            fault = fault || !std::isfinite(x) || !std::isfinite(flow_.particles.velocity[k][i]) ||
+                    !flow_.fixed_point.in_range(x, k);
         }
         if (fault) {
             ++faults;
@@ -65,9 +65,9 @@ void SimulationOf<D, Real>::check_state() const {
 
 template <int D, class Real>
 std::string SimulationOf<D, Real>::fault_text(std::size_t particle, std::size_t faults) const {
-    const auto x = in_space<D>(particles_.position, particle);
-    const auto u = in_space<D>(particles_.velocity, particle);
-    const double s = particles_.density_deviation[particle];
+    const auto x = in_space<D>(flow_.particles.position, particle);
+    const auto u = in_space<D>(flow_.particles.velocity, particle);
+    const double s = flow_.particles.density_deviation[particle];
     bool finite = std::isfinite(s);
     for (std::size_t k = 0; k < 3; ++k) {
         finite = finite && std::isfinite(x[k]) && std::isfinite(u[k]);
@@ -76,10 +76,10 @@ std::string SimulationOf<D, Real>::fault_text(std::size_t particle, std::size_t 
         "{}: particle {}{} at x = {:.6g} m, {}z = {:.6g} m, velocity ({:.4g}, {}{:.4g}) m/s, density "
         "deviation {:.4g}, at t = {:.6g} s (step {})",
         finite ? "a particle left the domain at one bound" : "the state is no longer finite",
-        particles_.id[particle],
+        flow_.particles.id[particle],
         faults > 1 ? fmt::format(" (of {}, the one whose density departs most)", faults) : "", x[0],
         D == 3 ? fmt::format("y = {:.6g} m, ", x[1]) : "", x[2], u[0],
-        D == 3 ? fmt::format("{:.4g}, ", u[1]) : "", u[2], s, clock_.time, clock_.steps);
+        D == 3 ? fmt::format("{:.4g}, ", u[1]) : "", u[2], s, flow_.clock.time, flow_.clock.steps);
 }
 
 // The lists still count the particles that go: they are built anew at the next step, and a saved state has
@@ -88,29 +88,29 @@ template <int D, class Real>
 void SimulationOf<D, Real>::take_out_leaving() {
     leaving_ = false;
     std::vector<std::int32_t> kept;
-    kept.reserve(particles_.size());
-    for (std::size_t i = 0; i < particles_.size(); ++i) {
+    kept.reserve(flow_.particles.size());
+    for (std::size_t i = 0; i < flow_.particles.size(); ++i) {
         if (stays(i)) {
             kept.push_back(static_cast<std::int32_t>(i));
             continue;
         }
-        LostParticle lost{.id = particles_.id[i],
-                          .time = clock_.time,
-                          .mass = particles_.mass[i],
-                          .position = in_space<D>(particles_.position, i),
-                          .velocity = in_space<D>(particles_.velocity, i)};
-        lost.exit = exit_of(case_, lost.position, lost.velocity);
-        particles_.lost.push_back(lost);
+        LostParticle lost{.id = flow_.particles.id[i],
+                          .time = flow_.clock.time,
+                          .mass = flow_.particles.mass[i],
+                          .position = in_space<D>(flow_.particles.position, i),
+                          .velocity = in_space<D>(flow_.particles.velocity, i)};
+        lost.exit = exit_of(flow_.c, lost.position, lost.velocity);
+        flow_.particles.lost.push_back(lost);
     }
-    if (kept.size() == particles_.size()) {
+    if (kept.size() == flow_.particles.size()) {
         return;  // back within the second half of the step
     }
     if (kept.empty()) {
         throw RunError(fmt::format("all water has left the domain ({}) at t = {:.6g} s",
-                                   exits_text(particles_.lost), clock_.time));
+                                   exits_text(flow_.particles.lost), flow_.clock.time));
     }
-    fields_.keep(kept);
-    particles_.permute(kept);
+    flow_.fields.keep(kept);
+    flow_.particles.permute(kept);
     unlisted_ = true;
 }
 

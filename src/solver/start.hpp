@@ -4,8 +4,8 @@
 
 #include "case/case.hpp"
 #include "column/column.hpp"
+#include "engine/scheme.hpp"
 #include "particles/particles.hpp"
-#include "solver/scheme.hpp"
 
 namespace riffle {
 

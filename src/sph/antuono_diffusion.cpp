@@ -9,16 +9,16 @@
 #include "base/parallel.hpp"
 #include "sph/correction.hpp"
 #include "sph/listed_pairs.hpp"
-#include "sph/pair_sweep.hpp"
+#include "sph/pair_sum.hpp"
 
 namespace riffle {
 
 namespace {
 
 template <int D, class Real>
-class AntuonoDiffusion final : public PairSweep<D, Real> {
+class AntuonoDiffusion final : public PairSum<D, Real> {
   public:
-    AntuonoDiffusion(const SweepConstants<D>& constants, double coefficient)
+    AntuonoDiffusion(const PairSumConstants<D>& constants, double coefficient)
         : constants_(constants), coefficient_(coefficient) {}
 
     void begin(const PairData<D, Real>& data, const Clusters<D>& clusters) override {
@@ -100,7 +100,7 @@ class AntuonoDiffusion final : public PairSweep<D, Real> {
         return static_cast<double>(data.motion[i].s) - static_cast<double>(data.motion[j].s);
     }
 
-    SweepConstants<D> constants_;
+    PairSumConstants<D> constants_;
     double coefficient_;            ///< delta h c0
     std::vector<Vec<D>> gradient_;  ///< of s, by slot
 };
@@ -108,14 +108,14 @@ class AntuonoDiffusion final : public PairSweep<D, Real> {
 }  // namespace
 
 template <int D, class Real>
-std::unique_ptr<PairSweep<D, Real>> make_antuono_diffusion(const SweepConstants<D>& constants,
-                                                           double coefficient) {
+std::unique_ptr<PairSum<D, Real>> make_antuono_diffusion(const PairSumConstants<D>& constants,
+                                                         double coefficient) {
     return std::make_unique<AntuonoDiffusion<D, Real>>(constants, coefficient);
 }
 
-template std::unique_ptr<PairSweep<2, float>> make_antuono_diffusion(const SweepConstants<2>&, double);
-template std::unique_ptr<PairSweep<2, double>> make_antuono_diffusion(const SweepConstants<2>&, double);
-template std::unique_ptr<PairSweep<3, float>> make_antuono_diffusion(const SweepConstants<3>&, double);
-template std::unique_ptr<PairSweep<3, double>> make_antuono_diffusion(const SweepConstants<3>&, double);
+template std::unique_ptr<PairSum<2, float>> make_antuono_diffusion(const PairSumConstants<2>&, double);
+template std::unique_ptr<PairSum<2, double>> make_antuono_diffusion(const PairSumConstants<2>&, double);
+template std::unique_ptr<PairSum<3, float>> make_antuono_diffusion(const PairSumConstants<3>&, double);
+template std::unique_ptr<PairSum<3, double>> make_antuono_diffusion(const PairSumConstants<3>&, double);
 
 }  // namespace riffle

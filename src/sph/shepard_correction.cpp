@@ -8,16 +8,16 @@
 
 #include "sph/correction.hpp"
 #include "sph/listed_pairs.hpp"
-#include "sph/pair_sweep.hpp"
+#include "sph/pair_sum.hpp"
 
 namespace riffle {
 
 namespace {
 
 template <int D, class Real>
-class ShepardCorrection final : public PairSweep<D, Real> {
+class ShepardCorrection final : public PairSum<D, Real> {
   public:
-    ShepardCorrection(const SweepConstants<D>& constants, bool pressure, bool gradient)
+    ShepardCorrection(const PairSumConstants<D>& constants, bool pressure, bool gradient)
         : constants_(constants), pressure_(pressure), gradient_(gradient) {}
 
     void begin(const PairData<D, Real>&, const Clusters<D>&) override {}
@@ -71,7 +71,7 @@ class ShepardCorrection final : public PairSweep<D, Real> {
                             });
     }
 
-    SweepConstants<D> constants_;
+    PairSumConstants<D> constants_;
     bool pressure_;
     bool gradient_;
 };
@@ -79,14 +79,14 @@ class ShepardCorrection final : public PairSweep<D, Real> {
 }  // namespace
 
 template <int D, class Real>
-std::unique_ptr<PairSweep<D, Real>> make_shepard_correction(const SweepConstants<D>& constants, bool pressure,
-                                                            bool gradient) {
+std::unique_ptr<PairSum<D, Real>> make_shepard_correction(const PairSumConstants<D>& constants, bool pressure,
+                                                          bool gradient) {
     return std::make_unique<ShepardCorrection<D, Real>>(constants, pressure, gradient);
 }
 
-template std::unique_ptr<PairSweep<2, float>> make_shepard_correction(const SweepConstants<2>&, bool, bool);
-template std::unique_ptr<PairSweep<2, double>> make_shepard_correction(const SweepConstants<2>&, bool, bool);
-template std::unique_ptr<PairSweep<3, float>> make_shepard_correction(const SweepConstants<3>&, bool, bool);
-template std::unique_ptr<PairSweep<3, double>> make_shepard_correction(const SweepConstants<3>&, bool, bool);
+template std::unique_ptr<PairSum<2, float>> make_shepard_correction(const PairSumConstants<2>&, bool, bool);
+template std::unique_ptr<PairSum<2, double>> make_shepard_correction(const PairSumConstants<2>&, bool, bool);
+template std::unique_ptr<PairSum<3, float>> make_shepard_correction(const PairSumConstants<3>&, bool, bool);
+template std::unique_ptr<PairSum<3, double>> make_shepard_correction(const PairSumConstants<3>&, bool, bool);
 
 }  // namespace riffle

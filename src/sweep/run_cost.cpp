@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/scheme.hpp"
 #include "particles/lattice.hpp"
-#include "solver/scheme.hpp"
 #include "solver/twins.hpp"
 
 namespace riffle {

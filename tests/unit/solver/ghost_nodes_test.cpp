@@ -1,4 +1,4 @@
-#include "solver/ghost_nodes.hpp"
+#include "walls/ghost_nodes.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/scheme.hpp"
 #include "small_case.hpp"
-#include "solver/scheme.hpp"
 
 namespace riffle::step_rule_test {
 namespace {

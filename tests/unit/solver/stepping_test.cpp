@@ -6,10 +6,10 @@
 
 #include "base/parallel.hpp"
 #include "case/words.hpp"
+#include "methods/stepper.hpp"
 #include "small_case.hpp"
 #include "solver/recorder.hpp"
 #include "solver/state_content.hpp"
-#include "solver/stepper.hpp"
 #include "written_checkpoint.hpp"
 
 namespace riffle::stepping_test {

@@ -1,4 +1,4 @@
-#include "solver/stirring.hpp"
+#include "components/stirring_modes.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,134 @@
+#pragma once
+
+#include <bit>
+#include <cmath>
+#include <utility>
+
+#include "engine/component.hpp"
+#include "engine/pair_setup.hpp"
+#include "roughness/bed_drag.hpp"
+#include "roughness/side_wall_partition.hpp"
+
+namespace riffle {
+
+/// The drag of the bed, and that of the side walls in their layers, whose coefficient may follow from it.
+template <int D, class Real>
+class BedDragForce final : public Component<D, Real> {
+  public:
+    using typename Component<D, Real>::Flow;
+    using typename Component<D, Real>::Task;
+
+    BedDragForce(Flow& flow, std::unique_ptr<const BedDrag> drag) : drag_(std::move(drag)) {
+        flow.inputs.drag = drag_ != nullptr;
+        if (D == 3 && has_side_wall_drag(flow.c)) {
+            flow.with_side_drag = true;
+            if (flow.c.side_walls.drag_form == SideDragForm::thesis) {
+                flow.clock.side_wall_drag_coefficient = printed_side_wall_coefficient(flow.c);
+            } else if (drag_) {
+                wall_over_bed_ = side_wall_partition(flow.c).wall_over_bed;
+                flow.inputs.sum_of_drags = true;
+                set_side_drag(flow, measured(flow));
+            }
+        }
+    }
+
+    void begin_evaluation(Flow& flow, const Stage& /*stage*/) override {
+        flow.inputs.side_drag = flow.clock.side_wall_drag_coefficient;
+    }
+
+    void add_forces(Flow& flow, Task& task, std::size_t begin, std::size_t end) override {
+        if (!drag_) {
+            return;
+        }
+        // Few clusters reach into the roughness.
+        const std::uint32_t reaching =
+            flow.particle_loops.standing_below(flow.particle_data, drag_->top(), begin, end);
+        task.particles.drag_clusters = reaching;
+        const std::vector<double>& height = flow.particles.position[Flow::vertical];
+        const auto block_first = static_cast<std::size_t>(flow.clusters.begin[begin]);
+        const bool in_plan = D == 3 && drag_->varies_in_plan();
+        for (std::uint32_t left = reaching; left != 0; left &= left - 1) {
+            const std::size_t cluster = begin + static_cast<std::size_t>(std::countr_zero(left));
+            const auto first = static_cast<std::size_t>(flow.clusters.begin[cluster]);
+            const auto count = static_cast<std::size_t>(flow.clusters.count(cluster));
+            double* const drag = &task.particles.drag[first - block_first];
+            if (in_plan) {
+                for (std::size_t n = 0; n < count; ++n) {
+                    drag[n] = coefficient(flow, first + n);
+                }
+            } else {
+                drag_->coefficients({&height[first], count}, {drag, count});
+            }
+        }
+    }
+
+    void end_evaluation(Flow& flow) override {
+        if (wall_over_bed_ <= 0.0) {
+            return;
+        }
+        if (!flow.motion_sums_drags) {
+            set_side_drag(flow, measured(flow));
+            return;
+        }
+        Sums sums{};
+        for (const AdvanceResult<D>& block : flow.block_advance) {
+            sums[0] += block.bed_drag;
+            sums[1] += block.side_layer;
+        }
+        set_side_drag(flow, sums);
+    }
+
+  private:
+    using Sums = std::array<double, 2>;  ///< of m beta u|u| of the bed, of m u|u| in the side walls' layers
+
+    [[nodiscard]] double coefficient(const Flow& flow, std::size_t particle) const {
+        const auto& position = flow.particles.position;
+        return drag_->coefficient_at(position[0][particle], position[1][particle],
+                                     position[Flow::vertical][particle]);
+    }
+
+    [[nodiscard]] Sums measured(const Flow& flow) const {
+        const Particles<D>& particles = flow.particles;
+        return reduce_blocks(
+            particles.size(), std::size_t{1024}, Sums{},
+            [&](std::size_t begin, std::size_t end) {
+                Sums part{};
+                for (std::size_t i = begin; i < end; ++i) {
+                    const double u = particles.velocity[0][i];
+                    const double square = particles.mass[i] * u * std::abs(u);
+                    const double y = particles.position[1][i];
+                    part[0] += coefficient(flow, i) * square;
+                    part[1] += y < flow.particle_data.layer_below || y > flow.particle_data.layer_above
+                                   ? square
+                                   : 0.0;
+                }
+                return part;
+            },
+            [](const Sums& a, const Sums& b) {
+                return Sums{a[0] + b[0], a[1] + b[1]};
+            });
+    }
+
+    /// Each side wall takes wall_over_bed times the drag of the bed of the whole width: of all that is
+    /// simulated between two walls, of twice that where one half is simulated. Either way the coefficient of
+    /// its layer is 2 wall_over_bed sum(m beta u|u|) / sum over all layers (m u|u|).
+    void set_side_drag(Flow& flow, const Sums& sums) const {
+        // Of water at rest nothing follows; the last coefficient stays.
+        if (sums[0] >= 0.0 && sums[1] > 0.0) {
+            flow.clock.side_wall_drag_coefficient = 2.0 * wall_over_bed_ * sums[0] / sums[1];
+        }
+    }
+
+    std::unique_ptr<const BedDrag> drag_;
+    double wall_over_bed_ = 0.0;  ///< force on each side wall over that on the bed; 0: a fixed coefficient
+};
+
+template <int D, class Real>
+std::unique_ptr<Component<D, Real>> make_bed_drag_force(FlowOf<D, Real>& flow) {
+    auto drag = make_bed_drag(flow.c);
+    return drag || (D == 3 && has_side_wall_drag(flow.c))
+               ? std::make_unique<BedDragForce<D, Real>>(flow, std::move(drag))
+               : nullptr;
+}
+
+}  // namespace riffle

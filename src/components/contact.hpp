@@ -1,0 +1,132 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <type_traits>
+#include <vector>
+
+#include "boundary/mesh_contact.hpp"
+#include "boundary/plane_contact.hpp"
+#include "boundary/solid_contact.hpp"
+#include "engine/component.hpp"
+#include "engine/particle_fault.hpp"
+#include "engine/pass_order.hpp"
+
+namespace riffle {
+
+/// Keeps water before walls and out of solids where their pressure does not: particles of a block that have
+/// moved behind a face are put back onto it.
+template <int D, class Real>
+class Contact final : public Component<D, Real> {
+  public:
+    using typename Component<D, Real>::Flow;
+    using typename Component<D, Real>::Task;
+
+    explicit Contact(const Flow& flow) : motion_(flow.c), planes_(flow.c) {
+        if constexpr (D == 2) {
+            solids_ = SolidContact(flow.c);
+        } else {
+            solids_ = MeshContact(flow.c, flow.walls);
+        }
+    }
+    [[nodiscard]] bool empty() const { return solids_.empty() && planes_.empty(); }
+
+    /// Error where water stands more than a spacing deep in a solid.
+    void particles_sorted(const Flow& flow) override {
+        const double spacing = flow.c.numerics.spacing;
+        const std::vector<BodyState> bodies = motion_.at(flow.clock.time);
+        for (std::size_t k = 0; k < flow.c.solids.size(); ++k) {
+            for (std::size_t i = 0; i < flow.particles.size(); ++i) {
+                if (solids_.depth(k, bodies, vector_of(flow.particles.position, i)) > spacing) {
+                    throw ParticleFault(i, entered(flow, flow.c.solids[k], i));
+                }
+            }
+        }
+    }
+
+    void begin_evaluation(Flow& flow, const Stage& stage) override {
+        if (!solids_.empty()) {
+            bodies_after_ = motion_.at(flow.clock.time + stage.motion);
+        }
+        depth_.assign(flow.block_advance.size(), 0.0);
+    }
+
+    void after_motion(Flow& flow, Task& /*task*/, const Stage& stage, std::size_t begin,
+                      std::size_t end) override {
+        double deepest = 0.0;
+        for (std::size_t cluster = begin; cluster < end; ++cluster) {
+            if (flow.fluid_wall.run_begin[cluster] == flow.fluid_wall.run_begin[cluster + 1]) {
+                continue;
+            }
+            flow.for_particles(cluster, cluster + 1, [&](std::size_t i, std::size_t) {
+                deepest = std::max(deepest, put_back(flow, i, stage.motion));
+            });
+        }
+        depth_[begin / block_clusters] = deepest;
+    }
+
+    void end_evaluation(Flow& flow) override {
+        if (!depth_.empty()) {
+            flow.clock.displacement_bound += 2.0 * *std::max_element(depth_.begin(), depth_.end());
+        }
+    }
+
+  private:
+    static Vec<D> vector_of(const std::array<std::vector<double>, static_cast<std::size_t>(D)>& values,
+                            std::size_t i) {
+        Vec<D> v{};
+        for (std::size_t k = 0; k < Flow::axes; ++k) {
+            v[k] = values[k][i];
+        }
+        return v;
+    }
+
+    /// Returns how far a particle was put back, m.
+    double put_back(Flow& flow, std::size_t i, double step) const {
+        constexpr std::size_t vertical = Flow::vertical;
+        Particles<D>& particles = flow.particles;
+        Vec<D> x = vector_of(particles.position, i);
+        Vec<D> u = vector_of(particles.velocity, i);
+        const Vec<D> before = u;
+        double depth = planes_.resolve(x, u);
+        if (!solids_.empty()) {
+            depth = std::max(depth, solids_.resolve(bodies_after_, x, u));
+        }
+        if (depth > 0.0 && flow.keep_fields) {
+            // What the wall takes from the velocity is a force of the wall.
+            auto& along = flow.fields.wall_acceleration_x;
+            auto& upright = flow.fields.wall_acceleration_z;
+            along.set(i, along[i] + (u[0] - before[0]) / step);
+            upright.set(i, upright[i] + (u[vertical] - before[vertical]) / step);
+        }
+        for (std::size_t k = 0; k < Flow::axes && depth > 0.0; ++k) {
+            particles.position[k][i] = x[k];
+            particles.velocity[k][i] = u[k];
+        }
+        return depth;
+    }
+
+    static std::string entered(const Flow& flow, const Solid& solid, std::size_t i) {
+        const Particles<D>& p = flow.particles;
+        return fmt::format(
+            "water has entered the solid \"{}\": particle {} at x = {:.6g} m, z = {:.6g} m, velocity ({:.4g}, {:.4g}) m/s, at t = {:.6g} s; take a smaller step ([numerics] courant_number){}",
+            solid.name, p.id[i], p.position[0][i], p.position[Flow::vertical][i], p.velocity[0][i],
+            p.velocity[Flow::vertical][i], flow.clock.time,
+            solid.motion == SolidMotion::fixed ? " or spacing"
+                                               : ", a smaller spacing, or let the solid move more slowly");
+    }
+
+    WallMotion motion_;
+    std::conditional_t<D == 2, SolidContact, MeshContact> solids_;
+    PlaneContact<D> planes_;
+    std::vector<BodyState> bodies_after_;  ///< at the end of the motion; empty without solids
+    std::vector<double> depth_;            ///< by block, the largest of the evaluation, m
+};
+
+template <int D, class Real>
+std::unique_ptr<Component<D, Real>> make_contact(FlowOf<D, Real>& flow) {
+    auto contact = std::make_unique<Contact<D, Real>>(flow);
+    return contact->empty() ? nullptr : std::move(contact);
+}
+
+}  // namespace riffle

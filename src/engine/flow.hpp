@@ -1,0 +1,184 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/parallel.hpp"
+#include "boundary/wall_motion.hpp"
+#include "case/case.hpp"
+#include "engine/particle_fields.hpp"
+#include "engine/scheme.hpp"
+#include "particles/clusters.hpp"
+#include "particles/force_on_solid.hpp"
+#include "particles/particles.hpp"
+#include "sph/pair_loops.hpp"
+#include "sph/particle_loops.hpp"
+
+namespace riffle {
+
+/// The sets of particles that passes run over, as PassDeclaration numbers them.
+inline constexpr std::size_t fluid_set = 0;
+inline constexpr std::size_t wall_set = 1;
+
+/// State that a run needs beside the particles to go on with the same bits.
+struct SimulationClock {
+    double time = 0.0;
+    std::int64_t steps = 0;
+    std::int64_t list_builds = 0;
+    double time_step = 0.0;                   ///< last step
+    double largest_acceleration = 0.0;        ///< of the last evaluation
+    double displacement_bound = 0.0;          ///< bound of the relative motion since the last list build, m
+    double side_wall_drag_coefficient = 0.0;  ///< beta of the side walls' layers in the next step, 1/m
+    double listed_time = 0.0;                 ///< of the last list build, where solids move, s
+};
+
+/// A simulated flow, whatever the arithmetic of its pairs: its case, the state of water and walls, and what
+/// is sampled of them.
+template <int D>
+struct FlowIn {
+    explicit FlowIn(const Case& c_) : c(c_) {}
+
+    Case c;
+    Scheme scheme;
+    SimulationClock clock;
+    Particles<D> particles;
+    WallParticles<D> walls;
+    std::vector<double> wall_deviation;      ///< density deviation by wall particle
+    std::vector<BodyState> bodies;           ///< at the evaluation in progress; empty where no wall moves
+    bool keep_fields = true;                 ///< in the step in progress
+    ParticleFields fields;                   ///< where they are kept
+    std::vector<ForceOnSolid> solid_forces;  ///< at the same times; empty without solids
+};
+
+/// What an evaluation of the rates advances by how much, s.
+struct Stage {
+    double density = 0.0;
+    double wall = 0.0;  ///< density of dynamic walls
+    double motion = 0.0;
+    double kick = -1.0;   ///< of the velocities, where it is another than that of the motion
+    bool midway = false;  ///< the continuity sum is that of PairLoops::gradient_midway
+    double time = 0.0;    ///< of the evaluation, after the begin of the step
+    int number = 0;       ///< of the evaluation in its step
+};
+
+/// Sums, inputs and buffers of a block of clusters; each thread keeps one from block to block.
+template <int D, class Real>
+struct BlockTask {
+    BlockWork<D, Real> sums;
+    ParticleWork<D, Real> particles;
+    /// The part of ParticleWork::acceleration that walls push with, m/s2.
+    std::array<LaneArray<double>, static_cast<std::size_t>(D)> wall_acceleration;
+};
+
+/// A flow with the records, lists and loops that its passes work with. Passes, components, wall treatments
+/// and methods are handed it; they share nothing else.
+template <int D, class Real>
+struct FlowOf : FlowIn<D> {
+    static constexpr auto axes = static_cast<std::size_t>(D);
+    static constexpr std::size_t vertical = axes - 1;
+    using Task = BlockTask<D, Real>;
+
+    FlowOf(const Case& c_, const ColumnResult* column, Particles<D> water);
+
+    Domain<D> domain;
+    FixedPoint<D> fixed_point;
+    double column_width;  ///< of the columns that clusters are cut from: 8 particles then fill a nearly
+                          ///< cubic box
+    PairLoops<D, Real> loops;
+    ParticleLoops<D, Real> particle_loops;
+    PairData<D, Real> data;
+    ParticleData<D> particle_data;
+    Clusters<D> clusters;  ///< of the listed positions
+    Clusters<D> wall_clusters;
+    NeighbourList fluid_fluid;
+    NeighbourList fluid_wall;
+    NeighbourList wall_fluid;
+
+    AdvanceOptions inputs;          ///< what the components add to the motion; the steps are those of a stage
+    bool with_side_drag = false;    ///< side walls with drag
+    bool motion_sums_drags = true;  ///< AdvanceResult has the sums over the drags
+    bool density_filtered = false;  ///< at the begin of the step in progress
+    std::vector<AdvanceResult<D>> block_advance;  ///< by block
+    Displacement<D> moved;
+    bool moved_known = false;  ///< `moved` is of the present positions
+
+    /// Tell the loops where the arrays of the particles are: after each change of their order or number.
+    void refer_to_particles();
+    /// Make the motion records anew, with the displacements.
+    void repack();
+    /// The records behind the last particle, which fill up turns of the loops.
+    void fill_last_records();
+
+    /// Call f(first particle, end, lane of the first) for the clusters of a block.
+    template <class F>
+    void for_clusters(std::size_t begin, std::size_t end, const F& f) const {
+        for (std::size_t cluster = begin; cluster < end; ++cluster) {
+            f(static_cast<std::size_t>(clusters.begin[cluster]),
+              static_cast<std::size_t>(clusters.begin[cluster + 1]), (cluster - begin) * cluster_size);
+        }
+    }
+    /// Call f(particle, its lane) for the particles of a block.
+    template <class F>
+    void for_particles(std::size_t begin, std::size_t end, const F& f) const {
+        for_clusters(begin, end, [&f](std::size_t first, std::size_t last, std::size_t first_lane) {
+            for (std::size_t i = first; i < last; ++i) {
+                f(i, first_lane + (i - first));
+            }
+        });
+    }
+    /// f(task, begin, end) for blocks of clusters, in parallel or, where a thread is `alone` with its strip,
+    /// one after the other; each thread keeps its task from call to call.
+    template <class F>
+    void for_blocks(std::size_t cluster_count, std::span<const std::uint32_t> blocks, const F& f,
+                    bool alone) const {
+        const auto one = [&](std::size_t i) {
+            const std::size_t begin = block_clusters * blocks[i];
+            f(this_task(), begin, std::min(begin + block_clusters, cluster_count));
+        };
+        if (alone) {
+            for (std::size_t i = 0; i < blocks.size(); ++i) {
+                one(i);
+            }
+        } else {
+            parallel_blocks(blocks.size(), 1, [&](std::size_t i, std::size_t) { one(i); });
+        }
+    }
+    /// The same for all blocks of the water.
+    template <class F>
+    void for_blocks(const F& f) const {
+        parallel_blocks(clusters.size(), block_clusters,
+                        [&](std::size_t begin, std::size_t end) { f(this_task(), begin, end); });
+    }
+    /// f(sums, particle, lane) for each particle, with its moments over the neighbours.
+    template <class F>
+    void for_moments(const F& f) {
+        for_blocks([&](Task& task, std::size_t begin, std::size_t end) {
+            loops.filter(data, begin, end, task.sums);
+            for_particles(begin, end, [&](std::size_t i, std::size_t lane) { f(task.sums.filter, i, lane); });
+        });
+    }
+
+  private:
+    [[nodiscard]] Task& this_task() const {
+        thread_local Task task;
+        const std::size_t needed =
+            std::max({fluid_fluid.buffer_size(), fluid_wall.buffer_size(), wall_fluid.buffer_size()});
+        if (task.sums.slots.size() < needed) {
+            task.sums.slots.resize(needed);
+        }
+        return task;
+    }
+};
+
+/// Clusters per task of a loop without sums.
+inline constexpr std::size_t light_block = 128;
+
+/// Particles per edge of a cluster of 8 in the columns: columns of this many spacings.
+[[nodiscard]] constexpr double cluster_column_spacings(int dimensions) {
+    return dimensions == 2 ? 2.67 : 2.0;
+}
+
+}  // namespace riffle

@@ -1,0 +1,97 @@
+#include "engine/scheme.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "boundary/wall_motion.hpp"
+#include "case/flow_kind.hpp"
+#include "particles/lattice.hpp"
+
+namespace riffle {
+
+namespace {
+
+double expected_velocity(const Case& c, const ColumnResult* column) {
+    if (c.start.kind == StartKind::standing_wave) {
+        return c.start.amplitude * std::sqrt(c.fluid.gravity / c.total_depth());
+    }
+    double velocity = std::max(c.start.velocity.value_or(0.0), largest_wall_speed(c));
+    if (!c.start.water_z.empty()) {
+        // Half the speed of Ritter's front, 2 sqrt(g h): the sound is ten times as fast as that. Water that
+        // stands above the bed falls on it.
+        const double high = *std::max_element(c.start.water_z.begin(), c.start.water_z.end());
+        velocity = std::max(velocity, std::sqrt(c.fluid.gravity * high));
+    }
+    if (column != nullptr) {
+        for (const double u : column->profile.velocity) {
+            velocity = std::max(velocity, std::abs(u));
+        }
+    }
+    return velocity;
+}
+
+}  // namespace
+
+double Scheme::hydrostatic_deviation(double z) const { return state.deviation(normal_gravity * (depth - z)); }
+
+Scheme make_scheme(const Case& c, const ColumnResult* column) {
+    const Lattice lattice = lattice_of(c);
+    Scheme scheme;
+    scheme.spacing = lattice.dx;
+    scheme.smoothing_length = c.numerics.smoothing_ratio * c.numerics.spacing;
+    scheme.depth = c.total_depth();
+    scheme.density = c.fluid.density;
+    scheme.viscosity = c.fluid.kinematic_viscosity;
+    const bool fully_periodic = c.channel.top == Top::periodic;
+    scheme.streamwise_gravity = fully_periodic ? 0.0 : c.streamwise_gravity();
+    // Between two plates and in a periodic box gravity normal to the bed only adds a hydrostatic pressure.
+    scheme.normal_gravity = c.channel.top == Top::free_surface ? c.normal_gravity() : 0.0;
+    scheme.maximum_velocity = expected_velocity(c, column);
+    scheme.state.kind = c.numerics.equation_of_state;
+    scheme.state.sound_speed = c.numerics.sound_speed.value_or(
+        std::max(20.0 * scheme.maximum_velocity, 10.0 * std::sqrt(scheme.normal_gravity * scheme.depth)));
+    scheme.acoustic_step = c.numerics.courant_number * scheme.smoothing_length / scheme.state.sound_speed;
+    // Explicit diffusion of momentum, here only where the viscosity is that of a laminar case.
+    const double h = scheme.smoothing_length;
+    double stiffness = scheme.viscosity;
+    if (c.numerics.viscosity == ViscosityForm::monaghan_gingold) {
+        stiffness *= c.channel.dimensions + 2.0;  // its force along a line of centres is as much stronger
+    }
+    scheme.acoustic_step = std::min(scheme.acoustic_step, 0.125 * h * h / stiffness);
+    scheme.bulk_viscosity = c.numerics.acoustic_damping * h * scheme.state.sound_speed;
+    if (scheme.bulk_viscosity > 0.0) {
+        scheme.acoustic_step = std::min(scheme.acoustic_step, 0.25 * h * h / scheme.bulk_viscosity);
+    }
+    if (c.numerics.viscosity == ViscosityForm::artificial) {
+        const double viscosity = c.numerics.artificial_viscosity * h * scheme.state.sound_speed /
+                                 (2.0 * (c.channel.dimensions + 2.0));
+        scheme.acoustic_step = std::min(scheme.acoustic_step, 0.125 * h * h / viscosity);
+    }
+    return scheme;
+}
+
+double largest_step(const Case& c, const Scheme& scheme) {
+    return c.numerics.time_step.value_or(scheme.acoustic_step);
+}
+
+int midway_interval(const Case& c) {
+    const bool layered = c.channel.ends == Ends::periodic && c.solids.empty() && !resolves_eddies(c) &&
+                         c.numerics.impact_dissipation == 0.0;
+    return layered ? 2 : 1;
+}
+
+double force_limited_step(const Scheme& scheme, double largest_acceleration) {
+    return largest_acceleration > 0.0 ? 0.25 * std::sqrt(scheme.smoothing_length / largest_acceleration)
+                                      : std::numeric_limits<double>::infinity();
+}
+
+double monaghan_kos_step(const Scheme& scheme, double courant_number, double largest_acceleration,
+                         double approach) {
+    const double h = scheme.smoothing_length;
+    const double acoustic = h / (scheme.state.sound_speed + approach);
+    return courant_number *
+           (largest_acceleration > 0.0 ? std::min(acoustic, std::sqrt(h / largest_acceleration)) : acoustic);
+}
+
+}  // namespace riffle

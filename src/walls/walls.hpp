@@ -1,0 +1,66 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "boundary/wall_motion.hpp"
+#include "walls/wall_treatment.hpp"
+
+namespace riffle {
+
+/// The walls and solids of a flow: where their particles stand, how they move, and how they are treated.
+template <int D, class Real>
+class Walls {
+  public:
+    using Flow = FlowOf<D, Real>;
+    using Task = BlockTask<D, Real>;
+
+    /// Puts the wall particles of the case into the flow, not sorted yet.
+    explicit Walls(Flow& flow);
+
+    /// Sort and pack the walls, with the state of the start.
+    void place_at_start(Flow& flow);
+    /// Put the state of a checkpoint back, whose clock the flow has.
+    void restore(Flow& flow, std::vector<double> deviation);
+
+    /// Lists are about to be built of the sorted particles.
+    void place_for_lists(Flow& flow);
+    void lists_built(Flow& flow, double reach);
+    /// Where the walls stand at the time of an evaluation, and how they move, into their records.
+    void move(Flow& flow, const Stage& stage);
+    /// Widen the range of velocities by those of the solids in the step that begins now.
+    void add_motion(double step, Vec<D>& slowest, Vec<D>& fastest) const;
+
+    /// Whether the lists hold by the bound of all velocities alone: walls change their place, or what they
+    /// look at is in no list of clusters.
+    [[nodiscard]] bool outside_of_lists(const Flow& flow) const {
+        return motion_.displaces() || looks_at_all_water(flow);
+    }
+    [[nodiscard]] bool looks_at_all_water(const Flow& flow) const {
+        return flow.walls.size() > 0 && treatment_->looks_at_all_water();
+    }
+    void look_at_water(Flow& flow) { treatment_->look_at_water(flow); }
+    void update(Flow& flow, Task& task, const Stage& stage, std::size_t begin, std::size_t end) {
+        treatment_->update(flow, task, stage, begin, end);
+    }
+    [[nodiscard]] std::size_t bytes() const { return treatment_->bytes(); }
+
+  private:
+    void set_hydrostatic(Flow& flow) const;
+    /// Sort the walls in space and cut them into clusters; the order that they had before.
+    static std::vector<std::int32_t> sort(Flow& flow);
+    /// Put the walls where they stand at a time, sort and pack them.
+    void place(Flow& flow, double time);
+    /// Coordinate of a wall particle that is displaced with its body; axis 0: x, 1: z.
+    static double displaced(const Flow& flow, double x, const BodyState& body, std::size_t axis);
+
+    WallMotion motion_;
+    std::unique_ptr<WallTreatment<D, Real>> treatment_;
+    std::vector<BodyState>
+        before_;  ///< at the begin of the motion of an evaluation; empty where no wall moves
+    std::vector<BodyState> after_;     ///< at its end
+    WallParticles<D> reference_;       ///< at t = 0 in their first order; only where walls change place
+    std::vector<std::int32_t> order_;  ///< of the flow's walls: number in reference_
+};
+
+}  // namespace riffle
