@@ -25,6 +25,14 @@ FlowOf<D, Real>::FlowOf(const Case& c_, const ColumnResult* column, Particles<D>
 template <int D, class Real>
 void FlowOf<D, Real>::refer_to_particles() {
     auto& water = this->particles;
+    if (water.created == 0) {
+        for (const std::int32_t id : water.id) {
+            water.created = std::max(water.created, id + 1);
+        }
+        for (const LostParticle& lost : water.lost) {
+            water.created = std::max(water.created, lost.id + 1);
+        }
+    }
     for (std::size_t k = 0; k < axes; ++k) {
         particle_data.position[k] = water.position[k].data();
         particle_data.velocity[k] = water.velocity[k].data();

@@ -46,7 +46,6 @@ struct FlowIn {
     SimulationClock clock;
     Particles<D> particles;
     WallParticles<D> walls;
-    std::vector<double> wall_deviation;      ///< density deviation by wall particle
     std::vector<BodyState> bodies;           ///< at the evaluation in progress; empty where no wall moves
     bool keep_fields = true;                 ///< in the step in progress
     ParticleFields fields;                   ///< where they are kept

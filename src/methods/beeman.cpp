@@ -11,7 +11,7 @@ namespace {
 ///     u* = u + dt (3 a^n - a^(n-1))/2               u = u + dt (5 a* + 8 a^n - a^(n-1))/12
 ///
 /// and the density like u, for equal steps; here the same polynomials through steps of any length. The first
-/// step has no n-1: its predictor is Euler's, its corrector the trapezoidal rule. Particles::previous holds
+/// step has no n-1: its predictor is Euler's, its corrector the trapezoidal rule. The previous step holds
 /// the rates of n-1.
 template <int D>
 class Beeman final : public Stepper<D> {
@@ -20,12 +20,18 @@ class Beeman final : public Stepper<D> {
     [[nodiscard]] double evaluation_time(int evaluation) const override {
         return evaluation == 0 ? 0.0 : 1.0;
     }
+    void declare(Particles<D>& particles) override {
+        previous_.declare(particles, {"previous_motion_", "m/s2", "acceleration of the step before along "},
+                          {"previous_density", "1/s", "rate of change of rho/rho0 of the step before"});
+    }
     void begin(Particles<D>& particles, const StepSize& step) override {
         start_.save(particles);
         step_ = step.now;
-        auto& previous = particles.previous;
-        if (previous.empty()) {
-            previous.resize(particles.size());
+        if (previous_.empty(particles)) {
+            for (std::size_t k = 0; k < D; ++k) {
+                previous_.motion(particles, k).resize(particles.size());
+            }
+            previous_.density(particles).resize(particles.size());
             weights_ = {.predict = 0.0, .predict_path = 0.0, .correct_new = 0.5, .correct_before = 0.0};
         } else {
             const double r = step.before / step.now;
@@ -34,7 +40,10 @@ class Beeman final : public Stepper<D> {
                         .correct_new = (1.0 / 3.0 + 0.5 * r) / (1.0 + r),
                         .correct_before = -1.0 / (6.0 * r * (1.0 + r))};
         }
-        now_.resize(particles.size());
+        for (auto& component : acceleration_) {
+            component.resize(particles.size());
+        }
+        density_rate_.resize(particles.size());
     }
     void advance(int evaluation, std::size_t i, const ParticleRates<D>& rates, Particles<D>& p) override {
         if (evaluation == 0) {
@@ -54,13 +63,13 @@ class Beeman final : public Stepper<D> {
     };
     void predict(std::size_t i, const ParticleRates<D>& rates, Particles<D>& p) {
         const auto mean = [&](double now, double before) { return now + weights_.predict * (before - now); };
-        now_.density[i] = rates.density;
-        p.density_deviation[i] += step_ * mean(rates.density, p.previous.density[i]);
+        density_rate_[i] = rates.density;
+        p.density_deviation[i] += step_ * mean(rates.density, previous_.density(p)[i]);
         for (std::size_t k = 0; k < D; ++k) {
             const double a = rates.acceleration[k];
-            const double before = p.previous.motion[k][i];
+            const double before = previous_.motion(p, k)[i];
             const double path = 0.5 * a + weights_.predict_path * (before - a);
-            now_.motion[k][i] = a;
+            acceleration_[k][i] = a;
             p.position[k][i] += step_ * (p.velocity[k][i] + rates.drift[k] + step_ * path);
             p.velocity[k][i] += step_ * mean(a, before);
         }
@@ -69,14 +78,14 @@ class Beeman final : public Stepper<D> {
         const auto mean = [&](double next, double now, double before) {
             return now + weights_.correct_new * (next - now) + weights_.correct_before * (before - now);
         };
-        double& before = p.previous.density[i];
+        double& before = previous_.density(p)[i];
         p.density_deviation[i] =
-            start_.density_deviation[i] + step_ * mean(rates.density, now_.density[i], before);
-        before = now_.density[i];
+            start_.density_deviation[i] + step_ * mean(rates.density, density_rate_[i], before);
+        before = density_rate_[i];
         for (std::size_t k = 0; k < D; ++k) {
             const double a = rates.acceleration[k];
-            const double now = now_.motion[k][i];
-            double& last = p.previous.motion[k][i];
+            const double now = acceleration_[k][i];
+            double& last = previous_.motion(p, k)[i];
             p.position[k][i] = start_.position[k][i] + step_ * (start_.velocity[k][i] + rates.drift[k] +
                                                                 step_ * (a + 2.0 * now) / 6.0);
             p.velocity[k][i] = start_.velocity[k][i] + step_ * mean(a, now, last);
@@ -87,7 +96,10 @@ class Beeman final : public Stepper<D> {
     StepStart<D> start_;
     double step_ = 0.0;
     Weights weights_;
-    PreviousStep<D> now_;  ///< rates at n
+    PreviousStep<D> previous_;
+    // Rates at n.
+    std::array<std::vector<double>, static_cast<std::size_t>(D)> acceleration_;
+    std::vector<double> density_rate_;
 };
 
 }  // namespace

@@ -18,8 +18,10 @@ class SteppingByRates final : public Method<D, Real> {
     using typename Method<D, Real>::Flow;
     using typename Method<D, Real>::Task;
 
-    explicit SteppingByRates(std::unique_ptr<Stepper<D>> stepper)
-        : stepper_(std::move(stepper)), stages_(static_cast<std::size_t>(stepper_->evaluations())) {}
+    SteppingByRates(std::unique_ptr<Stepper<D>> stepper, Flow& flow)
+        : stepper_(std::move(stepper)), stages_(static_cast<std::size_t>(stepper_->evaluations())) {
+        stepper_->declare(flow.particles);
+    }
 
     [[nodiscard]] int evaluations() const override { return stepper_->evaluations(); }
     [[nodiscard]] bool bounds_motion() const override { return false; }

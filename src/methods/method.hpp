@@ -37,8 +37,8 @@ class Method {
     [[nodiscard]] virtual std::size_t bytes() const { return 0; }
 };
 
-/// The method of a case: the one place where they are registered.
+/// The method of a case, which may add fields to the particles: the one place where they are registered.
 template <int D, class Real>
-[[nodiscard]] std::unique_ptr<Method<D, Real>> make_method(const Case& c);
+[[nodiscard]] std::unique_ptr<Method<D, Real>> make_method(FlowOf<D, Real>& flow);
 
 }  // namespace riffle

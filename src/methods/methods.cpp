@@ -23,21 +23,21 @@ std::unique_ptr<Stepper<D>> make_stepper(Stepping stepping) {
 }
 
 template <int D, class Real>
-std::unique_ptr<Method<D, Real>> make_method(const Case& c) {
-    if (auto stepper = make_stepper<D>(c.numerics.stepping)) {
-        return std::make_unique<SteppingByRates<D, Real>>(std::move(stepper));
+std::unique_ptr<Method<D, Real>> make_method(FlowOf<D, Real>& flow) {
+    if (auto stepper = make_stepper<D>(flow.c.numerics.stepping)) {
+        return std::make_unique<SteppingByRates<D, Real>>(std::move(stepper), flow);
     }
-    if (c.numerics.stepping == Stepping::leapfrog) {
-        return std::make_unique<Leapfrog<D, Real>>(c);
+    if (flow.c.numerics.stepping == Stepping::leapfrog) {
+        return std::make_unique<Leapfrog<D, Real>>(flow.c);
     }
     return std::make_unique<SemiImplicitEuler<D, Real>>();
 }
 
 template std::unique_ptr<Stepper<2>> make_stepper<2>(Stepping);
 template std::unique_ptr<Stepper<3>> make_stepper<3>(Stepping);
-template std::unique_ptr<Method<2, float>> make_method(const Case&);
-template std::unique_ptr<Method<2, double>> make_method(const Case&);
-template std::unique_ptr<Method<3, float>> make_method(const Case&);
-template std::unique_ptr<Method<3, double>> make_method(const Case&);
+template std::unique_ptr<Method<2, float>> make_method(FlowOf<2, float>&);
+template std::unique_ptr<Method<2, double>> make_method(FlowOf<2, double>&);
+template std::unique_ptr<Method<3, float>> make_method(FlowOf<3, float>&);
+template std::unique_ptr<Method<3, double>> make_method(FlowOf<3, double>&);
 
 }  // namespace riffle

@@ -28,8 +28,8 @@ struct StepSize {
 /// for itself. SteppingByRates calls begin(), then for each evaluation finds the rates of all particles in
 /// their present state and calls advance() for each of them, in any order and from any thread.
 ///
-/// What a method needs of the step before stands in Particles::previous, which is sorted with the particles
-/// and saved with them.
+/// What a method needs of the step before it adds to the particles as further fields (PreviousStep), which
+/// are sorted with them and saved with them.
 template <int D>
 class Stepper {
   public:
@@ -38,6 +38,8 @@ class Stepper {
     Stepper& operator=(const Stepper&) = delete;
     virtual ~Stepper() = default;
 
+    /// Add the fields that it needs to the particles, once before the first step.
+    virtual void declare(Particles<D>& /*particles*/) {}
     /// Evaluations of the rates per step.
     [[nodiscard]] virtual int evaluations() const = 0;
     /// Time of an evaluation, counted from 0, within the step, in units of it.

@@ -64,6 +64,14 @@ double snapshot_share(const Case& c) {
            (c.channel.dimensions == 3 ? share(c.output.snapshot_y, c.channel.simulated_width()) : 1.0);
 }
 
+/// Bytes of a particle in a saved state, in which each number takes eight.
+template <int D>
+std::size_t state_bytes() {
+    std::size_t fields = D;  // the listed positions
+    Particles<D>().for_each_field([&fields](const FieldInfo&, const auto&) { ++fields; });
+    return fields * sizeof(double);
+}
+
 RecordedBytes recorded_bytes(const Case& c, double particles, double time) {
     const auto count = [&](double interval) { return interval > 0.0 ? time / interval : 0.0; };
     const int dimensions = c.channel.dimensions;
@@ -90,7 +98,7 @@ RecordedBytes recorded_bytes(const Case& c, double particles, double time) {
             particles * snapshot_share(c) * static_cast<double>(SnapshotRecorder(c).bytes_per_particle());
         bytes.snapshots = (count(c.output.snapshot_interval) + 1.0) * bytes.snapshot;
     }
-    bytes.state = particles * 3.0 * (1.0 + dimensions) * sizeof(double);
+    bytes.state = particles * static_cast<double>(dimensions == 2 ? state_bytes<2>() : state_bytes<3>());
     return bytes;
 }
 

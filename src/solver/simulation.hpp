@@ -66,7 +66,9 @@ class SimulationIn {
     [[nodiscard]] const std::vector<ForceOnSolid>& solid_forces() const { return flow().solid_forces; }
     [[nodiscard]] const SimulationClock& clock() const { return flow().clock; }
     [[nodiscard]] const Scheme& scheme() const { return flow().scheme; }
-    [[nodiscard]] const std::vector<double>& wall_density_deviation() const { return flow().wall_deviation; }
+    [[nodiscard]] const std::vector<double>& wall_density_deviation() const {
+        return walls().density_deviation;
+    }
     [[nodiscard]] const WallParticles<D>& walls() const { return flow().walls; }
 
     /// Coordinates of the particles from `first` on at the last build of the neighbour lists, m: part of the

@@ -240,17 +240,12 @@ std::size_t SimulationOf<D, Real>::bytes() const {
     std::size_t total = 0;
     const auto add = [&](const auto& values) { total += values.capacity() * sizeof(values[0]); };
     for (std::size_t k = 0; k < axes; ++k) {
-        add(flow_.particles.position[k]);
-        add(flow_.particles.velocity[k]);
         add(flow_.clusters.slot_position[k]);
         add(flow_.clusters.centre[k]);
         add(flow_.clusters.half_extent[k]);
         add(flow_.moved.low[k]);
         add(flow_.moved.high[k]);
     }
-    add(flow_.particles.density_deviation);
-    add(flow_.particles.mass);
-    add(flow_.particles.id);
     add(flow_.clusters.begin);
     add(flow_.clusters.column_begin);
     add(flow_.clusters.highest);
@@ -264,11 +259,7 @@ std::size_t SimulationOf<D, Real>::bytes() const {
         add(component);
     }
     add(flow_.data.correction_lane);
-    for (const auto& component : flow_.particles.previous.motion) {
-        add(component);
-    }
-    add(flow_.particles.previous.density);
-    total += flow_.fields.bytes();
+    total += flow_.particles.bytes() + flow_.fields.bytes();
     for (const auto& component : components_) {
         total += component->bytes();
     }

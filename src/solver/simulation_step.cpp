@@ -16,7 +16,7 @@ SimulationOf<D, Real>::SimulationOf(const Case& c, const ColumnResult* column, P
     : flow_(c, column, std::move(particles)),
       walls_(flow_),
       components_(make_components(flow_, column != nullptr ? column->total_mean_velocity : 0.0)),
-      method_(make_method<D, Real>(c)) {
+      method_(make_method(flow_)) {
     flow_.motion_sums_drags = method_->sums_drags();
     check_state();
     walls_.place_at_start(flow_);

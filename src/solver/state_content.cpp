@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <type_traits>
 #include <utility>
 
 #include "base/error.hpp"
@@ -20,49 +21,18 @@ namespace {
 
 constexpr const char* lost_group = "/lost_particles";
 
-template <int D>
-constexpr auto axis_names = [] {
-    if constexpr (D == 2) {
-        return std::array<const char*, 2>{"x", "z"};
-    } else {
-        return std::array<const char*, 3>{"x", "y", "z"};
-    }
-}();
-
-/// Values that are read from an array while they are written. It must stay until then.
-StreamedValues<double> lent(const std::vector<double>& values) {
-    return {.count = values.size(), .fill = [&values](std::size_t first, std::span<double> block) {
-                std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(first), block.size(), block.begin());
-            }};
-}
-
-void add_lent(Content& content, std::string path, StreamedValues<double> values, std::string unit,
-              std::string long_name) {
-    const std::size_t n = values.count;
-    content.datasets.push_back({.path = std::move(path),
-                                .shape = {n},
-                                .values = std::move(values),
-                                .unit = std::move(unit),
-                                .long_name = std::move(long_name)});
-}
-
-/// What the stepper keeps of the step before, where it keeps anything.
-template <int D>
-void add_previous_step(Content& content, const std::string& group, const PreviousStep<D>& previous,
-                       Stepping stepping) {
-    if (previous.empty()) {
-        return;
-    }
-    const bool rates = stepping == Stepping::beeman;
-    for (std::size_t k = 0; k < D; ++k) {
-        const std::string axis = axis_names<D>[k];
-        add_lent(content, group + "/previous_motion_" + axis, lent(previous.motion[k]),
-                 rates ? "m/s2" : "m/s",
-                 (rates ? "acceleration of the step before along " : "velocity before the last step along ") +
-                     axis);
-    }
-    add_lent(content, group + "/previous_density", lent(previous.density), rates ? "1/s" : "1",
-             rates ? "rate of change of rho/rho0 of the step before" : "rho/rho0 - 1 before the last step");
+/// A dataset of values that are read from an array while they are written. The array must stay until then.
+template <class T>
+Dataset lent(const std::string& group, const FieldInfo& info, const std::vector<T>& values) {
+    using Saved = std::conditional_t<std::is_same_v<T, double>, double, std::int64_t>;
+    const auto fill = [&values](std::size_t first, std::span<Saved> block) {
+        std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(first), block.size(), block.begin());
+    };
+    return {.path = group + "/" + info.name,
+            .shape = {values.size()},
+            .values = StreamedValues<Saved>{values.size(), fill},
+            .unit = info.unit,
+            .long_name = info.long_name};
 }
 
 void add_lost_particles(Content& content, const std::vector<LostParticle>& lost, int dimensions) {
@@ -143,34 +113,27 @@ std::vector<LostParticle> saved_lost_particles(const CheckpointReader& checkpoin
 template <int D>
 void add_state(Content& content, const std::string& group, const SimulationIn<D>& simulation) {
     const Particles<D>& p = simulation.particles();
-    const std::size_t n = p.size();
-    for (std::size_t k = 0; k < D; ++k) {
-        const std::string axis = axis_names<D>[k];
-        add_lent(content, group + "/position_" + axis, lent(p.position[k]), "m", "position " + axis);
-        add_lent(content, group + "/velocity_" + axis, lent(p.velocity[k]), "m/s", "velocity along " + axis);
-        if (simulation.lists_out_of_date()) {
-            continue;  // the run builds them anew, here as after a resume
+    p.for_each_field([&](const FieldInfo& info, const auto& values) {
+        if (!values.empty()) {
+            content.datasets.push_back(lent(group, info, values));
         }
+    });
+    // What is out of date the run builds anew, here as after a resume.
+    for (std::size_t k = 0; k < D && !simulation.lists_out_of_date(); ++k) {
         const auto listed = [&simulation, k](std::size_t first, std::span<double> block) {
             simulation.listed_positions(k, first, block);
         };
-        add_lent(content, group + "/listed_position_" + axis, {n, listed}, "m",
-                 "position at the last build of the neighbour lists, " + axis);
+        const std::string axis = axis_names<D>[k];
+        content.datasets.push_back(
+            {.path = group + "/listed_position_" + axis,
+             .shape = {p.size()},
+             .values = StreamedValues<double>{p.size(), listed},
+             .unit = "m",
+             .long_name = "position at the last build of the neighbour lists, " + axis});
     }
-    add_lent(content, group + "/density_deviation", lent(p.density_deviation), "1", "rho/rho0 - 1");
-    add_previous_step(content, group, p.previous, simulation.stepping());
-    add_lent(content, group + "/mass", lent(p.mass), D == 2 ? "kg/m" : "kg",
-             D == 2 ? "mass per unit width" : "mass");
-    add_lent(content, group + "/wall_density_deviation", lent(simulation.wall_density_deviation()), "1",
-             "rho/rho0 - 1 of the wall particles");
-    const auto numbers = [&p](std::size_t first, std::span<std::int64_t> block) {
-        std::copy_n(p.id.begin() + static_cast<std::ptrdiff_t>(first), block.size(), block.begin());
-    };
-    content.datasets.push_back({.path = group + "/id",
-                                .shape = {n},
-                                .values = StreamedValues<std::int64_t>{n, numbers},
-                                .unit = "1",
-                                .long_name = "particle number"});
+    content.datasets.push_back(lent(group,
+                                    {"wall_density_deviation", "1", "rho/rho0 - 1 of the wall particles"},
+                                    simulation.wall_density_deviation()));
     add_clock(content, group, simulation);
 }
 
@@ -183,6 +146,7 @@ void add_clock(Content& content, const std::string& group, const SimulationIn<D>
     };
     attribute("time", clock.time);
     attribute("steps", clock.steps);
+    attribute("particles_created", std::int64_t{simulation.particles().created});
     attribute("list_builds", clock.list_builds);
     attribute("time_step", clock.time_step);
     attribute("largest_acceleration", clock.largest_acceleration);
@@ -201,31 +165,41 @@ void restore_state(const CheckpointReader& checkpoint, const std::string& group,
                    SimulationIn<D>& simulation) {
     const std::vector<std::size_t> shape = checkpoint.shape(group + "/id");
     const std::size_t n = shape.empty() ? 0 : shape[0];
-    const auto doubles = [&](const std::string& name) { return checkpoint.doubles(group + "/" + name, n); };
+    const auto path = [&group](const std::string& name) { return group + "/" + name; };
     Particles<D> p;
+    for (const FurtherField& field : simulation.particles().further) {
+        // Before the first step they have no values, in the file neither.
+        const std::size_t place = p.add_field(field.info);
+        if (checkpoint.has(path(field.info.name))) {
+            p.further[place].values.resize(n);
+        }
+    }
+    p.resize(n);
+    p.for_each_field([&](const FieldInfo& info, auto& values) {
+        if constexpr (std::is_same_v<decltype(values), std::vector<double>&>) {
+            if (values.size() == n) {
+                values = checkpoint.doubles(path(info.name), n);
+            }
+        } else {
+            const auto numbers = whole_numbers(checkpoint, path(info.name), n, largest_id);
+            values.assign(numbers.begin(), numbers.end());
+        }
+    });
     for (std::size_t k = 0; k < D; ++k) {
-        const std::string axis = axis_names<D>[k];
-        p.position[k] = doubles("position_" + axis);
-        p.velocity[k] = doubles("velocity_" + axis);
-        if (checkpoint.has(group + "/listed_position_" + axis)) {
-            p.listed_position[k] = doubles("listed_position_" + axis);
+        const std::string name = path(std::string("listed_position_") + axis_names<D>[k]);
+        if (checkpoint.has(name)) {
+            p.listed_position[k] = checkpoint.doubles(name, n);
         }
     }
-    p.density_deviation = doubles("density_deviation");
-    p.mass = doubles("mass");
-    if (checkpoint.has(group + "/previous_density")) {
-        for (std::size_t k = 0; k < D; ++k) {
-            p.previous.motion[k] = doubles(std::string("previous_motion_") + axis_names<D>[k]);
-        }
-        p.previous.density = doubles("previous_density");
-    }
-    const auto numbers = whole_numbers(checkpoint, group + "/id", n, largest_id);
-    p.id.assign(numbers.begin(), numbers.end());
     p.lost = saved_lost_particles(checkpoint);
     const auto number = [&](const char* name) { return checkpoint.number(group, name); };
     SimulationClock clock;
     clock.time = number("time");
     clock.steps = static_cast<std::int64_t>(number("steps"));
+    // A checkpoint of before they were counted: the flow counts from the largest number on.
+    p.created = checkpoint.attribute(group, "particles_created")
+                    ? static_cast<std::int32_t>(number("particles_created"))
+                    : 0;
     clock.list_builds = static_cast<std::int64_t>(number("list_builds"));
     clock.time_step = number("time_step");
     clock.largest_acceleration = number("largest_acceleration");
@@ -286,15 +260,14 @@ Particles<D> particles_from_results(const Case& c, const Scheme& scheme, const R
         return values;
     };
     Particles<D> p;
-    for (std::size_t k = 0; k < D; ++k) {
-        const std::string axis = axis_names<D>[k];
-        p.position[k] = doubles("position_" + axis);
-        p.velocity[k] = doubles("velocity_" + axis);
-    }
-    p.density_deviation = doubles("density_deviation");
-    p.mass = doubles("mass");
-    const auto numbers = whole_numbers(results, "/state/id", n, largest_id);
-    p.id.assign(numbers.begin(), numbers.end());
+    p.for_each_field([&](const FieldInfo& info, auto& values) {
+        if constexpr (std::is_same_v<decltype(values), std::vector<double>&>) {
+            values = doubles(info.name);
+        } else {
+            const auto numbers = whole_numbers(results, "/state/" + info.name, n, largest_id);
+            values.assign(numbers.begin(), numbers.end());
+        }
+    });
     const auto sound_speed = results.attribute("/state", "sound_speed");
     const StateEquation old{
         .kind = other.numerics.equation_of_state,

@@ -51,9 +51,9 @@ class DummyWalls final : public WallTreatment<D, Real> {
         const double wetting = is_solid(flow.walls, i) && !below
                                    ? std::max(pressure, flow.scheme.normal_gravity * flow.c.numerics.spacing)
                                    : pressure;
-        flow.wall_deviation[i] = flow.scheme.state.deviation(wetting);
+        flow.walls.density_deviation[i] = flow.scheme.state.deviation(wetting);
         // Of the saved deviation, so that a resumed run finds the same.
-        this->wet(flow, slot, i, flow.scheme.state.pressure(flow.wall_deviation[i]));
+        this->wet(flow, slot, i, flow.scheme.state.pressure(flow.walls.density_deviation[i]));
         return pressure;
     }
 

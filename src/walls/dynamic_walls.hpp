@@ -19,7 +19,7 @@ class DynamicWalls final : public WallTreatment<D, Real> {
     void update(Flow& flow, Task& task, const Stage& stage, std::size_t begin, std::size_t end) override {
         flow.loops.wall(flow.data, begin, end, task.sums);
         this->for_walls(flow, begin, end, [&](std::size_t slot, std::size_t i) {
-            double& s = flow.wall_deviation[i];
+            double& s = flow.walls.density_deviation[i];
             s += stage.wall * (1.0 + s) *
                  static_cast<double>(task.sums.wall.density_rate[slot - begin * cluster_size]);
             auto& record = flow.data.wall_force[slot];

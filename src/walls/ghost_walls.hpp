@@ -30,12 +30,14 @@ class GhostWalls final : public WallTreatment<D, Real> {
             const GhostValue<D>& ghost = nodes_->of(i);
             // Without water near its image a particle is as dry as one a spacing above the surface.
             const double dry = -flow.scheme.normal_gravity * flow.c.numerics.spacing;
-            flow.wall_deviation[i] = ghost.found ? ghost.deviation : flow.scheme.state.deviation(dry);
-            this->wet(flow, slot, i, flow.scheme.state.pressure(flow.wall_deviation[i]));
+            flow.walls.density_deviation[i] =
+                ghost.found ? ghost.deviation : flow.scheme.state.deviation(dry);
+            this->wet(flow, slot, i, flow.scheme.state.pressure(flow.walls.density_deviation[i]));
             auto& record = flow.data.wall_force[slot];
             record.pressure =
-                ghost.found ? static_cast<Real>(pair_pressure(flow.c, flow.scheme, flow.wall_deviation[i]))
-                            : Real(0);
+                ghost.found
+                    ? static_cast<Real>(pair_pressure(flow.c, flow.scheme, flow.walls.density_deviation[i]))
+                    : Real(0);
             record.u = {};
             if (this->law().no_slip) {
                 // The wall stands halfway between the particle and its image; a lid may move along the

@@ -35,7 +35,7 @@ class WallTreatment {
     /// wet() of all wall particles, by their density deviation.
     virtual void wet(Flow& flow) const {
         for_walls(flow, 0, flow.wall_clusters.size(), [&](std::size_t slot, std::size_t i) {
-            wet(flow, slot, i, flow.scheme.state.pressure(flow.wall_deviation[i]));
+            wet(flow, slot, i, flow.scheme.state.pressure(flow.walls.density_deviation[i]));
         });
     }
 

@@ -16,9 +16,10 @@ Walls<D, Real>::Walls(Flow& flow) : motion_(flow.c), treatment_(make_wall_treatm
 
 template <int D, class Real>
 void Walls<D, Real>::set_hydrostatic(Flow& flow) const {
-    flow.wall_deviation.resize(flow.walls.size());
+    flow.walls.density_deviation.resize(flow.walls.size());
     for (std::size_t i = 0; i < flow.walls.size(); ++i) {
-        flow.wall_deviation[i] = flow.scheme.hydrostatic_deviation(flow.walls.position[Flow::vertical][i]);
+        flow.walls.density_deviation[i] =
+            flow.scheme.hydrostatic_deviation(flow.walls.position[Flow::vertical][i]);
     }
 }
 
@@ -34,13 +35,13 @@ void Walls<D, Real>::place_at_start(Flow& flow) {
             order_[i] = static_cast<std::int32_t>(i);
         }
         place(flow, flow.clock.time);
+        set_hydrostatic(flow);  // again, where they stand now
     } else {
         sort(flow);
         pack_wall_records<D, Real>(flow.c, flow.scheme, flow.walls, flow.wall_clusters, flow.data);
         treatment_->walls_placed(flow);
     }
     if (D == 3 || starts_beside_dry_walls(flow.c)) {
-        set_hydrostatic(flow);  // again, as they have been sorted
         treatment_->wet(flow);
     }
 }
@@ -50,7 +51,7 @@ void Walls<D, Real>::restore(Flow& flow, std::vector<double> deviation) {
     if (motion_.displaces()) {
         place(flow, flow.clock.listed_time);
     }
-    flow.wall_deviation = std::move(deviation);
+    flow.walls.density_deviation = std::move(deviation);
     if (flow.clock.steps > 0 || starts_beside_dry_walls(flow.c)) {
         treatment_->wet(flow);
     }
@@ -87,9 +88,8 @@ std::vector<std::int32_t> Walls<D, Real>::sort(Flow& flow) {
 template <int D, class Real>
 void Walls<D, Real>::place(Flow& flow, double time) {
     WallParticles<D>& walls = flow.walls;
-    std::vector<double> by_reference(walls.size());
     for (std::size_t i = 0; i < walls.size(); ++i) {
-        by_reference[static_cast<std::size_t>(order_[i])] = flow.wall_deviation[i];
+        reference_.density_deviation[static_cast<std::size_t>(order_[i])] = walls.density_deviation[i];
     }
     walls = reference_;
     const std::vector<BodyState> bodies = motion_.at(time);
@@ -99,9 +99,6 @@ void Walls<D, Real>::place(Flow& flow, double time) {
         walls.position[Flow::vertical][i] = displaced(flow, walls.position[Flow::vertical][i], body, 1);
     }
     order_ = sort(flow);
-    for (std::size_t i = 0; i < walls.size(); ++i) {
-        flow.wall_deviation[i] = by_reference[static_cast<std::size_t>(order_[i])];
-    }
     pack_wall_records<D, Real>(flow.c, flow.scheme, walls, flow.wall_clusters, flow.data);
     treatment_->walls_placed(flow);
     treatment_->wet(flow);

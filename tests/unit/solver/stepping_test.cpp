@@ -99,6 +99,7 @@ SpringError spring_error(Stepping stepping, int steps, double unevenness) {
     const auto stepper = make_stepper<2>(stepping);
     Particles<2> p;
     p.resize(1);
+    stepper->declare(p);
     p.position[1][0] = 1.0;
     StepSize size;
     for (int n = 0; n < steps; ++n) {
@@ -153,9 +154,14 @@ TEST(Stepper, BeemanIsThePublishedFormula) {
     p.position[0][0] = 0.3;
     p.velocity[0][0] = 1.1;
     p.density_deviation[0] = 0.01;
-    p.previous.resize(1);
-    p.previous.motion[0][0] = 5.0;
-    p.previous.density[0] = 0.7;
+    stepper->declare(p);
+    for (FurtherField& field : p.further) {
+        field.values.assign(1, 0.0);
+    }
+    ASSERT_EQ(p.further.front().info.name, "previous_motion_x");
+    ASSERT_EQ(p.further.back().info.name, "previous_density");
+    p.further.front().values[0] = 5.0;
+    p.further.back().values[0] = 0.7;
     const double dt = 0.01;
     stepper->begin(p, {.now = dt, .before = dt, .steps = 1});
     ParticleRates<2> now{.density = 0.4};
@@ -170,13 +176,14 @@ TEST(Stepper, BeemanIsThePublishedFormula) {
     EXPECT_DOUBLE_EQ(p.position[0][0], 0.3 + dt * 1.1 + dt * dt * (2.0 + 2.0 * 3.0) / 6.0);
     EXPECT_DOUBLE_EQ(p.velocity[0][0], 1.1 + dt * (5.0 * 2.0 + 8.0 * 3.0 - 5.0) / 12.0);
     EXPECT_DOUBLE_EQ(p.density_deviation[0], 0.01 + dt * (5.0 * 0.2 + 8.0 * 0.4 - 0.7) / 12.0);
-    EXPECT_EQ(p.previous.motion[0][0], 3.0);
+    EXPECT_EQ(p.further.front().values[0], 3.0);
 }
 
 TEST(Stepper, VerletLeapsOverTwoStepsAndStartsAgainAfterAFilter) {
     const auto stepper = make_stepper<2>(Stepping::verlet);
     Particles<2> p;
     p.resize(1);
+    stepper->declare(p);
     ParticleRates<2> rates{.density = 2.0};
     rates.acceleration[0] = 1.0;
     const double dt = 0.5;

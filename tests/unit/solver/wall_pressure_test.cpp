@@ -52,5 +52,30 @@ TEST(DynamicWall, PushesAsWaterOfItsDensityWould) {
     EXPECT_GT(largest, 1.0);
 }
 
+// Each wall particle starts with the hydrostatic density of its own height, whatever the walls have been
+// sorted by. Else the wall stirs the water before anything has moved.
+TEST(DynamicWall, StartsHydrostatic) {
+    for (const int dimensions : {2, 3}) {
+        Case c = test::small_channel(dimensions);
+        c.numerics.wall = WallKind::dynamic;
+        const auto expect_hydrostatic = [](const auto& simulation) {
+            const auto& walls = simulation.walls();
+            const std::size_t vertical = walls.position.size() - 1;
+            ASSERT_GT(walls.size(), 0U);
+            for (std::size_t i = 0; i < walls.size(); ++i) {
+                const double z = walls.position[vertical][i];
+                EXPECT_EQ(simulation.wall_density_deviation()[i],
+                          simulation.scheme().hydrostatic_deviation(z))
+                    << "wall particle " << i << " at z = " << z << " m";
+            }
+        };
+        if (dimensions == 2) {
+            expect_hydrostatic(*test::Channel(c).simulation);
+        } else {
+            expect_hydrostatic(*test::ChannelIn<3>(c).simulation);
+        }
+    }
+}
+
 }  // namespace
 }  // namespace riffle::wall_pressure_test
