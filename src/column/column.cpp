@@ -13,6 +13,7 @@
 #include "column/column_grid.hpp"
 #include "column/momentum_balance.hpp"
 #include "hydraulics/channel_laws.hpp"
+#include "turbulence/closure.hpp"
 
 namespace riffle {
 
@@ -101,7 +102,7 @@ ColumnProfile make_profile(const Case& c, const ColumnGrid& grid, const Momentum
         const double at_centre = 0.5 * (stress[i] + stress[i + 1]);
         const double length = p.mixing_length[i];
         p.velocity_gradient[i] = balance.gradient_from_stress(at_centre, length);
-        p.eddy_viscosity[i] = length * length * std::abs(p.velocity_gradient[i]);
+        p.eddy_viscosity[i] = mixing_length_viscosity(length, std::abs(p.velocity_gradient[i]));
         p.shear_stress[i] = c.fluid.density * at_centre;
     }
     return p;

@@ -109,7 +109,7 @@ PairConstants<D, Real> pair_constants(const Case& c, const Scheme& scheme, const
     const double h = scheme.smoothing_length;
     const double c0 = scheme.state.sound_speed;
     const DensityDiffusion diffusion = c.numerics.density_diffusion;
-    // That of Antuono et al. is a sweep of its own (pair_sum.hpp), as is Shepard's correction below.
+    // That of Antuono et al. is a sum of its own (pair_sum.hpp), as is Shepard's correction below.
     const bool in_loops = diffusion != DensityDiffusion::none && diffusion != DensityDiffusion::antuono;
     const bool by_gradient = c.numerics.kernel_correction == KernelCorrection::kernel_gradient;
     PairConstants<D, Real> constants{};
@@ -144,17 +144,17 @@ std::vector<std::unique_ptr<PairSum<D, Real>>> make_pair_sums(const Case& c, con
     const Numerics& n = c.numerics;
     const double h = scheme.smoothing_length;
     const PairSumConstants<D> constants(fixed_point, n.kernel, h);
-    std::vector<std::unique_ptr<PairSum<D, Real>>> sweeps;
+    std::vector<std::unique_ptr<PairSum<D, Real>>> sums;
     if (n.density_diffusion == DensityDiffusion::antuono) {
-        sweeps.push_back(make_antuono_diffusion<D, Real>(
+        sums.push_back(make_antuono_diffusion<D, Real>(
             constants, n.density_diffusion_coefficient * h * scheme.state.sound_speed));
     }
     if (n.kernel_correction == KernelCorrection::kernel && needs_gradients(c)) {
-        sweeps.push_back(
+        sums.push_back(
             make_shepard_correction<D, Real>(constants, n.pressure_form == PressureForm::corrected,
                                              n.velocity_gradient == VelocityGradient::corrected));
     }
-    return sweeps;
+    return sums;
 }
 
 template <int D>

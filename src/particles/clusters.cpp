@@ -11,7 +11,7 @@ namespace riffle {
 
 namespace {
 
-/// Particles per task of a sweep over all particles.
+/// Particles per task of a pass over all particles.
 constexpr std::size_t particle_block = 4096;
 
 /// Division of the horizontal axes into columns.

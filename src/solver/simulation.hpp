@@ -11,14 +11,14 @@
 
 namespace riffle {
 
-/// Where the time of a step goes, s: summed over the steps since the last reset. The parts inside the sweeps
+/// Where the time of a step goes, s: summed over the steps since the last reset. The parts inside the passes
 /// are summed over the threads and divided by their number.
 struct StepProfile {
     double lists = 0.0;      ///< sorting, clusters, neighbour lists; and the test whether they still hold
     double gradients = 0.0;  ///< pair sums of the gradient pass
     double forces = 0.0;     ///< pair sums of the force pass
     double walls = 0.0;      ///< extrapolation to the walls
-    double particles = 0.0;  ///< density, closure, motion and packing, and the rest of the sweeps
+    double particles = 0.0;  ///< density, closure, motion and packing, and the rest of the passes
     double total = 0.0;      ///< wall time
 };
 

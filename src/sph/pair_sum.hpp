@@ -8,7 +8,7 @@
 
 namespace riffle {
 
-/// What the sums of a sweep beside the pair loops need.
+/// What the sums beside the pair loops need.
 template <int D>
 class PairSumConstants {
   public:
@@ -56,7 +56,7 @@ class PairSum {
     [[nodiscard]] virtual std::size_t bytes() const { return 0; }
 };
 
-// The sweeps, one file each; equations and sources in docs/theory.md, sections 4 and 5. Which of them a case
+// The sums, one file each; equations and sources in docs/theory.md, sections 4 and 5. Which of them a case
 // asks for says make_pair_sums() (engine/pair_setup.hpp).
 template <int D, class Real>
 [[nodiscard]] std::unique_ptr<PairSum<D, Real>> make_antuono_diffusion(const PairSumConstants<D>& constants,
