@@ -21,7 +21,16 @@ struct BodyState {
     Vec<2> acceleration{};
 };
 
-/// The prescribed motion of the walls and solids of a case, in two dimensions.
+/// A vector of a body, along the channel and upright, as one of a flow in D dimensions.
+template <int D>
+[[nodiscard]] Vec<D> in_flow(const Vec<2>& v) {
+    Vec<D> result{};
+    result[0] = v[0];
+    result[D - 1] = v[1];
+    return result;
+}
+
+/// The prescribed motion of the walls and solids of a case, along the channel and upright.
 class WallMotion {
   public:
     WallMotion() = default;

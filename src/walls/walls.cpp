@@ -95,8 +95,9 @@ void Walls<D, Real>::place(Flow& flow, double time) {
     const std::vector<BodyState> bodies = motion_.at(time);
     for (std::size_t i = 0; i < walls.size(); ++i) {
         const BodyState& body = bodies[static_cast<std::size_t>(walls.body[i])];
-        walls.position[0][i] = displaced(flow, walls.position[0][i], body, 0);
-        walls.position[Flow::vertical][i] = displaced(flow, walls.position[Flow::vertical][i], body, 1);
+        for (std::size_t k = 0; k < Flow::axes; ++k) {
+            walls.position[k][i] = displaced(flow, walls.position[k][i], body, k);
+        }
     }
     order_ = sort(flow);
     pack_wall_records<D, Real>(flow.c, flow.scheme, walls, flow.wall_clusters, flow.data);
@@ -105,10 +106,9 @@ void Walls<D, Real>::place(Flow& flow, double time) {
 }
 
 template <int D, class Real>
-double Walls<D, Real>::displaced(const Flow& flow, double x, const BodyState& body, std::size_t axis) {
-    const std::size_t k = axis == 0 ? 0 : Flow::vertical;
+double Walls<D, Real>::displaced(const Flow& flow, double x, const BodyState& body, std::size_t k) {
     const Domain<D>& domain = flow.domain;
-    x += body.displacement[axis];
+    x += in_flow<D>(body.displacement)[k];
     if (domain.periodic[k]) {
         const double extent = domain.upper[k] - domain.lower[k];
         x -= extent * std::floor((x - domain.lower[k]) / extent);
@@ -120,62 +120,54 @@ double Walls<D, Real>::displaced(const Flow& flow, double x, const BodyState& bo
 
 template <int D, class Real>
 void Walls<D, Real>::move(Flow& flow, const Stage& stage) {
-    if constexpr (D == 2) {
-        if (!motion_.any()) {
-            return;
+    if (!motion_.any()) {
+        return;
+    }
+    flow.bodies = motion_.at(flow.clock.time);
+    if (!motion_.displaces()) {
+        return;
+    }
+    before_ = flow.bodies;
+    after_ = motion_.at(flow.clock.time + stage.motion);
+    PairData<D, Real>& data = flow.data;
+    WallParticles<D>& walls = flow.walls;
+    data.wall_drift.assign(data.wall_force.size(), {});
+    for (std::size_t slot = 0; slot < flow.wall_clusters.slots(); ++slot) {
+        const std::int32_t particle = flow.wall_clusters.particle_of(slot);
+        if (particle < 0 || !is_solid(walls, static_cast<std::size_t>(particle))) {
+            continue;
         }
-        flow.bodies = motion_.at(flow.clock.time);
-        if (!motion_.displaces()) {
-            return;
-        }
-        before_ = flow.bodies;
-        after_ = motion_.at(flow.clock.time + stage.motion);
-        PairData<D, Real>& data = flow.data;
-        WallParticles<D>& walls = flow.walls;
-        data.wall_drift.assign(data.wall_force.size(), {});
-        for (std::size_t slot = 0; slot < flow.wall_clusters.slots(); ++slot) {
-            const std::int32_t particle = flow.wall_clusters.particle_of(slot);
-            if (particle < 0 || !is_solid(walls, static_cast<std::size_t>(particle))) {
-                continue;
+        const auto i = static_cast<std::size_t>(particle);
+        const BodyState& body = flow.bodies[static_cast<std::size_t>(walls.body[i])];
+        const auto reference = static_cast<std::size_t>(order_[i]);
+        auto& gradient = data.wall_gradient[slot];
+        const Vec<D> velocity = in_flow<D>(body.velocity);
+        for (std::size_t k = 0; k < Flow::axes; ++k) {
+            walls.position[k][i] = displaced(flow, reference_.position[k][reference], body, k);
+            gradient.x[k] = flow.fixed_point.encode(walls.position[k][i], k);
+            double drift = 0.0;
+            for (std::size_t l = 0; l < Flow::axes; ++l) {
+                drift += walls.projector[k * Flow::axes + l][i] * velocity[l];
             }
-            const auto i = static_cast<std::size_t>(particle);
-            const BodyState& body = flow.bodies[static_cast<std::size_t>(walls.body[i])];
-            const auto reference = static_cast<std::size_t>(order_[i]);
-            auto& gradient = data.wall_gradient[slot];
-            for (std::size_t k = 0; k < Flow::axes; ++k) {
-                walls.position[k][i] = displaced(flow, reference_.position[k][reference], body, k);
-                gradient.x[k] = flow.fixed_point.encode(walls.position[k][i], k);
-                double drift = 0.0;
-                for (std::size_t l = 0; l < Flow::axes; ++l) {
-                    drift += walls.projector[k * Flow::axes + l][i] * body.velocity[l];
-                }
-                data.wall_drift[slot][k] = static_cast<Real>(drift);
-            }
-            data.wall_force[slot].x = gradient.x;
+            data.wall_drift[slot][k] = static_cast<Real>(drift);
         }
-    } else {
-        static_cast<void>(flow);
-        static_cast<void>(stage);
+        data.wall_force[slot].x = gradient.x;
     }
 }
 
 template <int D, class Real>
 void Walls<D, Real>::add_motion(double step, Vec<D>& slowest, Vec<D>& fastest) const {
-    if constexpr (D == 2) {
-        if (!motion_.displaces() || step <= 0.0) {
-            return;
+    if (!motion_.displaces() || step <= 0.0) {
+        return;
+    }
+    for (std::size_t b = first_solid; b < after_.size(); ++b) {
+        const Vec<D> from = in_flow<D>(before_[b].displacement);
+        const Vec<D> to = in_flow<D>(after_[b].displacement);
+        for (std::size_t k = 0; k < Flow::axes; ++k) {
+            const double speed = (to[k] - from[k]) / step;
+            slowest[k] = std::min(slowest[k], speed);
+            fastest[k] = std::max(fastest[k], speed);
         }
-        for (std::size_t b = first_solid; b < after_.size(); ++b) {
-            for (std::size_t k = 0; k < D; ++k) {
-                const double speed = (after_[b].displacement[k] - before_[b].displacement[k]) / step;
-                slowest[k] = std::min(slowest[k], speed);
-                fastest[k] = std::max(fastest[k], speed);
-            }
-        }
-    } else {
-        static_cast<void>(step);
-        static_cast<void>(slowest);
-        static_cast<void>(fastest);
     }
 }
 

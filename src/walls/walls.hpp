@@ -51,8 +51,8 @@ class Walls {
     static std::vector<std::int32_t> sort(Flow& flow);
     /// Put the walls where they stand at a time, sort and pack them.
     void place(Flow& flow, double time);
-    /// Coordinate of a wall particle that is displaced with its body; axis 0: x, 1: z.
-    static double displaced(const Flow& flow, double x, const BodyState& body, std::size_t axis);
+    /// Coordinate along axis k of a wall particle that is displaced with its body.
+    static double displaced(const Flow& flow, double x, const BodyState& body, std::size_t k);
 
     WallMotion motion_;
     std::unique_ptr<WallTreatment<D, Real>> treatment_;
