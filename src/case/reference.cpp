@@ -6,7 +6,8 @@
 #include "case/conversion.hpp"
 #include "case/key_table.hpp"
 #include "case/presets.hpp"
-#include "case/scheme_rules.hpp"
+#include "case/refusals.hpp"
+#include "case/warnings.hpp"
 
 namespace riffle {
 
@@ -135,12 +136,50 @@ std::string options_page() {
             }
         }
     }
-    page += "\n### Combinations that are refused\n\n| combination | reason, and what to do |\n|---|---|\n";
-    for (const SchemeRule& rule : scheme_rules()) {
-        page +=
-            fmt::format("| {} | {} |\n", cell(std::string(rule.combination)), cell(std::string(rule.reason)));
+    return page;
+}
+
+/// Tables of checks, one per section of their first keys.
+std::string check_tables(const std::vector<const CaseCheck*>& checks) {
+    std::string page;
+    for (const SectionKeys& section : key_table()) {
+        std::string rows;
+        for (const CaseCheck* const check : checks) {
+            if (find_key(check->keys.front())->section == section.name) {
+                rows += fmt::format("| {} | {} |\n", cell(std::string(check->what)),
+                                    cell(finding_text("", *check, {})));
+            }
+        }
+        if (!rows.empty()) {
+            page += fmt::format("\n### {}\n\n| what | why, and what to do |\n|---|---|\n{}",
+                                section.heading(), rows);
+        }
     }
     return page;
+}
+
+std::string check_page() {
+    std::vector<const CaseCheck*> refused;
+    for (const CheckList& list : refusals()) {
+        for (const CaseCheck& check : list.checks) {
+            refused.push_back(&check);
+        }
+    }
+    std::vector<const CaseCheck*> warned;
+    for (const CaseCheck& check : warnings().checks) {
+        warned.push_back(&check);
+    }
+    return "\n## What is refused\n\nBeyond the types, ranges and words of the tables above, and keys that go only with "
+           "another one. The message names the place, the values and what to do. Keys without a section are those of "
+           "the heading.\n" +
+           check_tables(refused) +
+           "\nWhat needs more than the case is looked at by the verb that has it: STL files when the case is read; at "
+           "the start of a run the results file to start from, sampling frequencies above half of the inverse of the "
+           "time step, `run.until = \"converged\"` in a case without a column twin, and the memory that the run "
+           "takes.\n"
+           "\n## What is warned of\n\n`riffle check` and `riffle run` say where a case leaves what was verified "
+           "([why](theory.md#18-known-limits-and-the-verified-envelope)), and which keys have no effect.\n" +
+           check_tables(warned);
 }
 
 std::string unit_page() {
@@ -181,7 +220,7 @@ std::string case_reference_markdown() {
     for (const SectionKeys& section : key_table()) {
         page += section_page(section);
     }
-    return page + options_page() + preset_page() + unit_page();
+    return page + options_page() + preset_page() + unit_page() + check_page();
 }
 
 }  // namespace riffle
