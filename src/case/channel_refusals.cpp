@@ -35,8 +35,7 @@ CheckList channel_refusals() {
          [](const Case& c) {
              return found_if(
                  c.channel.length > longest_channel(c),
-                 "length is {}: at a spacing of {} the positions, 32-bit integers, resolve channels "
-                 "of up to {}",
+                 "length is {}: at a spacing of {} the positions, 32-bit integers, resolve channels of up to {}",
                  shown_length(c.channel.length), shown_length(c.numerics.spacing),
                  shown_length(longest_channel(c)));
          }},

@@ -41,8 +41,7 @@ Findings mesh_outside(const Case& c, const Solid& solid) {
     }
     return found_if(
         outside,
-        "lies outside of the channel, or across its periodic ends: {}; expected x from 0 to {}, y from "
-        "0 to {} (or all of it) and a part of z from 0 to {}",
+        "lies outside of the channel, or across its periodic ends: {}; expected x from 0 to {}, y from 0 to {} (or all of it) and a part of z from 0 to {}",
         extent_text(*mesh), shown_length(extent[0]), shown_length(extent[1]), shown_length(extent[2]));
 }
 

@@ -203,8 +203,7 @@ CheckList probe_refusals() {
              return found_if(has_heights(p) && p.z.empty(), "z is missing with {}", kind_text(p));
          }},
         {{"probe.z"},
-         "`z` below the bed level, or above the total depth; under a free surface above one and a half times that, "
-         "of a pressure probe above the end walls too",
+         "`z` below the bed level, or above the total depth; under a free surface above one and a half times that, of a pressure probe above the end walls too",
          "",
          "move it",
          outside_of_water},

@@ -89,9 +89,7 @@ std::string section_page(const SectionKeys& section) {
 
 std::string preset_page() {
     std::string page =
-        "\n## Presets of [numerics]\n\n`preset` sets the defaults of the section; keys that the case gives "
-        "win.\n\n"
-        "| key |";
+        "\n## Presets of [numerics]\n\n`preset` sets the defaults of the section; keys that the case gives win.\n\n| key |";
     std::string rule = "\n|---|";
     for (const Word& preset : Words<Preset>::list) {
         page += fmt::format(" {} |", preset.name);
@@ -116,12 +114,7 @@ std::string preset_page() {
 /// The options with their equations and where they are advised: one table per key that has words with advice.
 std::string options_page() {
     std::string page =
-        "\n## Options of the method\n\nWhere the equation of each choice stands, who stated it, and where to "
-        "take "
-        "it. Sections are those of the [theory](theory.md); numbers are measured there and in "
-        "[verification](verification.md). `riffle sweep CASE --vary KEY=WORD,WORD` compares choices in a "
-        "case of "
-        "your own ([how](sweep.md)).\n";
+        "\n## Options of the method\n\nWhere the equation of each choice stands, who stated it, and where to take it. Sections are those of the [theory](theory.md); numbers stand there and in [verification](verification.md), beside the commands that measure them. `riffle sweep CASE --vary KEY=WORD,WORD` compares choices in a case of your own ([how](sweep.md)).\n";
     for (const SectionKeys& section : key_table()) {
         for (const Key& key : section.keys) {
             if (std::all_of(key.words.begin(), key.words.end(),
@@ -169,29 +162,15 @@ std::string check_page() {
     for (const CaseCheck& check : warnings().checks) {
         warned.push_back(&check);
     }
-    return "\n## What is refused\n\nBeyond the types, ranges and words of the tables above, and keys that go only with "
-           "another one. The message names the place, the values and what to do. Keys without a section are those of "
-           "the heading.\n" +
+    return "\n## What is refused\n\nBeyond the types, ranges and words of the tables above, and keys that go only with another one. The message names the place, the values and what to do. Keys without a section are those of the heading.\n" +
            check_tables(refused) +
-           "\nWhat needs more than the case is looked at by the verb that has it: STL files when the case is read; at "
-           "the start of a run the results file to start from, sampling frequencies above half of the inverse of the "
-           "time step, `run.until = \"converged\"` in a case without a column twin, and the memory that the run "
-           "takes.\n"
-           "\n## What is warned of\n\n`riffle check` and `riffle run` say where a case leaves what was verified "
-           "([why](theory.md#18-known-limits-and-the-verified-envelope)), and which keys have no effect.\n" +
+           "\nWhat needs more than the case is looked at by the verb that has it: STL files when the case is read; at the start of a run the results file to start from, sampling frequencies above half of the inverse of the time step, `run.until = \"converged\"` in a case without a column twin, and the memory that the run takes.\n\n## What is warned of\n\n`riffle check` and `riffle run` say where a case leaves what was verified ([why](theory.md#18-known-limits-and-the-verified-envelope)), and which keys have no effect.\n" +
            check_tables(warned);
 }
 
 std::string unit_page() {
     std::string page =
-        "\n## Units\n\nA number without quotes is in the SI unit of its key. A text in quotes is a number "
-        "and a unit: "
-        "`\"50 mm\"`, `\"2.5cm\"`, `\"1e-6 m2/s\"`. Beyond the ranges of the keys themselves, quantities of "
-        "a size "
-        "that cannot be meant are refused: below the least one other than zero, of keys that take no "
-        "negative "
-        "numbers, and above the largest one, in SI units.\n\n"
-        "| | units | least | largest | for |\n|---|---|---|---|---|\n";
+        "\n## Units\n\nA number without quotes is in the SI unit of its key. A text in quotes is a number and a unit: `\"50 mm\"`, `\"2.5cm\"`, `\"1e-6 m2/s\"`. Beyond the ranges of the keys themselves, quantities of a size that cannot be meant are refused: below the least one other than zero, of keys that take no negative numbers, and above the largest one, in SI units.\n\n| | units | least | largest | for |\n|---|---|---|---|---|\n";
     for (const Dimension dimension :
          {Dimension::length, Dimension::time, Dimension::velocity, Dimension::acceleration,
           Dimension::kinematic_viscosity, Dimension::density, Dimension::discharge, Dimension::frequency}) {
@@ -206,17 +185,7 @@ std::string unit_page() {
 
 std::string case_reference_markdown() {
     std::string page =
-        "# Case file reference\n\n"
-        "<!-- Made by `riffle schema --markdown -o docs/case-reference.md` from the key table in src/case. "
-        "-->\n\n"
-        "A case file is [TOML](https://toml.io) and defines a run completely. Every key has a default unless "
-        "it says "
-        "`required`. Axes: x down the bed, z normal to it and upward from the bed level z = 0.\n\n"
-        "Options of the command line change single keys: `--set channel.depth=\"60 mm\"`. `riffle new "
-        "case.toml` "
-        "writes a commented case, `riffle schema -o case.schema.json` a JSON schema with which an editor "
-        "completes "
-        "and checks case files, and `riffle check case.toml` says what a case will cost.\n";
+        "# Case file reference\n\n<!-- Made by `riffle schema --markdown -o docs/case-reference.md` from the key table in src/case. -->\n\nA case file is [TOML](https://toml.io) and defines a run completely. Every key has a default unless it says `required`. Axes: x down the bed, z normal to it and upward from the bed level z = 0.\n\nOptions of the command line change single keys: `--set channel.depth=\"60 mm\"`. `riffle new case.toml` writes a commented case, `riffle schema -o case.schema.json` a JSON schema with which an editor completes and checks case files, and `riffle check case.toml` says what a case will cost.\n";
     for (const SectionKeys& section : key_table()) {
         page += section_page(section);
     }

@@ -115,8 +115,7 @@ CheckList run_refusals() {
 CheckList output_refusals() {
     return {{
         {{"output.surface_threshold", "output.surface_detection"},
-         "`surface_threshold` at what `surface_detection` is in the water, or above: the number of dimensions for "
-         "`\"position-divergence\"`, else 1",
+         "`surface_threshold` at what `surface_detection` is in the water, or above: the number of dimensions for `\"position-divergence\"`, else 1",
          "no surface would be found",
          "give less; half of that is on the surface itself",
          [](const Case& c) {

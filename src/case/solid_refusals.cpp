@@ -31,8 +31,7 @@ Findings thin_outline(const Case& c, const Solid& solid) {
         if (thickness < wall_thickness(c) * (1 - 1e-9)) {
             return found_if(
                 true,
-                "is {} thick behind the middle of its edge from {} to {}, thinner than {} layers of wall "
-                "particles ({})",
+                "is {} thick behind the middle of its edge from {} to {}, thinner than {} layers of wall particles ({})",
                 shown_length(thickness), corner_text(outline, i), corner_text(outline, outline.next(i)),
                 c.numerics.wall_layers, shown_length(wall_thickness(c)));
         }
@@ -122,8 +121,7 @@ CheckList outline_refusals() {
             {{"solid.x", "solid.z"},
              "`x` or `z` missing in two dimensions",
              "",
-             "give the corners of its outline, for example x = [\"100 mm\", \"140 mm\", \"120 mm\"] and z = [\"0 "
-             "mm\", \"0 mm\", \"20 mm\"]",
+             "give the corners of its outline, for example x = [\"100 mm\", \"140 mm\", \"120 mm\"] and z = [\"0 mm\", \"0 mm\", \"20 mm\"]",
              [](const Case&, const Solid& solid) {
                  return found_if(solid.x.empty() || solid.z.empty(), "x or z is missing");
              },

@@ -95,9 +95,7 @@ CheckList space_refusals() {
                              }),
             in_a_plane_alone(
                 "numerics.viscosity",
-                "a `viscosity` other than `\"morris\"` in three dimensions with `turbulence.closure = "
-                "\"czernuszenko-rylov\"`, `spanwise_ratio` other than 1 and `eddy_stress = "
-                "\"two-point\"`",
+                "a `viscosity` other than `\"morris\"` in three dimensions with `turbulence.closure = \"czernuszenko-rylov\"`, `spanwise_ratio` other than 1 and `eddy_stress = \"two-point\"`",
                 "the closure needs pairs that can be weighed by their direction",
                 "choose \"morris\", or spanwise_ratio = 1",
                 [](const Case& c) {
@@ -110,8 +108,7 @@ CheckList space_refusals() {
                              "side walls shear the water across the channel too", "choose \"full\"",
                              [](const Case& c) { return c.turbulence.stress_terms == StressTerms::shear; }),
             {{"channel.width", "numerics.spacing"},
-             "a simulated width below one kernel support of 2 h, or, between periodic sides, below two with their "
-             "skin",
+             "a simulated width below one kernel support of 2 h, or, between periodic sides, below two with their skin",
              "the kernel must find its place in the water",
              "make the channel wider or the spacing smaller",
              [](const Case& c) {
@@ -150,8 +147,7 @@ CheckList sphere_refusals() {
                  return without_tiling("length", c.channel.length, lattice_periods(c.bed).x, "D");
              }},
             {{"channel.width", "bed.sphere_diameter"},
-             "`width` between periodic sides no whole number of periods of the spheres' lattice, sqrt(3) D with "
-             "hexagonal packing and D with square",
+             "`width` between periodic sides no whole number of periods of the spheres' lattice, sqrt(3) D with hexagonal packing and D with square",
              "the spheres would not tile the bed across the channel",
              "take a whole number of them",
              [](const Case& c) {
@@ -213,8 +209,7 @@ CheckList side_wall_refusals() {
              [](const Case& c) {
                  return found_if(
                      c.turbulence.closure == ClosureKind::czernuszenko_rylov && c.side_layer() > edge_zone(c),
-                     "layer is {}, thicker than the edge zone of the mixing lengths, edge_zone H / "
-                     "2 = {}",
+                     "layer is {}, thicker than the edge zone of the mixing lengths, edge_zone H / 2 = {}",
                      shown_length(c.side_layer()), rounded_length_text(edge_zone(c)));
              }},
             {{"side_walls.layer", "channel.width"},

@@ -108,8 +108,7 @@ CheckList make_warnings() {
                  rows_in_roughness(c));
          }},
         {{"numerics.spacing", "channel.depth"},
-         "fewer than 20 rows of particles over the total depth of a bed of spheres, in three dimensions fewer than "
-         "10",
+         "fewer than 20 rows of particles over the total depth of a bed of spheres, in three dimensions fewer than 10",
          "the layers of the flow may break up",
          "make the spacing smaller",
          [](const Case& c) {
@@ -143,8 +142,7 @@ CheckList make_warnings() {
          }},
         {{"numerics.pressure_form"},
          "`pressure_form = \"symmetric\"`",
-         "in the symmetric form any disorder of the particles turns pressure into a shear stress as large as the "
-         "flow's own friction, which refinement does not cure (docs/theory.md, section 5)",
+         "in the symmetric form any disorder of the particles turns pressure into a shear stress as large as the flow's own friction, which refinement does not cure (docs/theory.md, section 5)",
          "use \"corrected\" unless this is what you study",
          [](const Case& c) { return c.numerics.pressure_form == PressureForm::symmetric; }},
         {{"numerics.kernel_correction"},
@@ -154,14 +152,12 @@ CheckList make_warnings() {
          [](const Case& c) { return c.numerics.kernel_correction == KernelCorrection::kernel; }},
         {{"numerics.pressure_form"},
          "a Riemann `pressure_form`",
-         "a Riemann form keeps the spurious shear stress of the symmetric one, and the mean velocity is low with "
-         "it (docs/theory.md, section 5)",
+         "a Riemann form keeps the spurious shear stress of the symmetric one, and the mean velocity is low with it (docs/theory.md, section 5)",
          "use \"corrected\" unless this is what you study, and preset = \"violent\" for impacts",
          [](const Case& c) { return c.numerics.has_riemann_problem(); }},
         {{"numerics.density_diffusion", "channel.top"},
          "`density_diffusion = \"molteni\"` with a free surface",
-         "\"molteni\" diffuses the hydrostatic difference too, and moves the level of the water (docs/theory.md, "
-         "section 4)",
+         "\"molteni\" diffuses the hydrostatic difference too, and moves the level of the water (docs/theory.md, section 4)",
          "use \"fourtakas\" under gravity",
          [](const Case& c) {
              return c.numerics.density_diffusion == DensityDiffusion::molteni && has_free_surface(c);
@@ -213,8 +209,7 @@ CheckList make_warnings() {
              return found;
          }},
         {{"numerics.sound_speed", "measured.depth_mean_velocity", "start.velocity"},
-         "a `sound_speed` below 10 times the largest velocity: `start.velocity`, or 1.4 times "
-         "`measured.depth_mean_velocity`",
+         "a `sound_speed` below 10 times the largest velocity: `start.velocity`, or 1.4 times `measured.depth_mean_velocity`",
          "the density would vary by more than 1 %",
          "take a larger one",
          [](const Case& c) {
@@ -230,8 +225,7 @@ CheckList make_warnings() {
          [](const Case& c) { return c.numerics.viscosity == ViscosityForm::monaghan_gingold; }},
         {{"numerics.viscosity"},
          "`viscosity = \"artificial\"`",
-         "\"artificial\" is no viscosity of the water: it grows with c0 and h, and a shear flow with it does not "
-         "converge to the profile of fluid.kinematic_viscosity",
+         "\"artificial\" is no viscosity of the water: it grows with c0 and h, and a shear flow with it does not converge to the profile of fluid.kinematic_viscosity",
          "use \"morris\" where friction counts",
          [](const Case& c) { return c.numerics.viscosity == ViscosityForm::artificial; }},
         {{"turbulence.closure", "bed.kind"},
@@ -248,14 +242,12 @@ CheckList make_warnings() {
          }},
         {{"turbulence.closure"},
          "`closure = \"sps\"`",
-         "the constant-C_s model at this resolution gives a stress far below the weight of the water above, so the "
-         "velocity does not settle at a real value, and it is offered to show this (docs/theory.md, section 7)",
+         "the constant-C_s model at this resolution gives a stress far below the weight of the water above, so the velocity does not settle at a real value, and it is offered to show this (docs/theory.md, section 7)",
          "use a mixing length (\"ramp\", \"nezu-rodi\", \"nikuradse\")",
          [](const Case& c) { return c.turbulence.closure == ClosureKind::sps; }},
         {{"turbulence.closure", "channel.sides"},
          "`closure = \"sps\"` between side walls",
-         "between side walls the constant-C_s model has no steady flow, and the run no cross-section twin; with "
-         "start.kind = \"section\" it starts from that of the same channel with \"czernuszenko-rylov\"",
+         "between side walls the constant-C_s model has no steady flow, and the run no cross-section twin; with start.kind = \"section\" it starts from that of the same channel with \"czernuszenko-rylov\"",
          "use \"czernuszenko-rylov\"",
          [](const Case& c) { return c.turbulence.closure == ClosureKind::sps && c.has_side_walls(); }},
         {{"bed.kind", "turbulence.closure"},
@@ -274,8 +266,7 @@ CheckList make_warnings() {
                              largest_courant_number(n), word(n.stepping));
          }},
         {{"numerics.stepping", "channel.dimensions", "turbulence.closure"},
-         "`stepping = \"semi-implicit-euler\"` down a slope in three dimensions for more than 1 s without a mixing "
-         "length",
+         "`stepping = \"semi-implicit-euler\"` down a slope in three dimensions for more than 1 s without a mixing length",
          "water whose particles are in disorder swells with it (docs/theory.md, section 10)",
          "\"leapfrog\" keeps its volume",
          [](const Case& c) {
@@ -300,14 +291,12 @@ CheckList make_warnings() {
          }},
         {{"numerics.wall", "numerics.density_diffusion"},
          "`wall = \"modified-dynamic\"` with neither `density_diffusion` nor `density_filter`",
-         "\"modified-dynamic\" walls carry the noise of the density beside them on into the wall "
-         "(docs/theory.md, section 9)",
+         "\"modified-dynamic\" walls carry the noise of the density beside them on into the wall (docs/theory.md, section 9)",
          "use density diffusion",
          [](const Case& c) { return c.numerics.wall == WallKind::modified_dynamic && density_is_noisy(c); }},
         {{"numerics.wall"},
          "`wall = \"repulsive\"`",
-         "\"repulsive\" walls hold the water and give no more: no friction, and between end walls they stir still "
-         "water (docs/theory.md, section 9)",
+         "\"repulsive\" walls hold the water and give no more: no friction, and between end walls they stir still water (docs/theory.md, section 9)",
          "verified with \"dummy\" walls",
          [](const Case& c) { return c.numerics.wall == WallKind::repulsive; }},
         {{"numerics.wall", "numerics.preset"},

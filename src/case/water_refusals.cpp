@@ -63,8 +63,7 @@ CheckList water_refusals() {
                  const Extent x(c.start.water_x);
                  return found_if(
                      x.low < 0.0 || x.high > c.channel.length || Extent(c.start.water_z).low < 0.0,
-                     "water_x, water_z: the water lies outside of the channel: expected x from 0 to "
-                     "its length {} and z from 0",
+                     "water_x, water_z: the water lies outside of the channel: expected x from 0 to its length {} and z from 0",
                      shown_length(c.channel.length));
              }},
             {{"start.water_z", "channel.wall_height"},

@@ -87,5 +87,18 @@ TEST(Options, OfTheMethodHaveASourceAndAdvice) {
     }
 }
 
+/// What was measured stands in the documents, with the command that measures it.
+TEST(Options, QuoteNoMeasurement) {
+    for (const SectionKeys& section : key_table()) {
+        for (const Key& key : section.keys) {
+            for (const Word& option : key.words) {
+                for (const std::string_view text : {option.meaning, option.source, option.advice}) {
+                    EXPECT_THAT(std::string(text), testing::Not(HasSubstr(" %"))) << key.id();
+                }
+            }
+        }
+    }
+}
+
 }  // namespace
 }  // namespace riffle::scheme_test
