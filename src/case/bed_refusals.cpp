@@ -35,7 +35,7 @@ CheckList bed_refusals() {
         {{"bed.roughness_height"},
          "`roughness_height` 0 with `kind = \"spheres\"`",
          "a bed of spheres needs a roughness zone",
-         "give a length or a multiple of the sphere diameter such as \"0.4 D\", or choose kind = \"slip\" or \"no-slip\"",
+         R"(give a length or a multiple of the sphere diameter such as "0.4 D", or choose kind = "slip" or "no-slip")",
          [](const Case& c) { return over_spheres(c) && c.bed.roughness_height <= 0.0; },
          true},
         {{"bed.roughness_height", "bed.sphere_diameter"},

@@ -23,7 +23,7 @@ CheckList method_refusals() {
                     c.numerics.pressure_form != PressureForm::symmetric;
          }},
         {{"turbulence.closure", "channel.dimensions"},
-         "`closure = \"wale\"` or `\"vreman\"` in two dimensions",
+         R"(`closure = "wale"` or `"vreman"` in two dimensions)",
          "eddies hand their energy down to smaller ones in three dimensions only",
          "set [channel] dimensions = 3, or choose a mixing length",
          [](const Case& c) { return resolves_eddies(c) && !in_space(c); }},
@@ -49,7 +49,7 @@ CheckList method_refusals() {
         {{"numerics.viscosity", "numerics.pressure_form"},
          "`viscosity = \"artificial\"` with a Riemann `pressure_form`",
          "both damp approaching particles, the one by alpha, the other by the Riemann problem",
-         "choose viscosity = \"morris\" or pressure_form = \"corrected\"",
+         R"(choose viscosity = "morris" or pressure_form = "corrected")",
          [](const Case& c) {
              return c.numerics.viscosity == ViscosityForm::artificial && c.numerics.has_riemann_problem();
          }},
@@ -68,9 +68,9 @@ CheckList method_refusals() {
              return c.numerics.impact_dissipation > 0.0 && c.numerics.viscosity == ViscosityForm::artificial;
          }},
         {{"numerics.viscosity", "turbulence.closure", "numerics.eddy_stress"},
-         "`viscosity = \"artificial\"` with a closure and `eddy_stress = \"two-point\"`",
+         R"(`viscosity = "artificial"` with a closure and `eddy_stress = "two-point"`)",
          "artificial viscosity acts between approaching particles alone, so the eddy viscosity cannot act through it",
-         "set [numerics] eddy_stress = \"stress-divergence\", or [turbulence] closure = \"none\", or choose viscosity = \"morris\"",
+         R"(set [numerics] eddy_stress = "stress-divergence", or [turbulence] closure = "none", or choose viscosity = "morris")",
          [](const Case& c) {
              return c.numerics.viscosity == ViscosityForm::artificial &&
                     c.turbulence.closure != ClosureKind::none &&
@@ -93,7 +93,7 @@ CheckList method_refusals() {
         {{"numerics.pressure_form", "channel.top"},
          "`pressure_form = \"riemann-non-conservative\"` with a free surface",
          "the difference of two pressures does not vanish where there is none, and the surface blows up (docs/theory.md, section 5)",
-         "choose \"riemann\" or \"corrected\", or set [channel] top = \"wall\"",
+         R"(choose "riemann" or "corrected", or set [channel] top = "wall")",
          [](const Case& c) {
              return c.numerics.pressure_form == PressureForm::riemann_non_conservative && has_free_surface(c);
          }},
@@ -103,31 +103,31 @@ CheckList method_refusals() {
          "choose wall = \"dummy\", or remove the solids",
          [](const Case& c) { return c.numerics.wall != WallKind::dummy && !c.solids.empty(); }},
         {{"numerics.wall", "bed.kind"},
-         "`wall = \"repulsive\"` with `bed.kind = \"no-slip\"`",
+         R"(`wall = "repulsive"` with `bed.kind = "no-slip"`)",
          "repulsive walls push along the normal alone, and nothing holds the water back along it",
-         "choose [bed] kind = \"slip\" or \"spheres\", or wall = \"dummy\"",
+         R"(choose [bed] kind = "slip" or "spheres", or wall = "dummy")",
          [](const Case& c) { return repels(c) && c.bed.kind == BedKind::no_slip; }},
         {{"numerics.wall", "channel.top"},
          "`wall = \"repulsive\"` without a free surface",
          "their force scales with the depth below a free surface, which must be there",
-         "set [channel] top = \"free-surface\", or choose wall = \"dummy\"",
+         R"(set [channel] top = "free-surface", or choose wall = "dummy")",
          [](const Case& c) { return repels(c) && !has_free_surface(c); }},
         {{"numerics.wall", "numerics.pressure_form"},
-         "`wall = \"repulsive\"` with `pressure_form = \"corrected\"`",
+         R"(`wall = "repulsive"` with `pressure_form = "corrected"`)",
          "repulsive walls have no particles that complete the kernel, and the correction would take them for a free surface",
-         "choose pressure_form = \"symmetric\" or \"riemann\", or wall = \"dummy\"",
+         R"(choose pressure_form = "symmetric" or "riemann", or wall = "dummy")",
          [](const Case& c) { return repels(c) && c.numerics.pressure_form == PressureForm::corrected; }},
         {{"numerics.wall", "channel.ends"},
          "`wall = \"dynamic\"` with end walls in three dimensions",
          "the staggered layers are there below the bed and behind side walls",
-         "choose wall = \"dummy\", or [channel] ends = \"periodic\"",
+         R"(choose wall = "dummy", or [channel] ends = "periodic")",
          [](const Case& c) {
              return c.numerics.wall == WallKind::dynamic && in_space(c) && c.channel.ends == Ends::walls;
          }},
         {{"numerics.wall", "channel.sides"},
-         "`wall = \"repulsive\"` or `\"dynamic\"` with `channel.sides = \"half\"`",
+         R"(`wall = "repulsive"` or `"dynamic"` with `channel.sides = "half"`)",
          "a plane of symmetry must mirror the water and neither push nor hold it",
-         "choose [channel] sides = \"walls\" or \"periodic\", or wall = \"dummy\"",
+         R"(choose [channel] sides = "walls" or "periodic", or wall = "dummy")",
          [](const Case& c) {
              return (repels(c) || c.numerics.wall == WallKind::dynamic) && in_space(c) &&
                     c.channel.sides == Sides::half;

@@ -176,12 +176,12 @@ CheckList probe_refusals() {
                              c.run.time);
          }},
         {{"probe.kind"},
-         "`kind = \"wave\"` or `\"surface_line\"` without a free surface",
+         R"(`kind = "wave"` or `"surface_line"` without a free surface)",
          "the water of this case has no free surface",
          "choose another kind",
          [](const Case& c, const Probe& p) { return sees_surface(p) && !has_free_surface(c); }},
         {{"probe.x"},
-         "`x` missing with `kind = \"velocity\"`, `\"wave\"`, `\"flow_rate\"` or `\"pressure\"`",
+         R"(`x` missing with `kind = "velocity"`, `"wave"`, `"flow_rate"` or `"pressure"`)",
          "such a probe needs at least one position",
          "give one, for example x = \"100 mm\"",
          [](const Case&, const Probe& p) {
@@ -196,7 +196,7 @@ CheckList probe_refusals() {
         {{"probe.y"}, "several `y`, not as many as points", "", "give one, or as many", uneven_across},
         {{"probe.y"}, "`y` outside of the simulated width", "", "move it", outside_across},
         {{"probe.z"},
-         "`z` missing with `kind = \"velocity\"` or `\"pressure\"`",
+         R"(`z` missing with `kind = "velocity"` or `"pressure"`)",
          "such a probe needs at least one height above the bed level",
          "give one, for example z = \"20 mm\"",
          [](const Case&, const Probe& p) {

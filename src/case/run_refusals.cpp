@@ -134,7 +134,7 @@ CheckList output_refusals() {
         {{"output.snapshot_x", "output.snapshot_y", "output.snapshot_z"},
          "`snapshot_x`, `snapshot_y` or `snapshot_z` other than two lengths, the first one smaller",
          "",
-         "write for example [\"0 mm\", \"50 mm\"]",
+         R"(write for example ["0 mm", "50 mm"])",
          broken_ranges},
         {{"output.snapshot_x", "output.snapshot_y", "output.snapshot_z"},
          "`snapshot_x`, `snapshot_y` or `snapshot_z` where no water is",

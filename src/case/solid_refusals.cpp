@@ -116,12 +116,12 @@ CheckList outline_refusals() {
             {{"solid.name", "channel.top"},
              "a `[[solid]]` with `channel.top = \"periodic\"`",
              "a box without bed and surface has no walls",
-             "set [channel] top = \"free-surface\" or \"wall\", or remove the solids",
+             R"(set [channel] top = "free-surface" or "wall", or remove the solids)",
              [](const Case& c) { return !c.solids.empty() && c.channel.top == Top::periodic; }},
             {{"solid.x", "solid.z"},
              "`x` or `z` missing in two dimensions",
              "",
-             "give the corners of its outline, for example x = [\"100 mm\", \"140 mm\", \"120 mm\"] and z = [\"0 mm\", \"0 mm\", \"20 mm\"]",
+             R"(give the corners of its outline, for example x = ["100 mm", "140 mm", "120 mm"] and z = ["0 mm", "0 mm", "20 mm"])",
              [](const Case&, const Solid& solid) {
                  return found_if(solid.x.empty() || solid.z.empty(), "x or z is missing");
              },

@@ -57,14 +57,14 @@ constexpr double particles_over_sphere = 4.0;
 CheckList plane_refusals() {
     return {{
                 in_space_alone(
-                    "bed.drag_form", "`drag_form = \"slice\"` or `\"plan-mean\"` in two dimensions",
+                    "bed.drag_form", R"(`drag_form = "slice"` or `"plan-mean"` in two dimensions)",
                     "both spread the drag over the plan", "choose \"consistent\", which is its plan mean",
                     [](const Case& c) {
                         return c.bed.drag_form == DragForm::slice || c.bed.drag_form == DragForm::plan_mean;
                     }),
                 in_space_alone("start.lattice", "`lattice = \"body-centred\"` in two dimensions",
                                "\"body-centred\" is an arrangement in space",
-                               "choose \"hexagonal\", which rests in still water as it does, or \"square\"",
+                               R"(choose "hexagonal", which rests in still water as it does, or "square")",
                                [](const Case& c) { return c.start.lattice == StartLattice::body_centred; }),
                 in_space_alone("start.kind", "`kind = \"section\"` in two dimensions",
                                "a plane has no cross-section", "choose \"column\"",
@@ -80,22 +80,22 @@ CheckList space_refusals() {
                              "choose \"free-surface\"", [](const Case& c) { return !has_free_surface(c); }),
             in_a_plane_alone(
                 "bed.drag_form", "`drag_form = \"paper\"` in three dimensions", "it knows no single spheres",
-                "choose \"consistent\", \"slice\" or \"thesis\"",
+                R"(choose "consistent", "slice" or "thesis")",
                 [](const Case& c) { return over_spheres(c) && c.bed.drag_form == DragForm::paper; }),
             in_a_plane_alone("start.lattice", "`lattice = \"hexagonal\"` in three dimensions",
-                             "it is an arrangement in a plane", "choose \"square\" or \"body-centred\"",
+                             "it is an arrangement in a plane", R"(choose "square" or "body-centred")",
                              [](const Case& c) { return c.start.lattice == StartLattice::hexagonal; }),
             in_a_plane_alone("start.kind",
-                             "`kind = \"standing-wave\"` or `\"taylor-green\"` in three dimensions",
+                             R"(`kind = "standing-wave"` or `"taylor-green"` in three dimensions)",
                              "both are flows in a plane",
-                             "choose \"column\", \"section\", \"uniform\", \"power-law\" or \"rest\"",
+                             R"(choose "column", "section", "uniform", "power-law" or "rest")",
                              [](const Case& c) {
                                  return c.start.kind == StartKind::standing_wave ||
                                         c.start.kind == StartKind::taylor_green;
                              }),
             in_a_plane_alone(
                 "numerics.viscosity",
-                "a `viscosity` other than `\"morris\"` in three dimensions with `turbulence.closure = \"czernuszenko-rylov\"`, `spanwise_ratio` other than 1 and `eddy_stress = \"two-point\"`",
+                R"(a `viscosity` other than `"morris"` in three dimensions with `turbulence.closure = "czernuszenko-rylov"`, `spanwise_ratio` other than 1 and `eddy_stress = "two-point"`)",
                 "the closure needs pairs that can be weighed by their direction",
                 "choose \"morris\", or spanwise_ratio = 1",
                 [](const Case& c) {
@@ -118,9 +118,9 @@ CheckList space_refusals() {
                                  shown_length(c.channel.simulated_width()), rounded_length_text(needed));
              }},
             {{"start.kind", "channel.sides"},
-             "`kind = \"section\"` with `channel.sides = \"periodic\"`",
+             R"(`kind = "section"` with `channel.sides = "periodic"`)",
              "between periodic sides the flow does not vary across the channel",
-             "choose kind = \"column\", or sides = \"walls\" or \"half\"",
+             R"(choose kind = "column", or sides = "walls" or "half")",
              [](const Case& c) { return c.start.kind == StartKind::section && has_periodic_sides(c); }},
         },
         in_space};
@@ -188,7 +188,7 @@ CheckList side_wall_refusals() {
     return {
         {
             {{"side_walls.drag_form", "bed.kind"},
-             "a `drag_form` other than `\"none\"` without `bed.kind = \"spheres\"`",
+             R"(a `drag_form` other than `"none"` without `bed.kind = "spheres"`)",
              "the drag of the side walls follows from that of the bed's spheres, and this bed is smooth",
              "choose drag_form = \"none\"",
              [](const Case& c) { return !over_spheres(c); },

@@ -40,7 +40,7 @@ CheckList start_refusals() {
         {{"start.kind"},
          "`kind = \"column\"` in a case without a column twin: one without a steady uniform flow",
          "",
-         "or choose kind = \"rest\" or \"uniform\"",
+         R"(or choose kind = "rest" or "uniform")",
          [](const Case& c) {
              const auto reason = why_no_column(c);
              return found_if(starts_as(c, StartKind::column) && reason,
@@ -48,7 +48,7 @@ CheckList start_refusals() {
                              reason.value_or(""));
          }},
         {{"start.velocity", "start.kind"},
-         "`velocity` missing with `kind = \"uniform\"` or `\"power-law\"` in a case without a column twin",
+         R"(`velocity` missing with `kind = "uniform"` or `"power-law"` in a case without a column twin)",
          "",
          "or give the velocity, for example velocity = \"0.3 m/s\"",
          [](const Case& c) {
@@ -94,7 +94,7 @@ CheckList start_refusals() {
                              "velocity is missing");
          }},
         {{"start.kind", "channel.top"},
-         "`kind = \"taylor-green\"` without `channel.top = \"periodic\"`",
+         R"(`kind = "taylor-green"` without `channel.top = "periodic"`)",
          "the vortices repeat over the height, which needs [channel] top = \"periodic\"",
          "set it",
          [](const Case& c) {
