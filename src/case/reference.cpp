@@ -133,14 +133,14 @@ std::string options_page() {
 }
 
 /// Tables of checks, one per section of their first keys.
-std::string check_tables(const std::vector<const CaseCheck*>& checks) {
+std::string check_tables(const std::vector<CaseCheck>& checks) {
     std::string page;
     for (const SectionKeys& section : key_table()) {
         std::string rows;
-        for (const CaseCheck* const check : checks) {
-            if (find_key(check->keys.front())->section == section.name) {
-                rows += fmt::format("| {} | {} |\n", cell(std::string(check->what)),
-                                    cell(finding_text("", *check, {})));
+        for (const CaseCheck& check : checks) {
+            if (find_key(check.keys.front())->section == section.name) {
+                rows += fmt::format("| {} | {} |\n", cell(std::string(check.what)),
+                                    cell(finding_text("", check, {})));
             }
         }
         if (!rows.empty()) {
@@ -152,20 +152,14 @@ std::string check_tables(const std::vector<const CaseCheck*>& checks) {
 }
 
 std::string check_page() {
-    std::vector<const CaseCheck*> refused;
+    std::vector<CaseCheck> refused = start_of_run_refusals().checks;
     for (const CheckList& list : refusals()) {
-        for (const CaseCheck& check : list.checks) {
-            refused.push_back(&check);
-        }
-    }
-    std::vector<const CaseCheck*> warned;
-    for (const CaseCheck& check : warnings().checks) {
-        warned.push_back(&check);
+        refused.insert(refused.end(), list.checks.begin(), list.checks.end());
     }
     return "\n## What is refused\n\nBeyond the types, ranges and words of the tables above, and keys that go only with another one. The message names the place, the values and what to do. Keys without a section are those of the heading.\n" +
            check_tables(refused) +
-           "\nWhat needs more than the case is looked at by the verb that has it: STL files when the case is read; at the start of a run the results file to start from, sampling frequencies above half of the inverse of the time step, `run.until = \"converged\"` in a case without a column twin, and the memory that the run takes.\n\n## What is warned of\n\n`riffle check` and `riffle run` say where a case leaves what was verified ([why](theory.md#18-known-limits-and-the-verified-envelope)), and which keys have no effect.\n" +
-           check_tables(warned);
+           "\nWhat needs more than the case is looked at by the verb that has it: STL files when the case is read; at the start of a run the results file to start from, sampling frequencies above half of the inverse of the time step, and the memory that the run takes.\n\n## What is warned of\n\n`riffle check` and `riffle run` say where a case leaves what was verified ([why](theory.md#18-known-limits-and-the-verified-envelope)), and which keys have no effect.\n" +
+           check_tables(warnings().checks);
 }
 
 std::string unit_page() {

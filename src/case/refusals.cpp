@@ -1,5 +1,6 @@
 #include "case/refusals.hpp"
 
+#include "base/error.hpp"
 #include "case/conversion.hpp"
 #include "case/key_table.hpp"
 
@@ -63,6 +64,12 @@ void refuse(const Case& c, const Places& places, Problems& problems) {
             problems.add(place_of(check, finding, places), refusal_text(check, finding, c));
         });
     }
+}
+
+void refuse_to_run(const Case& c) {
+    for_each_finding(start_of_run_refusals(), c, [&](const CaseCheck& check, const Finding& finding) {
+        throw InputError(refusal_text(check, finding, c));
+    });
 }
 
 }  // namespace riffle

@@ -14,6 +14,12 @@ namespace riffle {
 /// Adds the problem of each check that a case fails.
 void refuse(const Case& c, const Places& places, Problems& problems);
 
+/// What a case that can be read, and compared with, is refused for when it shall run.
+[[nodiscard]] const CheckList& start_of_run_refusals();
+
+/// Throws InputError where one of these checks finds something.
+void refuse_to_run(const Case& c);
+
 /// The message of what a check finds in a case: "[numerics] spacing is 12 mm, larger than ...: why; what to
 /// do".
 [[nodiscard]] std::string refusal_text(const CaseCheck& check, const Finding& finding, const Case& c);

@@ -3,6 +3,7 @@
 #include <set>
 #include <sstream>
 
+#include "case/flow_kind.hpp"
 #include "case/refusals.hpp"
 #include "case/units.hpp"
 #include "case/words.hpp"
@@ -110,6 +111,23 @@ CheckList run_refusals() {
                     c.stirring.acceleration == 0.0;
          }},
     }};
+}
+
+const CheckList& start_of_run_refusals() {
+    static const CheckList list{{
+        {{"run.until"},
+         "`until = \"converged\"` in a case without a column twin, at the start of a run",
+         "",
+         "or give a time, until = \"10 s\"",
+         [](const Case& c) {
+             const auto reason = why_no_column(c);
+             return found_if(
+                 c.run.until == RunUntil::converged && reason,
+                 "until = \"converged\" tests the mean velocity against the relaxation time of the steady uniform flow, and the case has none: {}",
+                 reason.value_or(""));
+         }},
+    }};
+    return list;
 }
 
 CheckList output_refusals() {

@@ -253,7 +253,21 @@ TEST(Refusals, EachRowHasACaseThatItRefusesAndSaysSo) {
     }
 }
 
-/// Both tables.
+TEST(Refusals, RunsUntilConvergedNeedASteadyFlow) {
+    for (const CaseCheck& check : start_of_run_refusals().checks) {
+        const Case c = with_keys(flume(), "channel.ends = walls; start.kind = rest");
+        EXPECT_EQ(refusal_of(c), "");
+        try {
+            refuse_to_run(c);
+            ADD_FAILURE() << check.what;
+        } catch (const InputError& error) {
+            EXPECT_THAT(error.what(), HasSubstr("walls close the channel at its ends"));
+        }
+    }
+    EXPECT_NO_THROW(refuse_to_run(flume()));
+}
+
+/// All tables.
 std::vector<const CaseCheck*> all_checks() {
     std::vector<const CaseCheck*> all;
     const auto add = [&](const CheckList& list) {
@@ -262,6 +276,7 @@ std::vector<const CaseCheck*> all_checks() {
         }
     };
     std::for_each(refusals().begin(), refusals().end(), add);
+    add(start_of_run_refusals());
     add(warnings());
     return all;
 }
