@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <regex>
 
 #include "case/case_documents.hpp"
 #include "case/conversion.hpp"
@@ -13,7 +14,7 @@ namespace riffle {
 
 namespace {
 
-/// Text for a cell of a Markdown table.
+/// Text for a cell of a Markdown table; the documents that it names are links.
 std::string cell(const std::string& text) {
     std::string escaped;
     for (const char letter : text) {
@@ -22,7 +23,8 @@ std::string cell(const std::string& text) {
         }
         escaped += letter;
     }
-    return escaped;
+    static const std::regex document("docs/([a-z-]+)\\.md");
+    return std::regex_replace(escaped, document, "[$1]($1.md)");
 }
 
 std::string type_text(const Key& key) {
