@@ -31,15 +31,13 @@ struct Words<KernelKind> {
          "Colagrossi & Landrini (2003)", "laminar checks with h = 2 dx; nothing gained in channels"},
         {"quadratic", "parabola (SPHysics): does not clump, but its sums converge worst",
          "Johnson et al. (1996); SPHysics",
-         "impact without clumping; second derivative jumps: viscous force 4 % low at h = 1.5 dx"},
+         "impact without clumping; its second derivative jumps, and the viscous force is low at h = 1.5 dx"},
         {"quintic-spline", "quintic B-spline of radius 2 h; narrow, take h = 2 dx or more",
-         "Morris et al. (1997)", "laminar flow with h = 2 dx at 1.8 times the pairs"},
+         "Morris et al. (1997)", "laminar flow with h = 2 dx, with more pairs for it"},
         {"wendland-c4", "Wendland's C4 kernel; narrow, take h = 2 dx or more",
-         "Wendland (1995); Dehnen & Aly (2012)",
-         "h = 2 dx or more; spurious stress of a stirred channel 0.51 % (C2: 0.27 %)"},
+         "Wendland (1995); Dehnen & Aly (2012)", "h = 2 dx or more; nothing gained in channels"},
         {"wendland-c6", "Wendland's C6 kernel; the narrowest, take h = 2 dx or more",
-         "Wendland (1995); Dehnen & Aly (2012)",
-         "h = 2 dx or more; spurious stress of a stirred channel 0.33 % (C2: 0.27 %)"},
+         "Wendland (1995); Dehnen & Aly (2012)", "h = 2 dx or more; nothing gained in channels"},
     }};
 };
 
@@ -47,7 +45,7 @@ template <>
 struct Words<EquationOfState> {
     static constexpr std::array<Word, 2> list{{
         {"linear", "p = c0^2 (rho - rho0)", "paper (10); Morris et al. (1997)",
-         "always: the density varies by less than 1 %"},
+         "always: the density varies by little"},
         {"tait", "p = (c0^2 rho0 / 7) [(rho / rho0)^7 - 1]", "thesis (2.45)",
          "to repeat the thesis; differs from the linear one by 3 s, s the relative density change"},
     }};
@@ -57,20 +55,16 @@ template <>
 struct Words<PressureForm> {
     static constexpr std::array<Word, 4> list{{
         {"corrected", "conservative form with the corrected kernel gradient: no spurious friction",
-         "theory 5; Bonet & Lok (1999) made conservative",
-         "all channels: spurious shear stress 1 % of the bed's under stirring"},
+         "theory 5; Bonet & Lok (1999) made conservative", "all channels"},
         {"symmetric", "the usual p_i + p_j form: spurious friction where the particles are disordered",
-         "thesis (2.42)",
-         "not for channels: 12 to 29 % spurious stress under stirring, mean velocity 6 to 18 % low"},
+         "thesis (2.42)", "not for channels: a spurious stress brakes the flow"},
         {"riemann",
          "p_i + p_j with the limited dissipation of a Riemann problem: for violent flow, not for channels",
-         "Zhang, Hu & Adams (2017)",
-         "violent flow; in channels as `symmetric`; damps vortices at Re 100 by 10 %"},
+         "Zhang, Hu & Adams (2017)", "violent flow; in channels as `symmetric`, and it damps vortices"},
         {"riemann-non-conservative",
          "the same with p_j - p_i: no force at uniform pressure, but momentum is not conserved",
          "theory 5; Zhang, Hu & Adams (2017)",
-         "closed flow without mean shear: vortices decay 5 % too fast (riemann 10 %), Poiseuille flow within "
-         "0.3 %; refused with a free surface, which blows up"},
+         "closed flow without mean shear; refused with a free surface, which blows up"},
     }};
 };
 
@@ -87,13 +81,10 @@ template <>
 struct Words<KernelCorrection> {
     static constexpr std::array<Word, 2> list{{
         {"kernel-gradient", "inverse of the first moments: exact for linear fields (Bonet & Lok)",
-         "B = M^-1, M = -sum V r grad W (Bonet & Lok 1999)",
-         "all flows: a stirred channel keeps a spurious stress below 1 % of the bed's"},
+         "B = M^-1, M = -sum V r grad W (Bonet & Lok 1999)", "all flows"},
         {"kernel", "the kernel over its sum (Shepard): exact for constants alone",
          "B = I / S, S = sum V W (Shepard 1968)",
-         "no flow; it shows what the gradient's correction is worth: stirred, condition 2 has a spurious "
-         "stress of 12.3 % of the bed's, as without any correction (12.1 %); vortices decay 6 % too fast "
-         "(kernel-gradient: 0.3 %); error in Poiseuille flow 0.8 % (0.07 %)"},
+         "no flow; it shows what the gradient's correction is worth (theory 5)"},
     }};
 };
 
@@ -101,15 +92,13 @@ template <>
 struct Words<DensityDiffusion> {
     static constexpr std::array<Word, 4> list{{
         {"fourtakas", "diffusion of the density less its hydrostatic part",
-         "theory 4; Fourtakas et al. (2019)", "always under gravity: level of still water within 0.15 %"},
+         "theory 4; Fourtakas et al. (2019)", "always under gravity"},
         {"none", "no diffusion", "", "short laminar flows with a filter, or to see the noise it takes away"},
         {"molteni", "diffusion of the density (Molteni & Colagrossi): moves the level of water at rest",
-         "theory 4; Molteni & Colagrossi (2009)", "without gravity; with it still water sank by 6 % in 4 s"},
+         "theory 4; Molteni & Colagrossi (2009)", "without gravity; with it still water sinks (theory 4)"},
         {"antuono", "diffusion of the density less its corrected linear part (Antuono et al.)",
          "sum V [2 (s_i - s_j) - (g_i + g_j).r] F, g = M^-1 sum V (s_j - s_i) grad W (Antuono et al. 2012)",
-         "water that is not hydrostatic along z (tilted, violent); in a channel fourtakas does the same "
-         "for less: level of still water within 0.24 % in 4 s (fourtakas 0.15 %, molteni 6 %), decay of "
-         "vortices within 0.5 %; two more sums in plain code, runs 6 times longer"},
+         "water that is not hydrostatic along z (tilted, violent); in a channel fourtakas does the same for a fraction of the time (theory 4)"},
     }};
 };
 
@@ -129,22 +118,19 @@ template <>
 struct Words<ViscosityForm> {
     static constexpr std::array<Word, 4> list{{
         {"morris", "acts along the velocity difference", "theory 6; Morris et al. (1997)",
-         "channels: exact in layered shear; a free surface has zero normal gradient, so waves lose half of "
-         "nature's damping"},
+         "channels: exact in layered shear; a free surface has zero normal gradient, so waves lose half of nature's damping"},
         {"monaghan-gingold",
-         "acts along the line of centres; conserves angular momentum, too weak in layered shear: by 11 % at "
-         "h = 1.5 dx, 4 % at 2 dx (Wendland)",
+         "acts along the line of centres; conserves angular momentum, too weak in layered shear",
          "Monaghan & Gingold (1983), Monaghan (2005)",
-         "viscous damping of waves (decay within 2 %); in sheared layers 4 to 11 % weak"},
-        {"lo-shao", "acts along the velocity difference, softened (Lo & Shao; SPHysics): 1 to 2 % too weak",
+         "viscous damping of waves; weak in sheared layers (theory 6)"},
+        {"lo-shao",
+         "acts along the velocity difference, softened (Lo & Shao; SPHysics), and so a little too weak",
          "Lo & Shao (2002); SPHysics; the thesis",
-         "to repeat SPHysics; 1.3 % error in Poiseuille flow where `morris` has 0.07 %"},
+         "to repeat SPHysics; `morris` is the same without the loss"},
         {"artificial",
-         "Monaghan's artificial viscosity, alpha h c0, between approaching particles: instead of the "
-         "water's",
+         "Monaghan's artificial viscosity, alpha h c0, between approaching particles: instead of the water's",
          "Monaghan (1992); SPHysics",
-         "calming still water or impacts (alpha 0.01 to 0.1); changes with the spacing, not where friction "
-         "counts"},
+         "calming still water or impacts (alpha 0.01 to 0.1); changes with the spacing, not where friction counts"},
     }};
 };
 
@@ -154,7 +140,7 @@ struct Words<EddyStress> {
         {"two-point", "the eddy viscosity enters the pair viscosity", "theory 6", "always"},
         {"stress-divergence", "kernel divergence of the stress at the particles (the thesis)",
          "thesis (4.1); Gotoh et al. (2001)",
-         "to repeat the thesis: velocity zigzags from row to row, spurious stress 64 % of the bed stress"},
+         "to repeat the thesis: velocity zigzags from row to row (theory 6)"},
     }};
 };
 
@@ -163,25 +149,21 @@ struct Words<Stepping> {
     static constexpr std::array<Word, 6> list{{
         {"semi-implicit-euler", "one force evaluation per step, first order; disordered water swells",
          "theory 10; order 1.00",
-         "to save a tenth of the time where particles keep their order; eddying water in three dimensions "
-         "grows by 0.25 % a second"},
+         "to save time where particles keep their order; eddying water in three dimensions swells (theory 10)"},
         {"leapfrog",
-         "one force evaluation per step, velocities half a step before positions, densities from the middle "
-         "of each step's way: keeps the volume of disordered water",
-         "theory 10; order 1.00 once friction counts",
-         "always: volume within 0.1 % in 3 s where Euler's grows by 0.7 %"},
+         "one force evaluation per step, velocities half a step before positions, densities from the middle of each step's way: keeps the volume of disordered water",
+         "theory 10; order 1.00 once friction counts", "always"},
         {"predictor-corrector", "two force evaluations per step, second order (the thesis)",
          "thesis (2.50-2.52), Monaghan (1989); order 2.00", "transients; Courant number 0.4 or less"},
         {"verlet",
-         "one force evaluation per step, a leap over two steps (SPHysics); not with density diffusion "
-         "at Courant numbers above 0.2, where it fails",
+         "one force evaluation per step, a leap over two steps (SPHysics); not with density diffusion at Courant numbers above 0.2, where it fails",
          "Verlet (1967), SPHysics; order 1.95 in small steps",
          "without density diffusion, or Courant numbers up to 0.2"},
         {"symplectic", "two force evaluations per step, the second at its middle; second order (SPHysics)",
          "Leimkuhler et al. (1996), DualSPHysics; order 2.00", "transients"},
         {"beeman",
          "two force evaluations per step, with the rates of the step before; third order (SPHysics)",
-         "Beeman (1976), SPHysics; order 3.0", "accurate transients: error 1e-3 of Euler's at equal steps"},
+         "Beeman (1976), SPHysics; order 3.0", "transients that must be accurate"},
     }};
 };
 
@@ -193,8 +175,7 @@ struct Words<StepRule> {
         {"monaghan-kos",
          "C times the smaller of sqrt(h / a) and h / (c0 + the largest velocity of a pair along its line)",
          "thesis (2.53); Monaghan & Kos (1999)",
-         "to repeat the thesis, and violent flow with a low speed of sound; the pairs are looked at once "
-         "more in each step, in plain code"},
+         "to repeat the thesis, and violent flow with a low speed of sound; the pairs are looked at once more in each step, in plain code"},
     }};
 };
 
@@ -202,35 +183,27 @@ template <>
 struct Words<WallKind> {
     static constexpr std::array<Word, 4> list{{
         {"dummy", "layers of particles that carry the pressure of the fluid before them",
-         "theory 9; Adami et al. (2012)", "always: Poiseuille flow within 0.07 %"},
+         "theory 9; Adami et al. (2012)", "always"},
         {"dynamic",
-         "staggered layers whose density follows the continuity equation (the thesis); the water rests at "
-         "them",
+         "staggered layers whose density follows the continuity equation (the thesis); the water rests at them",
          "Dalrymple & Knio (2001); SPHysics; the thesis",
          "to repeat SPHysics; a slip bed is not possible with it"},
         {"modified-dynamic",
-         "layers of particles that carry the density found at their mirror image in the water (English et "
-         "al.)",
-         "s_w = s_g + (x_w - x_g).grad s, s_g and its gradient by Liu & Liu's first-order interpolation "
-         "(English et al. 2022)",
-         "plane walls of still water and laminar flow, as accurate as dummy: at rest within 1e-4 sqrt(g "
-         "H), its pressure within 0.5 %, Poiseuille flow within 0.07 %. In a stirred channel dummy is "
-         "better (spurious stress 0.4 % of the bed's, here 1.0 %, U 1.3 % lower). Only with density "
-         "diffusion: without it the pressure of still water scatters by 14 %"},
+         "layers of particles that carry the density found at their mirror image in the water (English et al.)",
+         "s_w = s_g + (x_w - x_g).grad s, s_g and its gradient by Liu & Liu's first-order interpolation (English et al. 2022)",
+         "plane walls of still water and laminar flow, as accurate as dummy; in disordered flow dummy is better. Only with density diffusion, without which the pressure scatters (theory 9)"},
         {"repulsive",
          "one row of particles that push the water away (Monaghan & Kos): no pressure, no friction",
          "n R(y) P(x) eps, R = (g H / h) (1 - q) / sqrt(q), q = y / (2 dx) (Monaghan & Kos 1999; SPHysics)",
-         "to repeat runs of SPHysics over a bed. Not between end walls: their force has no potential and "
-         "stirs still water to 9 % of sqrt(g H), with 13 % more pressure at the bed after 5 s"},
+         "to repeat runs of SPHysics over a bed; not between end walls, where their force, which has no potential, stirs still water (theory 9)"},
     }};
 };
 
 template <>
 struct Words<Precision> {
     static constexpr std::array<Word, 2> list{{
-        {"single", "pair arithmetic in single precision, state in double", "theory 16",
-         "always: differs from double by less than 1e-3 g in accelerations"},
-        {"double", "everything in double precision; 1.5-1.8 times slower", "theory 16",
+        {"single", "pair arithmetic in single precision, state in double", "theory 16", "always"},
+        {"double", "everything in double precision; slower", "theory 16",
          "convergence of the arithmetic itself"},
     }};
 };

@@ -13,12 +13,12 @@
 #include "case/case_text.hpp"
 #include "case/conversion.hpp"
 #include "case/key_table.hpp"
-#include "case/mesh_validation.hpp"
 #include "case/nearest.hpp"
 #include "case/presets.hpp"
 #include "case/problems.hpp"
+#include "case/refusals.hpp"
+#include "case/solid_mesh.hpp"
 #include "case/toml_entries.hpp"
-#include "case/validation.hpp"
 
 namespace riffle {
 
@@ -307,6 +307,29 @@ std::filesystem::path resolved(const std::filesystem::path& file, const std::fil
     return (std::filesystem::absolute(case_file).parent_path() / file).lexically_normal();
 }
 
+/// Read the surfaces of the solids in three dimensions; what refuse() says of their keys is left to it.
+void read_meshes(Case& c, const Places& places, Problems& problems) {
+    if (c.channel.dimensions != 3 || c.solids.empty()) {
+        return;
+    }
+    auto meshes = std::make_shared<std::vector<SolidMesh>>();
+    for (std::size_t item = 0; item < c.solids.size(); ++item) {
+        const Solid& solid = c.solids[item];
+        if (solid.file.empty() || (!solid.place.empty() && solid.place.size() != 3)) {
+            continue;
+        }
+        try {
+            meshes->emplace_back(solid);
+        } catch (const Error& e) {
+            problems.add(places.of_first({find_key("solid.file")->id(item), fmt::format("solid[{}]", item)}),
+                         fmt::format("[[solid]] {}: {}", solid.name, e.what()));
+        }
+    }
+    if (meshes->size() == c.solids.size()) {
+        c.meshes = std::move(meshes);
+    }
+}
+
 }  // namespace
 
 Case parse_case(const std::string& text, const std::string& name, const std::filesystem::path& path,
@@ -335,7 +358,7 @@ Case parse_case(const std::string& text, const std::string& name, const std::fil
         if (!path.empty()) {
             read_meshes(c, places, problems);
         }
-        validate(c, places, !path.empty(), problems);
+        refuse(c, places, problems);
     }
     if (!problems.empty()) {
         problems.raise();

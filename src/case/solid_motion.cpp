@@ -12,7 +12,7 @@ namespace riffle {
 
 namespace {
 
-using Place = std::array<double, 2>;
+using Position = std::array<double, 2>;
 
 double angular_frequency(const Solid& solid) { return 2.0 * std::numbers::pi * solid.frequency; }
 
@@ -68,7 +68,7 @@ std::vector<double> crossings(const Outline& a, std::size_t i, const Outline& b)
 
 /// A place of the outline of `a` that is deeper in `b` than `tolerance`: the middle of a stretch between two
 /// crossings.
-std::optional<Place> place_inside(const Outline& a, const Outline& b, double tolerance) {
+std::optional<Position> place_inside(const Outline& a, const Outline& b, double tolerance) {
     for (std::size_t i = 0; i < a.size(); ++i) {
         const std::vector<double> at = crossings(a, i, b);
         for (std::size_t k = 0; k + 1 < at.size(); ++k) {
@@ -76,7 +76,7 @@ std::optional<Place> place_inside(const Outline& a, const Outline& b, double tol
             const double x = a.x[i] + middle * (a.x[a.next(i)] - a.x[i]);
             const double z = a.z[i] + middle * (a.z[a.next(i)] - a.z[i]);
             if (contains(b, x, z) && distance_from_outline(b, x, z) > tolerance) {
-                return Place{x, z};
+                return Position{x, z};
             }
         }
     }
@@ -96,8 +96,8 @@ std::optional<SolidOverlap> overlap_of(const Case& c, std::size_t i, std::size_t
     const double end = std::max(last_motion(a, c.run.time), last_motion(b, c.run.time));
     const double length = c.channel.length;
     for (double time = 0.0;;) {
-        const Place at_a = solid_motion(a, time).displacement;
-        const Place at_b = solid_motion(b, time).displacement;
+        const Position at_a = solid_motion(a, time).displacement;
+        const Position at_b = solid_motion(b, time).displacement;
         double x = at_b[0] - at_a[0];
         std::vector<double> images = {x};
         if (c.channel.ends == Ends::periodic) {

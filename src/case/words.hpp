@@ -13,8 +13,7 @@ struct Words<Ends> {
     static constexpr std::array<Word, 2> list{{
         {"periodic", "what leaves at one end enters at the other"},
         {"walls",
-         "upright walls at both ends: no-slip with `bed.kind = \"no-slip\"` or dynamic walls, else "
-         "frictionless"},
+         "upright walls at both ends: no-slip with `bed.kind = \"no-slip\"` or dynamic walls, else frictionless"},
     }};
 };
 
@@ -23,8 +22,7 @@ struct Words<Top> {
     static constexpr std::array<Word, 3> list{{
         {"free-surface", "open to the air"},
         {"wall",
-         "a resting plate at the top (flow between plates): no-slip with `bed.kind = \"no-slip\"` or dynamic "
-         "walls, else frictionless"},
+         "a resting plate at the top (flow between plates): no-slip with `bed.kind = \"no-slip\"` or dynamic walls, else frictionless"},
         {"periodic", "the top joins the bottom (no bed, no gravity: tests)"},
     }};
 };
@@ -34,8 +32,7 @@ struct Words<Sides> {
     static constexpr std::array<Word, 3> list{{
         {"periodic", "what leaves at one side enters at the other: part of a wide channel"},
         {"walls",
-         "walls at y = 0 and y = width: frictionless but for the drag of [side_walls]; no-slip with "
-         "`bed.kind = \"no-slip\"`"},
+         "walls at y = 0 and y = width: frictionless but for the drag of [side_walls]; no-slip with `bed.kind = \"no-slip\"`"},
         {"half", "a side wall at y = 0 and the plane of symmetry at y = width / 2"},
     }};
 };
@@ -63,7 +60,7 @@ struct Words<Packing> {
     static constexpr std::array<Word, 2> list{{
         {"hexagonal", "2 / (sqrt(3) D^2) spheres per plan area", "theory 8", "the measured beds"},
         {"square", "1 / D^2 spheres per plan area", "theory 8",
-         "looser beds; 13 % fewer spheres, so 13 % less drag area at equal diameter"},
+         "looser beds: fewer spheres, and so less drag, at equal diameter"},
     }};
 };
 
@@ -71,20 +68,18 @@ template <>
 struct Words<DragForm> {
     static constexpr std::array<Word, 5> list{{
         {"consistent",
-         "frontal area of the packed spheres per volume; in 3D the drag of each sphere over its volume; "
-         "does not depend on the spacing",
+         "frontal area of the packed spheres per volume; in 3D the drag of each sphere over its volume; does not depend on the spacing",
          "thesis (2.16) on each sphere, per volume",
-         "always: independent of the spacing, within 5 % of seven measured conditions with nothing fitted"},
+         "always: independent of the spacing, and near to the measured conditions with nothing fitted (theory 8)"},
         {"thesis", "as printed in the thesis; scales as 1 / spacing", "thesis (4.3-4.4) as printed",
-         "only to repeat the thesis: condition 2 flows 20 % faster at 2 mm than at 1 mm"},
+         "only to repeat the thesis: the flow changes with the spacing (theory 8)"},
         {"paper", "as printed in the paper: C_d / (2 D) over the roughness zone (2D)", "paper (4-5)",
          "only to repeat the paper"},
         {"slice",
          "3D: the drag of each slice of a sphere over the slice; its plan mean is the 2D consistent form",
          "thesis (2.16), slice by slice", "3D runs to be compared with a 2D one"},
         {"plan-mean",
-         "3D: at each height the mean of the consistent form over the plan; spheres without places, for "
-         "checks against the twins",
+         "3D: at each height the mean of the consistent form over the plan; spheres without places, for checks against the twins",
          "plan mean of the consistent form", "checks of a 3D run against its section twin"},
     }};
 };
@@ -95,7 +90,7 @@ struct Words<ClosureKind> {
         {"none", "laminar", "", "laminar flow"},
         {"ramp", "mixing length kappa z, at most lambda H (thesis 4.2)",
          "thesis (4.2); Nezu & Nakagawa (1993), Stansby (2003)",
-         "wide channels and 2D: within 5 % of seven measured conditions"},
+         "wide channels and 2D: near to the measured conditions (docs/column.md)"},
         {"nezu-rodi", "mixing length of Nezu & Rodi with Coles' wake (thesis 2.21)",
          "thesis (2.21); Nezu & Rodi (1986)",
          "as the ramp, where the wake of the outer layer matters; the paper's choice"},
@@ -103,8 +98,7 @@ struct Words<ClosureKind> {
          "comparison: made for pipes"},
         {"sps", "sub-particle scale model with a constant C_s (thesis 4.1)",
          "thesis (4.1); Gotoh et al. (2001)",
-         "not for channels: its length is a share of the spacing, and condition 2 would flow at 4.4 instead "
-         "of 0.34 m/s"},
+         "not for channels: its length is a share of the spacing, and the flow far too fast (theory 7)"},
         {"czernuszenko-rylov", "anisotropic mixing lengths over the cross-section (thesis 5.1-5.7)",
          "thesis (5.1-5.7); Czernuszenko & Rylov (2000)", "3D channels with side walls"},
         {"wale", "eddies resolved by the particles, those below by the wall-adapting local eddy viscosity",
@@ -121,8 +115,7 @@ struct Words<StressTerms> {
     static constexpr std::array<Word, 2> list{{
         {"full", "the whole stress tensor, |S| = sqrt(2 S_ij S_ij)", "Smagorinsky (1963)", "always"},
         {"shear",
-         "|S| = |du/dz| (the paper); only with `eddy_stress = \"stress-divergence\"` is tau_xz alone kept as "
-         "well",
+         "|S| = |du/dz| (the paper); only with `eddy_stress = \"stress-divergence\"` is tau_xz alone kept as well",
          "the paper", "to repeat the paper; in parallel flow the same"},
     }};
 };
@@ -130,18 +123,15 @@ struct Words<StressTerms> {
 template <>
 struct Words<SurfaceDetection> {
     static constexpr std::array<Word, 4> list{{
-        {"volume-fraction",
-         "where the water's share of the kernel's support falls to 1/2; 0.1 dx high in layered runs",
-         "docs/free-surface.md", "always: 0.1 dx high in layered runs"},
+        {"volume-fraction", "where the water's share of the kernel's support falls to 1/2",
+         "docs/free-surface.md", "always"},
         {"position-divergence",
-         "where the divergence of the position falls to half (thesis 2.60); 0.2 dx high, and blind to short "
-         "waves",
-         "thesis (2.60)", "to repeat the thesis; 0.2 dx high, blind to short waves"},
+         "where the divergence of the position falls to half (thesis 2.60); blind to short waves",
+         "thesis (2.60)", "to repeat the thesis; blind to short waves"},
         {"density-ratio", "highest particle with an incomplete support (Koshizuka); half a spacing low",
          "Koshizuka & Oka (1996)", "to repeat published runs; half a spacing low"},
         {"depth-sum",
-         "depth of the water column (Tis Isat); exact in the mean, smooths short waves, counts spray as "
-         "depth",
+         "depth of the water column (Tis Isat); exact in the mean, smooths short waves, counts spray as depth",
          "docs/free-surface.md", "mean depth; smooths short waves and counts spray"},
     }};
 };
@@ -155,9 +145,7 @@ struct Words<StartLattice> {
          "theory 12", "still water and quiet flows, with h of 1.8 or 2.1 dx"},
         {"body-centred", "3D: body-centred cubic, rows 2^(-2/3) dx apart",
          "two particles in a cell of (2^(1/3) dx)^3 (SPHysics)",
-         "water at rest in space: its level moves by 0.02 % of the depth in 1 s. Not for shear flow, "
-         "where it has no layers to slide: a cell of spheres at 5 mm has 1.3 % of spurious stress after 4 s "
-         "(square 0.2 %), U 1.4 % higher, and 15 mm/s of motion across (3 mm/s)"},
+         "water at rest in space; not for shear flow, where it has no layers to slide (theory 12)"},
     }};
 };
 
@@ -179,8 +167,7 @@ template <>
 struct Words<SolidSurface> {
     static constexpr std::array<Word, 2> list{{
         {"no-slip", "the water rests at it",
-         "dummy particles whose velocity continues the water's through that of the surface (Adami, Hu & "
-         "Adams 2012)",
+         "dummy particles whose velocity continues the water's through that of the surface (Adami, Hu & Adams 2012)",
          "the default; the boundary layer needs some four particles"},
         {"slip", "frictionless: it gives pressure alone", "dummy particles without viscous pairs",
          "for water at rest and where the boundary layer is far thinner than the spacing"},
@@ -193,11 +180,10 @@ struct Words<SolidMotion> {
         {"fixed", "it stands still"},
         {"constant", "it moves at a constant velocity from its start",
          "u_w in the continuity equation, (g - a_w).r in the wall pressure (Adami, Hu & Adams 2012, eq. 27)",
-         "pistons and gates: displaced volume within 0.01 % of the depth, the front behind a gate within 3 "
-         "%"},
+         "pistons and gates"},
         {"oscillating", "it swings harmonically from its start",
          "displacement amplitude sin(2 pi frequency (t - start)); at full speed from the start",
-         "wavemakers: Havelock's waves within 2 % at h = 2 dx, 2 to 5 % at h = 1.5 dx"},
+         "wavemakers, with h = 2 dx"},
     }};
 };
 

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "base/error.hpp"
+#include "case/refusals.hpp"
 #include "instruments/probe_set.hpp"
 #include "output/checkpoint_file.hpp"
 #include "output/folder_lock.hpp"
@@ -49,15 +50,8 @@ RunOutcome in_dimensions(const Case& c, const F& f) {
 }  // namespace
 
 void check_runnable(const Case& c) {
-    std::optional<ColumnResult> column;
-    if (has_column(c)) {
-        column = solve_column(c);
-    } else if (c.run.until == RunUntil::converged) {
-        throw InputError(fmt::format(
-            "[run] until = \"converged\" tests the mean velocity against the relaxation time of the "
-            "steady uniform flow, and the case has none: {}; or give a time, until = \"10 s\"",
-            *why_no_column(c)));
-    }
+    refuse_to_run(c);
+    const auto column = has_column(c) ? std::optional(solve_column(c)) : std::nullopt;
     (void)ProbeSet(c, largest_step(c, make_scheme(c, column ? &*column : nullptr)));
 }
 

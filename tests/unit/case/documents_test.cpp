@@ -1,4 +1,4 @@
-// The documents made from the key table, the shipped cases, and the warnings.
+// The documents made from the key table, and the shipped cases.
 
 #include <fmt/format.h>
 
@@ -13,14 +13,12 @@
 #include "case/case_documents.hpp"
 #include "case/flow_conditions.hpp"
 #include "case/key_table.hpp"
-#include "case/presets.hpp"
 #include "case_test.hpp"
 
 namespace riffle::documents_test {
 namespace {
 
 using test::smallest;
-using testing::Contains;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
@@ -195,113 +193,6 @@ TEST(ShippedCases, PoiseuilleDrivesWithMorrisAcceleration) {
     const double nu = c.fluid.kinematic_viscosity;
     const double width = c.channel.depth;
     EXPECT_NEAR(c.streamwise_gravity(), 8 * nu * 1.25e-5 / (width * width), 1e-16);
-}
-
-std::vector<std::string> warnings_with(const std::vector<Override>& overrides) {
-    return case_warnings(parse_case(smallest, "case.toml", {}, overrides));
-}
-
-TEST(Warnings, NoneForTheDefaults) { EXPECT_THAT(warnings_with({}), IsEmpty()); }
-
-struct Warned {
-    const char* key;
-    const char* value;
-    const char* about;
-};
-
-class WarnsOf : public testing::TestWithParam<Warned> {};
-
-TEST_P(WarnsOf, TheKey) {
-    const auto warnings = warnings_with({{GetParam().key, GetParam().value}});
-    EXPECT_THAT(warnings, Contains(HasSubstr(GetParam().about))) << GetParam().key;
-}
-
-INSTANTIATE_TEST_SUITE_P(
-    Choices, WarnsOf,
-    testing::Values(
-        Warned{"numerics.spacing", "3 mm", "rows in the roughness zone"},
-        Warned{"numerics.spacing", "3 mm", "rows over the depth"},
-        Warned{"numerics.kernel", "cubic-spline", "numerics.kernel"},
-        Warned{"numerics.smoothing_ratio", "1.3", "verified with 1.5 and 2.0"},
-        Warned{"numerics.wall_layers", "3", "do not fill the kernel"},
-        Warned{"numerics.pressure_form", "symmetric", "shear stress as large as the flow's own friction"},
-        Warned{"numerics.kernel_correction", "kernel", "spurious shear stress of the symmetric form"},
-        Warned{"numerics.density_diffusion", "none", "free of noise"},
-        Warned{"numerics.density_diffusion_coefficient", "0.5", "from 0.02 to 0.1"},
-        Warned{"numerics.sound_speed", "2", "compresses it by 13.7 %"},
-        Warned{"numerics.viscosity", "monaghan-gingold", "too weak"},
-        Warned{"numerics.eddy_stress", "stress-divergence", "zigzags"},
-        Warned{"numerics.courant_number", "1.2", "numerics.courant_number"},
-        Warned{"numerics.stepping", "predictor-corrector", "more than 0.4"},
-        Warned{"numerics.wall", "dynamic", "numerics.wall"}, Warned{"turbulence.closure", "sps", "far below"},
-        Warned{"turbulence.closure", "none", "without a closure"},
-        Warned{"bed.drag_form", "thesis", "scales as 1 / spacing"},
-        Warned{"start.jitter", "0.4", "start.jitter"},
-        Warned{"start.exponent", "4", "has no effect: it is used only with start.kind = \"power-law\""},
-        Warned{"turbulence.filter_width", "1 mm", "has no effect"}));
-
-TEST(Warnings, SmoothedMotion) {
-    EXPECT_THAT(warnings_with({{"numerics.xsph", "0.5"}, {"numerics.stepping", "semi-implicit-euler"}}),
-                Contains(HasSubstr("numerics.xsph")));
-}
-
-TEST(Warnings, LittleDensityDiffusionIsForAWideKernel) {
-    const auto with_ratio = [](const std::string& ratio) {
-        return warnings_with(
-            {{"numerics.smoothing_ratio", ratio}, {"numerics.density_diffusion_coefficient", "0.02"}});
-    };
-    EXPECT_THAT(with_ratio("1.5"), Contains(HasSubstr("with h = 1.5 dx use 0.1")));
-    EXPECT_THAT(with_ratio("2"), IsEmpty());
-}
-
-TEST(Warnings, WallsThatNeedMoreOrGiveLess) {
-    const auto modified = [](const std::string& diffusion) {
-        return warnings_with(
-            {{"numerics.wall", "modified-dynamic"}, {"numerics.density_diffusion", diffusion}});
-    };
-    EXPECT_THAT(modified("none"), Contains(HasSubstr("carry the noise of the density")));
-    EXPECT_THAT(modified("fourtakas"), IsEmpty());
-    EXPECT_THAT(warnings_with({{"numerics.wall", "repulsive"}, {"numerics.pressure_form", "symmetric"}}),
-                Contains(HasSubstr("\"repulsive\" walls hold the water and give no more")));
-}
-
-TEST(Warnings, WaterThatBreaksAsksForItsPreset) {
-    const Case dam = builtin_case("dam-break");
-    EXPECT_THAT(case_warnings(dam), IsEmpty());
-    Case plain = dam;
-    plain.numerics = preset_numerics(Preset::riffle);
-    plain.numerics.spacing = 0.005;
-    EXPECT_THAT(case_warnings(plain), Contains(HasSubstr("preset = \"violent\"")));
-    plain.run.time = 0.2;  // over before the front has come to the wall
-    EXPECT_THAT(case_warnings(plain), IsEmpty());
-    plain.run.time = 3.0;
-    plain.start.water_x = {0.0, 1.61, 1.61, 0.0};  // fills the tank
-    EXPECT_THAT(case_warnings(plain), IsEmpty());
-    plain.start.water_x = {0.1, 1.61, 1.61, 0.1};  // but for what a piston takes
-    Solid piston;
-    piston.x = {0.0, 0.1, 0.1, 0.0};
-    piston.z = {0.0, 0.0, 0.5, 0.5};
-    plain.solids.push_back(piston);
-    EXPECT_THAT(case_warnings(plain), IsEmpty());
-    plain.solids.front().velocity_z = 0.1;  // which is lifted
-    EXPECT_THAT(case_warnings(plain), Contains(HasSubstr("preset = \"violent\"")));
-    plain.solids.clear();
-    plain.start.water_x = {0.0, 1.61, 1.61, 0.0};
-    plain.start.water_z = {0.1, 0.1, 0.3, 0.3};  // and falls
-    EXPECT_THAT(case_warnings(plain), Contains(HasSubstr("preset = \"violent\"")));
-}
-
-TEST(Warnings, SoundSpeedAgainstTheMeasuredVelocity) {
-    EXPECT_THAT(warnings_with({{"numerics.sound_speed", "7.5"}}), IsEmpty());
-    EXPECT_THAT(warnings_with({{"numerics.sound_speed", "7.5"}, {"measured.depth_mean_velocity", "0.9"}}),
-                Contains(HasSubstr("less than 10 times the largest velocity")));
-}
-
-TEST(Warnings, PresetsOfTheLiteratureAreForStudy) {
-    for (const char* const preset : {"thesis", "paper"}) {
-        EXPECT_THAT(warnings_with({{"numerics.preset", preset}}),
-                    Contains(HasSubstr("numerics.pressure_form")));
-    }
 }
 
 }  // namespace

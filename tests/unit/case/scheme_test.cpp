@@ -2,7 +2,7 @@
 
 #include "case/key_table.hpp"
 #include "case/presets.hpp"
-#include "case/scheme_rules.hpp"
+#include "case/refusals.hpp"
 #include "case_test.hpp"
 
 namespace riffle::scheme_test {
@@ -65,22 +65,12 @@ TEST(SchemeValidation, DifferencesOfPressureHaveNoFreeSurface) {
                 AllOf(HasSubstr("top = \"free-surface\""), HasSubstr("the surface blows up")));
 }
 
-TEST(SchemeRules, NameKeysThatExistAndSayWhatToDo) {
-    for (const SchemeRule& rule : scheme_rules()) {
-        for (const std::string& id : rule.keys) {
-            EXPECT_NE(find_key(id), nullptr) << id;
-        }
-        EXPECT_NE(rule.reason.find("; "), std::string_view::npos) << rule.combination;
-    }
-}
-
-TEST(SchemeRules, HoldForThePresets) {
+TEST(SchemeValidation, HoldsForThePresets) {
     for (const Preset preset : {Preset::riffle, Preset::violent, Preset::thesis, Preset::paper}) {
         Case c;
         c.numerics = preset_numerics(preset);
-        for (const SchemeRule& rule : scheme_rules()) {
-            EXPECT_FALSE(rule.broken(c)) << rule.combination;
-        }
+        for_each_finding(method_refusals(), c,
+                         [](const CaseCheck& check, const Finding&) { ADD_FAILURE() << check.what; });
     }
 }
 
@@ -93,6 +83,19 @@ TEST(Options, OfTheMethodHaveASourceAndAdvice) {
         for (const Word& option : key.words) {
             EXPECT_FALSE(option.advice.empty()) << key.id() << " = " << option.name;
             EXPECT_TRUE(!option.source.empty() || option.name == "none") << key.id() << " = " << option.name;
+        }
+    }
+}
+
+/// What was measured stands in the documents, with the command that measures it.
+TEST(Options, QuoteNoMeasurement) {
+    for (const SectionKeys& section : key_table()) {
+        for (const Key& key : section.keys) {
+            for (const Word& option : key.words) {
+                for (const std::string_view text : {option.meaning, option.source, option.advice}) {
+                    EXPECT_THAT(std::string(text), testing::Not(HasSubstr(" %"))) << key.id();
+                }
+            }
         }
     }
 }

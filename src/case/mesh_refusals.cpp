@@ -1,0 +1,115 @@
+#include <algorithm>
+
+#include "case/refusals.hpp"
+#include "case/solid_mesh.hpp"
+#include "case/units.hpp"
+
+namespace riffle {
+
+namespace {
+
+const SolidMesh* mesh_of(const Case& c, const Solid& solid) {
+    return c.meshes ? &(*c.meshes)[static_cast<std::size_t>(&solid - c.solids.data())] : nullptr;
+}
+
+std::string extent_text(const SolidMesh& mesh) {
+    const auto range = [&](std::size_t k) {
+        return fmt::format("{} to {}", shown_length(mesh.lower()[k]), shown_length(mesh.upper()[k]));
+    };
+    return fmt::format("x {}, y {}, z {}", range(0), range(1), range(2));
+}
+
+/// A solid may go through a periodic channel from end to end, but not lie across its ends.
+bool crosses(const SolidMesh& mesh, std::size_t k, double extent) {
+    const double low = mesh.lower()[k];
+    const double high = mesh.upper()[k];
+    return !(low <= 0.0 && high >= extent) && (low < 0.0 || high > extent);
+}
+
+Findings mesh_outside(const Case& c, const Solid& solid) {
+    const SolidMesh* const mesh = mesh_of(c, solid);
+    if (mesh == nullptr) {
+        return {};
+    }
+    const double extent[3] = {c.channel.length, c.channel.simulated_width(),
+                              std::max(c.total_depth(), c.channel.wall_height.value_or(0.0))};
+    const bool open[3] = {c.channel.ends == Ends::periodic, c.channel.sides == Sides::periodic, false};
+    bool outside = false;
+    for (std::size_t k = 0; k < 3; ++k) {
+        outside = outside || (open[k] && crosses(*mesh, k, extent[k])) || mesh->lower()[k] >= extent[k] ||
+                  mesh->upper()[k] <= 0.0;
+    }
+    return found_if(
+        outside,
+        "lies outside of the channel, or across its periodic ends: {}; expected x from 0 to {}, y from 0 to {} (or all of it) and a part of z from 0 to {}",
+        extent_text(*mesh), shown_length(extent[0]), shown_length(extent[1]), shown_length(extent[2]));
+}
+
+Findings mesh_that_fills_all(const Case& c, const Solid& solid) {
+    const SolidMesh* const mesh = mesh_of(c, solid);
+    const auto covers = [&](double share) {
+        return mesh->contains(
+            {share * c.channel.length, share * c.channel.simulated_width(), share * c.total_depth()});
+    };
+    return mesh != nullptr && covers(1e-3) && covers(0.5) && covers(0.999)
+               ? found_if(true, "fills the whole channel: {}", extent_text(*mesh))
+               : Findings{};
+}
+
+Findings thin_mesh(const Case& c, const Solid& solid) {
+    const SolidMesh* const mesh = mesh_of(c, solid);
+    for (std::size_t k = 0; mesh != nullptr && k < 3; ++k) {
+        const double width = mesh->upper()[k] - mesh->lower()[k];
+        if (width < wall_thickness(c)) {
+            return found_if(true, "is only {} wide, less than {} layers of wall particles ({})",
+                            shown_length(width), c.numerics.wall_layers, shown_length(wall_thickness(c)));
+        }
+    }
+    return {};
+}
+
+}  // namespace
+
+CheckList mesh_refusals() {
+    return {
+        {
+            {{"solid.motion"},
+             "a `motion` other than `\"fixed\"` in three dimensions",
+             "in three dimensions solids stand still",
+             "choose motion = \"fixed\", or [channel] dimensions = 2",
+             [](const Case&, const Solid& solid) {
+                 return found_if(solid.motion != SolidMotion::fixed, "moves");
+             }},
+            {{"solid.file"},
+             "`file` missing in three dimensions",
+             "",
+             "give the STL file of its closed surface, for example file = \"stone.stl\"",
+             [](const Case&, const Solid& solid) { return found_if(solid.file.empty(), "file is missing"); }},
+            {{"solid.place"},
+             "`place` of other than three lengths",
+             "",
+             "give all three, or remove the key",
+             [](const Case&, const Solid& solid) {
+                 return found_if(!solid.place.empty() && solid.place.size() != 3,
+                                 "place holds {} lengths; expected three: x, y and z", solid.place.size());
+             }},
+            {{"solid.place"},
+             "a surface outside of the channel or across its periodic ends and sides",
+             "",
+             "see `place` and `scale` (the length of the file's unit)",
+             mesh_outside},
+            {{"solid.scale"},
+             "a surface around all of the channel",
+             "no water is left",
+             "see `scale`, the length of the file's unit",
+             mesh_that_fills_all},
+            {{"solid.file", "numerics.spacing"},
+             "a surface narrower than the `numerics.wall_layers`",
+             "water on one side would reach water on the other",
+             "make it larger or the spacing smaller",
+             thin_mesh},
+        },
+        in_space};
+}
+
+}  // namespace riffle

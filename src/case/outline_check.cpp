@@ -1,0 +1,84 @@
+#include "case/outline_check.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "case/units.hpp"
+
+namespace riffle {
+
+namespace {
+
+constexpr std::size_t fewest_corners = 3;
+
+std::string crossing_text(const Outline& outline) {
+    const auto edges = crossing_edges(outline);
+    if (!edges) {
+        return "";
+    }
+    const auto [i, j] = *edges;
+    if (i == j) {
+        return fmt::format("the corner {} is given twice in a row", corner_text(outline, i));
+    }
+    return fmt::format("the outline crosses or touches itself, its edge from {} to {} the one from {} to {}",
+                       corner_text(outline, i), corner_text(outline, outline.next(i)),
+                       corner_text(outline, j), corner_text(outline, outline.next(j)));
+}
+
+}  // namespace
+
+Findings outline_findings(const Outline& outline, OutlineFault fault, std::string_view name) {
+    switch (fault) {
+        case OutlineFault::uneven:
+            return found_if(outline.x.size() != outline.z.size(), "{}{} values of x and {} of z", name,
+                            outline.x.size(), outline.z.size());
+        case OutlineFault::few:
+            return found_if(outline.size() < fewest_corners, "{}{} corners", name, outline.size());
+        case OutlineFault::crossing:
+            break;
+    }
+    const std::string text = crossing_text(outline);
+    return found_if(!text.empty(), "{}{}", name, text);
+}
+
+CaseCheck outline_row(OutlineFault fault, std::vector<std::string> keys, std::string_view what,
+                      Condition condition) {
+    struct Advice {
+        const char* why;
+        const char* cure;
+    };
+    static constexpr std::array<Advice, 3> advice{{
+        {"a corner needs one of each", "give both for each corner"},
+        {"an outline needs at least 3", "give more"},
+        {"an outline divides inside from outside",
+         "give each corner once, in the order in which one walks around"},
+    }};
+    const Advice& its = advice[static_cast<std::size_t>(fault)];
+    return {std::move(keys), what, its.why, its.cure, std::move(condition), true};
+}
+
+bool is_simple(const Outline& outline) {
+    return outline_findings(outline, OutlineFault::uneven).empty() &&
+           outline_findings(outline, OutlineFault::few).empty() && !crossing_edges(outline);
+}
+
+std::string corner_text(const Outline& outline, std::size_t i) {
+    return fmt::format("({}, {})", shown_length(outline.x[i]), shown_length(outline.z[i]));
+}
+
+std::size_t corners_of_outlines(const Case& c) {
+    std::size_t corners = c.start.water_x.size();
+    for (const Solid& solid : c.solids) {
+        corners += solid.x.size();
+    }
+    return corners;
+}
+
+Extent::Extent(const std::vector<double>& values) {
+    const auto [least, most] = std::minmax_element(values.begin(), values.end());
+    low = *least;
+    high = *most;
+}
+
+}  // namespace riffle

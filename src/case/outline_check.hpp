@@ -1,0 +1,48 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "case/case_check.hpp"
+#include "case/outline.hpp"
+
+namespace riffle {
+
+/// What makes corners no outline; each is looked for where those before it are not found.
+enum class OutlineFault {
+    uneven,    ///< not as many values of x as of z
+    few,       ///< fewer than three corners
+    crossing,  ///< edges that cross or touch
+};
+
+/// Whether an outline has a fault; `name` stands before what is said of it.
+[[nodiscard]] Findings outline_findings(const Outline& outline, OutlineFault fault,
+                                        std::string_view name = "");
+
+/// The row of a check for a fault of an outline.
+[[nodiscard]] CaseCheck outline_row(OutlineFault fault, std::vector<std::string> keys, std::string_view what,
+                                    Condition condition);
+
+/// Whether an outline has no fault.
+[[nodiscard]] bool is_simple(const Outline& outline);
+
+/// A corner for messages: "(80 mm, 20 mm)".
+[[nodiscard]] std::string corner_text(const Outline& outline, std::size_t i);
+
+/// Most corners of all outlines together: each edge is compared with each other one.
+inline constexpr std::size_t most_corners = 20000;
+
+/// Corners of the outlines of the solids and of the water.
+[[nodiscard]] std::size_t corners_of_outlines(const Case& c);
+
+/// Least and largest of some values.
+struct Extent {
+    double low = 0.0;
+    double high = 0.0;
+
+    explicit Extent(const std::vector<double>& values);
+    [[nodiscard]] double size() const { return high - low; }
+};
+
+}  // namespace riffle

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "case/case_check.hpp"
+#include "case/problems.hpp"
+
+namespace riffle {
+
+/// All that a case is refused for, beyond what the key table says of each key by itself.
+[[nodiscard]] const std::vector<CheckList>& refusals();
+
+/// Adds the problem of each check that a case fails.
+void refuse(const Case& c, const Places& places, Problems& problems);
+
+/// What a case that can be read, and compared with, is refused for when it shall run.
+[[nodiscard]] const CheckList& start_of_run_refusals();
+
+/// Throws InputError where one of these checks finds something.
+void refuse_to_run(const Case& c);
+
+/// The message of what a check finds in a case: "[numerics] spacing is 12 mm, larger than ...: why; what to
+/// do".
+[[nodiscard]] std::string refusal_text(const CaseCheck& check, const Finding& finding, const Case& c);
+
+// The lists, by subject.
+
+[[nodiscard]] CheckList bed_refusals();
+[[nodiscard]] CheckList channel_refusals();
+[[nodiscard]] CheckList plane_refusals();   ///< two dimensions
+[[nodiscard]] CheckList space_refusals();   ///< three dimensions
+[[nodiscard]] CheckList sphere_refusals();  ///< spheres in three dimensions
+[[nodiscard]] CheckList side_wall_refusals();
+[[nodiscard]] CheckList method_refusals();
+[[nodiscard]] CheckList start_refusals();
+[[nodiscard]] CheckList water_refusals();  ///< the outline of the water
+[[nodiscard]] CheckList run_refusals();
+[[nodiscard]] CheckList output_refusals();
+[[nodiscard]] CheckList solid_refusals();    ///< any dimensions
+[[nodiscard]] CheckList outline_refusals();  ///< solids in two dimensions
+[[nodiscard]] CheckList mesh_refusals();     ///< solids in three dimensions
+[[nodiscard]] CheckList probe_refusals();
+
+// What several of them ask.
+
+inline bool in_space(const Case& c) { return c.channel.dimensions == 3; }
+inline bool over_spheres(const Case& c) { return c.bed.kind == BedKind::spheres; }
+inline bool has_free_surface(const Case& c) { return c.channel.top == Top::free_surface; }
+
+/// Reach of the kernel, 2 h, m.
+inline double kernel_support(const Case& c) { return 2.0 * c.numerics.smoothing_ratio * c.numerics.spacing; }
+
+/// Thickness of the layers of wall particles, m.
+inline double wall_thickness(const Case& c) { return c.numerics.wall_layers * c.numerics.spacing; }
+
+/// Least extent of a periodic direction, m: two kernel supports with their skin, so that no particle meets
+/// its own image.
+inline double least_period(const Case& c) {
+    return 2.0 * kernel_support(c) +
+           2.0 * c.numerics.skin_in(c.channel.dimensions) * c.numerics.smoothing_ratio * c.numerics.spacing;
+}
+
+/// Greatest height of a surface with waves, m.
+inline double wave_height(const Case& c) { return 1.5 * c.total_depth(); }
+
+}  // namespace riffle

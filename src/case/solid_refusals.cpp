@@ -1,0 +1,232 @@
+#include <algorithm>
+#include <cmath>
+
+#include "case/outline_check.hpp"
+#include "case/refusals.hpp"
+#include "case/solid_motion.hpp"
+#include "case/units.hpp"
+
+namespace riffle {
+
+namespace {
+
+/// Whether a solid before this one has its name.
+bool repeats_a_name(const Case& c, const Solid& solid) {
+    return std::any_of(c.solids.data(), &solid, [&](const Solid& other) { return other.name == solid.name; });
+}
+
+Findings outline_that_fills_all(const Case& c, const Solid& solid) {
+    const auto covers = [&](double share) {
+        return contains({solid.x, solid.z}, share * c.channel.length, share * c.total_depth());
+    };
+    return found_if(covers(0.5) && covers(1e-3) && covers(0.999) && c.start.water_x.empty(),
+                    "fills the whole channel");
+}
+
+/// Water on one side must not reach water on the other, and the layers of wall particles need room.
+Findings thin_outline(const Case& c, const Solid& solid) {
+    const Outline outline{solid.x, solid.z};
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        const double thickness = thickness_at(outline, i);
+        if (thickness < wall_thickness(c) * (1 - 1e-9)) {
+            return found_if(
+                true,
+                "is {} thick behind the middle of its edge from {} to {}, thinner than {} layers of wall particles ({})",
+                shown_length(thickness), corner_text(outline, i), corner_text(outline, outline.next(i)),
+                c.numerics.wall_layers, shown_length(wall_thickness(c)));
+        }
+    }
+    return {};
+}
+
+bool moves(const Solid& solid) { return solid.motion != SolidMotion::fixed; }
+bool moves_on(const Solid& solid) { return solid.motion == SolidMotion::constant; }
+bool swings(const Solid& solid) { return solid.motion == SolidMotion::oscillating; }
+
+/// How long a solid moves in the run, s.
+double time_of_motion(const Case& c, const Solid& solid) {
+    return std::max(0.0, std::min(solid.stop.value_or(c.run.time), c.run.time) - solid.start);
+}
+
+Findings motion_through_walls(const Case& c, const Solid& solid) {
+    const double way = moves_on(solid) ? time_of_motion(c, solid) * solid.velocity_x : 0.0;
+    const double swing_x = swings(solid) ? std::abs(solid.amplitude_x) : 0.0;
+    const double swing_z = swings(solid) ? std::abs(solid.amplitude_z) : 0.0;
+    const double slack = 1e-9 * c.numerics.spacing;
+    const Extent x(solid.x);
+    const bool through_an_end = x.low + std::min(way, -swing_x) < -slack ||
+                                x.high + std::max(way, swing_x) > c.channel.length + slack;
+    return found_if(moves(solid) && (Extent(solid.z).low - swing_z < -slack ||
+                                     (c.channel.ends == Ends::walls && through_an_end)),
+                    "moves through the bed or an end wall: expected room for it, x from 0 to {} and z from 0",
+                    shown_length(c.channel.length));
+}
+
+/// Solids that move through each other press the water between them out of the world.
+Findings overlap(const Case& c) {
+    const auto overlap = first_overlap(c);
+    if (!overlap) {
+        return {};
+    }
+    const std::string& name = c.solids[overlap->second].name;
+    const std::string& other = c.solids[overlap->first].name;
+    const std::string where =
+        fmt::format("at x = {:.4g} m, z = {:.4g} m", overlap->place[0], overlap->place[1]);
+    return {overlap->time == 0.0
+                ? Finding{.detail = fmt::format("{}: stands in the solid \"{}\" at the start, {}", name,
+                                                other, where),
+                          .cure = "move one of them",
+                          .item = overlap->second}
+                : Finding{.detail = fmt::format("{}: meets the solid \"{}\" at t = {:.4g} s, {}", name, other,
+                                                overlap->time, where),
+                          .item = overlap->second}};
+}
+
+}  // namespace
+
+CheckList solid_refusals() {
+    return {{
+        {{"solid.x", "start.water_x"},
+         "more than 20 000 corners in all outlines",
+         "each edge is compared with each other one",
+         "leave out what is finer than the particle spacing",
+         [](const Case& c) {
+             return found_if(corners_of_outlines(c) > most_corners,
+                             "the outlines have {} corners in all: expected at most {}",
+                             corners_of_outlines(c), most_corners);
+         }},
+        {{"solid.name"},
+         "an empty `name`",
+         "messages name the solid",
+         "give one",
+         [](const Case&, const Solid& solid) { return found_if(solid.name.empty(), "name is empty"); }},
+        {{"solid.name"},
+         "the `name` of another solid",
+         "each needs its own",
+         "choose another one",
+         [](const Case& c, const Solid& solid) {
+             return found_if(repeats_a_name(c, solid), "another solid has this name already");
+         }},
+    }};
+}
+
+CheckList outline_refusals() {
+    return {
+        {
+            {{"solid.name", "channel.top"},
+             "a `[[solid]]` with `channel.top = \"periodic\"`",
+             "a box without bed and surface has no walls",
+             R"(set [channel] top = "free-surface" or "wall", or remove the solids)",
+             [](const Case& c) { return !c.solids.empty() && c.channel.top == Top::periodic; }},
+            {{"solid.x", "solid.z"},
+             "`x` or `z` missing in two dimensions",
+             "",
+             R"(give the corners of its outline, for example x = ["100 mm", "140 mm", "120 mm"] and z = ["0 mm", "0 mm", "20 mm"])",
+             [](const Case&, const Solid& solid) {
+                 return found_if(solid.x.empty() || solid.z.empty(), "x or z is missing");
+             },
+             true},
+            outline_row(OutlineFault::uneven, {"solid.x", "solid.z"}, "not as many values of `x` as of `z`",
+                        [](const Case&, const Solid& s) {
+                            return outline_findings({s.x, s.z}, OutlineFault::uneven);
+                        }),
+            outline_row(OutlineFault::few, {"solid.x", "solid.z"}, "an outline of fewer than three corners",
+                        [](const Case&, const Solid& s) {
+                            return outline_findings({s.x, s.z}, OutlineFault::few);
+                        }),
+            outline_row(OutlineFault::crossing, {"solid.x", "solid.z"},
+                        "an outline that crosses or touches itself",
+                        [](const Case&, const Solid& s) {
+                            return outline_findings({s.x, s.z}, OutlineFault::crossing);
+                        }),
+            {{"solid.x", "channel.length"},
+             "an outline outside of the channel",
+             "",
+             "move it",
+             [](const Case& c, const Solid& solid) {
+                 const Extent x(solid.x);
+                 return found_if(
+                     x.high <= 0.0 || x.low >= c.channel.length || Extent(solid.z).high <= 0.0,
+                     "lies outside of the channel: expected a part of x from 0 to {} and z above 0",
+                     shown_length(c.channel.length));
+             }},
+            {{"solid.x", "channel.length"},
+             "an outline longer than the channel less one kernel support of 2 h, between periodic ends",
+             "its ends would meet",
+             "make it shorter or the channel longer",
+             [](const Case& c, const Solid& solid) {
+                 const double width = Extent(solid.x).high - Extent(solid.x).low;
+                 return found_if(
+                     c.channel.ends == Ends::periodic && width > c.channel.length - kernel_support(c),
+                     "is {} long in a periodic channel of {}", shown_length(width),
+                     shown_length(c.channel.length));
+             }},
+            {{"solid.x"},
+             "an outline around all of the channel, where the water has none of its own",
+             "no water is left",
+             "make it smaller",
+             outline_that_fills_all},
+            {{"solid.x", "numerics.spacing"},
+             "an outline thinner than the `numerics.wall_layers` behind the middle of an edge",
+             "water on one side would reach water on the other",
+             "make it thicker or the spacing smaller",
+             thin_outline},
+            {{"solid.motion"},
+             "`motion = \"constant\"` without a velocity",
+             "",
+             "give velocity_x or velocity_z, or motion = \"fixed\"",
+             [](const Case&, const Solid& solid) {
+                 return found_if(moves_on(solid) && solid.velocity_x == 0.0 && solid.velocity_z == 0.0,
+                                 "moves at no velocity");
+             }},
+            {{"solid.motion"},
+             "`motion = \"oscillating\"` without an amplitude or a frequency",
+             "",
+             "give amplitude_x or amplitude_z and frequency, or motion = \"fixed\"",
+             [](const Case&, const Solid& solid) {
+                 const bool nowhere = solid.amplitude_x == 0.0 && solid.amplitude_z == 0.0;
+                 return found_if(swings(solid) && (nowhere || solid.frequency <= 0.0), "swings by nothing");
+             }},
+            {{"solid.start"},
+             "`start` at the end of the run or later",
+             "it would stand still",
+             "make it smaller",
+             [](const Case& c, const Solid& solid) {
+                 return found_if(moves(solid) && solid.start >= c.run.time,
+                                 "starts to move at {:.6g} s, not before the end of the run at {:.6g} s",
+                                 solid.start, c.run.time);
+             }},
+            {{"solid.stop"},
+             "`stop` not after `start`",
+             "it would stand still",
+             "make it larger, or motion = \"fixed\"",
+             [](const Case&, const Solid& solid) {
+                 const double stop = solid.stop.value_or(solid.start);
+                 return found_if(moves(solid) && solid.stop && stop <= solid.start,
+                                 "stops at {:.6g} s, not after its start at {:.6g} s", stop, solid.start);
+             }},
+            {{"solid.motion", "channel.length"},
+             "a motion through the bed or an end wall",
+             "",
+             "give it another way, or let it stop before (stop)",
+             motion_through_walls},
+            {{"solid.velocity_z"},
+             "a `velocity_z` that brings the solid to the bed before the end of the run",
+             "",
+             "make it slower, or let it stop before (stop)",
+             [](const Case& c, const Solid& solid) {
+                 const double sunk = solid.velocity_z * time_of_motion(c, solid);
+                 return found_if(
+                     moves_on(solid) && sunk < 0.0 && Extent(solid.z).low + sunk < -1e-9 * c.numerics.spacing,
+                     "reaches the bed before the end of the run");
+             }},
+            {{"solid.motion"},
+             "a motion through another solid",
+             "it would move through it",
+             "let it stop before (stop), or give it another way",
+             overlap},
+        },
+        [](const Case& c) { return !in_space(c) && corners_of_outlines(c) <= most_corners; }};
+}
+
+}  // namespace riffle

@@ -1,0 +1,227 @@
+#include <algorithm>
+#include <cmath>
+
+#include "case/conversion.hpp"
+#include "case/key_table.hpp"
+#include "case/refusals.hpp"
+#include "case/sphere_tiling.hpp"
+#include "case/units.hpp"
+
+namespace riffle {
+
+namespace {
+
+std::string rounded_length_text(double value) { return fmt::format("{:.4f} mm", 1e3 * value); }
+
+bool has_periodic_sides(const Case& c) { return c.channel.sides == Sides::periodic; }
+
+/// Two dimensions have no such choice, nor need it: "goes with [channel] dimensions = 3".
+CaseCheck in_space_alone(const char* id, std::string_view what, std::string_view why, std::string_view cure,
+                         bool (*chosen)(const Case&)) {
+    return {{id, "channel.dimensions"}, what, why, cure, [id, chosen](const Case& c) {
+                return found_if(chosen(c), "{} = {} goes with [channel] dimensions = 3", find_key(id)->name,
+                                value_text(*find_key(id), find_key(id)->get(c)));
+            }};
+}
+
+/// Three dimensions do not have this choice (yet).
+CaseCheck in_a_plane_alone(const char* id, std::string_view what, std::string_view why, std::string_view cure,
+                           bool (*chosen)(const Case&)) {
+    return {{id, "channel.dimensions"}, what, why, cure, [id, chosen](const Case& c) {
+                return found_if(chosen(c), "{} = {} is not there with [channel] dimensions = 3",
+                                find_key(id)->name, value_text(*find_key(id), find_key(id)->get(c)));
+            }};
+}
+
+/// The spheres of a periodic bed repeat in the period of their lattice.
+Findings without_tiling(const char* name, double extent, double period, const char* period_text) {
+    Findings found =
+        found_if(std::abs(extent / (whole_periods(extent, period) * period) - 1.0) > largest_stretch,
+                 "{} is {}, and the lattice of the spheres repeats every {} = {}", name, shown_length(extent),
+                 period_text, rounded_length_text(period));
+    const double below = period * std::max(1.0, std::floor(extent / period));
+    for (Finding& finding : found) {
+        finding.cure =
+            fmt::format("take {} or {}", rounded_length_text(below), rounded_length_text(below + period));
+    }
+    return found;
+}
+
+double edge_zone(const Case& c) { return c.turbulence.edge_zone * 0.5 * c.total_depth(); }
+
+/// Each sphere must be seen by some particles, or its drag depends on where they happen to be.
+constexpr double particles_over_sphere = 4.0;
+
+}  // namespace
+
+CheckList plane_refusals() {
+    return {{
+                in_space_alone(
+                    "bed.drag_form", R"(`drag_form = "slice"` or `"plan-mean"` in two dimensions)",
+                    "both spread the drag over the plan", "choose \"consistent\", which is its plan mean",
+                    [](const Case& c) {
+                        return c.bed.drag_form == DragForm::slice || c.bed.drag_form == DragForm::plan_mean;
+                    }),
+                in_space_alone("start.lattice", "`lattice = \"body-centred\"` in two dimensions",
+                               "\"body-centred\" is an arrangement in space",
+                               R"(choose "hexagonal", which rests in still water as it does, or "square")",
+                               [](const Case& c) { return c.start.lattice == StartLattice::body_centred; }),
+                in_space_alone("start.kind", "`kind = \"section\"` in two dimensions",
+                               "a plane has no cross-section", "choose \"column\"",
+                               [](const Case& c) { return c.start.kind == StartKind::section; }),
+            },
+            [](const Case& c) { return !in_space(c); }};
+}
+
+CheckList space_refusals() {
+    return {
+        {
+            in_a_plane_alone("channel.top", "a `top` other than `\"free-surface\"` in three dimensions", "",
+                             "choose \"free-surface\"", [](const Case& c) { return !has_free_surface(c); }),
+            in_a_plane_alone(
+                "bed.drag_form", "`drag_form = \"paper\"` in three dimensions", "it knows no single spheres",
+                R"(choose "consistent", "slice" or "thesis")",
+                [](const Case& c) { return over_spheres(c) && c.bed.drag_form == DragForm::paper; }),
+            in_a_plane_alone("start.lattice", "`lattice = \"hexagonal\"` in three dimensions",
+                             "it is an arrangement in a plane", R"(choose "square" or "body-centred")",
+                             [](const Case& c) { return c.start.lattice == StartLattice::hexagonal; }),
+            in_a_plane_alone("start.kind",
+                             R"(`kind = "standing-wave"` or `"taylor-green"` in three dimensions)",
+                             "both are flows in a plane",
+                             R"(choose "column", "section", "uniform", "power-law" or "rest")",
+                             [](const Case& c) {
+                                 return c.start.kind == StartKind::standing_wave ||
+                                        c.start.kind == StartKind::taylor_green;
+                             }),
+            in_a_plane_alone(
+                "numerics.viscosity",
+                R"(a `viscosity` other than `"morris"` in three dimensions with `turbulence.closure = "czernuszenko-rylov"`, `spanwise_ratio` other than 1 and `eddy_stress = "two-point"`)",
+                "the closure needs pairs that can be weighed by their direction",
+                "choose \"morris\", or spanwise_ratio = 1",
+                [](const Case& c) {
+                    return c.turbulence.closure == ClosureKind::czernuszenko_rylov &&
+                           c.turbulence.spanwise_ratio != 1.0 &&
+                           c.numerics.viscosity != ViscosityForm::morris &&
+                           c.numerics.eddy_stress == EddyStress::two_point;
+                }),
+            in_a_plane_alone("turbulence.stress_terms", "`stress_terms = \"shear\"` in three dimensions",
+                             "side walls shear the water across the channel too", "choose \"full\"",
+                             [](const Case& c) { return c.turbulence.stress_terms == StressTerms::shear; }),
+            {{"channel.width", "numerics.spacing"},
+             "a simulated width below one kernel support of 2 h, or, between periodic sides, below two with their skin",
+             "the kernel must find its place in the water",
+             "make the channel wider or the spacing smaller",
+             [](const Case& c) {
+                 const double needed = has_periodic_sides(c) ? least_period(c) : kernel_support(c);
+                 return found_if(c.channel.simulated_width() < needed,
+                                 "width: the simulated width is {}, and at least {} is needed",
+                                 shown_length(c.channel.simulated_width()), rounded_length_text(needed));
+             }},
+            {{"start.kind", "channel.sides"},
+             R"(`kind = "section"` with `channel.sides = "periodic"`)",
+             "between periodic sides the flow does not vary across the channel",
+             R"(choose kind = "column", or sides = "walls" or "half")",
+             [](const Case& c) { return c.start.kind == StartKind::section && has_periodic_sides(c); }},
+        },
+        in_space};
+}
+
+CheckList sphere_refusals() {
+    return {
+        {
+            {{"bed.sphere_diameter", "channel.width"},
+             "`sphere_diameter` above `channel.width` in three dimensions",
+             "not one sphere lies on the bed",
+             "make the spheres smaller or the channel wider",
+             [](const Case& c) {
+                 return found_if(c.bed.sphere_diameter > c.channel.width,
+                                 "sphere_diameter is {}, wider than the channel ({})",
+                                 shown_length(c.bed.sphere_diameter), shown_length(c.channel.width));
+             },
+             true},
+            {{"channel.length", "bed.sphere_diameter"},
+             "`length` no whole number of periods of the spheres' lattice, D, in three dimensions",
+             "the spheres would not tile the bed",
+             "take a whole number of them",
+             [](const Case& c) {
+                 return without_tiling("length", c.channel.length, lattice_periods(c.bed).x, "D");
+             }},
+            {{"channel.width", "bed.sphere_diameter"},
+             "`width` between periodic sides no whole number of periods of the spheres' lattice, sqrt(3) D with hexagonal packing and D with square",
+             "the spheres would not tile the bed across the channel",
+             "take a whole number of them",
+             [](const Case& c) {
+                 return has_periodic_sides(c)
+                            ? without_tiling("width", c.channel.width, lattice_periods(c.bed).y,
+                                             c.bed.packing == Packing::hexagonal ? "sqrt(3) D" : "D")
+                            : Findings{};
+             }},
+            {{"numerics.spacing", "bed.sphere_diameter"},
+             "`spacing` above a quarter of `bed.sphere_diameter` in three dimensions",
+             "so few particles do not resolve the drag of a sphere",
+             "make the spacing smaller",
+             [](const Case& c) {
+                 const double largest = c.bed.sphere_diameter / particles_over_sphere;
+                 Findings found = found_if(c.numerics.spacing > largest,
+                                           "spacing is {}: less than {:.0f} particles over a sphere of {}",
+                                           shown_length(c.numerics.spacing), particles_over_sphere,
+                                           shown_length(c.bed.sphere_diameter));
+                 for (Finding& finding : found) {
+                     finding.cure = fmt::format("make the spacing {} or less", shown_length(largest));
+                 }
+                 return found;
+             }},
+            {{"bed.sphere_ramp"},
+             "`sphere_ramp` above `sphere_diameter`",
+             "the drag of a sphere sets in around its surface",
+             "give at most the diameter",
+             [](const Case& c) {
+                 return found_if(c.sphere_ramp() > c.bed.sphere_diameter,
+                                 "sphere_ramp is {}, more than the sphere diameter {}",
+                                 shown_length(c.sphere_ramp()), shown_length(c.bed.sphere_diameter));
+             }},
+        },
+        [](const Case& c) { return in_space(c) && over_spheres(c); }};
+}
+
+CheckList side_wall_refusals() {
+    return {
+        {
+            {{"side_walls.drag_form", "bed.kind"},
+             R"(a `drag_form` other than `"none"` without `bed.kind = "spheres"`)",
+             "the drag of the side walls follows from that of the bed's spheres, and this bed is smooth",
+             "choose drag_form = \"none\"",
+             [](const Case& c) { return !over_spheres(c); },
+             true},
+            {{"side_walls.layer", "numerics.spacing"},
+             "`layer` below `numerics.spacing`",
+             "hardly a particle would feel the drag of the wall",
+             "make it thicker or the spacing smaller",
+             [](const Case& c) {
+                 return found_if(c.side_layer() < c.numerics.spacing,
+                                 "layer is {}, thinner than the spacing {}", shown_length(c.side_layer()),
+                                 shown_length(c.numerics.spacing));
+             }},
+            {{"side_walls.layer", "turbulence.edge_zone"},
+             "`layer` above `turbulence.edge_zone` H / 2 with `turbulence.closure = \"czernuszenko-rylov\"`",
+             "the drag of a wall acts where the wall makes the mixing lengths smaller",
+             "make it thinner, or edge_zone larger",
+             [](const Case& c) {
+                 return found_if(
+                     c.turbulence.closure == ClosureKind::czernuszenko_rylov && c.side_layer() > edge_zone(c),
+                     "layer is {}, thicker than the edge zone of the mixing lengths, edge_zone H / 2 = {}",
+                     shown_length(c.side_layer()), rounded_length_text(edge_zone(c)));
+             }},
+            {{"side_walls.layer", "channel.width"},
+             "`layer` above a quarter of `channel.width`",
+             "the layers of both walls would fill more than half of the channel",
+             "make it thinner",
+             [](const Case& c) {
+                 return found_if(c.side_layer() > 0.25 * c.channel.width, "layer is {}, the channel {} wide",
+                                 shown_length(c.side_layer()), shown_length(c.channel.width));
+             }},
+        },
+        [](const Case& c) { return c.has_side_walls() && c.side_walls.drag_form != SideDragForm::none; }};
+}
+
+}  // namespace riffle

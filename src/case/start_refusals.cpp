@@ -1,0 +1,106 @@
+#include <system_error>
+
+#include "case/flow_kind.hpp"
+#include "case/refusals.hpp"
+#include "case/units.hpp"
+
+namespace riffle {
+
+namespace {
+
+bool starts_as(const Case& c, StartKind kind) { return c.start.kind == kind; }
+
+/// Files are looked for where the case itself is one: the text of a results file is read where they may be
+/// gone.
+bool is_lost(const Case& c, const std::filesystem::path& file) {
+    std::error_code error;
+    return !c.path.empty() && !file.empty() && !std::filesystem::is_regular_file(file, error);
+}
+
+CaseCheck lost_file(const char* id, std::string_view what, bool (*lost)(const Case&)) {
+    return {{id},
+            what,
+            "there is no such file",
+            "correct the name (relative names start from the folder of the case file) or remove the key",
+            lost};
+}
+
+}  // namespace
+
+CheckList start_refusals() {
+    return {{
+        {{"turbulence.zero"},
+         "`zero` at the surface or above",
+         "no height would have a mixing length",
+         "make it smaller",
+         [](const Case& c) {
+             return found_if(c.turbulence.zero >= c.total_depth(), "zero is {}, not below the surface at {}",
+                             shown_length(c.turbulence.zero), shown_length(c.total_depth()));
+         }},
+        {{"start.kind"},
+         "`kind = \"column\"` in a case without a column twin: one without a steady uniform flow",
+         "",
+         R"(or choose kind = "rest" or "uniform")",
+         [](const Case& c) {
+             const auto reason = why_no_column(c);
+             return found_if(starts_as(c, StartKind::column) && reason,
+                             "kind = \"column\" starts from the column twin, and the case has none: {}",
+                             reason.value_or(""));
+         }},
+        {{"start.velocity", "start.kind"},
+         R"(`velocity` missing with `kind = "uniform"` or `"power-law"` in a case without a column twin)",
+         "",
+         "or give the velocity, for example velocity = \"0.3 m/s\"",
+         [](const Case& c) {
+             const auto reason = why_no_column(c);
+             const bool asked = starts_as(c, StartKind::uniform) || starts_as(c, StartKind::power_law);
+             return found_if(asked && !c.start.velocity && reason,
+                             "velocity is missing, and the case has no column twin to take it from: {}",
+                             reason.value_or(""));
+         }},
+        {{"start.file", "start.kind"},
+         "`file` missing with `kind = \"results\"`",
+         "kind = \"results\" needs the results file to start from",
+         "give it, for example file = \"run/results.h5\"",
+         [](const Case& c) {
+             return found_if(starts_as(c, StartKind::results) && c.start.file.empty(), "file is missing");
+         }},
+        lost_file("start.file", "a `file` that is not there",
+                  [](const Case& c) { return is_lost(c, c.start.file); }),
+        lost_file("measured.velocity_profile", "a `velocity_profile` that is not there",
+                  [](const Case& c) { return is_lost(c, c.measured.velocity_profile); }),
+        {{"start.amplitude", "start.kind"},
+         "`amplitude` and `velocity` missing with `kind = \"standing-wave\"`",
+         "a wave needs an amplitude of its surface or of its velocity",
+         "give one, for example amplitude = \"1 mm\"",
+         [](const Case& c) {
+             return starts_as(c, StartKind::standing_wave) && c.start.amplitude <= 0.0 && !c.start.velocity;
+         }},
+        {{"start.amplitude", "channel.depth"},
+         "`amplitude` of the total depth or more",
+         "the troughs would reach the bed",
+         "make it smaller",
+         [](const Case& c) {
+             return found_if(starts_as(c, StartKind::standing_wave) && c.start.amplitude >= c.total_depth(),
+                             "amplitude is {}, not less than the depth {}", shown_length(c.start.amplitude),
+                             shown_length(c.total_depth()));
+         }},
+        {{"start.velocity", "start.kind"},
+         "`velocity` missing with `kind = \"taylor-green\"`",
+         "the vortices need the amplitude of their velocity",
+         "give it, for example velocity = \"1 m/s\"",
+         [](const Case& c) {
+             return found_if(starts_as(c, StartKind::taylor_green) && !c.start.velocity,
+                             "velocity is missing");
+         }},
+        {{"start.kind", "channel.top"},
+         R"(`kind = "taylor-green"` without `channel.top = "periodic"`)",
+         "the vortices repeat over the height, which needs [channel] top = \"periodic\"",
+         "set it",
+         [](const Case& c) {
+             return starts_as(c, StartKind::taylor_green) && c.channel.top != Top::periodic;
+         }},
+    }};
+}
+
+}  // namespace riffle

@@ -1,0 +1,142 @@
+#pragma once
+
+#include <filesystem>
+#include <regex>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "case/case.hpp"
+#include "case/conversion.hpp"
+#include "case/key_table.hpp"
+#include "case_test.hpp"
+#include "stl_box.hpp"
+
+namespace riffle::test {
+
+// Cases that are right.
+
+inline Case flume() { return parse_case(smallest, "case.toml"); }
+
+inline Case tank() {
+    Case c = flume();
+    c.channel.slope = 0.0;
+    c.channel.ends = Ends::walls;
+    c.bed.kind = BedKind::slip;
+    c.bed.roughness_height = 0.0;
+    c.bed.datum_below_crest = 0.0;
+    c.start.kind = StartKind::rest;
+    c.run.until = RunUntil::time;
+    c.run.time = 5.0;
+    return c;
+}
+
+inline Case periodic_box() {
+    Case c = tank();
+    c.channel.ends = Ends::periodic;
+    c.channel.top = Top::periodic;
+    c.fluid.gravity = 0.0;
+    return c;
+}
+
+inline Case plates() {
+    Case c = tank();
+    c.channel.ends = Ends::periodic;
+    c.channel.top = Top::wall;
+    c.bed.kind = BedKind::no_slip;
+    return c;
+}
+
+inline Case cell() {
+    Case c = flume();
+    c.channel.dimensions = 3;
+    c.channel.length = 0.05;
+    c.channel.width = 0.0433;
+    c.numerics.spacing = 0.003;
+    return c;
+}
+
+inline Case between_side_walls() {
+    Case c = cell();
+    c.channel.width = 0.2;
+    c.channel.sides = Sides::walls;
+    return c;
+}
+
+inline Case with_solid() {
+    Case c = tank();
+    Solid weir;
+    weir.name = "weir";
+    weir.x = {0.08, 0.12, 0.12, 0.08};
+    weir.z = {0.0, 0.0, 0.03, 0.03};
+    c.solids.push_back(weir);
+    return c;
+}
+
+inline Case with_two_solids() {
+    Case c = with_solid();
+    c.solids.push_back(c.solids.front());
+    c.solids[1].name = "gate";
+    for (double& x : c.solids[1].x) {
+        x += 0.05;
+    }
+    c.solids[1].motion = SolidMotion::constant;
+    c.solids[1].velocity_z = 0.01;
+    return c;
+}
+
+inline Case with_water() {
+    Case c = tank();
+    c.start.water_x = {0.0, 0.05, 0.05, 0.0};
+    c.start.water_z = {0.0, 0.0, 0.05, 0.05};
+    return c;
+}
+
+/// A box of 30 mm in a file, and the case that it stands in.
+inline Case with_mesh() {
+    const auto folder = std::filesystem::path(testing::TempDir());
+    test::write_stl_box(folder / "riffle_refusals.stl", {0.0, 0.0, 0.0}, {30.0, 30.0, 30.0});
+    Case c = tank();
+    c.path = folder / "case.toml";
+    c.channel.dimensions = 3;
+    c.channel.ends = Ends::periodic;
+    c.channel.width = 0.1;
+    Solid stone;
+    stone.name = "stone";
+    stone.file = folder / "riffle_refusals.stl";
+    stone.scale = 0.001;
+    stone.place = {0.05, 0.02, 0.0};
+    c.solids.push_back(stone);
+    return c;
+}
+
+inline Case with_probe(ProbeKind kind) {
+    Case c = flume();
+    Probe p;
+    p.name = "p";
+    p.kind = kind;
+    p.sampling_frequency = 100.0;
+    if (kind == ProbeKind::velocity || kind == ProbeKind::wave || kind == ProbeKind::flow_rate) {
+        p.x = {0.1};
+    }
+    if (kind == ProbeKind::velocity) {
+        p.z = {0.02};
+    }
+    c.probes.push_back(p);
+    return c;
+}
+
+/// A case with other values of keys: "channel.depth = 5 mm; solid[1].start = 5".
+inline Case with_keys(Case c, const std::string& keys) {
+    const std::regex setting(R"(([a-z_]+)(\[(\d)\])?\.([a-z_]+) = ([^;]+))");
+    for (std::sregex_iterator it(keys.begin(), keys.end(), setting); it != std::sregex_iterator(); ++it) {
+        const std::smatch& m = *it;
+        const Key& key = *find_key(m[1].str(), m[4].str());
+        const auto value = m[5] == "[]" ? Value(std::vector<double>{})
+                                        : std::get<Value>(convert(key, read_option_value(m[5])));
+        key.set(c, value, m[3].matched ? std::stoul(m[3]) : 0);
+    }
+    return c;
+}
+
+}  // namespace riffle::test

@@ -1,0 +1,307 @@
+// Each row of the tables of checks finds something in a case that a file can hold, and its message says so.
+
+#include "case/refusals.hpp"
+
+#include <algorithm>
+#include <regex>
+#include <set>
+
+#include "case/case_text.hpp"
+#include "case/solid_mesh.hpp"
+#include "case/warnings.hpp"
+#include "changed_cases.hpp"
+
+namespace riffle::refusals_test {
+namespace {
+
+using test::between_side_walls;
+using test::cell;
+using test::flume;
+using test::periodic_box;
+using test::plates;
+using test::tank;
+using test::with_keys;
+using test::with_mesh;
+using test::with_probe;
+using test::with_solid;
+using test::with_two_solids;
+using test::with_water;
+using testing::HasSubstr;
+using testing::Not;
+
+/// A case that is right, and keys that make it wrong.
+struct Wrong {
+    Case right;
+    std::string keys;
+};
+
+std::vector<Wrong> wrong_geometry() {
+    return {
+        {flume(), "bed.kind = slip"},
+        {flume(), "bed.roughness_height = 0"},
+        {flume(), "bed.roughness_height = 30 mm"},
+        {flume(), "bed.datum_below_crest = 11 mm"},
+        {flume(), "numerics.spacing = 12 mm"},
+        {flume(), "channel.length = 10 mm"},
+        {flume(), "channel.length = 100 m"},
+        {flume(), "channel.depth = 5 mm; numerics.spacing = 5 mm"},
+        {flume(), "fluid.gravity = 0"},
+        {flume(), "channel.top = wall"},
+        {periodic_box(), "channel.ends = walls"},
+        {periodic_box(), "bed.kind = no-slip"},
+        {periodic_box(), "fluid.gravity = 9.81"},
+        {plates(), "channel.ends = walls; channel.wall_height = 0.1"},
+        {tank(), "channel.wall_height = 40 mm"},
+        {plates(), "channel.lid_velocity = 1; bed.kind = slip"},
+        {plates(), "channel.lid_velocity = 1; numerics.wall = dynamic"},
+        {flume(), "bed.drag_form = slice"},
+        {flume(), "start.lattice = body-centred"},
+        {flume(), "start.kind = section"},
+        {cell(), "channel.top = wall"},
+        {cell(), "bed.drag_form = paper"},
+        {cell(), "start.lattice = hexagonal"},
+        {cell(), "start.kind = standing-wave"},
+        {cell(),
+         "turbulence.closure = czernuszenko-rylov; turbulence.spanwise_ratio = 0.5; numerics.viscosity = lo-shao"},
+        {cell(), "turbulence.stress_terms = shear"},
+        {cell(), "channel.width = 10 mm"},
+        {cell(), "start.kind = section"},
+        {cell(), "bed.sphere_diameter = 50 mm"},
+        {cell(), "channel.length = 60 mm"},
+        {cell(), "channel.width = 60 mm"},
+        {cell(), "numerics.spacing = 7 mm"},
+        {cell(), "bed.sphere_ramp = 30 mm"},
+        {between_side_walls(), "bed.kind = slip"},
+        {between_side_walls(), "side_walls.layer = 1 mm"},
+        {between_side_walls(), "side_walls.layer = 30 mm; turbulence.closure = czernuszenko-rylov"},
+        {between_side_walls(), "side_walls.layer = 60 mm"},
+    };
+}
+
+std::vector<Wrong> wrong_methods() {
+    return {
+        {flume(), "numerics.tensile_correction = 0.2; numerics.kernel = cubic-spline"},
+        {flume(), "numerics.tensile_correction = 0.2; numerics.pressure_form = symmetric"},
+        {flume(), "turbulence.closure = wale"},
+        {flume(),
+         "numerics.kernel_correction = kernel; numerics.pressure_form = symmetric; turbulence.closure = none"},
+        {flume(), "numerics.viscosity = artificial"},
+        {flume(),
+         "numerics.viscosity = artificial; turbulence.closure = none; numerics.pressure_form = riemann"},
+        {flume(), "numerics.impact_dissipation = 3; numerics.pressure_form = riemann"},
+        {flume(),
+         "numerics.impact_dissipation = 3; turbulence.closure = none; numerics.viscosity = artificial"},
+        {flume(), "numerics.stepping = verlet; numerics.courant_number = 0.21"},
+        {flume(), "numerics.xsph = 0.1"},
+        {flume(), "numerics.pressure_form = riemann-non-conservative"},
+        {with_solid(), "numerics.wall = dynamic"},
+        {with_solid(), "numerics.wall = modified-dynamic"},
+        {flume(), "numerics.wall = repulsive"},
+        {plates(), "numerics.wall = repulsive; numerics.pressure_form = symmetric; bed.kind = slip"},
+        {tank(), "numerics.wall = repulsive; numerics.pressure_form = symmetric; bed.kind = no-slip"},
+        {cell(), "numerics.wall = dynamic; channel.ends = walls; start.kind = rest; run.until = 1"},
+        {between_side_walls(), "numerics.wall = dynamic; channel.sides = half"},
+    };
+}
+
+std::vector<Wrong> wrong_starts_and_runs() {
+    return {
+        {flume(), "turbulence.zero = 0.1"},
+        {flume(), "channel.ends = walls"},
+        {flume(), "channel.ends = walls; start.kind = uniform"},
+        {flume(), "start.kind = results"},
+        {with_mesh(), "start.kind = results; start.file = /nowhere/results.h5"},
+        {with_mesh(), "measured.velocity_profile = /nowhere/u.csv"},
+        {tank(), "start.kind = standing-wave"},
+        {tank(), "start.kind = standing-wave; start.amplitude = 0.1"},
+        {periodic_box(), "start.kind = taylor-green"},
+        {tank(), "start.kind = taylor-green; start.velocity = 1"},
+        {with_water(), "start.water_x = [0, 0.05, 0.05]"},
+        {with_water(), "start.water_x = [0, 0.05]; start.water_z = [0, 0.05]"},
+        {with_water(), "start.water_x = [0.05, 0, 0.05, 0]"},
+        {with_water(), "channel.top = wall"},
+        {with_water(), "start.water_x = [-0.01, 0.05, 0.05, 0]"},
+        {with_water(), "start.water_z = [0, 0, 0.1, 0.1]"},
+        {with_water(), "start.water_z = [0, 0, 0.002, 0.002]"},
+        {with_solid(), "start.water_x = [0, 0.1, 0.1, 0]; start.water_z = [0, 0, 0.02, 0.02]"},
+        {flume(), "run.average_from = 1 h"},
+        {flume(), "channel.slope = 0; start.kind = rest"},
+        {flume(), "output.surface_threshold = 1"},
+        {flume(), "output.snapshot_fields = velocity speed"},
+        {flume(), "output.snapshot_fields = velocity velocity"},
+        {flume(), "output.snapshot_x = 0.1"},
+        {flume(), "output.snapshot_z = [0.2, 0.3]"},
+    };
+}
+
+std::vector<Wrong> wrong_solids() {
+    std::string many = "[0.1";
+    for (int corner = 1; corner < 7000; ++corner) {
+        many += ", 0.1";
+    }
+    many += "]";
+    return {
+        {with_two_solids(), fmt::format("solid[0].x = {0}; solid[1].x = {0}; solid[2].x = {0}", many)},
+        {with_solid(), "solid[0].name = \"\""},
+        {with_two_solids(), "solid[1].name = weir"},
+        {with_solid(), "channel.top = periodic; channel.ends = periodic; fluid.gravity = 0"},
+        {with_solid(), "solid[0].x = []"},
+        {with_solid(), "solid[0].x = [0.08, 0.12, 0.12]"},
+        {with_solid(), "solid[0].x = [0.08, 0.12]; solid[0].z = [0, 0]"},
+        {with_solid(), "solid[0].x = [0.08, 0.08, 0.12, 0.12]"},
+        {with_solid(), "channel.length = 70 mm"},
+        {with_solid(), "channel.ends = periodic; solid[0].x = [0, 0.2, 0.2, 0]"},
+        {with_solid(), "solid[0].x = [0, 0.2, 0.2, 0]; solid[0].z = [0, 0, 0.2, 0.2]"},
+        {with_solid(), "numerics.spacing = 5 mm; numerics.wall_layers = 10"},
+        {with_solid(), "solid[0].motion = constant"},
+        {with_solid(), "solid[0].motion = oscillating; solid[0].amplitude_x = 10 mm"},
+        {with_two_solids(), "solid[1].start = 5"},
+        {with_two_solids(), "solid[1].start = 2; solid[1].stop = 1"},
+        {with_two_solids(), "solid[1].velocity_x = 1"},
+        {with_two_solids(), "solid[1].velocity_z = -0.01"},
+        {with_two_solids(), "solid[1].velocity_x = -0.02; solid[1].velocity_z = 0"},
+        {with_two_solids(), "solid[1].x = [0.08, 0.12, 0.12, 0.08]"},
+        {with_mesh(), "solid[0].motion = constant"},
+        {with_mesh(), "solid[0].file = \"\""},
+        {with_mesh(), "solid[0].place = 50 mm"},
+        {with_mesh(), "solid[0].place = [0.19, 0.02, 0]"},
+        {with_mesh(), "solid[0].scale = 0.1; solid[0].place = [-0.1, -0.1, -0.1]"},
+        {with_mesh(), "solid[0].scale = 0.1 mm"},
+    };
+}
+
+std::vector<Wrong> wrong_probes() {
+    using enum ProbeKind;
+    return {
+        {with_probe(force), "probe[0].name = a/b"},
+        {with_probe(force), "probe[0].name = standard_force"},
+        {with_probe(force), "probe[1].name = p; probe[1].kind = force; probe[1].sampling_frequency = 50 Hz"},
+        {with_probe(force), "probe[0].start = 1 h"},
+        {with_probe(wave), "channel.top = wall"},
+        {with_probe(wave), "probe[0].x = []"},
+        {with_probe(wave), "probe[0].x = [0.1, 0.3]"},
+        {with_probe(wave), "probe[0].y = 0.01"},
+        {with_probe(wave), "channel.dimensions = 3; probe[0].y = [0.01, 0.02]"},
+        {with_probe(wave), "channel.dimensions = 3; probe[0].y = 1"},
+        {with_probe(velocity), "probe[0].z = []"},
+        {with_probe(velocity), "probe[0].z = 0.1"},
+        {with_probe(velocity), "probe[0].x = [0.1, 0.15]; probe[0].z = [0.01, 0.02, 0.03]"},
+        {with_probe(velocity), "probe[0].sampling_length = 0.1"},
+        {with_probe(grid), "probe[0].spacing = 0.5 mm"},
+        {with_probe(surface_line), "probe[0].spacing = 1"},
+        {with_probe(grid), "probe[0].z_to = 1"},
+        {with_probe(grid), "probe[0].x_from = 0.15; probe[0].x_to = 0.1"},
+        {with_probe(grid), "probe[0].z_from = 0.03; probe[0].z_to = 0.02"},
+        {with_probe(grid), "channel.length = 50; probe[0].spacing = 0.8 mm"},
+        {with_probe(grid), "probe[0].averaging_time = 10 ms"},
+        {with_probe(grid), "probe[0].averaging_time = 1 h"},
+        {with_probe(flow_rate), "channel.ends = walls; probe[0].x = 0"},
+    };
+}
+
+std::vector<Wrong> all_wrongs() {
+    std::vector<Wrong> all;
+    for (auto* const wrongs :
+         {wrong_geometry, wrong_methods, wrong_starts_and_runs, wrong_solids, wrong_probes}) {
+        for (Wrong& wrong : wrongs()) {
+            all.push_back(std::move(wrong));
+        }
+    }
+    return all;
+}
+
+/// The file of a case; lists that are empty are not given.
+std::string file_text(const Case& c) {
+    return std::regex_replace(case_text(c), std::regex("\n[a-z_]+ = \\[\\](?=\n)"), "");
+}
+
+/// Message of the refusal of the file of a case; empty where it is right.
+std::string refusal_of(const Case& c) { return test::error_of(file_text(c), {}, c.path); }
+
+void load_meshes(Case& c) {
+    const bool readable = std::all_of(c.solids.begin(), c.solids.end(),
+                                      [](const Solid& s) { return !s.file.empty() && s.place.size() == 3; });
+    if (c.channel.dimensions == 3 && readable) {
+        c.meshes = meshes_of(c);
+    }
+}
+
+TEST(Refusals, RightCasesAreTaken) {
+    for (const Wrong& wrong : all_wrongs()) {
+        EXPECT_EQ(refusal_of(wrong.right), "");
+    }
+}
+
+TEST(Refusals, EachRowHasACaseThatItRefusesAndSaysSo) {
+    std::set<const CaseCheck*> broken;
+    for (const Wrong& wrong : all_wrongs()) {
+        Case c = with_keys(wrong.right, wrong.keys);
+        load_meshes(c);
+        const std::string message = refusal_of(c);
+        EXPECT_NE(message, "") << wrong.keys << " is taken";
+        for (const CheckList& list : refusals()) {
+            for_each_finding(list, c, [&](const CaseCheck& check, const Finding& finding) {
+                broken.insert(&check);
+                EXPECT_THAT(message, HasSubstr(refusal_text(check, finding, c))) << wrong.keys;
+            });
+        }
+    }
+    for (const CheckList& list : refusals()) {
+        for (const CaseCheck& check : list.checks) {
+            EXPECT_TRUE(broken.contains(&check)) << "no case has " << check.what;
+        }
+    }
+}
+
+TEST(Refusals, RunsUntilConvergedNeedASteadyFlow) {
+    for (const CaseCheck& check : start_of_run_refusals().checks) {
+        const Case c = with_keys(flume(), "channel.ends = walls; start.kind = rest");
+        EXPECT_EQ(refusal_of(c), "");
+        try {
+            refuse_to_run(c);
+            ADD_FAILURE() << check.what;
+        } catch (const InputError& error) {
+            EXPECT_THAT(error.what(), HasSubstr("walls close the channel at its ends"));
+        }
+    }
+    EXPECT_NO_THROW(refuse_to_run(flume()));
+}
+
+/// All tables.
+std::vector<const CaseCheck*> all_checks() {
+    std::vector<const CaseCheck*> all;
+    const auto add = [&](const CheckList& list) {
+        for (const CaseCheck& check : list.checks) {
+            all.push_back(&check);
+        }
+    };
+    std::for_each(refusals().begin(), refusals().end(), add);
+    add(start_of_run_refusals());
+    add(warnings());
+    return all;
+}
+
+TEST(Checks, NameKeysThatExistAndSayWhatToDo) {
+    std::set<std::string> rows;
+    for (const CaseCheck* const check : all_checks()) {
+        for (const std::string& id : check->keys) {
+            EXPECT_NE(find_key(id), nullptr) << id;
+        }
+        EXPECT_FALSE(check->what.empty());
+        EXPECT_FALSE(check->cure.empty()) << check->what;
+        EXPECT_TRUE(rows.insert(check->keys.front() + " " + std::string(check->what)).second) << check->what;
+    }
+}
+
+/// What was measured stands in the documents, with the command that measures it.
+TEST(Checks, QuoteNoMeasurement) {
+    for (const CaseCheck* const check : all_checks()) {
+        if (check->keys.front() == "numerics.sound_speed") {
+            continue;  // a share of the water's own weight, and the rule of ten
+        }
+        EXPECT_THAT(finding_text(std::string(check->what), *check, {}), Not(HasSubstr(" %"))) << check->what;
+    }
+}
+
+}  // namespace
+}  // namespace riffle::refusals_test

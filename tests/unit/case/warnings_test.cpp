@@ -1,0 +1,164 @@
+// What a valid case is warned of.
+
+#include "case/warnings.hpp"
+
+#include <set>
+
+#include "case/flow_conditions.hpp"
+#include "case/presets.hpp"
+#include "changed_cases.hpp"
+
+namespace riffle::warnings_test {
+namespace {
+
+using test::between_side_walls;
+using test::cell;
+using test::flume;
+using test::smallest;
+using test::tank;
+using test::with_keys;
+using test::with_water;
+using testing::Contains;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+std::vector<std::string> warnings_with(const std::vector<Override>& overrides) {
+    return case_warnings(parse_case(smallest, "case.toml", {}, overrides));
+}
+
+TEST(Warnings, NoneForTheDefaults) { EXPECT_THAT(warnings_with({}), IsEmpty()); }
+
+struct Warned {
+    const char* key;
+    const char* value;
+    const char* about;
+};
+
+class WarnsOf : public testing::TestWithParam<Warned> {};
+
+TEST_P(WarnsOf, TheKey) {
+    const auto warnings = warnings_with({{GetParam().key, GetParam().value}});
+    EXPECT_THAT(warnings, Contains(HasSubstr(GetParam().about))) << GetParam().key;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Choices, WarnsOf,
+    testing::Values(
+        Warned{"numerics.spacing", "3 mm", "rows in the roughness zone"},
+        Warned{"numerics.spacing", "3 mm", "rows over the depth"},
+        Warned{"numerics.kernel", "cubic-spline", "numerics.kernel"},
+        Warned{"numerics.smoothing_ratio", "1.3", "verified with 1.5 and 2.0"},
+        Warned{"numerics.wall_layers", "3", "do not fill the kernel"},
+        Warned{"numerics.pressure_form", "symmetric", "shear stress as large as the flow's own friction"},
+        Warned{"numerics.kernel_correction", "kernel", "spurious shear stress of the symmetric form"},
+        Warned{"numerics.density_diffusion", "none", "free of noise"},
+        Warned{"numerics.density_diffusion_coefficient", "0.5", "from 0.02 to 0.1"},
+        Warned{"numerics.sound_speed", "2", "compresses it by 13.7 %"},
+        Warned{"numerics.viscosity", "monaghan-gingold", "too weak"},
+        Warned{"numerics.eddy_stress", "stress-divergence", "zigzags"},
+        Warned{"numerics.courant_number", "1.2", "numerics.courant_number"},
+        Warned{"numerics.stepping", "predictor-corrector", "more than 0.4"},
+        Warned{"numerics.wall", "dynamic", "numerics.wall"}, Warned{"turbulence.closure", "sps", "far below"},
+        Warned{"turbulence.closure", "none", "without a closure"},
+        Warned{"bed.drag_form", "thesis", "scales as 1 / spacing"},
+        Warned{"start.jitter", "0.4", "start.jitter"},
+        Warned{"start.exponent", "4", "has no effect: it is used only with start.kind = \"power-law\""},
+        Warned{"turbulence.filter_width", "1 mm", "has no effect"}));
+
+TEST(Warnings, SmoothedMotion) {
+    EXPECT_THAT(warnings_with({{"numerics.xsph", "0.5"}, {"numerics.stepping", "semi-implicit-euler"}}),
+                Contains(HasSubstr("numerics.xsph")));
+}
+
+TEST(Warnings, LittleDensityDiffusionIsForAWideKernel) {
+    const auto with_ratio = [](const std::string& ratio) {
+        return warnings_with(
+            {{"numerics.smoothing_ratio", ratio}, {"numerics.density_diffusion_coefficient", "0.02"}});
+    };
+    EXPECT_THAT(with_ratio("1.5"), Contains(HasSubstr("with h = 1.5 dx use 0.1")));
+    EXPECT_THAT(with_ratio("2"), IsEmpty());
+}
+
+TEST(Warnings, WallsThatNeedMoreOrGiveLess) {
+    const auto modified = [](const std::string& diffusion) {
+        return warnings_with(
+            {{"numerics.wall", "modified-dynamic"}, {"numerics.density_diffusion", diffusion}});
+    };
+    EXPECT_THAT(modified("none"), Contains(HasSubstr("carry the noise of the density")));
+    EXPECT_THAT(modified("fourtakas"), IsEmpty());
+    EXPECT_THAT(warnings_with({{"numerics.wall", "repulsive"}, {"numerics.pressure_form", "symmetric"}}),
+                Contains(HasSubstr("\"repulsive\" walls hold the water and give no more")));
+}
+
+TEST(Warnings, WaterThatBreaksAsksForItsPreset) {
+    const Case dam = builtin_case("dam-break");
+    EXPECT_THAT(case_warnings(dam), IsEmpty());
+    Case plain = dam;
+    plain.numerics = preset_numerics(Preset::riffle);
+    plain.numerics.spacing = 0.005;
+    EXPECT_THAT(case_warnings(plain), Contains(HasSubstr("preset = \"violent\"")));
+    plain.run.time = 0.2;  // over before the front has come to the wall
+    EXPECT_THAT(case_warnings(plain), IsEmpty());
+    plain.run.time = 3.0;
+    plain.start.water_x = {0.0, 1.61, 1.61, 0.0};  // fills the tank
+    EXPECT_THAT(case_warnings(plain), IsEmpty());
+    plain.start.water_x = {0.1, 1.61, 1.61, 0.1};  // but for what a piston takes
+    Solid piston;
+    piston.x = {0.0, 0.1, 0.1, 0.0};
+    piston.z = {0.0, 0.0, 0.5, 0.5};
+    plain.solids.push_back(piston);
+    EXPECT_THAT(case_warnings(plain), IsEmpty());
+    plain.solids.front().velocity_z = 0.1;  // which is lifted
+    EXPECT_THAT(case_warnings(plain), Contains(HasSubstr("preset = \"violent\"")));
+    plain.solids.clear();
+    plain.start.water_x = {0.0, 1.61, 1.61, 0.0};
+    plain.start.water_z = {0.1, 0.1, 0.3, 0.3};  // and falls
+    EXPECT_THAT(case_warnings(plain), Contains(HasSubstr("preset = \"violent\"")));
+}
+
+TEST(Warnings, SoundSpeedAgainstTheMeasuredVelocity) {
+    EXPECT_THAT(warnings_with({{"numerics.sound_speed", "7.5"}}), IsEmpty());
+    EXPECT_THAT(warnings_with({{"numerics.sound_speed", "7.5"}, {"measured.depth_mean_velocity", "0.9"}}),
+                Contains(HasSubstr("less than 10 times the largest velocity")));
+}
+
+TEST(Warnings, PresetsOfTheLiteratureAreForStudy) {
+    for (const char* const preset : {"thesis", "paper"}) {
+        EXPECT_THAT(warnings_with({{"numerics.preset", preset}}),
+                    Contains(HasSubstr("numerics.pressure_form")));
+    }
+}
+
+TEST(Warnings, EachRowHasACase) {
+    const std::string noisy = "numerics.density_diffusion = none; ";
+    const std::vector<Case> cases = {
+        with_keys(flume(), "numerics.spacing = 3 mm; measured.uniform = false"),
+        with_keys(flume(), "numerics.kernel = cubic-spline; numerics.kernel_correction = kernel"),
+        with_keys(flume(), "numerics.kernel = quintic-spline; numerics.smoothing_ratio = 1.75"),
+        with_keys(flume(), "numerics.pressure_form = symmetric; numerics.wall = repulsive"),
+        with_keys(flume(), "numerics.pressure_form = riemann; numerics.density_diffusion = molteni"),
+        with_keys(flume(), noisy + "numerics.wall = modified-dynamic; numerics.courant_number = 1"),
+        with_keys(flume(), "numerics.density_diffusion_coefficient = 0.01; numerics.smoothing_ratio = 1.5"),
+        with_keys(flume(),
+                  "numerics.xsph = 0.1; numerics.stepping = semi-implicit-euler; start.jitter = 0.3"),
+        with_keys(flume(), "numerics.sound_speed = 2; measured.depth_mean_velocity = 1"),
+        with_keys(flume(), "numerics.viscosity = monaghan-gingold; numerics.eddy_stress = stress-divergence"),
+        with_keys(flume(), "numerics.viscosity = artificial; turbulence.closure = none"),
+        with_keys(flume(), "numerics.wall_layers = 2; bed.drag_form = thesis"),
+        with_keys(flume(), "numerics.wall = dynamic; turbulence.closure = sps"),
+        with_keys(tank(), "bed.kind = no-slip"),
+        with_keys(with_water(), "run.until = 3"),
+        with_keys(cell(), "start.lattice = body-centred"),
+        with_keys(between_side_walls(), "turbulence.closure = sps; numerics.stepping = semi-implicit-euler"),
+    };
+    std::set<const CaseCheck*> met;
+    for (const Case& c : cases) {
+        for_each_finding(warnings(), c, [&](const CaseCheck& check, const Finding&) { met.insert(&check); });
+    }
+    for (const CaseCheck& check : warnings().checks) {
+        EXPECT_TRUE(met.contains(&check)) << "no case has " << check.what;
+    }
+}
+
+}  // namespace
+}  // namespace riffle::warnings_test
