@@ -157,7 +157,7 @@ CheckList make_warnings() {
          [](const Case& c) { return c.numerics.has_riemann_problem(); }},
         {{"numerics.density_diffusion", "channel.top"},
          "`density_diffusion = \"molteni\"` with a free surface",
-         "\"molteni\" diffuses the hydrostatic difference too, and moves the level of the water (docs/theory.md, section 4)",
+         "\"molteni\" diffuses the hydrostatic difference too: it moves the level of the water, and runs of a rough bed fail with it (docs/theory.md, section 4)",
          "use \"fourtakas\" under gravity",
          [](const Case& c) {
              return c.numerics.density_diffusion == DensityDiffusion::molteni && has_free_surface(c);
@@ -294,6 +294,11 @@ CheckList make_warnings() {
          "\"modified-dynamic\" walls carry the noise of the density beside them on into the wall (docs/theory.md, section 9)",
          "use density diffusion",
          [](const Case& c) { return c.numerics.wall == WallKind::modified_dynamic && density_is_noisy(c); }},
+        {{"numerics.wall", "bed.kind"},
+         "`wall = \"modified-dynamic\"` over spheres",
+         "\"modified-dynamic\" walls pass the noise of disordered water on, and runs over a rough bed fail with them after some seconds (docs/theory.md, section 9)",
+         "use \"dummy\"",
+         [](const Case& c) { return c.numerics.wall == WallKind::modified_dynamic && over_spheres(c); }},
         {{"numerics.wall"},
          "`wall = \"repulsive\"`",
          "\"repulsive\" walls hold the water and give no more: no friction, and between end walls they stir still water (docs/theory.md, section 9)",

@@ -150,9 +150,8 @@ std::vector<std::unique_ptr<PairSum<D, Real>>> make_pair_sums(const Case& c, con
             constants, n.density_diffusion_coefficient * h * scheme.state.sound_speed));
     }
     if (n.kernel_correction == KernelCorrection::kernel && needs_gradients(c)) {
-        sums.push_back(
-            make_shepard_correction<D, Real>(constants, n.pressure_form == PressureForm::corrected,
-                                             n.velocity_gradient == VelocityGradient::corrected));
+        sums.push_back(make_shepard_correction<D, Real>(constants, n.pressure_form == PressureForm::corrected,
+                                                        n.velocity_gradient == VelocityGradient::corrected));
     }
     return sums;
 }
