@@ -11,23 +11,20 @@
 
 #include "base/error.hpp"
 #include "case/words.hpp"
-#include "solver/content.hpp"
+#include "record/field_content.hpp"
+#include "record/particle_fields.hpp"
+#include "record/run_fields.hpp"
 #include "solver/recorder.hpp"
 
 namespace riffle {
 
 namespace {
 
-constexpr const char* lost_group = "/lost_particles";
-
+/// Place of an axis of a simulation in D dimensions among x, y, z.
 template <int D>
-constexpr auto axis_names = [] {
-    if constexpr (D == 2) {
-        return std::array<const char*, 2>{"x", "z"};
-    } else {
-        return std::array<const char*, 3>{"x", "y", "z"};
-    }
-}();
+constexpr std::size_t axis_of(std::size_t k) {
+    return D == 2 && k == 1 ? 2 : k;
+}
 
 /// Values that are read from an array while they are written. It must stay until then.
 StreamedValues<double> lent(const std::vector<double>& values) {
@@ -36,61 +33,41 @@ StreamedValues<double> lent(const std::vector<double>& values) {
             }};
 }
 
-void add_lent(Content& content, std::string path, StreamedValues<double> values, std::string unit,
-              std::string long_name) {
+void add_lent(Content& content, const Field& field, int dimensions, StreamedValues<double> values) {
     const std::size_t n = values.count;
-    content.datasets.push_back({.path = std::move(path),
-                                .shape = {n},
-                                .values = std::move(values),
-                                .unit = std::move(unit),
-                                .long_name = std::move(long_name)});
+    content.datasets.push_back(dataset_of(field, dimensions, {n}, std::move(values)));
 }
 
 /// What the stepper keeps of the step before, where it keeps anything.
 template <int D>
-void add_previous_step(Content& content, const std::string& group, const PreviousStep<D>& previous,
-                       Stepping stepping) {
+void add_previous_step(Content& content, const PreviousStep<D>& previous, Stepping stepping) {
     if (previous.empty()) {
         return;
     }
+    const auto& state = fields::state;
     const bool rates = stepping == Stepping::beeman;
+    const std::array<Field, 3>& motion = rates ? state.previous_acceleration : state.previous_velocity;
     for (std::size_t k = 0; k < D; ++k) {
-        const std::string axis = axis_names<D>[k];
-        add_lent(content, group + "/previous_motion_" + axis, lent(previous.motion[k]),
-                 rates ? "m/s2" : "m/s",
-                 (rates ? "acceleration of the step before along " : "velocity before the last step along ") +
-                     axis);
+        add_lent(content, motion[axis_of<D>(k)], D, lent(previous.motion[k]));
     }
-    add_lent(content, group + "/previous_density", lent(previous.density), rates ? "1/s" : "1",
-             rates ? "rate of change of rho/rho0 of the step before" : "rho/rho0 - 1 before the last step");
+    add_lent(content, rates ? state.previous_density_rate : state.previous_density, D,
+             lent(previous.density));
 }
 
 void add_lost_particles(Content& content, const std::vector<LostParticle>& lost, int dimensions) {
-    const auto column = [&](const char* name, const char* unit, const char* long_name, const auto& value) {
-        std::vector<double> values(lost.size());
+    const auto column = [&]<class T>(const Field& field, T /*zero*/, const auto& value) {
+        std::vector<T> values(lost.size());
         std::transform(lost.begin(), lost.end(), values.begin(), value);
-        add_array(content, fmt::format("{}/{}", lost_group, name), std::move(values), unit, long_name);
+        content.datasets.push_back(dataset_of(field, dimensions, {lost.size()}, std::move(values)));
     };
-    const auto whole = [&](const char* name, const char* long_name, const auto& value) {
-        std::vector<std::int64_t> values(lost.size());
-        std::transform(lost.begin(), lost.end(), values.begin(), value);
-        content.datasets.push_back({.path = fmt::format("{}/{}", lost_group, name),
-                                    .shape = {lost.size()},
-                                    .values = std::move(values),
-                                    .unit = "1",
-                                    .long_name = long_name});
-    };
-    whole("id", "number of the particle", [](const auto& p) { return std::int64_t{p.id}; });
-    whole("exit", "way out", [](const auto& p) { return static_cast<std::int64_t>(p.exit); });
-    column("time", "s", "simulated time at which it was taken out", [](const auto& p) { return p.time; });
-    column("mass", dimensions == 2 ? "kg/m" : "kg", dimensions == 2 ? "mass per unit width" : "mass",
-           [](const auto& p) { return p.mass; });
+    const auto& of = fields::lost_particles;
+    column(of.id, std::int64_t{}, [](const auto& p) { return std::int64_t{p.id}; });
+    column(of.exit, std::int64_t{}, [](const auto& p) { return static_cast<std::int64_t>(p.exit); });
+    column(of.time, 0.0, [](const auto& p) { return p.time; });
+    column(of.mass, 0.0, [](const auto& p) { return p.mass; });
     for (std::size_t k = 0; k < 3; ++k) {
-        const char axis = "xyz"[k];
-        column(fmt::format("position_{}", axis).c_str(), "m", "place where it was taken out",
-               [k](const auto& p) { return p.position[k]; });
-        column(fmt::format("velocity_{}", axis).c_str(), "m/s", "velocity with which it left",
-               [k](const auto& p) { return p.velocity[k]; });
+        column(of.position[k], 0.0, [k](const auto& p) { return p.position[k]; });
+        column(of.velocity[k], 0.0, [k](const auto& p) { return p.velocity[k]; });
     }
 }
 
@@ -112,14 +89,14 @@ std::vector<std::int64_t> whole_numbers(const ContentReader& file, const std::st
 constexpr std::int64_t largest_id = std::numeric_limits<std::int32_t>::max();
 
 std::vector<LostParticle> saved_lost_particles(const CheckpointReader& checkpoint) {
-    const auto path = [](const std::string& name) { return fmt::format("{}/{}", lost_group, name); };
-    const std::vector<std::size_t> shape = checkpoint.shape(path("id"));
+    const auto& of = fields::lost_particles;
+    const std::vector<std::size_t> shape = checkpoint.shape(of.id.path());
     const std::size_t n = shape.empty() ? 0 : shape[0];
-    const auto column = [&](const std::string& name) { return checkpoint.doubles(path(name), n); };
-    const auto id = whole_numbers(checkpoint, path("id"), n, largest_id);
-    const auto exit = whole_numbers(checkpoint, path("exit"), n, last_exit);
-    const auto time = column("time");
-    const auto mass = column("mass");
+    const auto column = [&](const Field& field) { return checkpoint.doubles(field.path(), n); };
+    const auto id = whole_numbers(checkpoint, of.id.path(), n, largest_id);
+    const auto exit = whole_numbers(checkpoint, of.exit.path(), n, last_exit);
+    const auto time = column(of.time);
+    const auto mass = column(of.mass);
     std::vector<LostParticle> lost(n);
     for (std::size_t i = 0; i < n; ++i) {
         lost[i].id = static_cast<std::int32_t>(id[i]);
@@ -128,8 +105,8 @@ std::vector<LostParticle> saved_lost_particles(const CheckpointReader& checkpoin
         lost[i].mass = mass[i];
     }
     for (std::size_t k = 0; k < 3; ++k) {
-        const auto position = column(fmt::format("position_{}", "xyz"[k]));
-        const auto velocity = column(fmt::format("velocity_{}", "xyz"[k]));
+        const auto position = column(of.position[k]);
+        const auto velocity = column(of.velocity[k]);
         for (std::size_t i = 0; i < n; ++i) {
             lost[i].position[k] = position[i];
             lost[i].velocity[k] = velocity[i];
@@ -141,113 +118,108 @@ std::vector<LostParticle> saved_lost_particles(const CheckpointReader& checkpoin
 }  // namespace
 
 template <int D>
-void add_state(Content& content, const std::string& group, const SimulationIn<D>& simulation) {
+void add_state(Content& content, const SimulationIn<D>& simulation) {
     const Particles<D>& p = simulation.particles();
     const std::size_t n = p.size();
+    const auto& state = fields::state;
     for (std::size_t k = 0; k < D; ++k) {
-        const std::string axis = axis_names<D>[k];
-        add_lent(content, group + "/position_" + axis, lent(p.position[k]), "m", "position " + axis);
-        add_lent(content, group + "/velocity_" + axis, lent(p.velocity[k]), "m/s", "velocity along " + axis);
+        const std::size_t axis = axis_of<D>(k);
+        add_lent(content, state.position[axis], D, lent(p.position[k]));
+        add_lent(content, state.velocity[axis], D, lent(p.velocity[k]));
         if (simulation.lists_out_of_date()) {
             continue;  // the run builds them anew, here as after a resume
         }
         const auto listed = [&simulation, k](std::size_t first, std::span<double> block) {
             simulation.listed_positions(k, first, block);
         };
-        add_lent(content, group + "/listed_position_" + axis, {n, listed}, "m",
-                 "position at the last build of the neighbour lists, " + axis);
+        add_lent(content, state.listed_position[axis], D, {n, listed});
     }
-    add_lent(content, group + "/density_deviation", lent(p.density_deviation), "1", "rho/rho0 - 1");
-    add_previous_step(content, group, p.previous, simulation.stepping());
-    add_lent(content, group + "/mass", lent(p.mass), D == 2 ? "kg/m" : "kg",
-             D == 2 ? "mass per unit width" : "mass");
-    add_lent(content, group + "/wall_density_deviation", lent(simulation.wall_density_deviation()), "1",
-             "rho/rho0 - 1 of the wall particles");
+    add_lent(content, state.density_deviation, D, lent(p.density_deviation));
+    add_previous_step(content, p.previous, simulation.stepping());
+    add_lent(content, state.mass, D, lent(p.mass));
+    add_lent(content, state.wall_density_deviation, D, lent(simulation.wall_density_deviation()));
     const auto numbers = [&p](std::size_t first, std::span<std::int64_t> block) {
         std::copy_n(p.id.begin() + static_cast<std::ptrdiff_t>(first), block.size(), block.begin());
     };
-    content.datasets.push_back({.path = group + "/id",
-                                .shape = {n},
-                                .values = StreamedValues<std::int64_t>{n, numbers},
-                                .unit = "1",
-                                .long_name = "particle number"});
-    add_clock(content, group, simulation);
+    content.datasets.push_back(dataset_of(state.id, D, {n}, StreamedValues<std::int64_t>{n, numbers}));
+    add_clock(content, simulation);
 }
 
 template <int D>
-void add_clock(Content& content, const std::string& group, const SimulationIn<D>& simulation) {
+void add_clock(Content& content, const SimulationIn<D>& simulation) {
     add_lost_particles(content, simulation.particles().lost, D);
     const SimulationClock& clock = simulation.clock();
-    const auto attribute = [&](const char* name, AttributeValue value) {
-        add_attribute(content, group, name, std::move(value));
-    };
-    attribute("time", clock.time);
-    attribute("steps", clock.steps);
-    attribute("list_builds", clock.list_builds);
-    attribute("time_step", clock.time_step);
-    attribute("largest_acceleration", clock.largest_acceleration);
-    attribute("displacement_bound", clock.displacement_bound);
+    const auto& of = fields::clock;
+    add_field(content, of.time, clock.time);
+    add_field(content, of.steps, clock.steps);
+    add_field(content, of.list_builds, clock.list_builds);
+    add_field(content, of.time_step, clock.time_step);
+    add_field(content, of.largest_acceleration, clock.largest_acceleration);
+    add_field(content, of.displacement_bound, clock.displacement_bound);
     if (clock.listed_time > 0.0) {
-        attribute("listed_time", clock.listed_time);
+        add_field(content, of.listed_time, clock.listed_time);
     }
     if (D == 3) {
-        attribute("side_wall_drag_coefficient", clock.side_wall_drag_coefficient);
+        add_field(content, of.side_wall_drag_coefficient, clock.side_wall_drag_coefficient);
     }
-    attribute("sound_speed", simulation.scheme().state.sound_speed);
+    add_field(content, of.sound_speed, simulation.scheme().state.sound_speed);
 }
 
 template <int D>
-void restore_state(const CheckpointReader& checkpoint, const std::string& group,
-                   SimulationIn<D>& simulation) {
-    const std::vector<std::size_t> shape = checkpoint.shape(group + "/id");
+void restore_state(const CheckpointReader& checkpoint, SimulationIn<D>& simulation) {
+    const auto& state = fields::state;
+    const std::vector<std::size_t> shape = checkpoint.shape(state.id.path());
     const std::size_t n = shape.empty() ? 0 : shape[0];
-    const auto doubles = [&](const std::string& name) { return checkpoint.doubles(group + "/" + name, n); };
+    const auto doubles = [&](const Field& field) { return checkpoint.doubles(field.path(), n); };
     Particles<D> p;
     for (std::size_t k = 0; k < D; ++k) {
-        const std::string axis = axis_names<D>[k];
-        p.position[k] = doubles("position_" + axis);
-        p.velocity[k] = doubles("velocity_" + axis);
-        if (checkpoint.has(group + "/listed_position_" + axis)) {
-            p.listed_position[k] = doubles("listed_position_" + axis);
+        const std::size_t axis = axis_of<D>(k);
+        p.position[k] = doubles(state.position[axis]);
+        p.velocity[k] = doubles(state.velocity[axis]);
+        if (checkpoint.has(state.listed_position[axis].path())) {
+            p.listed_position[k] = doubles(state.listed_position[axis]);
         }
     }
-    p.density_deviation = doubles("density_deviation");
-    p.mass = doubles("mass");
-    if (checkpoint.has(group + "/previous_density")) {
+    p.density_deviation = doubles(state.density_deviation);
+    p.mass = doubles(state.mass);
+    if (checkpoint.has(state.previous_density.path())) {
         for (std::size_t k = 0; k < D; ++k) {
-            p.previous.motion[k] = doubles(std::string("previous_motion_") + axis_names<D>[k]);
+            p.previous.motion[k] = doubles(state.previous_velocity[axis_of<D>(k)]);
         }
-        p.previous.density = doubles("previous_density");
+        p.previous.density = doubles(state.previous_density);
     }
-    const auto numbers = whole_numbers(checkpoint, group + "/id", n, largest_id);
+    const auto numbers = whole_numbers(checkpoint, state.id.path(), n, largest_id);
     p.id.assign(numbers.begin(), numbers.end());
     p.lost = saved_lost_particles(checkpoint);
-    const auto number = [&](const char* name) { return checkpoint.number(group, name); };
+    const auto number = [&](const Field& field) { return checkpoint.number(field.group->path, field.name); };
+    const auto& of = fields::clock;
     SimulationClock clock;
-    clock.time = number("time");
-    clock.steps = static_cast<std::int64_t>(number("steps"));
-    clock.list_builds = static_cast<std::int64_t>(number("list_builds"));
-    clock.time_step = number("time_step");
-    clock.largest_acceleration = number("largest_acceleration");
-    clock.displacement_bound = number("displacement_bound");
-    clock.listed_time = checkpoint.attribute(group, "listed_time") ? number("listed_time") : 0.0;
+    clock.time = number(of.time);
+    clock.steps = static_cast<std::int64_t>(number(of.steps));
+    clock.list_builds = static_cast<std::int64_t>(number(of.list_builds));
+    clock.time_step = number(of.time_step);
+    clock.largest_acceleration = number(of.largest_acceleration);
+    clock.displacement_bound = number(of.displacement_bound);
+    const bool dated = checkpoint.attribute(of.listed_time.group->path, of.listed_time.name).has_value();
+    clock.listed_time = dated ? number(of.listed_time) : 0.0;
     if (D == 3) {
-        clock.side_wall_drag_coefficient = number("side_wall_drag_coefficient");
+        clock.side_wall_drag_coefficient = number(of.side_wall_drag_coefficient);
     }
     simulation.restore(std::move(p), clock,
-                       checkpoint.doubles(group + "/wall_density_deviation", simulation.walls().size()));
+                       checkpoint.doubles(state.wall_density_deviation.path(), simulation.walls().size()));
 }
 
 template <int D>
 Particles<D> particles_from_results(const Case& c, const Scheme& scheme, const ResultsReader& results,
                                     const std::string& file_name) {
-    if (!results.has("/state/position_x")) {
+    const auto& state = fields::state;
+    if (!results.has(state.position[0].path())) {
         throw InputError(
             fmt::format("[start] file = \"{}\" holds no state to start from; give the results file of a run "
                         "of `riffle run`",
                         file_name));
     }
-    const Case other = parse_case(results.read_string("/case/text"), file_name);
+    const Case other = parse_case(results.read_string(fields::stored_case.text.path()), file_name);
     const auto differs = [](double a, double b) { return std::abs(a - b) > 1e-9 * std::abs(b); };
     if (other.channel.dimensions != D) {
         throw InputError(fmt::format(
@@ -271,31 +243,31 @@ Particles<D> particles_from_results(const Case& c, const Scheme& scheme, const R
                         file_name, other.channel.length, other.total_depth(), other.numerics.spacing,
                         c.channel.length, c.total_depth(), c.numerics.spacing));
     }
-    const std::vector<std::size_t> shape = results.shape("/state/id");
+    const std::vector<std::size_t> shape = results.shape(state.id.path());
     const std::size_t n = shape.empty() ? 0 : shape[0];
-    const auto doubles = [&](const std::string& name) {
-        std::vector<double> values = results.read_doubles("/state/" + name);
+    const auto doubles = [&](const Field& field) {
+        std::vector<double> values = results.read_doubles(field.path());
         const bool finite =
             std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); });
         if (values.size() != n || !finite) {
             throw InputError(fmt::format(
-                "[start] file = \"{}\": /state/{} has {} values{}, expected {} numbers, one for each of its "
+                "[start] file = \"{}\": {} has {} values{}, expected {} numbers, one for each of its "
                 "particles: the file has been altered; give one as `riffle run` wrote it",
-                file_name, name, values.size(), finite ? "" : ", not all of them numbers", n));
+                file_name, field.path(), values.size(), finite ? "" : ", not all of them numbers", n));
         }
         return values;
     };
     Particles<D> p;
     for (std::size_t k = 0; k < D; ++k) {
-        const std::string axis = axis_names<D>[k];
-        p.position[k] = doubles("position_" + axis);
-        p.velocity[k] = doubles("velocity_" + axis);
+        p.position[k] = doubles(state.position[axis_of<D>(k)]);
+        p.velocity[k] = doubles(state.velocity[axis_of<D>(k)]);
     }
-    p.density_deviation = doubles("density_deviation");
-    p.mass = doubles("mass");
-    const auto numbers = whole_numbers(results, "/state/id", n, largest_id);
+    p.density_deviation = doubles(state.density_deviation);
+    p.mass = doubles(state.mass);
+    const auto numbers = whole_numbers(results, state.id.path(), n, largest_id);
     p.id.assign(numbers.begin(), numbers.end());
-    const auto sound_speed = results.attribute("/state", "sound_speed");
+    const Field& sound = fields::clock.sound_speed;
+    const auto sound_speed = results.attribute(sound.group->path, sound.name);
     const StateEquation old{
         .kind = other.numerics.equation_of_state,
         .sound_speed = sound_speed ? std::get<double>(*sound_speed) : scheme.state.sound_speed};
@@ -308,12 +280,12 @@ Particles<D> particles_from_results(const Case& c, const Scheme& scheme, const R
     return p;
 }
 
-template void add_state(Content&, const std::string&, const SimulationIn<2>&);
-template void add_state(Content&, const std::string&, const SimulationIn<3>&);
-template void add_clock(Content&, const std::string&, const SimulationIn<2>&);
-template void add_clock(Content&, const std::string&, const SimulationIn<3>&);
-template void restore_state(const CheckpointReader&, const std::string&, SimulationIn<2>&);
-template void restore_state(const CheckpointReader&, const std::string&, SimulationIn<3>&);
+template void add_state(Content&, const SimulationIn<2>&);
+template void add_state(Content&, const SimulationIn<3>&);
+template void add_clock(Content&, const SimulationIn<2>&);
+template void add_clock(Content&, const SimulationIn<3>&);
+template void restore_state(const CheckpointReader&, SimulationIn<2>&);
+template void restore_state(const CheckpointReader&, SimulationIn<3>&);
 template Particles<2> particles_from_results(const Case&, const Scheme&, const ResultsReader&,
                                              const std::string&);
 template Particles<3> particles_from_results(const Case&, const Scheme&, const ResultsReader&,
