@@ -10,6 +10,7 @@
 #include "analysis/figure_tools.hpp"
 #include "base/error.hpp"
 #include "hydraulics/channel_laws.hpp"
+#include "record/flow_fields.hpp"
 #include "statistics/confidence.hpp"
 
 namespace riffle {
@@ -56,12 +57,13 @@ void add_friction_figure(const Case& c, Origin origin, const Analysis& analysis,
 void add_channel_numbers(const FlowRecord& record, Analysis& analysis) {
     const Case& c = *record.flow();
     // Between side walls the centreline is what was measured, and what is nearest to a wide channel.
-    const std::vector<double> centreline = c.has_side_walls() && record.origin() == Origin::simulated
-                                               ? within_window(record, "centreline_velocity")
-                                               : std::vector<double>{};
+    const std::vector<double> centreline =
+        c.has_side_walls() && record.origin() == Origin::simulated
+            ? within_window(record, fields::time_series.centreline_velocity)
+            : std::vector<double>{};
     const bool at_centreline = centreline.size() > 1;
     const std::vector<double> samples =
-        at_centreline ? centreline : within_window(record, "depth_mean_velocity");
+        at_centreline ? centreline : within_window(record, fields::time_series.depth_mean_velocity);
     const MeanEstimate mean = samples.size() > 1 ? mean_with_confidence(samples) : MeanEstimate{};
     const double velocity = at_centreline ? mean.mean : bulk_velocity(record);
     if (velocity <= 0.0) return;

@@ -11,6 +11,7 @@
 #include "analysis/figure_tools.hpp"
 #include "analysis/surface_parts.hpp"
 #include "base/not_a_number.hpp"
+#include "record/flow_fields.hpp"
 
 namespace riffle {
 
@@ -167,13 +168,10 @@ void add_front_speed(const Case& c, const std::vector<double>& time, const std::
 void add_fronts(const FlowRecord& record, Analysis& analysis) {
     const Case& c = *record.flow();
     const SeriesTable& series = record.series();
-    const auto time = series.find("time");
-    const auto lower = series.find("first_particle");
-    const auto upper = series.find("last_particle");
-    if (c.channel.ends != Ends::walls || time == series.end() || lower == series.end() ||
-        upper == series.end() || time->second.size() < 2) {
-        return;
-    }
+    const std::vector<double>& time = series[fields::time_series.time];
+    const std::vector<double>& lower = series[fields::time_series.first_particle];
+    const std::vector<double>& upper = series[fields::time_series.last_particle];
+    if (c.channel.ends != Ends::walls || lower.empty() || upper.empty() || time.size() < 2) return;
     const auto moves = [&](const std::vector<double>& ends) {
         const auto [low, high] = std::minmax_element(ends.begin(), ends.end());
         return *high - *low > 3.0 * c.numerics.spacing;
@@ -184,10 +182,10 @@ void add_fronts(const FlowRecord& record, Analysis& analysis) {
     const auto add = [&](const char* name, const std::vector<double>& ends, int variant) {
         if (!moves(ends)) return;
         figure.curves.push_back(
-            make_curve(name, Origin::simulated, Mark::line, thinned(time->second), thinned(ends), variant));
+            make_curve(name, Origin::simulated, Mark::line, thinned(time), thinned(ends), variant));
     };
-    add("last particle", upper->second, 0);
-    add("first particle", lower->second, 1);
+    add("last particle", upper, 0);
+    add("first particle", lower, 1);
     if (figure.curves.empty()) return;
     const std::optional<DamBreak> dam = dam_break_of(c);
     if (const auto valid = ritter_time(c, dam)) {
@@ -195,7 +193,7 @@ void add_fronts(const FlowRecord& record, Analysis& analysis) {
         figure.curves.push_back(make_curve("Ritter: 2 sqrt(g h0) t", Origin::theory, Mark::line,
                                            {valid->from, valid->to},
                                            {dam->dam, dam->dam + (dam->forward ? run : -run)}));
-        add_front_speed(c, time->second, dam->forward ? upper->second : lower->second, analysis);
+        add_front_speed(c, time, dam->forward ? upper : lower, analysis);
     }
     analysis.figures.push_back(std::move(figure));
 }

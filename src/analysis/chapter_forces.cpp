@@ -6,6 +6,8 @@
 
 #include "analysis/chapters.hpp"
 #include "analysis/figure_tools.hpp"
+#include "record/flow_fields.hpp"
+#include "record/twin_fields.hpp"
 #include "roughness/side_wall_partition.hpp"
 #include "statistics/confidence.hpp"
 
@@ -15,7 +17,7 @@ namespace {
 
 /// A share of the weight component: its series, its name, its share in the column twin.
 struct Share {
-    const char* series;
+    Field series;
     const char* key;
     const char* label;
     std::optional<double> column;
@@ -130,8 +132,8 @@ void analyse_forces(const FlowRecord& record, Analysis& analysis) {
     if (is_undriven(flow_kind(c))) return;
     add_solid_shares(record, analysis);
     const SeriesTable& series = record.series();
-    const auto time = series.find("time");
-    if (time == series.end() || time->second.empty() || c.channel.slope <= 0.0) {
+    const std::vector<double>& time = series[fields::time_series.time];
+    if (time.empty() || c.channel.slope <= 0.0) {
         add_missing(record, analysis, std::move(figure),
                     c.channel.slope <= 0.0 ? "the channel has no slope, so no weight acts along it"
                                            : "the results file holds no time series");
@@ -142,7 +144,7 @@ void analyse_forces(const FlowRecord& record, Analysis& analysis) {
     const SectionTwin& twin = record.section_twin();
     const char* const twin_name = c.has_side_walls() ? "section twin" : "column twin";
     if (c.has_side_walls()) {
-        drag_share = twin.value("drag_share");
+        drag_share = twin.value(fields::section_numbers.drag_share);
     } else if (record.column() != nullptr) {
         drag_share = record.column()->drag_share;
         wall_share = record.column()->wall_share;
@@ -152,22 +154,21 @@ void analyse_forces(const FlowRecord& record, Analysis& analysis) {
         c.fluid.density * c.streamwise_gravity() * c.total_depth();  // per plan area, the whole depth
     std::vector<double> sum_of_forces;
     bool complete = true;
+    const auto& of = fields::time_series;
     std::vector<Share> shares = {
-        {"drag_over_gravity", "bed_drag_share", "bed drag over the weight component", drag_share, 0},
-        {"wall_over_gravity", "wall_force_share", "wall force over the weight component", wall_share, 1},
-        {"acceleration_over_gravity", "acceleration_share",
+        {of.drag_over_gravity, "bed_drag_share", "bed drag over the weight component", drag_share, 0},
+        {of.wall_over_gravity, "wall_force_share", "wall force over the weight component", wall_share, 1},
+        {of.acceleration_over_gravity, "acceleration_share",
          "rate of change of the momentum over the weight component", 0.0, 2}};
     if (c.has_side_walls()) {
-        shares.push_back({"side_wall_over_gravity", "side_wall_share",
-                          "drag of the side walls over the weight component", twin.value("side_wall_share"),
-                          3});
+        shares.push_back({of.side_wall_over_gravity, "side_wall_share",
+                          "drag of the side walls over the weight component",
+                          twin.value(fields::section_numbers.side_wall_share), 3});
     }
     for (const Share& share : shares) {
-        const auto values = series.find(share.series);
-        if (values == series.end()) continue;
-        figure.curves.push_back(make_curve(share.label, Origin::simulated, Mark::line,
-                                           thinned(time->second, most), thinned(values->second, most),
-                                           share.variant));
+        if (!series.has(share.series)) continue;
+        figure.curves.push_back(make_curve(share.label, Origin::simulated, Mark::line, thinned(time, most),
+                                           thinned(series[share.series], most), share.variant));
         const std::vector<double> window = within_window(record, share.series);
         if (window.size() < 2) continue;
         const MeanEstimate mean = mean_with_confidence(window);
@@ -204,8 +205,8 @@ void analyse_forces(const FlowRecord& record, Analysis& analysis) {
         add_missing(record, analysis, std::move(figure), "the time series hold no forces");
         return;
     }
-    figure.curves.push_back(make_curve("balance", Origin::theory, Mark::line,
-                                       {time->second.front(), time->second.back()}, {1.0, 1.0}));
+    figure.curves.push_back(
+        make_curve("balance", Origin::theory, Mark::line, {time.front(), time.back()}, {1.0, 1.0}));
     mark_window(record, figure);
     analysis.figures.push_back(std::move(figure));
     if (sum_of_forces.size() < 2) return;

@@ -10,6 +10,7 @@
 #include "analysis/figure_tools.hpp"
 #include "analysis/section_parts.hpp"
 #include "hydraulics/turbulence_laws.hpp"
+#include "record/twin_fields.hpp"
 
 namespace riffle {
 
@@ -146,7 +147,7 @@ void add_findings(const FlowRecord& record, Analysis& analysis) {
     finding.remark =
         fmt::format("mean over {:.3g} mm around the centreline", 1000.0 * (strip.to - strip.from));
     analysis.findings.push_back(std::move(finding));
-    if (const auto beside = twin.value("centreline_velocity")) {
+    if (const auto beside = twin.value(fields::section_numbers.centreline_velocity)) {
         analysis.findings.push_back(against(make_finding(chapters::section, "centreline_velocity_over_twin",
                                                          "the same over that of the section twin", "1",
                                                          centre.value / *beside, centre.half_width / *beside),

@@ -8,6 +8,8 @@
 
 #include "analysis/chapters.hpp"
 #include "analysis/figure_tools.hpp"
+#include "record/flow_fields.hpp"
+#include "record/twin_fields.hpp"
 #include "statistics/autocorrelation.hpp"
 #include "statistics/confidence.hpp"
 #include "statistics/settling.hpp"
@@ -23,27 +25,27 @@ void add_history(const FlowRecord& record, Analysis& analysis) {
                     "Depth-mean velocity above the datum over the whole run.", "thesis Figs 4.4-4.5, 5.10",
                     make_axis("time t", "s"), make_axis("depth-mean velocity U", "m/s"));
     const SeriesTable& series = record.series();
-    const auto time = series.find("time");
-    const auto velocity = series.find("depth_mean_velocity");
-    if (time == series.end() || velocity == series.end() || time->second.size() < 2) {
+    const std::vector<double>& time = series[fields::time_series.time];
+    const std::vector<double>& velocity = series[fields::time_series.depth_mean_velocity];
+    if (velocity.empty() || time.size() < 2) {
         add_missing(record, analysis, std::move(figure), "the results file holds no time series yet");
         return;
     }
-    figure.curves.push_back(make_curve("simulated", Origin::simulated, Mark::line, thinned(time->second),
-                                       thinned(velocity->second)));
-    const std::vector<double> ends = {time->second.front(), time->second.back()};
+    figure.curves.push_back(
+        make_curve("simulated", Origin::simulated, Mark::line, thinned(time), thinned(velocity)));
+    const std::vector<double> ends = {time.front(), time.back()};
     const auto level = [&](const char* name, Origin origin, double value) {
         figure.curves.push_back(make_curve(name, origin, Mark::line, ends, {value, value}));
     };
     const bool between_walls = record.flow()->has_side_walls();
     if (record.column() != nullptr && !between_walls)
         level("column twin", Origin::column, record.column()->depth_mean_velocity);
-    if (const auto twin = record.section_twin().value("depth_mean_velocity"))
+    if (const auto twin = record.section_twin().value(fields::section_numbers.depth_mean_velocity))
         level("section twin", Origin::column, *twin);
-    const auto centreline = series.find("centreline_velocity");
-    if (between_walls && centreline != series.end()) {
-        Curve curve = make_curve("around the centreline", Origin::simulated, Mark::line,
-                                 thinned(time->second), thinned(centreline->second));
+    const std::vector<double>& centreline = series[fields::time_series.centreline_velocity];
+    if (between_walls && !centreline.empty()) {
+        Curve curve = make_curve("around the centreline", Origin::simulated, Mark::line, thinned(time),
+                                 thinned(centreline));
         curve.variant = 1;
         figure.curves.push_back(std::move(curve));
         figure.caption +=
@@ -58,17 +60,16 @@ void add_history(const FlowRecord& record, Analysis& analysis) {
 
 void add_level_history(const FlowRecord& record, Analysis& analysis) {
     const SeriesTable& series = record.series();
-    const auto time = series.find("time");
-    const auto level = series.find("mean_level");
-    if (time == series.end() || level == series.end() || time->second.size() < 2 ||
-        record.flow()->channel.top != Top::free_surface) {
+    const std::vector<double>& time = series[fields::time_series.time];
+    const std::vector<double>& level = series[fields::time_series.mean_level];
+    if (level.empty() || time.size() < 2 || record.flow()->channel.top != Top::free_surface) {
         return;
     }
     Figure figure = make_figure(chapters::statistics, "mean_level_history", "Mean water level against time",
                                 "Mean height of the surface above the bed level over the whole run.", "",
                                 make_axis("time t", "s"), make_axis("mean level", "m"));
-    figure.curves.push_back(make_curve("simulated", Origin::simulated, Mark::line, thinned(time->second),
-                                       thinned(level->second)));
+    figure.curves.push_back(
+        make_curve("simulated", Origin::simulated, Mark::line, thinned(time), thinned(level)));
     mark_window(record, figure);
     analysis.figures.push_back(std::move(figure));
 }
@@ -184,7 +185,7 @@ std::optional<double> over(const std::optional<double>& half_width, double scale
 /// The velocity around the centreline of a channel between side walls, where it was measured.
 void add_centreline(const FlowRecord& record, const std::string& remark, Analysis& analysis) {
     const Case& c = *record.flow();
-    const std::vector<double> velocity = within_window(record, "centreline_velocity");
+    const std::vector<double> velocity = within_window(record, fields::time_series.centreline_velocity);
     if (velocity.size() < 2) return;
     const MeanEstimate mean = mean_with_confidence(velocity);
     const std::optional<double> half_width = trusted_half_width(mean);
@@ -192,7 +193,7 @@ void add_centreline(const FlowRecord& record, const std::string& remark, Analysi
         against(make_finding(chapters::statistics, "centreline_velocity",
                              "depth-mean velocity around the centreline", "m/s", mean.mean, half_width),
                 c.measured.depth_mean_velocity, measured_name(c), remark));
-    if (const auto twin = record.section_twin().value("centreline_velocity")) {
+    if (const auto twin = record.section_twin().value(fields::section_numbers.centreline_velocity)) {
         analysis.findings.push_back(
             against(make_finding(chapters::statistics, "centreline_velocity_over_section",
                                  "the same over that of the section twin", "1", mean.mean / *twin,
@@ -214,7 +215,7 @@ void add_window_findings(const FlowRecord& record, const MeanEstimate& mean,
                                                  "largest less smallest U in the window, over its mean", "1",
                                                  (*high - *low) / std::abs(mean.mean)));
     }
-    std::vector<double> fluctuation = within_window(record, "velocity_fluctuation");
+    std::vector<double> fluctuation = within_window(record, fields::time_series.velocity_fluctuation);
     if (fluctuation.size() < 3 ||
         std::any_of(fluctuation.begin(), fluctuation.end(), [](double value) { return !(value > 0.0); }))
         return;  // particles that move exactly as one have none that could grow
@@ -232,8 +233,8 @@ void add_window_findings(const FlowRecord& record, const MeanEstimate& mean,
 
 void add_means(const FlowRecord& record, Analysis& analysis) {
     const Case& c = *record.flow();
-    const std::vector<double> velocity = within_window(record, "depth_mean_velocity");
-    const std::vector<double> time = within_window(record, "time");
+    const std::vector<double> velocity = within_window(record, fields::time_series.depth_mean_velocity);
+    const std::vector<double> time = within_window(record, fields::time_series.time);
     if (velocity.size() < 2 || time.size() < 2) {
         analysis.warnings.push_back(
             fmt::format("the window {:.4g} s to {:.4g} s holds {} samples of the time series: too few for "
@@ -250,9 +251,9 @@ void add_means(const FlowRecord& record, Analysis& analysis) {
         make_finding(chapters::statistics, "depth_mean_velocity", "depth-mean velocity above the datum, U",
                      "m/s", mean.mean, trusted_half_width(mean));
     if (between_walls) {
-        analysis.findings.push_back(against(std::move(depth_mean),
-                                            record.section_twin().value("depth_mean_velocity"),
-                                            "section twin", "over the whole width"));
+        analysis.findings.push_back(against(
+            std::move(depth_mean), record.section_twin().value(fields::section_numbers.depth_mean_velocity),
+            "section twin", "over the whole width"));
         add_centreline(record, remark, analysis);
     } else {
         analysis.findings.push_back(
@@ -283,13 +284,14 @@ void add_means(const FlowRecord& record, Analysis& analysis) {
     add_settling(record, record_of_velocity, analysis);
     add_autocorrelation(record, record_of_velocity, analysis);
     add_stationarity(record_of_velocity, c.run.tolerance, analysis);
-    for (const auto& [name, key, label, unit] :
-         {std::tuple{"total_mean_velocity", "total_mean_velocity", "mass-mean velocity of all water", "m/s"},
-          std::tuple{"velocity_fluctuation", "velocity_fluctuation",
+    const auto& of = fields::time_series;
+    for (const auto& [field, key, label, unit] :
+         {std::tuple{of.total_mean_velocity, "total_mean_velocity", "mass-mean velocity of all water", "m/s"},
+          std::tuple{of.velocity_fluctuation, "velocity_fluctuation",
                      "rms departure of the particle velocities from their layer means", "m/s"},
-          std::tuple{"secondary_velocity", "secondary_velocity",
+          std::tuple{of.secondary_velocity, "secondary_velocity",
                      "rms of sqrt(v^2 + w^2) over the particles at each instant", "m/s"}}) {
-        const std::vector<double> values = within_window(record, name);
+        const std::vector<double> values = within_window(record, field);
         if (values.size() < 2) continue;
         const MeanEstimate estimate = mean_with_confidence(values);
         analysis.findings.push_back(make_finding(chapters::statistics, key, label, unit, estimate.mean,

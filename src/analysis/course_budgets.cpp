@@ -9,14 +9,15 @@
 #include "analysis/course_parts.hpp"
 #include "analysis/figure_tools.hpp"
 #include "case/flow_kind.hpp"
+#include "record/flow_fields.hpp"
 
 namespace riffle {
 
 namespace {
 
-const std::vector<double>* column_of(const FlowRecord& record, const char* name) {
-    const auto found = record.series().find(name);
-    return found == record.series().end() || found->second.size() < 2 ? nullptr : &found->second;
+const std::vector<double>* column_of(const FlowRecord& record, const Field& field) {
+    const std::vector<double>& values = record.series()[field];
+    return values.size() < 2 ? nullptr : &values;
 }
 
 double largest(const std::vector<double>& values) { return *std::max_element(values.begin(), values.end()); }
@@ -74,8 +75,8 @@ void add_energies(const FlowRecord& record, Analysis& analysis) {
     Figure figure = make_figure(chapters::course, "energy_history", "Energy of the water in time",
                                 "Kinetic energy", "", make_axis("time t", "s"),
                                 space ? make_axis("energy", "J") : make_axis("energy per unit width", "J/m"));
-    const auto* const time = column_of(record, "time");
-    const auto* const kinetic = column_of(record, "kinetic_energy");
+    const auto* const time = column_of(record, fields::time_series.time);
+    const auto* const kinetic = column_of(record, fields::time_series.kinetic_energy);
     if (time == nullptr || kinetic == nullptr) {
         add_missing(record, analysis, std::move(figure), "the results file holds no time series yet");
         return;
@@ -88,8 +89,8 @@ void add_energies(const FlowRecord& record, Analysis& analysis) {
     const double most = largest(*kinetic);
     analysis.findings.push_back(make_finding(chapters::course, "kinetic_energy_largest",
                                              "largest kinetic energy", figure.y.unit, most));
-    const auto* const potential = column_of(record, "potential_energy");
-    const auto* const elastic = column_of(record, "elastic_energy");
+    const auto* const potential = column_of(record, fields::time_series.potential_energy);
+    const auto* const elastic = column_of(record, fields::time_series.elastic_energy);
     const bool whole = potential != nullptr && elastic != nullptr && c.normal_gravity() > 0.0 &&
                        c.channel.top == Top::free_surface;
     if (whole) {
@@ -126,8 +127,8 @@ void add_volumes(const FlowRecord& record, const SpaceTime& surface, Analysis& a
         chapters::course, "volume_history", "Volume of the water in time",
         "Relative change since the start of the water's volume, mass over density of its particles.", "",
         make_axis("time t", "s"), make_axis("relative change of the volume", "1"));
-    const auto* const time = column_of(record, "time");
-    const auto* const volume = column_of(record, "water_volume");
+    const auto* const time = column_of(record, fields::time_series.time);
+    const auto* const volume = column_of(record, fields::time_series.water_volume);
     if (time == nullptr || volume == nullptr) {
         add_missing(record, analysis, std::move(figure),
                     "the time series of this file hold no volume of the water");

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/interpolation.hpp"
+#include "record/flow_fields.hpp"
 #include "statistics/confidence.hpp"
 
 namespace riffle {
@@ -84,9 +85,9 @@ std::optional<double> trusted_half_width(const MeanEstimate& mean) {
 
 void mark_window(const FlowRecord& record, Figure& figure) {
     const TimeWindow window = record.window();
-    const auto time = record.series().find("time");
-    if (time == record.series().end() || time->second.empty()) return;
-    const double length = time->second.back() - time->second.front();
+    const std::vector<double>& time = record.series()[fields::time_series.time];
+    if (time.empty()) return;
+    const double length = time.back() - time.front();
     if (window.length() > 0.0 && window.length() < 0.99 * length)
         figure.guides.push_back({"averaging window", true, window.from, window.to});
 }
@@ -98,7 +99,7 @@ void mark_levels(const FlowRecord& record, Figure& figure) {
         figure.guides.push_back({"datum", false, c->datum(), c->datum()});
         figure.guides.push_back({"crests", false, c->crest(), c->crest()});
     }
-    const std::vector<double> levels = within_window(record, "mean_level");
+    const std::vector<double> levels = within_window(record, fields::time_series.mean_level);
     const double mean = levels.size() > 1 ? mean_with_confidence(levels).mean : 0.0;
     const double height = mean > 0.0 ? mean : c->total_depth();
     figure.guides.push_back({mean > 0.0 ? "mean level" : "depth", false, height, height});

@@ -8,6 +8,7 @@
 
 #include "hydraulics/channel_laws.hpp"
 #include "hydraulics/log_law.hpp"
+#include "record/flow_fields.hpp"
 #include "solver/summary.hpp"
 
 namespace riffle {
@@ -94,23 +95,19 @@ std::vector<double> VelocityProbe::point(const std::vector<double>& values, std:
     return record;
 }
 
-std::vector<double> within_window(const FlowRecord& record, const std::string& name) {
-    const SeriesTable& series = record.series();
-    const auto values = series.find(name);
-    const auto time = series.find("time");
-    if (values == series.end() || time == series.end()) return {};
+std::vector<double> within_window(const FlowRecord& record, const Field& field) {
+    const std::vector<double>& values = record.series()[field];
+    const std::vector<double>& time = record.series()[fields::time_series.time];
     const TimeWindow window = record.window();
     std::vector<double> result;
-    for (std::size_t i = 0; i < time->second.size(); ++i) {
-        if (window.holds(time->second[i]) && std::isfinite(values->second[i])) {
-            result.push_back(values->second[i]);
-        }
+    for (std::size_t i = 0; i < std::min(time.size(), values.size()); ++i) {
+        if (window.holds(time[i]) && std::isfinite(values[i])) result.push_back(values[i]);
     }
     return result;
 }
 
 double bulk_velocity(const FlowRecord& record) {
-    const std::vector<double> velocity = within_window(record, "depth_mean_velocity");
+    const std::vector<double> velocity = within_window(record, fields::time_series.depth_mean_velocity);
     if (!velocity.empty()) {
         return std::accumulate(velocity.begin(), velocity.end(), 0.0) / static_cast<double>(velocity.size());
     }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,7 +13,9 @@
 #include "column/section_measurements.hpp"
 #include "column/velocity_measurements.hpp"
 #include "laboratory/profile_record.hpp"
-#include "solver/profile_blocks.hpp"
+#include "record/numbers.hpp"
+#include "record/profiles.hpp"
+#include "record/series_table.hpp"
 
 namespace riffle {
 
@@ -26,9 +27,6 @@ struct TimeWindow {
     [[nodiscard]] bool holds(double time) const { return time >= from - 1e-9 && time <= to + 1e-9; }
     [[nodiscard]] double length() const { return to - from; }
 };
-
-/// Named records of equal length, SI; `time` is one of them.
-using SeriesTable = std::map<std::string, std::vector<double>>;
 
 /// Surface elevation against time at one place, m. The level it is counted from does not matter.
 struct ElevationProbe {
@@ -91,16 +89,14 @@ struct SurfaceMaps {
 };
 
 /// The section twin of a three-dimensional run between side walls: values[iz * y.size() + iy] over the
-/// simulated width, and its summary by name (docs/results-format.md).
+/// simulated width, and its numbers.
 struct SectionTwin {
-    std::vector<double> y, z, velocity, shear_stress, lateral_shear_stress;
-    std::map<std::string, double> values;
+    std::vector<double> y, z, velocity, shear_stress;
+    Numbers numbers;
 
     [[nodiscard]] bool empty() const { return velocity.empty(); }
-    [[nodiscard]] std::optional<double> value(const std::string& name) const {
-        const auto found = values.find(name);
-        return found == values.end() ? std::nullopt : std::optional<double>(found->second);
-    }
+    /// A number of `fields::section_numbers`.
+    [[nodiscard]] std::optional<double> value(const Field& field) const { return numbers.find(field); }
 };
 
 /// What the chapters of an analysis are made from: a run's results file or records of a laboratory. Each part
@@ -166,7 +162,7 @@ class FlowRecord {
 };
 
 /// The part of a series within the window; empty if there is no such series.
-[[nodiscard]] std::vector<double> within_window(const FlowRecord& record, const std::string& name);
+[[nodiscard]] std::vector<double> within_window(const FlowRecord& record, const Field& field);
 
 /// Velocity that the flow is scaled with, m/s: the simulated depth-mean velocity over the window; of a
 /// laboratory profile its own depth mean above the datum (profile_depth_mean), of other laboratory records

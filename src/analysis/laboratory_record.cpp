@@ -13,6 +13,7 @@
 #include "laboratory/probe_record.hpp"
 #include "laboratory/record_repair.hpp"
 #include "laboratory/velocity_series.hpp"
+#include "record/twin_fields.hpp"
 
 namespace riffle {
 
@@ -27,8 +28,7 @@ SectionTwin section_twin_of(const Case& c) {
     twin.z = section.z;
     twin.velocity = section.velocity;
     twin.shear_stress = section.shear_stress;
-    twin.lateral_shear_stress = section.lateral_shear_stress;
-    twin.values["centreline_velocity"] = section.centreline_velocity;
+    twin.numbers.set(fields::section_numbers.centreline_velocity, section.centreline_velocity);
     return twin;
 }
 

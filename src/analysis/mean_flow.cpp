@@ -1,9 +1,11 @@
 #include "analysis/mean_flow.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "base/not_a_number.hpp"
+#include "record/flow_fields.hpp"
 #include "statistics/jackknife.hpp"
 
 namespace riffle {
@@ -12,23 +14,11 @@ namespace {
 
 constexpr std::size_t index(FieldQuantity q) { return static_cast<std::size_t>(q); }
 
-constexpr std::array<const char*, field_quantities> names = {"count",
-                                                             "velocity",
-                                                             "spanwise_velocity",
-                                                             "vertical_velocity",
-                                                             "velocity_variance",
-                                                             "spanwise_velocity_variance",
-                                                             "vertical_velocity_variance",
-                                                             "velocity_covariance",
-                                                             "velocity_spanwise_covariance",
-                                                             "spanwise_vertical_covariance",
-                                                             "shear_stress",
-                                                             "lateral_shear_stress",
-                                                             "pressure",
-                                                             "eddy_viscosity",
-                                                             "drag",
-                                                             "spanwise_drag",
-                                                             "side_wall_drag"};
+/// The fields of the quantities, in the order of these.
+const auto& all_fields() {
+    static const std::array<Field, field_quantities> all = fields_of(fields::mean_field);
+    return all;
+}
 
 /// The two velocities of a second moment; others give themselves back twice.
 struct Factors {
@@ -52,14 +42,15 @@ constexpr Factors factors_of(FieldQuantity moment) {
             return {moment, moment};
     }
 }
-constexpr bool is_moment(std::size_t q) {
-    return q >= index(FieldQuantity::velocity_variance) &&
-           q <= index(FieldQuantity::spanwise_vertical_covariance);
-}
+const std::array<Averaging, field_quantities> averaging = [] {
+    std::array<Averaging, field_quantities> of{};
+    std::transform(all_fields().begin(), all_fields().end(), of.begin(),
+                   [](const Field& field) { return field.averaging; });
+    return of;
+}();
+bool is_moment(std::size_t q) { return averaging[q] == Averaging::moments; }
 /// Forces and the count are per cell and sample, the others per particle and sample.
-constexpr bool is_per_cell(std::size_t q) {
-    return q == index(FieldQuantity::count) || q >= index(FieldQuantity::drag);
-}
+bool is_per_cell(std::size_t q) { return averaging[q] == Averaging::by_samples; }
 
 FieldSums sum_of(const std::vector<FieldSums>& parts) {
     FieldSums total = parts.front();
@@ -69,7 +60,7 @@ FieldSums sum_of(const std::vector<FieldSums>& parts) {
 
 }  // namespace
 
-const char* field_quantity_name(FieldQuantity quantity) { return names[index(quantity)]; }
+const Field& field_of(FieldQuantity quantity) { return all_fields()[index(quantity)]; }
 
 void FieldSums::add_window(std::size_t cell, const FieldValues& values, double samples) {
     double* const sums = &sums_[cell * width];

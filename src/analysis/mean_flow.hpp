@@ -5,11 +5,12 @@
 #include <functional>
 #include <vector>
 
+#include "record/field.hpp"
 #include "statistics/moments.hpp"
 
 namespace riffle {
 
-/// Quantities of `/mean_field` of a three-dimensional run, in the order of the sums.
+/// Quantities of `/mean_field` of a three-dimensional run, in the order of `fields::mean_field`.
 enum class FieldQuantity : std::size_t {
     count,
     velocity,
@@ -33,8 +34,8 @@ enum class FieldQuantity : std::size_t {
 inline constexpr std::size_t field_quantities = static_cast<std::size_t>(FieldQuantity::quantities);
 using FieldValues = std::array<double, field_quantities>;
 
-/// Name of the dataset of a quantity.
-[[nodiscard]] const char* field_quantity_name(FieldQuantity quantity);
+/// The field of a quantity.
+[[nodiscard]] const Field& field_of(FieldQuantity quantity);
 
 /// Sums of a number of cells from which their means follow. Sums of the same cell in other windows, and of
 /// other cells, can be added: what then follows is the mean over all the particles and samples of both, and

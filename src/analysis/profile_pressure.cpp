@@ -8,6 +8,7 @@
 
 #include "analysis/figure_tools.hpp"
 #include "analysis/profile_parts.hpp"
+#include "record/flow_fields.hpp"
 
 namespace riffle {
 
@@ -15,19 +16,14 @@ namespace {
 
 /// Mean level of the surface over the window of the profiles; the depth where none was recorded.
 double mean_level_of(const FlowRecord& record, const Profiles& p) {
-    const auto time = record.series().find("time");
-    const auto level = record.series().find("mean_level");
+    const std::vector<double>& time = record.series()[fields::time_series.time];
+    const std::vector<double>& level = record.series()[fields::time_series.mean_level];
     double sum = 0.0;
     double count = 0.0;
-    if (time != record.series().end() && level != record.series().end()) {
-        for (std::size_t i = 0; i < time->second.size(); ++i) {
-            if (time->second[i] < p.window_start || time->second[i] > p.window_end ||
-                !std::isfinite(level->second[i])) {
-                continue;
-            }
-            sum += level->second[i];
-            count += 1.0;
-        }
+    for (std::size_t i = 0; i < std::min(time.size(), level.size()); ++i) {
+        if (time[i] < p.window_start || time[i] > p.window_end || !std::isfinite(level[i])) continue;
+        sum += level[i];
+        count += 1.0;
     }
     return count > 0.0 ? sum / count : record.flow()->total_depth();
 }

@@ -4,21 +4,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <variant>
 
 #include "base/error.hpp"
 #include "base/not_a_number.hpp"
+#include "record/flow_fields.hpp"
+#include "record/twin_fields.hpp"
 
 namespace riffle {
 
 namespace {
 
-[[noreturn]] void fail(const std::string& path, const std::string& other) {
-    throw FileError(
-        fmt::format("{} of the results file does not fit {}; the file is damaged, or not as this "
-                    "Riffle writes it",
-                    path, other));
+[[noreturn]] void fail(const Field& field, const std::string& other) {
+    throw FileError(fmt::format(
+        "{} of the results file does not fit {}; the file is damaged, or not as this Riffle writes it",
+        field.path(), other));
 }
 
 /// Windows of the mean field that lie within the averaging window.
@@ -50,14 +49,13 @@ FieldBlock block_of(const FieldSums& sums) {
 }
 
 /// Sums of one window, cell by cell.
-FieldSums read_window(const ResultsReader& reader, std::size_t row, std::size_t cells, double samples) {
+FieldSums read_window(const RunResults& results, std::size_t row, std::size_t cells, double samples) {
     std::array<std::vector<double>, field_quantities> values;
     for (std::size_t q = 0; q < field_quantities; ++q) {
-        const std::string path =
-            std::string("/mean_field/") + field_quantity_name(static_cast<FieldQuantity>(q));
-        if (!reader.has(path)) continue;
-        values[q] = reader.read_rows(path, row, 1);
-        if (values[q].size() != cells) fail(path, "/mean_field/x, y and z");
+        const Field& field = field_of(static_cast<FieldQuantity>(q));
+        if (!results.has(field)) continue;
+        values[q] = results.rows(field, row, 1);
+        if (values[q].size() != cells) fail(field, "/mean_field/x, y and z");
     }
     FieldSums sums(cells);
     for (std::size_t cell = 0; cell < cells; ++cell) {
@@ -71,21 +69,21 @@ FieldSums read_window(const ResultsReader& reader, std::size_t row, std::size_t 
 
 }  // namespace
 
-MeanFlow read_mean_field(const ResultsReader& reader, const Case& c, const TimeWindow& window,
+MeanFlow read_mean_field(const RunResults& results, const Case& c, const TimeWindow& window,
                          std::vector<std::string>& warnings) {
     MeanFlow field;
-    if (!reader.has("/mean_field/time") || !reader.has("/mean_field/count")) return field;
-    const std::vector<double> time = reader.read_doubles("/mean_field/time");
-    const std::vector<double> samples = reader.read_doubles("/mean_field/samples");
-    field.x = reader.read_doubles("/mean_field/x");
-    field.y = reader.read_doubles("/mean_field/y");
-    field.z = reader.read_doubles("/mean_field/z");
+    const auto& axes = fields::mean_field_axes;
+    const Field& count = fields::mean_field.count;
+    if (!results.has(axes.time) || !results.has(count)) return field;
+    const std::vector<double> time = results.values(axes.time);
+    const std::vector<double> samples = results.values(axes.samples);
+    field.x = results.values(axes.x);
+    field.y = results.values(axes.y);
+    field.z = results.values(axes.z);
     const std::size_t cells = field.x.size() * field.y.size() * field.z.size();
-    const std::vector<std::size_t> shape = reader.shape("/mean_field/count");
-    if (shape.size() != 4 || shape[1] * shape[2] * shape[3] != cells) {
-        fail("/mean_field/count", "/mean_field/x, y and z");
-    }
-    if (shape[0] < time.size() || samples.size() < time.size()) fail("/mean_field/count", "/mean_field/time");
+    const std::vector<std::size_t> shape = results.shape(count);
+    if (shape.size() != 4 || shape[1] * shape[2] * shape[3] != cells) fail(count, "/mean_field/x, y and z");
+    if (shape[0] < time.size() || samples.size() < time.size()) fail(count, "/mean_field/time");
     if (time.empty() || cells == 0) return field;
     field.interval = c.output.mean_field_interval;
     const std::vector<std::size_t> rows = windows_within(time, field.interval, window);
@@ -102,7 +100,7 @@ MeanFlow read_mean_field(const ResultsReader& reader, const Case& c, const TimeW
     FieldSums block(cells);
     FieldSums block_section(section_cells);
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        const FieldSums sums = read_window(reader, rows[i], cells, samples[rows[i]]);
+        const FieldSums sums = read_window(results, rows[i], cells, samples[rows[i]]);
         FieldSums section(section_cells);
         for (std::size_t cell = 0; cell < cells; ++cell) section.add(cell / field.x.size(), sums, cell);
         field.box.add(sums);
@@ -129,18 +127,17 @@ MeanFlow read_mean_field(const ResultsReader& reader, const Case& c, const TimeW
     return field;
 }
 
-SurfaceMaps read_surface_maps(const ResultsReader& reader, const TimeWindow& window, std::size_t most_values,
+SurfaceMaps read_surface_maps(const RunResults& results, const TimeWindow& window, std::size_t most_values,
                               std::vector<std::string>& warnings) {
     SurfaceMaps maps;
-    if (!reader.has("/surface_map/elevation") || !reader.has("/surface_map/time")) return maps;
-    const std::vector<double> time = reader.read_doubles("/surface_map/time");
-    maps.x = reader.read_doubles("/surface_map/x");
-    maps.y = reader.read_doubles("/surface_map/y");
-    const std::vector<std::size_t> shape = reader.shape("/surface_map/elevation");
+    const auto& of = fields::surface_map;
+    if (!results.has(of.elevation) || !results.has(of.time)) return maps;
+    const std::vector<double> time = results.values(of.time);
+    maps.x = results.values(of.x);
+    maps.y = results.values(of.y);
+    const std::vector<std::size_t> shape = results.shape(of.elevation);
     const std::size_t points = maps.x.size() * maps.y.size();
-    if (shape.size() != 3 || shape[1] * shape[2] != points) {
-        fail("/surface_map/elevation", "/surface_map/x and y");
-    }
+    if (shape.size() != 3 || shape[1] * shape[2] != points) fail(of.elevation, "/surface_map/x and y");
     std::size_t first = 0;
     while (first < time.size() && time[first] < window.from - 1e-9) ++first;
     std::size_t end = first;
@@ -154,35 +151,25 @@ SurfaceMaps read_surface_maps(const ResultsReader& reader, const TimeWindow& win
     if (points == 0 || first == end) return maps;
     maps.time.assign(time.begin() + static_cast<std::ptrdiff_t>(first),
                      time.begin() + static_cast<std::ptrdiff_t>(end));
-    maps.elevation = reader.read_rows("/surface_map/elevation", first, end - first);
+    maps.elevation = results.rows(of.elevation, first, end - first);
     return maps;
 }
 
-SectionTwin read_section_twin(const ResultsReader& reader) {
+SectionTwin read_section_twin(const RunResults& results) {
     SectionTwin twin;
-    if (!reader.has("/section/velocity") || !reader.has("/section/y") || !reader.has("/section/z"))
-        return twin;
-    twin.y = reader.read_doubles("/section/y");
-    twin.z = reader.read_doubles("/section/z");
-    const auto read = [&](const char* name) {
-        const std::string path = std::string("/section/") + name;
-        if (!reader.has(path)) return std::vector<double>();
-        std::vector<double> values = reader.read_doubles(path);
-        if (values.size() != twin.y.size() * twin.z.size()) fail(path, "/section/y and z");
+    const auto& of = fields::section;
+    if (!results.has(of.velocity) || !results.has(of.y) || !results.has(of.z)) return twin;
+    twin.y = results.values(of.y);
+    twin.z = results.values(of.z);
+    const auto read = [&](const Field& field) {
+        std::vector<double> values = results.values(field);
+        if (!values.empty() && values.size() != twin.y.size() * twin.z.size())
+            fail(field, "/section/y and z");
         return values;
     };
-    twin.velocity = read("velocity");
-    twin.shear_stress = read("shear_stress");
-    twin.lateral_shear_stress = read("lateral_shear_stress");
-    for (const char* name :
-         {"bulk_velocity", "depth_mean_velocity", "centreline_velocity", "discharge", "drag_share",
-          "side_wall_share", "bed_stress", "wall_stress", "relaxation_time"}) {
-        const std::optional<AttributeValue> value = reader.attribute("/section", name);
-        if (!value) continue;
-        if (const auto* real = std::get_if<double>(&*value)) twin.values[name] = *real;
-        if (const auto* whole = std::get_if<std::int64_t>(&*value))
-            twin.values[name] = static_cast<double>(*whole);
-    }
+    twin.velocity = read(of.velocity);
+    twin.shear_stress = read(of.shear_stress);
+    twin.numbers = results.numbers(fields::groups::section);
     return twin;
 }
 

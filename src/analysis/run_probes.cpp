@@ -6,10 +6,10 @@
 #include <array>
 #include <cmath>
 #include <utility>
-#include <variant>
 
 #include "base/error.hpp"
 #include "base/not_a_number.hpp"
+#include "record/probe_fields.hpp"
 
 namespace riffle {
 
@@ -18,10 +18,10 @@ namespace {
 /// One instrument: its group, and the rows of it that lie within the window.
 class ProbeGroup {
   public:
-    ProbeGroup(const ResultsReader& reader, std::string name, const TimeWindow& window,
-               std::size_t most_values, std::vector<std::string>& warnings)
-        : reader_(reader), name_(std::move(name)), group_("/probes/" + name_) {
-        const std::vector<double> time = reader.read_doubles(group_ + "/time");
+    ProbeGroup(const RunResults& results, std::string name, const TimeWindow& window, std::size_t most_values,
+               std::vector<std::string>& warnings)
+        : results_(results), name_(std::move(name)), group_(probe_group(name_)) {
+        const std::vector<double> time = values(fields::forces.time);  // as of all kinds
         const auto first = std::lower_bound(time.begin(), time.end(), window.from - 1e-9);
         const auto last = std::upper_bound(time.begin(), time.end(), window.to + 1e-9);
         first_ = static_cast<std::size_t>(first - time.begin());
@@ -39,49 +39,45 @@ class ProbeGroup {
 
     [[nodiscard]] const std::string& name() const { return name_; }
     [[nodiscard]] const std::vector<double>& time() const { return time_; }
-    [[nodiscard]] std::vector<double> axis(const char* which) const {
-        const std::string path = group_ + "/" + which;
-        return reader_.has(path) ? reader_.read_doubles(path) : std::vector<double>{};
+    [[nodiscard]] std::vector<double> values(const Field& field) const {
+        return results_.values({group_, field});
     }
-    [[nodiscard]] bool has(const std::string& what) const { return reader_.has(group_ + "/" + what); }
 
     /// Rows of an array within the window, `points` values each.
-    [[nodiscard]] std::vector<double> rows(const std::string& what, std::size_t points) const {
-        const std::string path = group_ + "/" + what;
-        if (!reader_.has(path)) return {};
-        const std::vector<std::size_t> shape = reader_.shape(path);
-        if (shape.empty() || shape[0] < first_ + rows_) fail(what);
-        std::vector<double> values = reader_.read_rows(path, first_, rows_);
-        if (values.size() != rows_ * points) fail(what);
+    [[nodiscard]] std::vector<double> rows(const FieldPlace& place, std::size_t points) const {
+        if (!results_.has(place)) return {};
+        const std::vector<std::size_t> shape = results_.shape(place);
+        if (shape.empty() || shape[0] < first_ + rows_) fail(place);
+        std::vector<double> values = results_.rows(place, first_, rows_);
+        if (values.size() != rows_ * points) fail(place);
         return values;
     }
-    [[nodiscard]] std::string text(const std::string& what, const char* attribute) const {
-        const auto value = reader_.attribute(group_ + "/" + what, attribute);
-        const auto* words = value ? std::get_if<std::string>(&*value) : nullptr;
-        return words == nullptr ? std::string() : *words;
+    [[nodiscard]] std::vector<double> rows(const Field& field, std::size_t points) const {
+        return rows(FieldPlace(group_, field), points);
     }
-    [[nodiscard]] std::vector<std::string> arrays() const { return reader_.children(group_); }
+    [[nodiscard]] std::vector<std::string> arrays() const { return results_.children(group_); }
+    [[nodiscard]] FieldPlace place(const std::string& array) const { return {group_, array}; }
 
   private:
     /// Values of a row of the widest array.
     [[nodiscard]] std::size_t width() const {
         std::size_t most = 1;
-        for (const std::string& array : reader_.children(group_)) {
-            const std::vector<std::size_t> shape = reader_.shape(group_ + "/" + array);
+        for (const std::string& array : arrays()) {
+            const std::vector<std::size_t> shape = results_.shape(place(array));
             std::size_t values = 1;
             for (std::size_t i = 1; i < shape.size(); ++i) values *= shape[i];
             most = std::max(most, values);
         }
         return most;
     }
-    [[noreturn]] void fail(const std::string& what) const {
+    [[noreturn]] void fail(const FieldPlace& place) const {
         throw FileError(
-            fmt::format("{}/{} of the results file does not fit the times and positions of its "
+            fmt::format("{} of the results file does not fit the times and positions of its "
                         "instrument; the file is damaged, or not as this Riffle writes it",
-                        group_, what));
+                        place.path()));
     }
 
-    const ResultsReader& reader_;
+    const RunResults& results_;
     std::string name_, group_;
     std::size_t first_ = 0;
     std::size_t rows_ = 0;
@@ -89,10 +85,10 @@ class ProbeGroup {
 };
 
 void read_wave(const ProbeGroup& group, RunProbes& probes) {
-    const std::vector<double> x = group.axis("x");
-    const std::vector<double> y = group.axis("y");  // one, or as many as x
+    const std::vector<double> x = group.values(fields::elevations.x);
+    const std::vector<double> y = group.values(fields::elevations.y);  // one, or as many as x
     const bool places_across = y.size() == x.size() && x.size() > 1 && y.front() != y.back();
-    const std::vector<double> elevation = group.rows("elevation", x.size());
+    const std::vector<double> elevation = group.rows(fields::elevations.elevation, x.size());
     for (std::size_t i = 0; i < x.size(); ++i) {
         ElevationProbe probe;
         probe.name =
@@ -108,8 +104,8 @@ void read_wave(const ProbeGroup& group, RunProbes& probes) {
 }
 
 void read_surface_line(const ProbeGroup& group, const Case& c, RunProbes& probes) {
-    const std::vector<double> x = group.axis("x");
-    const std::vector<double> y = group.axis("y");
+    const std::vector<double> x = group.values(fields::elevations.x);
+    const std::vector<double> y = group.values(fields::elevations.y);
     if (c.channel.dimensions == 3 && !y.empty() &&
         std::abs(y.front() - c.channel.centreline()) > c.numerics.spacing) {
         probes.warnings.push_back(
@@ -119,23 +115,24 @@ void read_surface_line(const ProbeGroup& group, const Case& c, RunProbes& probes
         return;
     }
     if (x.size() <= probes.surface_line.columns || group.time().size() < 2) return;
-    probes.surface_line = make_space_time(x, group.time(), group.rows("elevation", x.size()), period_of(c));
+    probes.surface_line =
+        make_space_time(x, group.time(), group.rows(fields::elevations.elevation, x.size()), period_of(c));
 }
 
 void read_velocity(const ProbeGroup& group, RunProbes& probes) {
     VelocityProbe probe;
     probe.name = group.name();
-    probe.x = group.axis("x");
-    probe.z = group.axis("z");
-    probe.y = group.axis("y");
+    probe.x = group.values(fields::velocity_points.x);
+    probe.z = group.values(fields::velocity_points.z);
+    probe.y = group.values(fields::velocity_points.y);
     const std::size_t points = std::max(probe.x.size(), probe.z.size());
     if (probe.x.size() == 1) probe.x.resize(points, probe.x.front());
     if (probe.z.size() == 1) probe.z.resize(points, probe.z.front());
     if (probe.y.size() == 1) probe.y.resize(points, probe.y.front());
     probe.time = group.time();
-    probe.u = group.rows("velocity", points);
-    probe.w = group.rows("vertical_velocity", points);
-    probe.v = group.rows("spanwise_velocity", points);
+    probe.u = group.rows(fields::velocity_points.velocity, points);
+    probe.w = group.rows(fields::velocity_points.vertical_velocity, points);
+    probe.v = group.rows(fields::velocity_points.spanwise_velocity, points);
     probes.velocity.push_back(std::move(probe));
 }
 
@@ -147,26 +144,27 @@ void read_grid(const ProbeGroup& group, const TimeWindow& window, RunProbes& pro
     const double averaging = time.size() > 1 ? time[1] - time[0] : 0.0;
     const std::size_t first_row =
         time.size() > 1 && time[0] - averaging < window.from - 1e-3 * averaging ? 1 : 0;
+    const auto& of = fields::velocity_grid;
     VelocityGrid grid;
     grid.name = group.name();
-    grid.x = group.axis("x");
-    grid.z = group.axis("z");
+    grid.x = group.values(of.x);
+    grid.z = group.values(of.z);
     const std::size_t points = grid.x.size() * grid.z.size();
-    const std::array names = {"velocity",
-                              "vertical_velocity",
-                              "velocity_variance",
-                              "vertical_velocity_variance",
-                              "velocity_covariance",
-                              "pressure",
-                              "shear_stress"};
+    const std::array arrays = {of.velocity,
+                               of.vertical_velocity,
+                               of.velocity_variance,
+                               of.vertical_velocity_variance,
+                               of.velocity_covariance,
+                               of.pressure,
+                               of.shear_stress};
     constexpr std::size_t velocities = 5;
-    const std::vector<double> samples = group.rows("samples", 1);
-    std::array<std::vector<double>, names.size()> rows;
-    for (std::size_t k = 0; k < names.size(); ++k) {
-        rows[k] = group.rows(names[k], points);
+    const std::vector<double> samples = group.rows(of.samples, 1);
+    std::array<std::vector<double>, arrays.size()> rows;
+    for (std::size_t k = 0; k < arrays.size(); ++k) {
+        rows[k] = group.rows(arrays[k], points);
         if (rows[k].empty() && k < velocities) return;
     }
-    const std::vector<double> y = group.axis("y");
+    const std::vector<double> y = group.values(of.y);
     if (!y.empty()) grid.y = y.front();
     // What files of earlier versions, and runs without a closure, do not have.
     if (!rows[velocities].empty()) grid.pressure.assign(points, not_a_number);
@@ -202,12 +200,12 @@ void read_grid(const ProbeGroup& group, const TimeWindow& window, RunProbes& pro
 void read_plane(const ProbeGroup& group, const Case& c, RunProbes& probes) {
     VelocityPlane plane;
     plane.name = group.name();
-    plane.x = group.axis("x");
-    plane.z = group.axis("z");
+    plane.x = group.values(fields::velocity_plane.x);
+    plane.z = group.values(fields::velocity_plane.z);
     plane.time = group.time();
     const std::size_t points = plane.x.size() * plane.z.size();
-    plane.u = group.rows("velocity", points);
-    plane.w = group.rows("vertical_velocity", points);
+    plane.u = group.rows(fields::velocity_plane.velocity, points);
+    plane.w = group.rows(fields::velocity_plane.vertical_velocity, points);
     if (plane.x.size() > 1) {
         const double spacing = plane.x[1] - plane.x[0];
         const double length = static_cast<double>(plane.x.size()) * spacing;
@@ -217,20 +215,22 @@ void read_plane(const ProbeGroup& group, const Case& c, RunProbes& probes) {
     probes.planes.push_back(std::move(plane));
 }
 
-void read_scalars(const ProbeGroup& group, const std::string& kind, RunProbes& probes) {
-    const std::vector<double> x = group.axis("x");
+void read_scalars(const RunResults& results, const ProbeGroup& group, const std::string& kind,
+                  RunProbes& probes) {
+    const std::vector<double> x = group.values(fields::flow_rate.x);
     const std::size_t points = std::max<std::size_t>(1, x.size());
     for (const std::string& array : group.arrays()) {
         if (array == "time" || array == "x" || array == "y" || array == "z") continue;
-        const std::vector<double> values = group.rows(array, points);
+        const FieldPlace place = group.place(array);
+        const std::vector<double> values = group.rows(place, points);
         for (std::size_t i = 0; i < points; ++i) {
             ScalarProbe probe;
             probe.name = group.name();
             probe.kind = kind;
             probe.quantity = points == 1 ? array : fmt::format("{}_{}", array, i + 1);
-            probe.label = group.text(array, "long_name");
+            probe.label = results.long_name(place);
             if (!x.empty()) probe.label += fmt::format(", x = {:.4g} mm", 1000.0 * x[i]);
-            probe.unit = group.text(array, "units");
+            probe.unit = results.unit(place);
             probe.time = group.time();
             for (std::size_t row = 0; row < probe.time.size(); ++row)
                 probe.value.push_back(values[row * points + i]);
@@ -245,37 +245,36 @@ std::optional<double> period_of(const Case& c) {
     return c.channel.ends == Ends::periodic ? std::optional<double>(c.channel.length) : std::nullopt;
 }
 
-RunProbes read_probes(const ResultsReader& reader, const Case& c, const TimeWindow& window,
+RunProbes read_probes(const RunResults& results, const Case& c, const TimeWindow& window,
                       std::size_t most_values) {
     RunProbes probes;
-    if (!reader.has("/probes")) return probes;
-    const std::vector<std::string> names = reader.children("/probes");
+    const std::vector<std::string> names = results.children(probes_group);
     const std::size_t share = most_values / std::max<std::size_t>(1, names.size());
     for (const std::string& name : names) {
-        const auto attribute = reader.attribute("/probes/" + name, "kind");
-        const auto* kind = attribute ? std::get_if<std::string>(&*attribute) : nullptr;
-        if (kind == nullptr || !reader.has("/probes/" + name + "/time")) {
+        const std::string place = probe_group(name);
+        const std::string kind = results.text({place, fields::probe.kind});
+        if (kind.empty() || !results.has({place, fields::forces.time})) {
             probes.warnings.push_back("instrument " + name +
                                       " of the results file has no kind or no samples");
             continue;
         }
-        const ProbeGroup group(reader, name, window, share, probes.warnings);
+        const ProbeGroup group(results, name, window, share, probes.warnings);
         if (group.time().empty()) {
             probes.warnings.push_back("instrument " + name + " has no samples in the window");
-        } else if (*kind == "wave") {
+        } else if (kind == "wave") {
             read_wave(group, probes);
-        } else if (*kind == "surface_line") {
+        } else if (kind == "surface_line") {
             read_surface_line(group, c, probes);
-        } else if (*kind == "velocity") {
+        } else if (kind == "velocity") {
             read_velocity(group, probes);
-        } else if (*kind == "grid" && !reader.has("/probes/" + name + "/samples")) {
+        } else if (kind == "grid" && !results.has({place, fields::velocity_grid.samples})) {
             read_plane(group, c, probes);
-        } else if (*kind == "grid") {
+        } else if (kind == "grid") {
             read_grid(group, window, probes);
-        } else if (*kind == "flow_rate" || *kind == "force") {
-            read_scalars(group, *kind, probes);
+        } else if (kind == "flow_rate" || kind == "force") {
+            read_scalars(results, group, kind, probes);
         } else {
-            probes.warnings.push_back("instrument " + name + ": its kind \"" + *kind +
+            probes.warnings.push_back("instrument " + name + ": its kind \"" + kind +
                                       "\" is not one that this version of Riffle analyses");
         }
     }

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "analysis/flow_record.hpp"
-#include "output/results_file.hpp"
+#include "record/run_results.hpp"
 
 namespace riffle {
 
@@ -22,7 +22,7 @@ struct RunProbes {
     SpaceTime surface_line;  ///< of the surface line with the most points; without rows if there is none
     std::vector<std::string> warnings;
 };
-[[nodiscard]] RunProbes read_probes(const ResultsReader& reader, const Case& c, const TimeWindow& window,
+[[nodiscard]] RunProbes read_probes(const RunResults& results, const Case& c, const TimeWindow& window,
                                     std::size_t most_values);
 
 /// Length after which the channel of a case repeats, m; none between walls.

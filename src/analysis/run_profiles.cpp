@@ -1,62 +1,21 @@
 #include "analysis/run_profiles.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <utility>
-#include <variant>
 
 #include "base/error.hpp"
 #include "column/section.hpp"
+#include "record/flow_fields.hpp"
+#include "solver/profile_blocks.hpp"
 
 namespace riffle {
 
-namespace {
-
-using Member = std::vector<double> Profiles::*;
-
-const std::array<std::pair<const char*, Member>, 22> members = {{
-    {"bin_lower", &Profiles::bin_lower},
-    {"bin_upper", &Profiles::bin_upper},
-    {"velocity", &Profiles::velocity},
-    {"velocity_half_width", &Profiles::velocity_half_width},
-    {"vertical_velocity", &Profiles::vertical_velocity},
-    {"velocity_deviation", &Profiles::velocity_deviation},
-    {"column_velocity", &Profiles::column_velocity},
-    {"velocity_gradient", &Profiles::velocity_gradient},
-    {"eddy_viscosity", &Profiles::eddy_viscosity},
-    {"pressure", &Profiles::pressure},
-    {"density", &Profiles::density},
-    {"viscous_stress", &Profiles::viscous_stress},
-    {"pair_stress", &Profiles::pair_stress},
-    {"reynolds_stress", &Profiles::reynolds_stress},
-    {"total_stress", &Profiles::total_stress},
-    {"analytic_stress", &Profiles::analytic_stress},
-    {"velocity_rms", &Profiles::velocity_rms},
-    {"vertical_velocity_rms", &Profiles::vertical_velocity_rms},
-    {"drag", &Profiles::drag},
-    {"spanwise_velocity", &Profiles::spanwise_velocity},
-    {"spanwise_velocity_rms", &Profiles::spanwise_velocity_rms},
-    {"side_wall_drag", &Profiles::side_wall_drag},
-}};
-
-double attribute(const ResultsReader& reader, const char* name) {
-    const std::optional<AttributeValue> value = reader.attribute("/profiles", name);
-    if (!value) return 0.0;
-    if (const auto* real = std::get_if<double>(&*value)) return *real;
-    if (const auto* integer = std::get_if<std::int64_t>(&*value)) return static_cast<double>(*integer);
-    return 0.0;
-}
-
-}  // namespace
-
-Profiles read_profiles_group(const ResultsReader& reader) {
+Profiles read_profiles_group(const RunResults& results) {
     Profiles profiles;
-    if (!reader.has("/profiles/z")) return profiles;
-    const std::vector<double> z = reader.read_doubles("/profiles/z");
+    const std::vector<double> z = results.values(fields::profiles.z);
     const auto keep = [&](const std::vector<double>& values) {
         std::vector<double> kept;
         for (std::size_t i = 0; i < z.size(); ++i) {
@@ -64,25 +23,23 @@ Profiles read_profiles_group(const ResultsReader& reader) {
         }
         return kept;
     };
-    profiles.z = keep(z);
-    for (const auto& [name, member] : members) {
-        const std::string path = std::string("/profiles/") + name;
-        if (!reader.has(path)) continue;
-        const std::vector<double> values = reader.read_doubles(path);
-        if (values.size() == z.size()) profiles.*member = keep(values);
+    for (const fields::ProfileField& field : rows_of<fields::ProfileField>(fields::profiles)) {
+        const std::vector<double> values = results.values(field);
+        if (values.size() == z.size()) profiles.*field.values = keep(values);
     }
-    profiles.window_start = attribute(reader, "window_start");
-    profiles.window_end = attribute(reader, "window_end");
-    profiles.samples = attribute(reader, "samples");
+    profiles.window_start = results.number(fields::profile_window.start).value_or(0.0);
+    profiles.window_end = results.number(fields::profile_window.end).value_or(0.0);
+    profiles.samples = results.number(fields::profile_window.samples).value_or(0.0);
     return profiles;
 }
 
-Profiles average_profile_blocks(const ResultsReader& reader, const Case& c, const ColumnResult* column,
+Profiles average_profile_blocks(const RunResults& results, const Case& c, const ColumnResult* column,
                                 const TimeWindow& window) {
-    if (!reader.has("/profile_blocks/sums")) return {};
-    const std::vector<double> time = reader.read_doubles("/profile_blocks/time");
-    const std::vector<double> samples = reader.read_doubles("/profile_blocks/samples");
-    const std::vector<std::size_t> shape = reader.shape("/profile_blocks/sums");
+    const auto& of = fields::profile_blocks;
+    if (!results.has(of.sums)) return {};
+    const std::vector<double> time = results.values(of.time);
+    const std::vector<double> samples = results.values(of.samples);
+    const std::vector<std::size_t> shape = results.shape(of.sums);
     const std::optional<SectionResult> section =
         has_section(c) ? std::optional(solve_section(c)) : std::nullopt;
     ProfileSampler sampler(c, column, section ? &*section : nullptr);
@@ -94,7 +51,7 @@ Profiles average_profile_blocks(const ResultsReader& reader, const Case& c, cons
     std::vector<ProfileBlock> blocks;
     for (std::size_t row = 0; row < rows; ++row) {
         if (!window.holds(time[row]) || !window.holds(time[row] - profile_block_duration)) continue;
-        blocks.push_back({time[row], samples[row], reader.read_rows("/profile_blocks/sums", row, 1)});
+        blocks.push_back({time[row], samples[row], results.rows(of.sums, row, 1)});
         if (blocks.back().sums.size() != width) return {};
     }
     sampler.restore(std::move(blocks), {});

@@ -5,76 +5,32 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <system_error>
 #include <utility>
-#include <variant>
 
 #include "analysis/measured_files.hpp"
 #include "analysis/run_mean_field.hpp"
 #include "analysis/run_probes.hpp"
 #include "analysis/run_profiles.hpp"
 #include "base/error.hpp"
-#include "output/results_file.hpp"
+#include "record/flow_fields.hpp"
+#include "record/run_fields.hpp"
 
 namespace riffle {
 
-namespace {
-
-std::optional<double> number(const std::optional<AttributeValue>& value) {
-    if (!value) return std::nullopt;
-    if (const auto* real = std::get_if<double>(&*value)) return *real;
-    if (const auto* integer = std::get_if<std::int64_t>(&*value)) return static_cast<double>(*integer);
-    return std::nullopt;
-}
-
-Case read_stored_case(const ResultsReader& reader, const std::filesystem::path& path) {
-    if (!reader.has("/case/text")) {
-        throw FileError(path.string() +
-                        ": the results file holds no case (/case/text), without which its "
-                        "records cannot be analysed");
-    }
-    const std::string text = reader.read_string("/case/text");
-    try {
-        Case c = parse_case(text, path.string() + ":/case/text");
-        c.text = text;
-        return c;
-    } catch (const InputError& error) {
-        throw FileError(path.string() +
-                        ": the case in the results file cannot be read by this version of Riffle:\n" +
-                        error.what());
-    }
-}
-
-/// Series of a run that was stopped between two appends may differ in length: the common rows.
-SeriesTable read_series(const ResultsReader& reader) {
-    SeriesTable series;
-    if (!reader.has("/time_series/time")) return series;
-    std::size_t rows = SIZE_MAX;
-    for (const std::string& name : reader.children("/time_series")) {
-        std::vector<double> values = reader.read_doubles("/time_series/" + name);
-        rows = std::min(rows, values.size());
-        series[name] = std::move(values);
-    }
-    for (auto& [name, values] : series) values.resize(rows);
-    return series;
-}
-
-}  // namespace
-
 struct RunRecord::Impl {
-    Impl(const std::filesystem::path& results, RunRecordOptions given)
-        : path(results), options(std::move(given)), reader(results), flow(read_stored_case(reader, results)) {
+    Impl(const std::filesystem::path& file, RunRecordOptions given)
+        : path(file), options(std::move(given)), results(file), flow(results.flow()) {
         if (has_column(flow)) column = solve_column(flow);
-        series = read_series(reader);
+        series = results.series();
         window = choose_window();
     }
 
     [[nodiscard]] std::pair<double, double> recorded_times() const {
-        const auto time = series.find("time");
-        if (time != series.end() && !time->second.empty()) return {time->second.front(), time->second.back()};
-        return {0.0, number(reader.attribute("/summary", "window_end")).value_or(0.0)};
+        const std::vector<double>& time = series[fields::time_series.time];
+        if (!time.empty()) return {time.front(), time.back()};
+        return {0.0, results.number(fields::summary.window_end).value_or(0.0)};
     }
 
     [[nodiscard]] TimeWindow choose_window() const {
@@ -92,11 +48,7 @@ struct RunRecord::Impl {
         }
         // A flow that nothing drives steadily is of interest from its start to its end.
         if (is_undriven(flow_kind(flow))) return {0.0, last};
-        for (const char* const group : {"/profiles", "/summary"}) {
-            const auto from = number(reader.attribute(group, "window_start"));
-            const auto to = number(reader.attribute(group, "window_end"));
-            if (from && to && *to > *from) return {*from, *to};
-        }
+        if (const auto averaged = results.averaging_window()) return {averaged->first, averaged->second};
         return {0.5 * (first + last), last};
     }
 
@@ -111,12 +63,11 @@ struct RunRecord::Impl {
     /// The surface record of the run, or a surface line of its instruments where that has more points.
     [[nodiscard]] SpaceTime read_surface() {
         SpaceTime line = instruments().surface_line;
-        if (!reader.has("/surface/elevation") || !reader.has("/surface/x") || !reader.has("/surface/time")) {
-            return line;
-        }
-        const std::vector<double> x = reader.read_doubles("/surface/x");
-        const std::vector<double> time = reader.read_doubles("/surface/time");
-        const std::vector<std::size_t> shape = reader.shape("/surface/elevation");
+        const auto& of = fields::surface;
+        if (!results.has(of.elevation) || !results.has(of.x) || !results.has(of.time)) return line;
+        const std::vector<double> x = results.values(of.x);
+        const std::vector<double> time = results.values(of.time);
+        const std::vector<std::size_t> shape = results.shape(of.elevation);
         if (x.empty() || shape.size() != 2 || shape[1] != x.size()) {
             throw FileError(path.string() +
                             ": /surface/elevation does not fit /surface/x; the file is damaged, "
@@ -137,12 +88,12 @@ struct RunRecord::Impl {
         }
         if (rows < 2) return line;
         return make_space_time(x, std::span(time).subspan(first, rows),
-                               reader.read_rows("/surface/elevation", first, rows), period_of(flow));
+                               results.rows(of.elevation, first, rows), period_of(flow));
     }
 
     [[nodiscard]] const RunProbes& instruments() {
         if (!probes) {
-            probes = read_probes(reader, flow, window, options.most_elevations);
+            probes = read_probes(results, flow, window, options.most_elevations);
             warnings.insert(warnings.end(), probes->warnings.begin(), probes->warnings.end());
         }
         return *probes;
@@ -173,8 +124,8 @@ struct RunRecord::Impl {
 
     std::filesystem::path path;
     RunRecordOptions options;
-    ResultsReader reader;
-    Case flow;
+    RunResults results;
+    const Case& flow;
     std::optional<ColumnResult> column;
     SeriesTable series;
     TimeWindow window;
@@ -198,6 +149,7 @@ std::string RunRecord::name() const {
     return folder.empty() ? impl_->path.string() : folder.string();
 }
 
+const RunResults& RunRecord::results() const { return impl_->results; }
 std::string RunRecord::source() const { return impl_->path.string(); }
 const Case* RunRecord::flow() const { return &impl_->flow; }
 const ColumnResult* RunRecord::column() const { return impl_->column ? &*impl_->column : nullptr; }
@@ -208,8 +160,8 @@ std::vector<std::string> RunRecord::warnings() const { return impl_->warnings; }
 const Profiles& RunRecord::profiles() const {
     if (!impl_->profiles) {
         impl_->profiles = impl_->options.window
-                              ? average_profile_blocks(impl_->reader, impl_->flow, column(), impl_->window)
-                              : read_profiles_group(impl_->reader);
+                              ? average_profile_blocks(impl_->results, impl_->flow, column(), impl_->window)
+                              : read_profiles_group(impl_->results);
     }
     return *impl_->profiles;
 }
@@ -227,20 +179,20 @@ const std::vector<ScalarProbe>& RunRecord::scalar_probes() const { return impl_-
 
 const MeanFlow& RunRecord::mean_field() const {
     if (!impl_->mean_field)
-        impl_->mean_field = read_mean_field(impl_->reader, impl_->flow, impl_->window, impl_->warnings);
+        impl_->mean_field = read_mean_field(impl_->results, impl_->flow, impl_->window, impl_->warnings);
     return *impl_->mean_field;
 }
 
 const SurfaceMaps& RunRecord::surface_maps() const {
     if (!impl_->surface_maps) {
         impl_->surface_maps =
-            read_surface_maps(impl_->reader, impl_->window, impl_->options.most_elevations, impl_->warnings);
+            read_surface_maps(impl_->results, impl_->window, impl_->options.most_elevations, impl_->warnings);
     }
     return *impl_->surface_maps;
 }
 
 const SectionTwin& RunRecord::section_twin() const {
-    if (!impl_->section_twin) impl_->section_twin = read_section_twin(impl_->reader);
+    if (!impl_->section_twin) impl_->section_twin = read_section_twin(impl_->results);
     return *impl_->section_twin;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "analysis/flow_record.hpp"
+#include "record/run_results.hpp"
 
 namespace riffle {
 
@@ -29,6 +30,9 @@ class RunRecord final : public FlowRecord {
   public:
     explicit RunRecord(const std::filesystem::path& results, RunRecordOptions options = {});
     ~RunRecord() override;
+
+    /// The file itself, for what stands in it beside the record.
+    [[nodiscard]] const RunResults& results() const;
 
     [[nodiscard]] std::string name() const override;
     [[nodiscard]] std::string source() const override;

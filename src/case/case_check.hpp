@@ -31,10 +31,10 @@ template <class... Args>
 
 /// When a check finds something: a function of the case, or of the case and each of its probes or solids,
 /// that returns what it finds, or only whether it finds something.
-class Condition {
+class CheckCondition {
   public:
     template <class F>
-    requires(!std::same_as<F, Condition>) Condition(F look) {
+    requires(!std::same_as<F, CheckCondition>) CheckCondition(F look) {
         if constexpr (std::invocable<F, const Case&>) {
             look_ = [look](const Case& c, std::size_t) { return as_findings(look(c)); };
         } else if constexpr (std::invocable<F, const Case&, const Probe&>) {
@@ -82,7 +82,7 @@ struct CaseCheck {
     std::string_view what;          ///< it finds, in words
     std::string_view why;           ///< why that is wrong; empty where that is plain
     std::string_view cure;          ///< what to do
-    Condition condition;
+    CheckCondition condition;
     bool decides =
         false;  ///< where it finds something, the checks below it in its list have nothing to look at
 };

@@ -43,7 +43,7 @@ Findings outline_findings(const Outline& outline, OutlineFault fault, std::strin
 }
 
 CaseCheck outline_row(OutlineFault fault, std::vector<std::string> keys, std::string_view what,
-                      Condition condition) {
+                      CheckCondition condition) {
     struct Advice {
         const char* why;
         const char* cure;

@@ -22,7 +22,7 @@ enum class OutlineFault {
 
 /// The row of a check for a fault of an outline.
 [[nodiscard]] CaseCheck outline_row(OutlineFault fault, std::vector<std::string> keys, std::string_view what,
-                                    Condition condition);
+                                    CheckCondition condition);
 
 /// Whether an outline has no fault.
 [[nodiscard]] bool is_simple(const Outline& outline);

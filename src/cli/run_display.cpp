@@ -9,6 +9,7 @@
 
 #include "cli/terminal.hpp"
 #include "cli/verbs.hpp"
+#include "record/run_fields.hpp"
 
 namespace riffle {
 
@@ -99,31 +100,34 @@ void print_outcome(const RunOutcome& outcome, const Case& c, const RunFiles& fil
     if (outcome.lost.particles > 0) {
         fmt::print("{} left: {}\n", lost_text(outcome.lost), outcome.ways_out);
     }
-    const RunSummary& s = outcome.summary;
+    const Numbers& s = outcome.summary;
     const double none = std::nan("");
     // The laboratory measures on the centreline.
     const bool space = c.channel.dimensions == 3;
-    print_value("depth-mean velocity, m/s", s.value("depth_mean_velocity"),
-                s.value("depth_mean_velocity_half_width"),
+    print_value("depth-mean velocity, m/s", s.value(fields::summary.depth_mean_velocity),
+                s.value(fields::summary.depth_mean_velocity_half_width),
                 space ? std::nullopt : c.measured.depth_mean_velocity);
     if (space) {
-        print_value("on the centreline, m/s", s.value("centreline_velocity"),
-                    s.value("centreline_velocity_half_width"), c.measured.depth_mean_velocity);
-        print_value("secondary velocity, mm/s", 1e3 * s.value("secondary_velocity"), none, std::nullopt);
+        print_value("on the centreline, m/s", s.value(fields::summary.centreline_velocity),
+                    s.value(fields::summary.centreline_velocity_half_width), c.measured.depth_mean_velocity);
+        print_value("secondary velocity, mm/s", 1e3 * s.value(fields::summary.secondary_velocity), none,
+                    std::nullopt);
     }
-    print_value("friction velocity (stress), m/s", s.value("friction_velocity"), none,
+    print_value("friction velocity (stress), m/s", s.value(fields::summary.friction_velocity), none,
                 c.measured.friction_velocity);
-    print_value("friction velocity (log law), m/s", s.value("log_law_friction_velocity"),
-                s.value("log_law_friction_velocity_half_width"), c.measured.friction_velocity);
-    print_value("equivalent roughness k_s, mm", 1e3 * s.value("equivalent_roughness"),
-                1e3 * s.value("equivalent_roughness_half_width"),
+    print_value("friction velocity (log law), m/s", s.value(fields::summary.log_law_friction_velocity),
+                s.value(fields::summary.log_law_friction_velocity_half_width), c.measured.friction_velocity);
+    print_value("equivalent roughness k_s, mm", 1e3 * s.value(fields::summary.equivalent_roughness),
+                1e3 * s.value(fields::summary.equivalent_roughness_half_width),
                 c.measured.equivalent_roughness ? std::optional(1e3 * *c.measured.equivalent_roughness)
                                                 : std::nullopt);
-    print_value("drag over gravity", s.value("drag_over_gravity"), none, std::nullopt);
+    print_value("drag over gravity", s.value(fields::summary.drag_over_gravity), none, std::nullopt);
     if (c.has_side_walls()) {
-        print_value("side walls' drag over gravity", s.value("side_wall_over_gravity"), none, std::nullopt);
+        print_value("side walls' drag over gravity", s.value(fields::summary.side_wall_over_gravity), none,
+                    std::nullopt);
     }
-    print_value("spurious pressure stress, %", 100.0 * s.value("spurious_stress_rms"), none, std::nullopt);
+    print_value("spurious pressure stress, %", 100.0 * s.value(fields::summary.spurious_stress_rms), none,
+                std::nullopt);
     fmt::print("results: {}\n", files.results().string());
     if (outcome.end == RunEnd::stopped) {
         fmt::print("go on with: riffle resume {}\n", files.folder.string());

@@ -7,7 +7,7 @@
 #include "cli/run_display.hpp"
 #include "cli/terminal.hpp"
 #include "cli/verbs.hpp"
-#include "output/results_file.hpp"
+#include "record/run_results.hpp"
 #include "solver/run.hpp"
 
 namespace riffle {
@@ -40,9 +40,7 @@ void resume(const ResumeVerb& verb) {
     const RunOutcome outcome = resume_run(options, checkpoint, argument.overrides());
     display.finish();
     const RunFiles files{options.folder};
-    const Case c =
-        parse_case(ResultsReader(files.results()).read_string("/case/text"), files.results().string());
-    print_outcome(outcome, c, files, verb.options.quiet);
+    print_outcome(outcome, RunResults(files.results()).flow(), files, verb.options.quiet);
 }
 
 }  // namespace

@@ -1,8 +1,7 @@
 // Forces between the water and its bed and walls: per unit width, in three dimensions over the whole width.
 
-#include <fmt/format.h>
-
 #include "instruments/instrument.hpp"
+#include "record/probe_fields.hpp"
 
 namespace riffle {
 
@@ -11,25 +10,11 @@ namespace {
 class BedForce final : public Instrument {
   public:
     BedForce(const Probe& probe, const Case& c)
-        : Instrument(probe), space_(c.channel.dimensions == 3), solids_(c.solids.size()) {
-        add_record("time", "s", "simulated time", {}, true);
-        const auto force = [&](const char* name, const std::string& long_name) {
-            add_record(name, space_ ? "N" : "N/m", long_name + (space_ ? "" : ", per unit width"), {}, true);
-        };
-        force("bed_drag", "drag of the water on the bed's roughness, downstream");
-        force("wall_force", "force of the water on the walls, downstream");
-        force("wall_normal_force", "force of the water on the walls, normal to the bed and downward");
-        force("weight_component", "component of the water's weight down the bed");
-        if (space_) {
-            force("side_wall_drag", "drag of the water on the side walls' layers, downstream");
-        }
+        : Instrument(probe, c), space_(c.channel.dimensions == 3), solids_(c.solids.size()) {
+        for (const Field& field : fields_of(fields::forces)) add_record(field, {}, true);
         for (std::size_t k = 0; k < solids_; ++k) {
-            const std::string number = fmt::format("_{}", k + 1);
-            const std::string on = fmt::format(" on the solid \"{}\", ", c.solids[k].name);
-            force(("solid_force" + number).c_str(), "force of the water" + on + "downstream");
-            force(("solid_form_drag" + number).c_str(), "force of the pressure" + on + "downstream");
-            force(("solid_lift" + number).c_str(), "force of the water" + on + "away from the bed");
-            if (space_) force(("solid_side_force" + number).c_str(), "force of the water" + on + "along y");
+            for (const Field& field : fields_of(fields::solid_forces))
+                add_record_of_solid(field, k + 1, c.solids[k].name);
         }
     }
 

@@ -2,6 +2,7 @@
 
 #include "base/parallel.hpp"
 #include "instruments/instrument.hpp"
+#include "record/probe_fields.hpp"
 
 namespace riffle {
 
@@ -9,14 +10,12 @@ namespace {
 
 class FlowRateSections final : public Instrument {
   public:
-    FlowRateSections(const Probe& probe, bool space) : Instrument(probe) {
+    FlowRateSections(const Probe& probe, const Case& c) : Instrument(probe, c) {
         const std::size_t n = probe.x.size();
-        add_axis("x", "distance along the channel", probe.x);
-        add_record("time", "s", "simulated time", {}, true);
-        add_record("flow_rate", space ? "m3/s" : "m2/s",
-                   space ? "discharge through the section" : "discharge per unit width through the section",
-                   {n});
-        add_record("depth", "m", "depth of the water above the bed level", {n});
+        add_axis(fields::flow_rate.x, probe.x);
+        add_record(fields::flow_rate.time, {}, true);
+        add_record(fields::flow_rate.flow_rate, {n});
+        add_record(fields::flow_rate.depth, {n});
     }
 
     void sample(const FlowState& state) override {
@@ -39,7 +38,7 @@ class FlowRateSections final : public Instrument {
 }  // namespace
 
 std::unique_ptr<Instrument> make_flow_rate_sections(const Probe& probe, const Case& c) {
-    return std::make_unique<FlowRateSections>(probe, c.channel.dimensions == 3);
+    return std::make_unique<FlowRateSections>(probe, c);
 }
 
 }  // namespace riffle

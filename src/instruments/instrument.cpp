@@ -37,17 +37,29 @@ std::vector<InstrumentRecord> Instrument::take() {
     return taken;
 }
 
-void Instrument::add_axis(std::string name, std::string long_name, std::vector<double> values) {
-    axes_.push_back({std::move(name), "m", std::move(long_name), std::move(values)});
+void Instrument::add_axis(const Field& field, std::vector<double> values) {
+    if (!has(field)) return;
+    axes_.push_back(
+        {field.name, field.unit.in(dimensions_), field.meaning.in(dimensions_), std::move(values)});
 }
 
-void Instrument::add_record(std::string name, std::string unit, std::string long_name,
-                            std::vector<std::size_t> row_shape, bool in_double) {
-    InstrumentRecord record{std::move(name), std::move(unit), std::move(long_name), std::move(row_shape), {}};
+void Instrument::add_record(const Field& field, std::vector<std::size_t> row_shape, bool in_double) {
+    if (!has(field)) return;
+    InstrumentRecord record{
+        field.name, field.unit.in(dimensions_), field.meaning.in(dimensions_), std::move(row_shape), {}};
     if (in_double) {
         record.values = std::vector<double>();
     }
     records_.push_back(std::move(record));
+}
+
+void Instrument::add_record_of_solid(const Field& field, std::size_t number, const std::string& solid) {
+    if (!has(field)) return;
+    add_record(field, {}, true);
+    InstrumentRecord& record = records_.back();
+    record.name = numbered_name(field, number);
+    const std::string meant = "the solid";
+    record.long_name.replace(record.long_name.find(meant), meant.size(), meant + " \"" + solid + "\"");
 }
 
 std::vector<double> across(const Probe& probe, const Case& c, std::size_t points) {

@@ -12,6 +12,7 @@
 #include "instruments/fluid_view.hpp"
 #include "particles/force_on_solid.hpp"
 #include "particles/sparse_values.hpp"
+#include "record/field.hpp"
 
 namespace riffle {
 
@@ -87,19 +88,26 @@ class Instrument {
     [[nodiscard]] std::vector<InstrumentRecord> take();
 
   protected:
-    explicit Instrument(Probe probe) : probe_(std::move(probe)) {}
+    Instrument(Probe probe, const Case& c) : probe_(std::move(probe)), dimensions_(c.channel.dimensions) {}
 
-    /// Declare arrays, in the constructor. The first record of every instrument is its time.
-    void add_axis(std::string name, std::string long_name, std::vector<double> values);
-    void add_record(std::string name, std::string unit, std::string long_name,
-                    std::vector<std::size_t> row_shape, bool in_double = false);
+    /// Declare arrays, in the constructor; those of fields that only runs in three dimensions have are left
+    /// out in two. The first record of every instrument is its time, in double precision as forces are.
+    void add_axis(const Field& field, std::vector<double> values);
+    void add_record(const Field& field, std::vector<std::size_t> row_shape, bool in_double = false);
+    /// A record of a solid, which its name and its meaning name. `number`: of the solid, from 1.
+    void add_record_of_solid(const Field& field, std::size_t number, const std::string& solid);
 
     [[nodiscard]] InstrumentRecord& record(std::size_t index) { return records_[index]; }
     /// To be called once all records have their row.
     void end_row() { ++rows_; }
 
   private:
+    [[nodiscard]] bool has(const Field& field) const {
+        return dimensions_ == 3 || (field.written & three_dimensions) == 0U;
+    }
+
     Probe probe_;
+    int dimensions_;
     std::vector<InstrumentAxis> axes_;
     std::vector<InstrumentRecord> records_;
     std::size_t rows_ = 0;

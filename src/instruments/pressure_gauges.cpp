@@ -4,6 +4,7 @@
 
 #include "base/parallel.hpp"
 #include "instruments/instrument.hpp"
+#include "record/probe_fields.hpp"
 
 namespace riffle {
 
@@ -12,7 +13,7 @@ namespace {
 class PressureGauges final : public Instrument {
   public:
     PressureGauges(const Probe& probe, const Case& c)
-        : Instrument(probe),
+        : Instrument(probe, c),
           weight_(c.channel.top == Top::free_surface ? c.fluid.density * c.normal_gravity() : 0.0) {
         const std::size_t n = std::max(probe.x.size(), probe.z.size());
         const std::vector<double> y = across(probe, c, n);
@@ -23,14 +24,13 @@ class PressureGauges final : public Instrument {
             z.push_back(of_point(probe.z, i));
             points_.push_back({x[i], y[i], z[i]});
         }
-        add_axis("x", "distance along the channel", x);
-        if (c.channel.dimensions == 3) {
-            add_axis("y", "distance across the channel", y);
-        }
-        add_axis("z", "height above the bed level", z);
-        add_record("time", "s", "simulated time", {}, true);
-        add_record("pressure", "Pa", "pressure over that of the air; 0 at a dry point", {n});
-        add_record("wet_share", "1", "share of the kernel's support that is water", {n});
+        const auto& of = fields::pressure_gauges;
+        add_axis(of.x, x);
+        add_axis(of.y, y);
+        add_axis(of.z, z);
+        add_record(of.time, {}, true);
+        add_record(of.pressure, {n});
+        add_record(of.wet_share, {n});
     }
 
     void sample(const FlowState& state) override {

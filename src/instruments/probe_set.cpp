@@ -11,6 +11,7 @@
 #include "base/error.hpp"
 #include "case/words.hpp"
 #include "instruments/standard_probes.hpp"
+#include "record/probe_fields.hpp"
 
 namespace riffle {
 
@@ -21,7 +22,7 @@ double due_after(double time, double frequency) {
     return (std::floor(time * frequency + 1e-9) + 1.0) / frequency;
 }
 
-std::string group_of(const Instrument& instrument) { return "/probes/" + instrument.probe().name; }
+std::string group_of(const Instrument& instrument) { return probe_group(instrument.probe().name); }
 
 /// Dataset of a probe's state in the checkpoint.
 std::string saved_path(const Instrument& instrument) { return "/recorder" + group_of(instrument); }
@@ -62,12 +63,12 @@ void add_description(Content& content, const ProbeSet::Member& member) {
     const Instrument& instrument = *member.instrument;
     const Probe& probe = instrument.probe();
     const std::string group = group_of(instrument);
-    const auto attribute = [&](const char* name, AttributeValue value) {
-        content.attributes.push_back({.path = group, .name = name, .value = std::move(value)});
+    const auto attribute = [&](const Field& field, AttributeValue value) {
+        content.attributes.push_back({.path = group, .name = field.name, .value = std::move(value)});
     };
-    attribute("kind", std::string(word(probe.kind)));
-    attribute("sampling_frequency", probe.sampling_frequency);
-    attribute("standard", std::int64_t{member.standard ? 1 : 0});
+    attribute(fields::probe.kind, std::string(word(probe.kind)));
+    attribute(fields::probe.sampling_frequency, probe.sampling_frequency);
+    attribute(fields::probe.standard, std::int64_t{member.standard ? 1 : 0});
     for (const InstrumentAxis& axis : instrument.axes()) {
         content.datasets.push_back({.path = group + "/" + axis.name,
                                     .shape = {axis.values.size()},

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "instruments/instrument.hpp"
+#include "record/probe_fields.hpp"
 
 namespace riffle {
 
@@ -11,17 +12,16 @@ namespace {
 
 class SurfacePoints final : public Instrument {
   public:
-    SurfacePoints(const Probe& probe, const Case& c, const std::vector<double>& x) : Instrument(probe) {
+    SurfacePoints(const Probe& probe, const Case& c, const std::vector<double>& x) : Instrument(probe, c) {
         const std::vector<double> y = across(probe, c, x.size());
         for (std::size_t i = 0; i < x.size(); ++i) {
             places_.push_back({x[i], y[i]});
         }
-        add_axis("x", "distance along the channel", x);
-        if (c.channel.dimensions == 3) {
-            add_axis("y", "distance across the channel", y);
-        }
-        add_record("time", "s", "simulated time", {}, true);
-        add_record("elevation", "m", "surface elevation above the bed level", {x.size()});
+        const auto& of = fields::elevations;
+        add_axis(of.x, x);
+        add_axis(of.y, y);
+        add_record(of.time, {}, true);
+        add_record(of.elevation, {x.size()});
     }
 
     void sample(const FlowState& state) override {

@@ -8,6 +8,7 @@
 
 #include "base/parallel.hpp"
 #include "instruments/instrument.hpp"
+#include "record/probe_fields.hpp"
 
 namespace riffle {
 
@@ -26,7 +27,7 @@ std::vector<double> line(double from, double to, double spacing) {
 class VelocityGrid final : public Instrument {
   public:
     VelocityGrid(const Probe& probe, const Case& c, GridAxes axes)
-        : Instrument(probe),
+        : Instrument(probe, c),
           x_(std::move(axes.x)),
           y_(across(probe, c, 1).front()),
           z_(std::move(axes.z)),
@@ -34,26 +35,22 @@ class VelocityGrid final : public Instrument {
           space_(c.channel.dimensions == 3) {
         const std::vector<std::size_t> shape = {z_.size(), x_.size()};
         window_end_ = window_after(probe.start);
-        add_axis("x", "distance along the channel", x_);
-        if (space_) {
-            add_axis("y", "distance of the grid across the channel", {y_});
-        }
-        add_axis("z", "height above the bed level", z_);
-        add_record("time", "s", "end of the averaging window", {}, true);
-        add_record("samples", "1", "samples in the window", {}, true);
-        add_record("velocity", "m/s", "mean streamwise velocity of the window", shape);
-        add_record("vertical_velocity", "m/s", "mean vertical velocity of the window", shape);
-        add_record("velocity_variance", "m2/s2", "mean square of u'", shape);
-        add_record("vertical_velocity_variance", "m2/s2", "mean square of w'", shape);
-        add_record("velocity_covariance", "m2/s2", "mean of u'w'", shape);
-        if (space_) {
-            add_record("spanwise_velocity", "m/s", "mean spanwise velocity of the window", shape);
-            add_record("spanwise_velocity_variance", "m2/s2", "mean square of v'", shape);
-        }
-        add_record("pressure", "Pa", "mean pressure of the window", shape);
+        const auto& of = fields::velocity_grid;
+        add_axis(of.x, x_);
+        add_axis(of.y, {y_});
+        add_axis(of.z, z_);
+        add_record(of.time, {}, true);
+        add_record(of.samples, {}, true);
+        add_record(of.velocity, shape);
+        add_record(of.vertical_velocity, shape);
+        add_record(of.velocity_variance, shape);
+        add_record(of.vertical_velocity_variance, shape);
+        add_record(of.velocity_covariance, shape);
+        add_record(of.spanwise_velocity, shape);
+        add_record(of.spanwise_velocity_variance, shape);
+        add_record(of.pressure, shape);
         if (c.turbulence.closure != ClosureKind::none) {
-            add_record("shear_stress", "Pa", "mean stress tau_xz of viscosity and closure of the window",
-                       shape);
+            add_record(of.shear_stress, shape);
         }
     }
 

@@ -3,6 +3,7 @@
 
 #include "base/parallel.hpp"
 #include "instruments/instrument.hpp"
+#include "record/probe_fields.hpp"
 
 namespace riffle {
 
@@ -11,16 +12,15 @@ namespace {
 class VelocityPlane final : public Instrument {
   public:
     VelocityPlane(const Probe& probe, const Case& c, GridAxes axes)
-        : Instrument(probe), at_(std::move(axes)), y_(across(probe, c, 1).front()) {
+        : Instrument(probe, c), at_(std::move(axes)), y_(across(probe, c, 1).front()) {
         const std::vector<std::size_t> shape = {at_.z.size(), at_.x.size()};
-        add_axis("x", "distance along the channel", at_.x);
-        if (c.channel.dimensions == 3) {
-            add_axis("y", "distance of the plane across the channel", {y_});
-        }
-        add_axis("z", "height above the bed level", at_.z);
-        add_record("time", "s", "simulated time", {}, true);
-        add_record("velocity", "m/s", "streamwise velocity", shape);
-        add_record("vertical_velocity", "m/s", "vertical velocity", shape);
+        const auto& of = fields::velocity_plane;
+        add_axis(of.x, at_.x);
+        add_axis(of.y, {y_});
+        add_axis(of.z, at_.z);
+        add_record(of.time, {}, true);
+        add_record(of.velocity, shape);
+        add_record(of.vertical_velocity, shape);
     }
 
     void sample(const FlowState& state) override {

@@ -5,6 +5,7 @@
 
 #include "base/parallel.hpp"
 #include "instruments/instrument.hpp"
+#include "record/probe_fields.hpp"
 
 namespace riffle {
 
@@ -12,9 +13,8 @@ namespace {
 
 class VelocityPoints final : public Instrument {
   public:
-    VelocityPoints(const Probe& probe, const Case& c) : Instrument(probe) {
+    VelocityPoints(const Probe& probe, const Case& c) : Instrument(probe, c) {
         const std::size_t n = std::max(probe.x.size(), probe.z.size());
-        const bool space = c.channel.dimensions == 3;
         const std::vector<double> y = across(probe, c, n);
         std::vector<double> x;
         std::vector<double> z;
@@ -25,17 +25,14 @@ class VelocityPoints final : public Instrument {
         }
         // A measuring volume is the mean of points up to half a spacing of the particles apart.
         parts_ = std::max(1, static_cast<int>(std::ceil(2.0 * probe.sampling_length / c.numerics.spacing)));
-        add_axis("x", "distance along the channel", x);
-        if (space) {
-            add_axis("y", "distance across the channel", y);
-        }
-        add_axis("z", "height above the bed level", z);
-        add_record("time", "s", "simulated time", {}, true);
-        add_record("velocity", "m/s", "streamwise velocity", {n});
-        add_record("vertical_velocity", "m/s", "vertical velocity", {n});
-        if (space) {
-            add_record("spanwise_velocity", "m/s", "spanwise velocity", {n});
-        }
+        const auto& of = fields::velocity_points;
+        add_axis(of.x, x);
+        add_axis(of.y, y);
+        add_axis(of.z, z);
+        add_record(of.time, {}, true);
+        add_record(of.velocity, {n});
+        add_record(of.vertical_velocity, {n});
+        add_record(of.spanwise_velocity, {n});
     }
 
     void sample(const FlowState& state) override {

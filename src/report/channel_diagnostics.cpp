@@ -6,6 +6,9 @@
 #include <cmath>
 
 #include "case/flow_kind.hpp"
+#include "record/flow_fields.hpp"
+#include "record/run_fields.hpp"
+#include "record/twin_fields.hpp"
 #include "report/diagnostic_rows.hpp"
 #include "statistics/confidence.hpp"
 #include "statistics/record.hpp"
@@ -23,8 +26,8 @@ class ChannelRows : public DiagnosticRows {
           bodies_(!data.flow.solids.empty()) {}
 
     void interval() {
-        const auto mean = value("depth_mean_velocity");
-        const auto half = value("depth_mean_velocity_half_width");
+        const auto mean = value(fields::summary.depth_mean_velocity);
+        const auto half = value(fields::summary.depth_mean_velocity_half_width);
         if (!mean || !half || *mean == 0) return;
         const double share = *half / std::abs(*mean);
         const double bar = data_.flow.run.tolerance;
@@ -74,7 +77,7 @@ class ChannelRows : public DiagnosticRows {
     }
 
     void start_up() {
-        const auto relaxation = find_value(data_.column_summary, "relaxation_time");
+        const auto relaxation = find_value(data_.column, fields::column_numbers.relaxation_time);
         if (!relaxation || *relaxation <= 0 || data_.window_end <= data_.window_start) return;
         const double times = data_.window_start / *relaxation;
         add({"start_up", "Time before averaging", fmt::format("{:.1f} relaxation times", times), "at least 3",
@@ -87,10 +90,10 @@ class ChannelRows : public DiagnosticRows {
     }
 
     void budget() {
-        const auto drag = value("drag_over_gravity");
+        const auto drag = value(fields::summary.drag_over_gravity);
         if (!drag || data_.flow.channel.slope <= 0) return;
-        const double wall = value("wall_over_gravity").value_or(0.0);
-        const double share = *drag + wall + value("side_wall_over_gravity").value_or(0.0);
+        const double wall = value(fields::summary.wall_over_gravity).value_or(0.0);
+        const double share = *drag + wall + value(fields::summary.side_wall_over_gravity).value_or(0.0);
         add({"force_budget",
              bodies_ ? "Force on bed, walls and bodies over the weight component"
                      : "Drag and wall friction over the weight component",
@@ -118,7 +121,7 @@ class ChannelRows : public DiagnosticRows {
     }
 
     void spurious_stress() {
-        const auto share = value("spurious_stress_rms");
+        const auto share = value(fields::summary.spurious_stress_rms);
         if (!share) return;
         const double bar = space_ ? 0.01 : stirred_ ? 0.015 : 0.005;
         add({"spurious_stress",
@@ -133,7 +136,7 @@ class ChannelRows : public DiagnosticRows {
     }
 
     void stress_error() {
-        const auto share = value("stress_error_rms");
+        const auto share = value(fields::summary.stress_error_rms);
         if (!share || bodies_) return;
         const double bar = space_ ? 0.035 : 0.015;
         add({"stress_error", "Total shear stress against the analytic line",
@@ -145,21 +148,31 @@ class ChannelRows : public DiagnosticRows {
 
     void velocity_errors() {
         // The bars of three dimensions are wider: the spheres stand at their places, which no twin knows.
+        const auto& of = fields::summary;
+        const auto above = [&](double rms_bar, double maximum_bar) {
+            velocity_error("above", of.velocity_error_above_rms, of.velocity_error_above_maximum, rms_bar,
+                           maximum_bar);
+        };
+        const auto below = [&](double rms_bar, double maximum_bar) {
+            velocity_error("below", of.velocity_error_below_rms, of.velocity_error_below_maximum, rms_bar,
+                           maximum_bar);
+        };
         if (space_) {
-            velocity_error("above", "above the crests", 0.02, 0.04);
-            velocity_error("below", "below the crests", 0.10, 0.15);
+            above(0.02, 0.04);
+            below(0.10, 0.15);
             return;
         }
-        velocity_error("above", "above the crests", 0.01, 0.02);
+        above(0.01, 0.02);
         // The thin layers between the bed elements are harder to resolve; less so with a wide kernel.
         const bool wide = data_.flow.numerics.smoothing_ratio >= 2;
-        velocity_error("below", "below the crests", wide ? 0.025 : 0.03, wide ? 0.04 : 0.06);
+        below(wide ? 0.025 : 0.03, wide ? 0.04 : 0.06);
     }
 
     void depth_drift() {
-        if (!has_column(data_.series, "mean_level") || !has_column(data_.series, "time")) return;
-        auto levels = in_window("mean_level");
-        auto times = in_window("time");
+        if (!data_.series.has(fields::time_series.mean_level) || !data_.series.has(fields::time_series.time))
+            return;
+        auto levels = in_window(fields::time_series.mean_level);
+        auto times = in_window(fields::time_series.time);
         // A run's first rows may precede the first sample of the surface.
         while (!levels.empty() && !std::isfinite(levels.front())) {
             levels = levels.subspan(1);
@@ -184,10 +197,11 @@ class ChannelRows : public DiagnosticRows {
     /// What the start-up has done to the volume stays in every mean after it, steady as they may be. The
     /// level knows of it; the density that the particles carry does not.
     void volume() {
-        if (!has_column(data_.series, "mean_level") || data_.flow.channel.ends != Ends::periodic) return;
-        const double level = mean_of(in_window("mean_level"));
+        if (!data_.series.has(fields::time_series.mean_level) || data_.flow.channel.ends != Ends::periodic)
+            return;
+        const double level = mean_of(in_window(fields::time_series.mean_level));
         if (!std::isfinite(level)) return;
-        const auto& all = data_.series.at("mean_level");
+        const auto& all = data_.series[fields::time_series.mean_level];
         const auto first = std::find_if(all.begin(), all.end(), [](double z) { return std::isfinite(z); });
         constexpr double bar = 0.005;
         const double change = (level - *first) / data_.flow.total_depth();
@@ -206,13 +220,13 @@ class ChannelRows : public DiagnosticRows {
         return mark == Health::bad && drift - half_width <= bar ? Health::caution : mark;
     }
 
-    void velocity_error(const std::string& part, const std::string& where, double rms_bar,
-                        double maximum_bar) {
-        const auto rms = value("velocity_error_" + part + "_rms");
-        const auto maximum = value("velocity_error_" + part + "_maximum");
+    void velocity_error(const std::string& part, const Field& rms_field, const Field& maximum_field,
+                        double rms_bar, double maximum_bar) {
+        const auto rms = value(rms_field);
+        const auto maximum = value(maximum_field);
         if (!rms || !maximum) return;
         const char* const twin = data_.flow.has_side_walls() ? "section twin" : "column twin";
-        add({"velocity_error_" + part, fmt::format("Velocity {} against the {}", where, twin),
+        add({"velocity_error_" + part, fmt::format("Velocity {} the crests against the {}", part, twin),
              fmt::format("rms {}, largest {}", percent(*rms), percent(*maximum)),
              fmt::format("rms at most {}, largest at most {}", percent(rms_bar, 1), percent(maximum_bar, 0)),
              fmt::format("The {} is the exact steady solution of the same equations, so this is the error of "

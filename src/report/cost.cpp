@@ -7,6 +7,8 @@
 #include <optional>
 
 #include "case/flow_conditions.hpp"
+#include "record/flow_fields.hpp"
+#include "record/run_fields.hpp"
 #include "report/run_facts.hpp"
 
 namespace riffle {
@@ -44,13 +46,13 @@ std::optional<ThesisCost> thesis_cost(const Case& c) {
 
 /// Simulated time that the computing time of a run is for, s.
 std::optional<double> simulated_time(const ReportData& data) {
-    if (const auto time = find_value(data.summary, "simulated_time")) return time;
-    if (has_column(data.series, "time")) return data.series.at("time").back();
+    if (const auto time = find_value(data.summary, fields::summary.simulated_time)) return time;
+    if (data.series.has(fields::time_series.time)) return recorded_time(data);
     return std::nullopt;
 }
 
 std::optional<double> seconds_per_second(const ReportData& data) {
-    const auto seconds = find_value(data.summary, "wall_clock_seconds");
+    const auto seconds = find_value(data.summary, fields::summary.wall_clock_seconds);
     const auto time = simulated_time(data);
     if (!seconds || !time || !(*time > 0.0)) return std::nullopt;
     return *seconds / *time;
@@ -60,9 +62,9 @@ std::optional<double> seconds_per_second(const ReportData& data) {
 
 std::vector<CostRow> cost_rows(const std::vector<ComparedRun>& runs) {
     using Text = std::function<std::optional<std::string>(const ReportData&)>;
-    const auto attribute = [](const char* name, std::string (*text)(double)) -> Text {
-        return [name, text](const ReportData& data) -> std::optional<std::string> {
-            const auto value = find_value(data.summary, name);
+    const auto attribute = [](const Field& field, std::string (*text)(double)) -> Text {
+        return [field, text](const ReportData& data) -> std::optional<std::string> {
+            const auto value = find_value(data.summary, field);
             return value ? std::optional<std::string>(text(*value)) : std::nullopt;
         };
     };
@@ -79,13 +81,14 @@ std::vector<CostRow> cost_rows(const std::vector<ComparedRun>& runs) {
     };
     add("dimensions", "dimensions",
         [](const ReportData& data) { return fmt::format("{}", data.flow.channel.dimensions); });
-    add("particles", "particles", attribute("particles", grouped_number));
-    add("steps", "time steps", attribute("steps", grouped_number));
+    add("particles", "particles", attribute(fields::summary.particles, grouped_number));
+    add("steps", "time steps", attribute(fields::summary.steps, grouped_number));
     add("simulated_time", "simulated time", [](const ReportData& data) -> std::optional<std::string> {
         const auto time = simulated_time(data);
         return time ? std::optional<std::string>(fmt::format("{:.4g} s", *time)) : std::nullopt;
     });
-    add("wall_clock_seconds", "computing time", attribute("wall_clock_seconds", computing_time_text));
+    add("wall_clock_seconds", "computing time",
+        attribute(fields::summary.wall_clock_seconds, computing_time_text));
     add("seconds_per_second", "computing time per simulated second",
         [](const ReportData& data) -> std::optional<std::string> {
             const auto rate = seconds_per_second(data);

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "case/flow_kind.hpp"
+#include "record/flow_fields.hpp"
 #include "report/diagnostic_rows.hpp"
 
 namespace riffle {
@@ -52,8 +53,8 @@ class CourseRows : public DiagnosticRows {
 
     /// Of water that is at rest: how fast its particles still are in the end.
     void rest() {
-        if (!still() || !has_column(data_.series, "maximum_velocity")) return;
-        const double speed = data_.series.at("maximum_velocity").back();
+        if (!still() || !data_.series.has(fields::time_series.maximum_velocity)) return;
+        const double speed = data_.series[fields::time_series.maximum_velocity].back();
         const double scale = std::sqrt(data_.flow.normal_gravity() * data_.flow.total_depth());
         add({"largest_speed", "Fastest particle in the end",
              fmt::format("{:.2g} mm/s, {:.1e} of √(gH)", 1000 * speed, speed / scale), "at rest: none",
@@ -64,9 +65,9 @@ class CourseRows : public DiagnosticRows {
 
     void momentum() {
         if (flow_kind(data_.flow) != FlowKind::periodic_box ||
-            !has_column(data_.series, "total_mean_velocity"))
+            !data_.series.has(fields::time_series.total_mean_velocity))
             return;
-        const auto& mean = data_.series.at("total_mean_velocity");
+        const auto& mean = data_.series[fields::time_series.total_mean_velocity];
         double most = 0.0;
         for (const double value : mean) most = std::max(most, std::abs(value - mean.front()));
         const double scale = data_.flow.start.velocity.value_or(0.0);
@@ -88,9 +89,9 @@ class CourseRows : public DiagnosticRows {
     [[nodiscard]] bool still() const {
         const double scale = std::sqrt(data_.flow.normal_gravity() * data_.flow.total_depth());
         const Finding* const energy = finding("kinetic_energy_largest");
-        if (!(scale > 0.0) || energy == nullptr || !has_column(data_.series, "maximum_velocity"))
+        if (!(scale > 0.0) || energy == nullptr || !data_.series.has(fields::time_series.maximum_velocity))
             return false;
-        const auto& fastest = data_.series.at("maximum_velocity");
+        const auto& fastest = data_.series[fields::time_series.maximum_velocity];
         return *std::max_element(fastest.begin(), fastest.end()) < 0.02 * scale;
     }
 

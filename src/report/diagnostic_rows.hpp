@@ -34,14 +34,14 @@ class DiagnosticRows {
     [[nodiscard]] std::vector<Diagnostic> take() { return std::move(rows_); }
 
   protected:
-    [[nodiscard]] std::optional<double> value(const std::string& name) const {
-        return find_value(data_.summary, name);
+    [[nodiscard]] std::optional<double> value(const Field& field) const {
+        return find_value(data_.summary, field);
     }
     /// The finding of the analysis with this key; null if there is none.
     [[nodiscard]] const Finding* finding(const std::string& key) const;
     /// The part of a series inside the averaging window of a channel; all of it before there is a window, and
     /// of a flow that nothing drives.
-    [[nodiscard]] std::span<const double> in_window(const std::string& name) const;
+    [[nodiscard]] std::span<const double> in_window(const Field& field) const;
     void add(Diagnostic row) { rows_.push_back(std::move(row)); }
 
     const ReportData& data_;

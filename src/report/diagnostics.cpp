@@ -7,6 +7,8 @@
 
 #include "analysis/figure_tools.hpp"
 #include "case/flow_kind.hpp"
+#include "record/flow_fields.hpp"
+#include "record/run_fields.hpp"
 #include "report/diagnostic_rows.hpp"
 #include "statistics/confidence.hpp"
 
@@ -28,9 +30,9 @@ std::string signed_percent(double share) { return (share < 0 ? "" : "+") + perce
 
 const Finding* DiagnosticRows::finding(const std::string& key) const { return find_finding(analysis_, key); }
 
-std::span<const double> DiagnosticRows::in_window(const std::string& name) const {
-    const auto& time = data_.series.at("time");
-    const auto& values = data_.series.at(name);
+std::span<const double> DiagnosticRows::in_window(const Field& field) const {
+    const auto& time = data_.series[fields::time_series.time];
+    const auto& values = data_.series[field];
     if (data_.window_end <= data_.window_start || is_undriven(flow_kind(data_.flow))) return values;
     const auto first = std::lower_bound(time.begin(), time.end(), data_.window_start);
     const auto last = std::upper_bound(first, time.end(), data_.window_end);
@@ -39,12 +41,12 @@ std::span<const double> DiagnosticRows::in_window(const std::string& name) const
 }
 
 void DiagnosticRows::density() {
-    if (!has_column(data_.series, "density_deviation_minimum") ||
-        !has_column(data_.series, "density_deviation_maximum")) {
+    if (!data_.series.has(fields::time_series.density_deviation_minimum) ||
+        !data_.series.has(fields::time_series.density_deviation_maximum)) {
         return;
     }
-    const auto low = in_window("density_deviation_minimum");
-    const auto high = in_window("density_deviation_maximum");
+    const auto low = in_window(fields::time_series.density_deviation_minimum);
+    const auto high = in_window(fields::time_series.density_deviation_maximum);
     if (low.empty() || high.empty()) return;
     const double least = *std::min_element(low.begin(), low.end());
     const double most = *std::max_element(high.begin(), high.end());
@@ -62,8 +64,8 @@ void DiagnosticRows::density() {
 }
 
 void DiagnosticRows::order() {
-    if (!has_column(data_.series, "particle_order")) return;
-    const auto values = in_window("particle_order");
+    if (!data_.series.has(fields::time_series.particle_order)) return;
+    const auto values = in_window(fields::time_series.particle_order);
     if (values.empty()) return;
     add({"particle_order", "Order of the particles",
          fmt::format("{:.2f} (mean over the window)", mean_with_confidence(values).mean),
@@ -74,9 +76,9 @@ void DiagnosticRows::order() {
 }
 
 void DiagnosticRows::fluctuation() {
-    if (!has_column(data_.series, "velocity_fluctuation")) return;
-    const auto values = in_window("velocity_fluctuation");
-    const auto friction = value("friction_velocity");
+    if (!data_.series.has(fields::time_series.velocity_fluctuation)) return;
+    const auto values = in_window(fields::time_series.velocity_fluctuation);
+    const auto friction = value(fields::summary.friction_velocity);
     if (values.empty()) return;
     const double mean = mean_with_confidence(values).mean;
     std::string text = fmt::format("{:.2g} mm/s", 1000 * mean);
@@ -91,8 +93,8 @@ void DiagnosticRows::fluctuation() {
 }
 
 void DiagnosticRows::particles_lost() {
-    const auto lost = value("lost_particles");
-    const auto share = value("lost_share");
+    const auto lost = value(fields::summary.lost_particles);
+    const auto share = value(fields::summary.lost_share);
     if (!lost || !share) return;
     constexpr double bar = 1e-3;
     add({"lost_water", "Water that left the domain",

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <variant>
 
 #include "analysis/bodies.hpp"
+#include "record/flow_fields.hpp"
+#include "record/particle_fields.hpp"
 #include "report/solid_cuts.hpp"
 #include "roughness/sphere_lattice.hpp"
 
@@ -52,22 +53,19 @@ double slice_place(const Case& c) {
                                           : c.channel.centreline();
 }
 
-FieldFrame read_frame(const ResultsReader& reader, const std::string& group, const Case& c) {
+FieldFrame read_frame(const RunResults& results, const std::string& group, const Case& c) {
+    const auto& of = fields::snapshot;
+    const auto values = [&](const Field& field) { return results.values({group, field}); };
     FieldFrame frame;
-    if (const auto time = reader.attribute(group, "time")) {
-        if (const auto* value = std::get_if<double>(&*time)) frame.time = *value;
-    }
-    const std::vector<double> position = reader.read_doubles(group + "/position");
+    frame.time = results.number({group, of.time}).value_or(0.0);
+    const std::vector<double> position = values(of.position);
     frame.x = component(position, 0);
     frame.z = component(position, 2);
-    if (reader.has(group + "/velocity")) {
-        const std::vector<double> velocity = reader.read_doubles(group + "/velocity");
-        frame.velocity = component(velocity, 0);
-        frame.vertical_velocity = component(velocity, 2);
-    }
-    if (reader.has(group + "/pressure")) frame.pressure = reader.read_doubles(group + "/pressure");
-    if (reader.has(group + "/eddy_viscosity"))
-        frame.eddy_viscosity = reader.read_doubles(group + "/eddy_viscosity");
+    const std::vector<double> velocity = values(of.velocity);
+    frame.velocity = component(velocity, 0);
+    frame.vertical_velocity = component(velocity, 2);
+    frame.pressure = values(of.pressure);
+    frame.eddy_viscosity = values(of.eddy_viscosity);
     if (c.channel.dimensions == 3) {
         const std::vector<double> y = component(position, 1);
         const double middle = slice_place(c);
@@ -79,11 +77,11 @@ FieldFrame read_frame(const ResultsReader& reader, const std::string& group, con
 
 /// The free surface at the recorded time nearest to each frame's, if one lies within half a record interval
 /// (records every 0.01 s by default; snapshots fall between them).
-void add_surfaces(const ResultsReader& reader, FieldPicture& picture) {
-    if (!reader.has("/surface/elevation") || !reader.has("/surface/x") || !reader.has("/surface/time"))
-        return;
-    const std::vector<double> x = reader.read_doubles("/surface/x");
-    const std::vector<double> time = reader.read_doubles("/surface/time");
+void add_surfaces(const RunResults& results, FieldPicture& picture) {
+    const auto& of = fields::surface;
+    if (!results.has(of.elevation)) return;
+    const std::vector<double> x = results.values(of.x);
+    const std::vector<double> time = results.values(of.time);
     if (time.empty() || x.empty()) return;
     const double interval = time.size() > 1 ? time[1] - time[0] : 0.0;
     for (FieldFrame& frame : picture.frames) {
@@ -92,8 +90,7 @@ void add_surfaces(const ResultsReader& reader, FieldPicture& picture) {
                                               [&](double a, double b) { return distance(a) < distance(b); });
         if (distance(*nearest) > 0.51 * interval + 1e-9) continue;
         frame.surface_x = x;
-        frame.surface_z =
-            reader.read_rows("/surface/elevation", static_cast<std::size_t>(nearest - time.begin()), 1);
+        frame.surface_z = results.rows(of.elevation, static_cast<std::size_t>(nearest - time.begin()), 1);
     }
 }
 
@@ -123,15 +120,16 @@ void shorten(FieldPicture& picture) {
 }
 
 /// The snapshots to show: evenly spread, the first and the last among them.
-std::vector<std::string> chosen_snapshots(const ResultsReader& reader, const Case& c, FieldFrames which) {
+std::vector<std::string> chosen_snapshots(const RunResults& results, const Case& c, FieldFrames which) {
     std::vector<std::string> names;
-    for (const std::string& name : reader.children("/snapshots")) {
-        if (reader.has("/snapshots/" + name + "/position")) names.push_back("/snapshots/" + name);
+    for (const std::string& name : results.children(snapshots_group)) {
+        const std::string group = std::string(snapshots_group) + "/" + name;
+        if (results.has({group, fields::snapshot.position})) names.push_back(group);
     }
     if (names.empty()) return names;
     if (which == FieldFrames::last) return {names.back()};
     const std::size_t particles =
-        std::clamp<std::size_t>(read_frame(reader, names.back(), c).x.size(), 1, most_particles);
+        std::clamp<std::size_t>(read_frame(results, names.back(), c).x.size(), 1, most_particles);
     const std::size_t frames = std::clamp<std::size_t>(most_in_all / particles, 1, most_frames);
     if (names.size() <= frames) return names;
     std::vector<std::string> chosen;
@@ -156,20 +154,20 @@ std::vector<Circle> sphere_cuts(const Case& c, double y) {
 
 }  // namespace
 
-std::optional<FieldPicture> read_field(const ResultsReader& reader, const Case& c, FieldFrames frames) {
-    if (frames == FieldFrames::none || !reader.has("/snapshots")) return std::nullopt;
+std::optional<FieldPicture> read_field(const RunResults& results, const Case& c, FieldFrames frames) {
+    if (frames == FieldFrames::none) return std::nullopt;
     const bool space = c.channel.dimensions == 3;
     FieldPicture picture;
     if (space) picture.y = slice_place(c);
-    for (const std::string& group : chosen_snapshots(reader, c, frames)) {
-        FieldFrame frame = read_frame(reader, group, c);
+    for (const std::string& group : chosen_snapshots(results, c, frames)) {
+        FieldFrame frame = read_frame(results, group, c);
         if (frame.x.empty()) continue;
-        frame.bodies = space ? solid_cuts(reader, group, *picture.y) : outlines_at(c, frame.time);
+        frame.bodies = space ? solid_cuts(results, group, *picture.y) : outlines_at(c, frame.time);
         picture.frames.push_back(std::move(frame));
     }
     if (picture.frames.empty()) return std::nullopt;
     picture.x_end = c.channel.length;
-    add_surfaces(reader, picture);
+    add_surfaces(results, picture);
     shorten(picture);
     if (space) picture.spheres = sphere_cuts(c, *picture.y);
     for (const FieldFrame& frame : picture.frames) {

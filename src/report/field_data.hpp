@@ -7,7 +7,7 @@
 
 #include "case/case.hpp"
 #include "case/outline.hpp"
-#include "output/results_file.hpp"
+#include "record/run_results.hpp"
 
 namespace riffle {
 
@@ -39,7 +39,7 @@ struct FieldPicture {
 enum class FieldFrames { none, last, all };
 
 /// The picture from the snapshots of a results file; nothing where it has none.
-[[nodiscard]] std::optional<FieldPicture> read_field(const ResultsReader& reader, const Case& c,
+[[nodiscard]] std::optional<FieldPicture> read_field(const RunResults& results, const Case& c,
                                                      FieldFrames frames);
 
 }  // namespace riffle

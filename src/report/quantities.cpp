@@ -6,6 +6,8 @@
 #include "analysis/figure_tools.hpp"
 #include "case/flow_kind.hpp"
 #include "hydraulics/channel_laws.hpp"
+#include "record/run_fields.hpp"
+#include "record/twin_fields.hpp"
 
 namespace riffle {
 
@@ -71,16 +73,17 @@ class Table {
 
 Sources depth_mean_velocity(const ReportData& data) {
     Sources sources;
-    if (const auto value = find_value(data.summary, "depth_mean_velocity")) {
-        sources.simulated = SummaryValue{*value, find_value(data.summary, "depth_mean_velocity_half_width")};
+    if (const auto value = find_value(data.summary, fields::summary.depth_mean_velocity)) {
+        sources.simulated =
+            SummaryValue{*value, find_value(data.summary, fields::summary.depth_mean_velocity_half_width)};
     }
     if (data.flow.has_side_walls()) {
         // The measured velocity is that of the centreline: centreline_velocity.
-        sources.column = plain(find_value(data.section_summary, "depth_mean_velocity"));
+        sources.column = plain(find_value(data.section, fields::section_numbers.depth_mean_velocity));
         return sources;
     }
     sources.measured = plain(data.flow.measured.depth_mean_velocity);
-    sources.column = plain(find_value(data.column_summary, "depth_mean_velocity"));
+    sources.column = plain(find_value(data.column, fields::column_numbers.depth_mean_velocity));
     return sources;
 }
 
@@ -97,22 +100,23 @@ void add_velocities(Table& table, const ReportData& data, const Sources& mean) {
                                    : "Depth-mean velocity above the datum",
                      "<i>U</i>", "m/s"),
               mean);
-    const auto centreline = find_value(data.summary, "centreline_velocity");
+    const auto centreline = find_value(data.summary, fields::summary.centreline_velocity);
     if (centreline && between_walls) {
         table.add(row_of("centreline_velocity", "Depth-mean velocity around the centreline",
                          "<i>U</i><sub>c</sub>", "m/s"),
-                  {SummaryValue{*centreline, find_value(data.summary, "centreline_velocity_half_width")},
+                  {SummaryValue{*centreline,
+                                find_value(data.summary, fields::summary.centreline_velocity_half_width)},
                    plain(data.flow.measured.depth_mean_velocity),
-                   plain(find_value(data.section_summary, "centreline_velocity"))});
+                   plain(find_value(data.section, fields::section_numbers.centreline_velocity))});
     }
     // The column twin is that of a wide channel: it stands beside nothing between side walls.
     table.add(
         row_of("surface_velocity",
                between_walls ? "Velocity at the surface, over the whole width" : "Velocity at the surface",
                "<i>u</i><sub>s</sub>", "m/s"),
-        {plain(find_value(data.summary, "surface_velocity")),
+        {plain(find_value(data.summary, fields::summary.surface_velocity)),
          {},
-         between_walls ? Value() : plain(find_value(data.column_summary, "surface_velocity"))});
+         between_walls ? Value() : plain(find_value(data.column, fields::column_numbers.surface_velocity))});
 }
 
 /// Friction velocities and roughness around the centreline of a channel with side walls, where they were
@@ -122,7 +126,7 @@ void add_centreline_friction(Table& table, const ReportData& data, const Analysi
     table.add(row_of("width_friction_velocity",
                      "Friction velocity, from the stress at the crests over the whole width",
                      "<i>u</i><sub>∗</sub>", "m/s"),
-              {plain(find_value(data.summary, "friction_velocity")), {}, {}});
+              {plain(find_value(data.summary, fields::summary.friction_velocity)), {}, {}});
     table.add(
         row_of("friction_velocity", "Friction velocity, from the stress at the crests around the centreline",
                "<i>u</i><sub>∗</sub>", "m/s"),
@@ -151,7 +155,7 @@ void add_friction(Table& table, const ReportData& data, const Analysis& analysis
             table.add(row_of("width_friction_velocity",
                              "Friction velocity, from the stress at the crests over the whole width",
                              "<i>u</i><sub>∗</sub>", "m/s"),
-                      {plain(find_value(data.summary, "friction_velocity")), {}, {}});
+                      {plain(find_value(data.summary, fields::summary.friction_velocity)), {}, {}});
         }
         return;
     }
@@ -160,32 +164,35 @@ void add_friction(Table& table, const ReportData& data, const Analysis& analysis
                data.flow.bed.kind == BedKind::spheres ? "Friction velocity, from the stress at the crests"
                                                       : "Friction velocity, from the stress at the bed",
                "<i>u</i><sub>∗</sub>", "m/s"),
-        {plain(find_value(data.summary, "friction_velocity")), plain(measured.friction_velocity),
-         plain(find_value(data.column_summary, "friction_velocity"))});
+        {plain(find_value(data.summary, fields::summary.friction_velocity)),
+         plain(measured.friction_velocity),
+         plain(find_value(data.column, fields::column_numbers.friction_velocity))});
     // Of the analysis, whose window may be another, else of the run itself.
-    const auto fit = [&](const char* key) {
-        Value value = found(analysis, key);
-        if (!value && find_value(data.summary, key)) {
-            value = SummaryValue{*find_value(data.summary, key),
-                                 find_value(data.summary, std::string(key) + "_half_width")};
+    const auto fit = [&](const Field& field, const Field& half_width) {
+        Value value = found(analysis, field.name);
+        if (!value && find_value(data.summary, field)) {
+            value = SummaryValue{*find_value(data.summary, field), find_value(data.summary, half_width)};
         }
         return value;
     };
+    const auto& of = fields::summary;
     table.add(row_of("log_law_friction_velocity", "Friction velocity, from the log-law fit",
                      "<i>u</i><sub>∗</sub>", "m/s"),
-              {fit("log_law_friction_velocity"), plain(measured.friction_velocity),
-               plain(find_value(data.column_summary, "log_law_friction_velocity"))});
+              {fit(of.log_law_friction_velocity, of.log_law_friction_velocity_half_width),
+               plain(measured.friction_velocity),
+               plain(find_value(data.column, fields::column_numbers.log_law_friction_velocity))});
     table.add(row_of("equivalent_roughness", "Equivalent roughness, from the log-law fit",
                      "<i>k</i><sub>s</sub>", "mm", 1000, 3),
-              {fit("equivalent_roughness"), plain(measured.equivalent_roughness),
-               plain(find_value(data.column_summary, "equivalent_roughness"))});
+              {fit(of.equivalent_roughness, of.equivalent_roughness_half_width),
+               plain(measured.equivalent_roughness),
+               plain(find_value(data.column, fields::column_numbers.equivalent_roughness))});
 }
 
 /// Surface level and how much it moves: as the analysis finds it, so that a page gives one value.
 void add_levels(Table& table, const ReportData& data, const Analysis& analysis) {
     table.add(
         row_of("mean_level", "Mean water level above the bed level", "<i>z</i><sub>s</sub>", "mm", 1000, 4),
-        {plain(find_value(data.summary, "mean_level")), {}, plain(data.flow.total_depth())});
+        {plain(find_value(data.summary, fields::summary.mean_level)), {}, plain(data.flow.total_depth())});
     table.add(row_of("surface_standard_deviation", "Surface fluctuation, standard deviation",
                      "<i>σ</i><sub>η</sub>", "mm", 1000, 3),
               {found(analysis, "surface_standard_deviation"),
@@ -216,31 +223,34 @@ void add_channel_numbers(Table& table, const ReportData& data, const Sources& me
 
 void add_forces(Table& table, const ReportData& data) {
     if (data.flow.channel.slope <= 0) return;
-    table.add(row_of("drag_over_gravity", "Drag of the bed elements / weight component", "", "1"),
-              {plain(find_value(data.summary, "drag_over_gravity")),
-               {},
-               plain(find_value(data.flow.has_side_walls() ? data.section_summary : data.column_summary,
-                                "drag_share"))});
-    if (const auto side = find_value(data.summary, "side_wall_over_gravity");
+    table.add(
+        row_of("drag_over_gravity", "Drag of the bed elements / weight component", "", "1"),
+        {plain(find_value(data.summary, fields::summary.drag_over_gravity)),
+         {},
+         plain(data.flow.has_side_walls() ? find_value(data.section, fields::section_numbers.drag_share)
+                                          : find_value(data.column, fields::column_numbers.drag_share))});
+    if (const auto side = find_value(data.summary, fields::summary.side_wall_over_gravity);
         side && data.flow.has_side_walls()) {
-        table.add(row_of("side_wall_over_gravity", "Drag of the side walls / weight component", "", "1"),
-                  {plain(side), {}, plain(find_value(data.section_summary, "side_wall_share"))});
+        table.add(
+            row_of("side_wall_over_gravity", "Drag of the side walls / weight component", "", "1"),
+            {plain(side), {}, plain(find_value(data.section, fields::section_numbers.side_wall_share))});
     }
     // A bed that acts by its elements alone has no wall friction to report.
-    const auto wall = find_value(data.summary, "wall_over_gravity");
-    const auto column_wall = find_value(data.column_summary, "wall_share");
+    const auto wall = find_value(data.summary, fields::summary.wall_over_gravity);
+    const auto column_wall = find_value(data.column, fields::column_numbers.wall_share);
     if (wall.value_or(0.0) == 0.0 && column_wall.value_or(0.0) == 0.0) return;
     table.add(row_of("wall_over_gravity", "Wall friction / weight component", "", "1", 1, 3),
               {plain(wall), {}, plain(column_wall)});
 }
 
 void add_forces_on_bodies(Table& table, const ReportData& data, const Analysis& analysis) {
-    for (const auto& [key, label] :
-         {std::pair{"drag_over_gravity", "Drag of the bed elements / weight component"},
-          std::pair{"wall_over_gravity", "Force of walls and bodies / weight component"},
-          std::pair{"side_wall_over_gravity", "Drag of the side walls / weight component"}}) {
-        const auto value = find_value(data.summary, key);
-        if (value.value_or(0.0) != 0.0) table.add(row_of(key, label, "", "1"), {plain(value), {}, {}});
+    const auto& of = fields::summary;
+    for (const auto& [field, label] :
+         {std::pair{of.drag_over_gravity, "Drag of the bed elements / weight component"},
+          std::pair{of.wall_over_gravity, "Force of walls and bodies / weight component"},
+          std::pair{of.side_wall_over_gravity, "Drag of the side walls / weight component"}}) {
+        const auto value = find_value(data.summary, field);
+        if (value.value_or(0.0) != 0.0) table.add(row_of(field.name, label, "", "1"), {plain(value), {}, {}});
     }
     table.add(row_of("solid_force_share", "of these the force on the bodies", "", "1"),
               {found(analysis, "solid_force_share"), {}, {}});
@@ -282,7 +292,7 @@ std::vector<SummaryRow> summarize(const ReportData& data, const Analysis& analys
         if (kind == FlowKind::tank && data.flow.channel.top == Top::free_surface) {
             table.add(row_of("mean_level", "Mean level of the wet places, over the averaging window",
                              "<i>z</i><sub>s</sub>", "mm", 1000, 4),
-                      {plain(find_value(data.summary, "mean_level")), {}, {}});
+                      {plain(find_value(data.summary, fields::summary.mean_level)), {}, {}});
         }
         return table.take();
     }

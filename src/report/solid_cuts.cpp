@@ -6,6 +6,8 @@
 #include <optional>
 #include <utility>
 
+#include "record/particle_fields.hpp"
+
 namespace riffle {
 
 namespace {
@@ -62,12 +64,11 @@ std::vector<Outline> joined(std::vector<Segment> segments) {
 
 }  // namespace
 
-std::vector<Outline> solid_cuts(const ResultsReader& reader, const std::string& snapshot, double y) {
-    if (!reader.has("/boundaries/solids/triangles")) return {};
-    const std::string moved = snapshot + "/solid_vertices";
-    const std::vector<double> vertices =
-        reader.read_doubles(reader.has(moved) ? moved : "/boundaries/solids/vertices");
-    const std::vector<double> triangles = reader.read_doubles("/boundaries/solids/triangles");
+std::vector<Outline> solid_cuts(const RunResults& results, const std::string& snapshot, double y) {
+    const std::vector<double> triangles = results.values(fields::solids.triangles);
+    if (triangles.empty()) return {};
+    std::vector<double> vertices = results.values({snapshot, fields::snapshot.solid_vertices});
+    if (vertices.empty()) vertices = results.values(fields::solids.vertices);
     std::vector<Segment> segments;
     for (std::size_t t = 0; t + 2 < triangles.size(); t += 3) {
         std::array<std::array<double, 3>, 3> corners{};

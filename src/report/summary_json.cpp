@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "case/flow_kind.hpp"
+#include "record/run_fields.hpp"
 
 namespace riffle {
 
@@ -16,7 +17,7 @@ Json summary_object(const ReportData& data, const Analysis& analysis) {
             {"results", data.source.string()},
             {"complete", data.complete},
             {"flow_kind", flow_kind_word(flow_kind(data.flow))},
-            {"converged", find_value(data.summary, "converged").value_or(0.0) != 0.0},
+            {"converged", find_value(data.summary, fields::summary.converged).value_or(0.0) != 0.0},
             {"window", {{"start", data.window_start}, {"end", data.window_end}}},
             {"quantities", quantities_by_key(quantities)},
             {"diagnostics", diagnostics_json(diagnostics)},

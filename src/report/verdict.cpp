@@ -9,6 +9,7 @@
 
 #include "case/flow_kind.hpp"
 #include "column/column.hpp"
+#include "record/run_fields.hpp"
 
 namespace riffle {
 
@@ -182,7 +183,7 @@ void judge_course(const ReportData& data, const std::vector<SummaryRow>& quantit
                             against(row.simulated->value, row.theory->value), row.factor * row.theory->value);
     }
     if (!text.empty()) verdict.sentences.push_back(text + ".");
-    const double time = has_column(data.series, "time") ? data.series.at("time").back() : 0.0;
+    const double time = recorded_time(data);
     verdict.sentences.push_back(
         fmt::format("A {}, {:.4g} s of it; nothing drives a steady mean flow, so none is judged.",
                     flow_kind_name(flow_kind(data.flow)), time));
@@ -196,7 +197,7 @@ Verdict judge(const ReportData& data, const std::vector<SummaryRow>& quantities,
     const FlowKind kind = flow_kind(data.flow);
     const SummaryRow* const mean = find_quantity(quantities, "depth_mean_velocity");
     const bool averaged = mean != nullptr && mean->simulated.has_value();
-    const double time = has_column(data.series, "time") ? data.series.at("time").back() : 0.0;
+    const double time = recorded_time(data);
     if (is_channel(kind) ? !averaged : time <= 0.0) {
         verdict.headline =
             data.complete ? "The run ended without time averages." : "The run has no time averages yet.";
@@ -210,7 +211,7 @@ Verdict judge(const ReportData& data, const std::vector<SummaryRow>& quantities,
     verdict.mark = worst;
     // Only flows with a column twin are tested for convergence.
     if (has_column(data.flow)) {
-        const bool converged = find_value(data.summary, "converged").value_or(0.0) != 0.0;
+        const bool converged = find_value(data.summary, fields::summary.converged).value_or(0.0) != 0.0;
         if (!converged && verdict.mark == Health::good) verdict.mark = Health::caution;
         verdict.headline = steady_headline(converged, worst);
     } else {

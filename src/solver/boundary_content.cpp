@@ -7,8 +7,9 @@
 
 #include "boundary/wall.hpp"
 #include "case/solid_mesh.hpp"
+#include "record/field_content.hpp"
+#include "record/particle_fields.hpp"
 #include "roughness/sphere_lattice.hpp"
-#include "solver/content.hpp"
 
 namespace riffle {
 
@@ -25,30 +26,23 @@ void add_walls(const Case& c, std::vector<float>& points, std::vector<std::int32
     }
 }
 
+// The words of these fields are the same in two and three dimensions.
 template <class T>
-Dataset rows_of_three(std::string path, std::vector<T> values, std::string unit, std::string long_name) {
+Dataset rows_of_three(const Field& field, std::vector<T> values) {
     const std::size_t rows = values.size() / 3;
-    return {.path = std::move(path),
-            .shape = {rows, 3},
-            .values = std::move(values),
-            .unit = std::move(unit),
-            .long_name = std::move(long_name)};
+    return dataset_of(field, 3, {rows, 3}, std::move(values));
 }
 
-Dataset column_of(std::string path, std::vector<std::int32_t> values, std::string long_name) {
+Dataset column_of(const Field& field, std::vector<std::int32_t> values) {
     const std::size_t rows = values.size();
-    return {.path = std::move(path),
-            .shape = {rows},
-            .values = std::move(values),
-            .unit = "1",
-            .long_name = std::move(long_name)};
+    return dataset_of(field, 3, {rows}, std::move(values));
 }
 
 /// The numbers of so many rows, which the index draws as points.
-Dataset numbered(std::string path, std::size_t rows) {
+Dataset numbered(const Field& field, std::size_t rows) {
     std::vector<std::int32_t> values(rows);
     std::iota(values.begin(), values.end(), 0);
-    return column_of(std::move(path), std::move(values), "rows of the points, for the index");
+    return column_of(field, std::move(values));
 }
 
 }  // namespace
@@ -97,30 +91,22 @@ BoundaryContent::BoundaryContent(const Case& c) : motion_(c) {
 
 void BoundaryContent::add(Content& content) const {
     if (!wall_.empty()) {
-        content.datasets.push_back(rows_of_three("/boundaries/walls/position", wall_, "m",
-                                                 "position (x, y, z) of the wall particles at t = 0"));
-        content.datasets.push_back(
-            column_of("/boundaries/walls/body", wall_body_,
-                      "0: walls at rest, 1: the lid, 2 and on: the solids of the case"));
-        content.datasets.push_back(numbered("/boundaries/walls/point", walls()));
+        content.datasets.push_back(rows_of_three(fields::walls.position, wall_));
+        content.datasets.push_back(column_of(fields::walls.body, wall_body_));
+        content.datasets.push_back(numbered(fields::walls.point, walls()));
     }
     if (!vertex_.empty()) {
-        content.datasets.push_back(rows_of_three("/boundaries/solids/vertices", vertex_, "m",
-                                                 "corners (x, y, z) of the surfaces of the solids at t = 0"));
-        content.datasets.push_back(
-            column_of("/boundaries/solids/body", vertex_body_,
-                      "solid that a corner belongs to: 2 is the first one of the case"));
-        add_attribute(content, "/boundaries/solids", "names", names_);
+        content.datasets.push_back(rows_of_three(fields::solids.vertices, vertex_));
+        content.datasets.push_back(column_of(fields::solids.body, vertex_body_));
+        add_field(content, fields::solids.names, names_);
     }
     if (!triangle_.empty()) {
-        content.datasets.push_back(rows_of_three("/boundaries/solids/triangles", triangle_, "1",
-                                                 "triangles of the surfaces: rows of `vertices`"));
+        content.datasets.push_back(rows_of_three(fields::solids.triangles, triangle_));
     }
     if (!sphere_.empty()) {
-        content.datasets.push_back(rows_of_three("/boundaries/spheres/centre", sphere_, "m",
-                                                 "centres (x, y, z) of the spheres of the bed"));
-        content.datasets.push_back(numbered("/boundaries/spheres/point", spheres()));
-        add_attribute(content, "/boundaries/spheres", "diameter", sphere_diameter_);
+        content.datasets.push_back(rows_of_three(fields::spheres.centre, sphere_));
+        content.datasets.push_back(numbered(fields::spheres.point, spheres()));
+        add_field(content, fields::spheres.diameter, sphere_diameter_);
     }
 }
 
@@ -138,11 +124,12 @@ std::vector<float> BoundaryContent::displaced(const std::vector<float>& points,
 
 std::size_t BoundaryContent::add_moved(Content& content, const std::string& snapshot, double time) const {
     if (!motion_.displaces()) return 0;
-    content.datasets.push_back(rows_of_three(snapshot + "/wall_position", displaced(wall_, wall_body_, time),
-                                             "m", "position (x, y, z) of the wall particles"));
-    content.datasets.push_back(rows_of_three(snapshot + "/solid_vertices",
-                                             displaced(vertex_, vertex_body_, time), "m",
-                                             "corners (x, y, z) of the surfaces of the solids"));
+    const auto add = [&](const Field& field, std::vector<float> points) {
+        content.datasets.push_back(rows_of_three(field, std::move(points)));
+        content.datasets.back().path = field.path_in(snapshot);
+    };
+    add(fields::snapshot.wall_position, displaced(wall_, wall_body_, time));
+    add(fields::snapshot.solid_vertices, displaced(vertex_, vertex_body_, time));
     return sizeof(float) * (wall_.size() + vertex_.size());
 }
 

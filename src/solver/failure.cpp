@@ -12,6 +12,9 @@
 #include "output/results_file.hpp"
 #include "output/xdmf.hpp"
 #include "particles/lattice.hpp"
+#include "record/field_content.hpp"
+#include "record/particle_fields.hpp"
+#include "record/run_fields.hpp"
 #include "solver/content.hpp"
 
 namespace riffle {
@@ -78,19 +81,6 @@ std::vector<double> all_in_space(const std::array<std::vector<double>, static_ca
     return values;
 }
 
-void add(Content& content, const std::string& path, std::vector<double> values, std::size_t components,
-         const char* unit, const char* long_name) {
-    std::vector<std::size_t> shape = {values.size() / components};
-    if (components > 1) {
-        shape.push_back(components);
-    }
-    content.datasets.push_back({.path = path,
-                                .shape = std::move(shape),
-                                .values = std::move(values),
-                                .unit = unit,
-                                .long_name = long_name});
-}
-
 /// The state of some particles.
 template <int D>
 void add_particles(Content& content, const std::string& group, const Case& c,
@@ -102,14 +92,16 @@ void add_particles(Content& content, const std::string& group, const Case& c,
         density.push_back(c.fluid.density * (1.0 + p.density_deviation[i]));
         id.push_back(p.id[i]);
     }
-    add(content, group + "/position", all_in_space<D>(p.position, particles), 3, "m", "position (x, y, z)");
-    add(content, group + "/velocity", all_in_space<D>(p.velocity, particles), 3, "m/s", "velocity (u, v, w)");
-    add(content, group + "/density", std::move(density), 1, "kg/m3", "density");
-    content.datasets.push_back({.path = group + "/id",
-                                .shape = {id.size()},
-                                .values = std::move(id),
-                                .unit = "1",
-                                .long_name = "particle number"});
+    const auto add = [&](const Field& field, std::vector<std::size_t> shape, Dataset::Values values) {
+        content.datasets.push_back(dataset_of(field, D, std::move(shape), std::move(values)));
+        content.datasets.back().path = field.path_in(group);
+    };
+    const std::size_t n = particles.size();
+    const auto& of = fields::snapshot;
+    add(of.position, {n, 3}, all_in_space<D>(p.position, particles));
+    add(of.velocity, {n, 3}, all_in_space<D>(p.velocity, particles));
+    add(of.density, {n}, std::move(density));
+    add(of.id, {n}, std::move(id));
 }
 
 }  // namespace
@@ -165,18 +157,14 @@ void write_failure(const RunFiles& files, const Case& c, const SimulationIn<D>& 
     const double time = simulation.clock().time;
     const std::string snapshot = snapshot_group(0);
     add_particles(content, snapshot, c, simulation, all);
-    add_attribute(content, snapshot, "time", time);
+    add_attribute(content, snapshot, fields::snapshot.time.name, time);
     add_particles(content, "/neighbourhood", c, simulation, nearest);
-    add(content, "/neighbourhood/distance", std::move(distance), 1, "m",
-        "distance from the particle at which the simulation failed");
-    add(content, "/neighbourhood/neighbours", std::move(neighbours), 1, "1",
-        "particles of the water within the kernel's support");
-    content.datasets.push_back({.path = "/case/text",
-                                .shape = {},
-                                .values = c.text,
-                                .unit = "1",
-                                .long_name = "complete case (TOML)"});
-    add_attribute(content, "/", "failure", message);
+    add_array(content, "/neighbourhood/distance", std::move(distance), "m",
+              "distance from the particle at which the simulation failed");
+    add_array(content, "/neighbourhood/neighbours", std::move(neighbours), "1",
+              "particles of the water within the kernel's support");
+    content.datasets.push_back(dataset_of(fields::stored_case.text, D, {}, c.text));
+    add_field(content, fields::file.failure, message);
     add_attribute(content, "/", "time", time);
     add_attribute(content, "/", "particle",
                   static_cast<std::int64_t>(simulation.particles().id[scene.particle]));

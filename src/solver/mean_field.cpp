@@ -9,6 +9,8 @@
 #include "base/not_a_number.hpp"
 #include "base/parallel.hpp"
 #include "particles/lattice.hpp"
+#include "record/field_content.hpp"
+#include "record/flow_fields.hpp"
 #include "solver/content.hpp"
 #include "solver/recorder.hpp"
 
@@ -16,56 +18,44 @@ namespace riffle {
 
 namespace {
 
-/// A field of the file: how it follows from the statistics of a cell.
-struct Field {
-    enum class Kind { count, mean, force };
-    const char* name;
-    const char* unit;
-    const char* long_name;
-    Kind kind;
+/// A field of the file and what it is made from.
+struct CellField {
+    Field field;
     CellQuantity quantity;
 };
 
-constexpr std::array<Field, 17> fields = [] {
-    using enum Field::Kind;
+const std::vector<CellField>& cell_fields() {
     using Q = CellQuantity;
-    return std::array<Field, 17>{{
-        {"count", "1", "mean number of particles in the cell", count, Q::count},
-        {"velocity", "m/s", "mean streamwise velocity", mean, Q::u},
-        {"spanwise_velocity", "m/s", "mean spanwise velocity", mean, Q::v},
-        {"vertical_velocity", "m/s", "mean vertical velocity", mean, Q::w},
-        {"velocity_variance", "m2/s2", "mean square of u'", mean, Q::uu},
-        {"spanwise_velocity_variance", "m2/s2", "mean square of v'", mean, Q::vv},
-        {"vertical_velocity_variance", "m2/s2", "mean square of w'", mean, Q::ww},
-        {"velocity_covariance", "m2/s2", "mean of u'w'", mean, Q::uw},
-        {"velocity_spanwise_covariance", "m2/s2", "mean of u'v'", mean, Q::uv},
-        {"spanwise_vertical_covariance", "m2/s2", "mean of v'w'", mean, Q::vw},
-        {"shear_stress", "Pa", "stress tau_xz of viscosity and closure", mean, Q::shear_stress},
-        {"lateral_shear_stress", "Pa", "stress tau_xy of viscosity and closure", mean,
-         Q::lateral_shear_stress},
-        {"pressure", "Pa", "mean pressure", mean, Q::pressure},
-        {"eddy_viscosity", "m2/s", "mean eddy viscosity", mean, Q::eddy_viscosity},
-        {"drag", "N/m3", "streamwise force of the bed on the water, per volume", force, Q::drag_force},
-        {"spanwise_drag", "N/m3", "spanwise force of the bed on the water, per volume", force,
-         Q::spanwise_drag_force},
-        {"side_wall_drag", "N/m3", "streamwise force of the side walls' layers on the water, per volume",
-         force, Q::side_wall_force},
-    }};
-}();
+    const auto& f = fields::mean_field;
+    static const std::vector<CellField> all = {
+        {f.count, Q::count},
+        {f.velocity, Q::u},
+        {f.spanwise_velocity, Q::v},
+        {f.vertical_velocity, Q::w},
+        {f.velocity_variance, Q::uu},
+        {f.spanwise_velocity_variance, Q::vv},
+        {f.vertical_velocity_variance, Q::ww},
+        {f.velocity_covariance, Q::uw},
+        {f.velocity_spanwise_covariance, Q::uv},
+        {f.spanwise_vertical_covariance, Q::vw},
+        {f.shear_stress, Q::shear_stress},
+        {f.lateral_shear_stress, Q::lateral_shear_stress},
+        {f.pressure, Q::pressure},
+        {f.eddy_viscosity, Q::eddy_viscosity},
+        {f.drag, Q::drag_force},
+        {f.spanwise_drag, Q::spanwise_drag_force},
+        {f.side_wall_drag, Q::side_wall_force},
+    };
+    return all;
+}
 
 /// The value of a field in a cell. `volume`: of the cell, m3.
-double value_of(const Field& field, const CellSums& sums, const CellPlace& cell, double samples,
+double value_of(const CellField& field, const CellSums& sums, const CellPlace& cell, double samples,
                 double volume) {
     const double value = sums.get(cell, field.quantity);
-    switch (field.kind) {
-        case Field::Kind::count:
-            return value / samples;
-        case Field::Kind::mean:
-            return sums.get(cell, CellQuantity::count) > 0.0 ? value : not_a_number;
-        case Field::Kind::force:
-            return value / (samples * volume);
-    }
-    return not_a_number;
+    if (field.quantity == CellQuantity::count) return value / samples;
+    if (field.field.averaging == Averaging::by_samples) return value / (samples * volume);  // a force
+    return sums.get(cell, CellQuantity::count) > 0.0 ? value : not_a_number;
 }
 
 }  // namespace
@@ -86,7 +76,7 @@ MeanField::MeanField(const Case& c) {
     edge_[2] = lattice.dz;
     sums_ = CellSums(count_);
     window_end_ = window_after(0.0);
-    new_fields_.resize(fields.size());
+    new_fields_.resize(cell_fields().size());
 }
 
 double MeanField::window_after(double time) const {
@@ -171,7 +161,7 @@ void MeanField::open_window() {
 }
 
 void MeanField::keep_closed_window() {
-    for (std::size_t k = 0; k < fields.size(); ++k) {
+    for (std::size_t k = 0; k < cell_fields().size(); ++k) {
         std::vector<float>& values = new_fields_[k];
         values.resize(values.size() + cells());
         fill(k, 0, std::span(values).last(cells()));
@@ -183,17 +173,20 @@ void MeanField::keep_closed_window() {
 void MeanField::fill(std::size_t field, std::size_t first, std::span<float> values) const {
     constexpr std::size_t block = std::size_t{1} << 13U;
     const double volume = edge_[0] * edge_[1] * edge_[2];
+    const CellField& of = cell_fields()[field];
     parallel_blocks(values.size(), block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k) {
             const std::size_t place = first + k;  // along x first, then y, then z
             const CellPlace cell = {place % count_[0], place / count_[0] % count_[1],
                                     place / (count_[0] * count_[1])};
-            values[k] = static_cast<float>(value_of(fields[field], sums_, cell, samples_, volume));
+            values[k] = static_cast<float>(value_of(of, sums_, cell, samples_, volume));
         }
     });
 }
 
-std::size_t MeanField::row_bytes() const { return on() ? cells() * fields.size() * sizeof(float) + 16 : 0; }
+std::size_t MeanField::row_bytes() const {
+    return on() ? cells() * cell_fields().size() * sizeof(float) + 16 : 0;
+}
 
 std::size_t MeanField::pending_bytes() const { return new_samples_.size() * row_bytes(); }
 
@@ -211,31 +204,25 @@ Content MeanField::take_new_rows() {
         closed_taken_ = true;
     }
     const std::size_t rows = new_samples_.size();
-    const auto add = [&](const std::string& name, std::vector<std::size_t> shape, Dataset::Values values,
-                         const char* unit, const char* long_name) {
-        content.datasets.push_back({.path = "/mean_field/" + name,
-                                    .shape = std::move(shape),
-                                    .values = std::move(values),
-                                    .unit = unit,
-                                    .long_name = long_name,
-                                    .append = true});
+    const auto add = [&](const Field& field, std::vector<std::size_t> shape, Dataset::Values values) {
+        content.datasets.push_back(dataset_of(field, 3, std::move(shape), std::move(values), true));
     };
+    const auto& axes = fields::mean_field_axes;
     const auto first_new = ends_.begin() + static_cast<std::ptrdiff_t>(taken_);
-    add("time", {rows}, std::vector<double>(first_new, ends_.end()), "s", "end of the averaging window");
-    add("samples", {rows}, std::exchange(new_samples_, {}), "1", "samples in the window");
-    for (std::size_t k = 0; k < fields.size(); ++k) {
+    add(axes.time, {rows}, std::vector<double>(first_new, ends_.end()));
+    add(axes.samples, {rows}, std::exchange(new_samples_, {}));
+    for (std::size_t k = 0; k < cell_fields().size(); ++k) {
         Dataset::Values values = std::exchange(new_fields_[k], {});
         if (streamed) {
             values = StreamedValues<float>{
                 cells(), [this, k](std::size_t first, std::span<float> block) { fill(k, first, block); }};
         }
-        add(fields[k].name, {rows, count_[2], count_[1], count_[0]}, std::move(values), fields[k].unit,
-            fields[k].long_name);
+        add(cell_fields()[k].field, {rows, count_[2], count_[1], count_[0]}, std::move(values));
     }
     if (taken_ == 0) {
-        add_array(content, "/mean_field/x", centres(0), "m", "distance along the channel, cell centres");
-        add_array(content, "/mean_field/y", centres(1), "m", "distance across the channel, cell centres");
-        add_array(content, "/mean_field/z", centres(2), "m", "height above the bed level, cell centres");
+        add_field(content, axes.x, 3, centres(0));
+        add_field(content, axes.y, 3, centres(1));
+        add_field(content, axes.z, 3, centres(2));
     }
     taken_ += rows;
     return content;
@@ -243,10 +230,10 @@ Content MeanField::take_new_rows() {
 
 void MeanField::add_rows(std::map<std::string, std::size_t>& rows) const {
     if (on()) {
-        rows["/mean_field/time"] = taken_;
-        rows["/mean_field/samples"] = taken_;
-        for (const Field& field : fields) {
-            rows[std::string("/mean_field/") + field.name] = taken_;
+        rows[fields::mean_field_axes.time.path()] = taken_;
+        rows[fields::mean_field_axes.samples.path()] = taken_;
+        for (const CellField& of : cell_fields()) {
+            rows[of.field.path()] = taken_;
         }
     }
 }
@@ -297,8 +284,8 @@ void MeanField::restore(const CheckpointReader& checkpoint) {
 
 std::vector<std::string> MeanField::field_names() {
     std::vector<std::string> names;
-    for (const Field& field : fields) {
-        names.emplace_back(field.name);
+    for (const CellField& of : cell_fields()) {
+        names.emplace_back(of.field.name);
     }
     return names;
 }

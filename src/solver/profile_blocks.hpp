@@ -8,6 +8,7 @@
 #include "case/case.hpp"
 #include "column/column.hpp"
 #include "column/section.hpp"
+#include "record/profiles.hpp"
 #include "solver/simulation.hpp"
 
 namespace riffle {
@@ -53,21 +54,6 @@ struct ProfileBlock {
 
 /// Length of a block, s. Averages over any window of whole blocks can be made afterwards.
 inline constexpr double profile_block_duration = 0.1;
-
-/// Time averages of the layers over a window, with the stresses that follow from them. One value per layer.
-struct Profiles {
-    double window_start = 0.0;
-    double window_end = 0.0;
-    double samples = 0.0;
-    std::vector<double> bin_lower, bin_upper, z, velocity, velocity_half_width, vertical_velocity,
-        velocity_deviation, column_velocity, velocity_gradient, eddy_viscosity, pressure, density,
-        viscous_stress, pair_stress, reynolds_stress, total_stress, analytic_stress, velocity_rms,
-        vertical_velocity_rms, drag;
-    /// Three dimensions only, else empty.
-    std::vector<double> spanwise_velocity, spanwise_velocity_rms, side_wall_drag;
-
-    [[nodiscard]] bool empty() const { return z.empty(); }
-};
 
 /// Collects layer sums. Layers are H/round(H/dx) thick, so that each row of a layered flow has its own.
 class ProfileSampler {

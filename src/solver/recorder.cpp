@@ -10,6 +10,8 @@
 
 #include "base/error.hpp"
 #include "particles/lattice.hpp"
+#include "record/field_content.hpp"
+#include "record/flow_fields.hpp"
 #include "solver/content.hpp"
 
 namespace riffle {
@@ -26,24 +28,14 @@ bool is_due(double time, double interval, double& due) {
     return true;
 }
 
-template <class T>
-Dataset rows_of(const std::string& path, std::vector<std::size_t> shape, std::vector<T> values,
-                const std::string& unit, const std::string& long_name) {
-    return {.path = path,
-            .shape = std::move(shape),
-            .values = std::move(values),
-            .unit = unit,
-            .long_name = long_name,
-            .append = true};
-}
-
 /// The first rows of a dataset of results, each of this shape. Throws FileError where it has fewer, or
 /// others.
-std::vector<double> first_rows(const ResultsReader& results, const std::string& path, std::size_t rows,
+std::vector<double> first_rows(const ResultsReader& results, const Field& field, std::size_t rows,
                                const std::vector<std::size_t>& row_shape) {
     if (rows == 0) {
         return {};
     }
+    const std::string path = field.path();
     std::vector<std::size_t> shape = results.shape(path);
     const std::size_t there = shape.empty() ? 0 : shape[0];
     if (there < rows || !std::equal(shape.begin() + 1, shape.end(), row_shape.begin(), row_shape.end())) {
@@ -203,13 +195,14 @@ double Recorder::Elevations::record(double time_now, const FluidView& fluid) {
     return count > 0.0 ? sum / count : std::numeric_limits<double>::quiet_NaN();
 }
 
-void Recorder::Elevations::take(Content& content, const std::string& group, std::vector<std::size_t> shape) {
+void Recorder::Elevations::take(Content& content, const Field& time_field, const Field& elevation_field,
+                                std::vector<std::size_t> shape, int dimensions) {
     const std::size_t n = time.size();
     taken += n;
     shape.insert(shape.begin(), n);
-    content.datasets.push_back(rows_of(group + "/time", {n}, std::exchange(time, {}), "s", "time"));
-    content.datasets.push_back(rows_of(group + "/elevation", std::move(shape), std::exchange(values, {}), "m",
-                                       "surface elevation above the bed level"));
+    content.datasets.push_back(dataset_of(time_field, dimensions, {n}, std::exchange(time, {}), true));
+    content.datasets.push_back(
+        dataset_of(elevation_field, dimensions, std::move(shape), std::exchange(values, {}), true));
 }
 
 std::size_t Recorder::pending_bytes() const {
@@ -222,13 +215,17 @@ std::size_t Recorder::pending_bytes() const {
 
 Content Recorder::take_new_rows() {
     Content content = snapshots_.take();
+    const int dimensions = case_.channel.dimensions;
+    const auto add_rows = [&](const Field& field, std::vector<std::size_t> shape,
+                              std::vector<double> values) {
+        content.datasets.push_back(dataset_of(field, dimensions, std::move(shape), std::move(values), true));
+    };
 
     const std::size_t rows = series_.rows() - taken_series_;
     for (const SeriesColumn& column : series_.columns()) {
         std::vector<double> values(column.values.begin() + static_cast<std::ptrdiff_t>(taken_series_),
                                    column.values.end());
-        content.datasets.push_back(
-            rows_of("/time_series/" + column.name, {rows}, std::move(values), column.unit, column.long_name));
+        add_rows(column.field, {rows}, std::move(values));
     }
     taken_series_ = series_.rows();
 
@@ -242,23 +239,22 @@ Content Recorder::take_new_rows() {
         sums.insert(sums.end(), blocks[b].sums.begin(), blocks[b].sums.end());
     }
     const std::size_t new_blocks = end.size();
-    content.datasets.push_back(
-        rows_of("/profile_blocks/time", {new_blocks}, std::move(end), "s", "end of the block"));
-    content.datasets.push_back(
-        rows_of("/profile_blocks/samples", {new_blocks}, std::move(samples), "1", "samples in the block"));
-    content.datasets.push_back(
-        rows_of("/profile_blocks/sums", {new_blocks, profiles_.layers(), profiles_.quantities()},
-                std::move(sums), "1", "sums over particles and samples, SI, by layer and quantity"));
+    const auto& of_blocks = fields::profile_blocks;
+    add_rows(of_blocks.time, {new_blocks}, std::move(end));
+    add_rows(of_blocks.samples, {new_blocks}, std::move(samples));
+    add_rows(of_blocks.sums, {new_blocks, profiles_.layers(), profiles_.quantities()}, std::move(sums));
     taken_blocks_ = blocks.size();
 
     if (has_surface_) {
-        surface_.take(content, "/surface", {surface_x_.size()});
-        add_array(content, "/surface/x", surface_x_, "m", "distance along the channel");
+        surface_.take(content, fields::surface.time, fields::surface.elevation, {surface_x_.size()},
+                      dimensions);
+        add_field(content, fields::surface.x, dimensions, surface_x_);
     }
     if (has_maps()) {
-        map_.take(content, "/surface_map", {map_y_.size(), map_x_.size()});
-        add_array(content, "/surface_map/x", map_x_, "m", "distance along the channel");
-        add_array(content, "/surface_map/y", map_y_, "m", "distance across the channel");
+        const auto& map = fields::surface_map;
+        map_.take(content, map.time, map.elevation, {map_y_.size(), map_x_.size()}, dimensions);
+        add_field(content, map.x, dimensions, map_x_);
+        add_field(content, map.y, dimensions, map_y_);
     }
     for (Content part : {mean_field_.take_new_rows(), probes_.take_new_rows()}) {
         std::move(part.datasets.begin(), part.datasets.end(), std::back_inserter(content.datasets));
@@ -270,18 +266,19 @@ Content Recorder::take_new_rows() {
 std::map<std::string, std::size_t> Recorder::rows() const {
     std::map<std::string, std::size_t> rows = probes_.rows();
     for (const SeriesColumn& column : series_.columns()) {
-        rows["/time_series/" + column.name] = taken_series_;
+        rows[column.field.path()] = taken_series_;
     }
-    for (const char* name : {"time", "samples", "sums"}) {
-        rows[std::string("/profile_blocks/") + name] = taken_blocks_;
+    const auto& blocks = fields::profile_blocks;
+    for (const Field& field : {blocks.time, blocks.samples, blocks.sums}) {
+        rows[field.path()] = taken_blocks_;
     }
     if (has_surface_) {
-        rows["/surface/time"] = surface_.taken;
-        rows["/surface/elevation"] = surface_.taken;
+        rows[fields::surface.time.path()] = surface_.taken;
+        rows[fields::surface.elevation.path()] = surface_.taken;
     }
     if (has_maps()) {
-        rows["/surface_map/time"] = map_.taken;
-        rows["/surface_map/elevation"] = map_.taken;
+        rows[fields::surface_map.time.path()] = map_.taken;
+        rows[fields::surface_map.elevation.path()] = map_.taken;
     }
     mean_field_.add_rows(rows);
     return rows;
@@ -327,13 +324,14 @@ void Recorder::restore(const CheckpointReader& checkpoint, const ResultsReader& 
     mean_field_.restore(checkpoint);
     probes_.restore(checkpoint);
     for (SeriesColumn& column : series_.columns()) {
-        column.values = first_rows(results, "/time_series/" + column.name, taken_series_, {});
+        column.values = first_rows(results, column.field, taken_series_, {});
     }
     const std::size_t width = profiles_.layers() * profiles_.quantities();
-    const std::vector<double> end = first_rows(results, "/profile_blocks/time", taken_blocks_, {});
-    const std::vector<double> samples = first_rows(results, "/profile_blocks/samples", taken_blocks_, {});
-    const std::vector<double> sums = first_rows(results, "/profile_blocks/sums", taken_blocks_,
-                                                {profiles_.layers(), profiles_.quantities()});
+    const auto& of_blocks = fields::profile_blocks;
+    const std::vector<double> end = first_rows(results, of_blocks.time, taken_blocks_, {});
+    const std::vector<double> samples = first_rows(results, of_blocks.samples, taken_blocks_, {});
+    const std::vector<double> sums =
+        first_rows(results, of_blocks.sums, taken_blocks_, {profiles_.layers(), profiles_.quantities()});
     std::vector<ProfileBlock> blocks;
     for (std::size_t b = 0; b < taken_blocks_; ++b) {
         const auto first = sums.begin() + static_cast<std::ptrdiff_t>(b * width);

@@ -90,7 +90,8 @@ class Recorder {
         /// Add a row; gives its mean over the wet places, NaN where all are dry.
         double record(double time_now, const FluidView& fluid);
         /// Move the rows into the content, each of this shape.
-        void take(Content& content, const std::string& group, std::vector<std::size_t> shape);
+        void take(Content& content, const Field& time_field, const Field& elevation_field,
+                  std::vector<std::size_t> shape, int dimensions);
     };
     [[nodiscard]] bool has_maps() const { return has_surface_ && map_interval_ > 0.0; }
 

@@ -66,7 +66,7 @@ struct RunOutcome {
     std::int64_t steps = 0;
     double wall_seconds = 0.0;
     double updates_per_second = 0.0;
-    RunSummary summary;
+    Numbers summary;
     std::string convergence;
     LostWater lost;        ///< water that left the domain
     std::string ways_out;  ///< how many particles on which way

@@ -19,8 +19,8 @@ namespace riffle {
 [[nodiscard]] Content run_head(const Case& c, const Twins& twins);
 
 /// Summary of what is recorded so far.
-[[nodiscard]] RunSummary current_summary(const Case& c, const Twins& twins, const Recorder& recorder,
-                                         const Convergence& convergence);
+[[nodiscard]] Numbers current_summary(const Case& c, const Twins& twins, const Recorder& recorder,
+                                      const Convergence& convergence);
 
 /// Time-averaged profiles over the window so far; nothing when no block is complete yet.
 void add_profiles_content(Content& content, const Twins& twins, const Recorder& recorder,

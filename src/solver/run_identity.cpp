@@ -11,14 +11,13 @@
 #include "base/version.hpp"
 #include "output/checksum.hpp"
 #include "output/file_replace.hpp"
-#include "solver/content.hpp"
+#include "record/field_content.hpp"
+#include "record/run_fields.hpp"
 #include "sph/pair_loops.hpp"
 
 namespace riffle {
 
 namespace {
-
-constexpr const char* inputs_path = "/case/inputs";
 
 /// "checksum bytes" of a file.
 std::string checksum_text(const std::filesystem::path& path) {
@@ -46,8 +45,8 @@ std::map<std::string, std::string> parse_inputs(const std::string& text) {
     return inputs;
 }
 
-std::string text_attribute(const ContentReader& file, const char* name) {
-    const auto value = file.attribute("/", name);
+std::string text_attribute(const ContentReader& file, const Field& field) {
+    const auto value = file.attribute(field.group->path, field.name);
     const auto* const text = value ? std::get_if<std::string>(&*value) : nullptr;
     return text != nullptr ? *text : std::string();
 }
@@ -84,17 +83,13 @@ std::string input_checksums(const Case& c) {
 }
 
 void add_identity(Content& content, const std::string& run_id, const std::string& inputs) {
-    add_attribute(content, "/", "run", run_id);
-    add_attribute(content, "/", "build", build_description());
-    add_attribute(content, "/", "instruction_set", instruction_set_name(active_instruction_set()));
-    content.datasets.push_back({.path = inputs_path,
-                                .shape = {},
-                                .values = inputs,
-                                .unit = "1",
-                                .long_name = "files that the case reads: checksum, bytes, key, path"});
+    add_field(content, fields::file.run, run_id);
+    add_field(content, fields::file.build, build_description());
+    add_field(content, fields::file.instruction_set, instruction_set_name(active_instruction_set()));
+    content.datasets.push_back(dataset_of(fields::stored_case.inputs, 2, {}, inputs));
 }
 
-std::string run_id_of(const ContentReader& file) { return text_attribute(file, "run"); }
+std::string run_id_of(const ContentReader& file) { return text_attribute(file, fields::file.run); }
 
 void require_same_run(const CheckpointReader& checkpoint, const ResultsReader& results) {
     const std::string saved = run_id_of(checkpoint);
@@ -115,7 +110,8 @@ void require_same_run(const CheckpointReader& checkpoint, const ResultsReader& r
 
 std::vector<std::string> compare_identity(const CheckpointReader& checkpoint, const Case& c) {
     std::vector<std::string> warnings;
-    const auto before = parse_inputs(checkpoint.has(inputs_path) ? checkpoint.read_string(inputs_path) : "");
+    const std::string inputs = fields::stored_case.inputs.path();
+    const auto before = parse_inputs(checkpoint.has(inputs) ? checkpoint.read_string(inputs) : "");
     for (const InputFile& file : input_files(c)) {
         const auto saved = before.find(fmt::format("{} {}", file.key, file.path.string()));
         const std::string now = checksum_text(file.path);
@@ -134,17 +130,17 @@ std::vector<std::string> compare_identity(const CheckpointReader& checkpoint, co
             "{} = \"{}\": the file {} when the run began; the run itself does not need it any more", file.key,
             file.path.string(), what));
     }
-    const auto compare = [&](const char* name, const std::string& now) {
-        const std::string then = text_attribute(checkpoint, name);
+    const auto compare = [&](const Field& field, const char* name, const std::string& now) {
+        const std::string then = text_attribute(checkpoint, field);
         if (!then.empty() && then != now) {
             warnings.push_back(fmt::format(
                 "the run was begun with the {} \"{}\" and goes on with \"{}\": the flow is the same, "
                 "its last bits are not",
-                name[0] == 'b' ? "build" : "instruction set", then, now));
+                name, then, now));
         }
     };
-    compare("build", build_description());
-    compare("instruction_set", instruction_set_name(active_instruction_set()));
+    compare(fields::file.build, "build", build_description());
+    compare(fields::file.instruction_set, "instruction set", instruction_set_name(active_instruction_set()));
     return warnings;
 }
 

@@ -16,7 +16,10 @@
 #include "base/version.hpp"
 #include "output/checkpoint_file.hpp"
 #include "particles/lattice.hpp"
-#include "solver/content.hpp"
+#include "record/field_content.hpp"
+#include "record/flow_fields.hpp"
+#include "record/particle_fields.hpp"
+#include "record/run_fields.hpp"
 #include "solver/run_content.hpp"
 #include "solver/run_identity.hpp"
 #include "solver/start.hpp"
@@ -160,7 +163,7 @@ void RunSession<D>::restore(const std::filesystem::path& checkpoint) {
         results.verify();
         require_same_run(saved, results);
         run_id_ = run_id_of(saved);
-        inputs_ = saved.read_string("/case/inputs");
+        inputs_ = saved.read_string(fields::stored_case.inputs.path());
         for (const std::string& warning : compare_identity(saved, case_)) {
             log_.warning(warning);
             if (options_.warn) {
@@ -170,7 +173,7 @@ void RunSession<D>::restore(const std::filesystem::path& checkpoint) {
         // The start particles only give the arrays their walls and sizes; the state replaces them. A start
         // from a results file that is gone must not stop a resume.
         make_simulation_of_case(false);
-        restore_state(saved, "/state", *simulation_);
+        restore_state(saved, *simulation_);
         recorder_->restore(saved, results);
         require_rows(results, recorder_->rows(), recorder_->snapshots().entries().size());
         earlier_wall_seconds_ = saved.number("/", "wall_seconds");
@@ -188,12 +191,12 @@ void RunSession<D>::restore(const std::filesystem::path& checkpoint) {
     // The results may be ahead of the checkpoint: cut them back before anything is added.
     Content content;
     content.datasets.push_back(case_dataset(case_));
-    add_attribute(content, "/", "complete", std::int64_t{0});
-    add_attribute(content, "/", "failure", std::string());
+    add_field(content, fields::file.complete, std::int64_t{0});
+    add_field(content, fields::file.failure, std::string());
     add_identity(content, run_id_, inputs_);
-    add_clock(content, "/state", *simulation_);
+    add_clock(content, *simulation_);
     ResultsFile::update(files_.results(), content, recorder_->rows(), recorder_->snapshots().entries().size(),
-                        {"/state"});
+                        {fields::groups::state.path});
     remove_files({files_.failure(), files_.failure_xdmf()});
     log_.info(fmt::format("resumed at t = {:.6g} s, step {}, from {}", simulation_->clock().time,
                           simulation_->clock().steps, checkpoint.filename().string()));
@@ -284,11 +287,11 @@ void RunSession<D>::update_convergence(bool final_test) {
         convergence_.reason = no_steady_flow;
         return;
     }
-    convergence_ = test_convergence({.time = series.column("time"),
-                                     .depth_mean_velocity = series.column("depth_mean_velocity"),
-                                     .velocity_fluctuation = series.column("velocity_fluctuation")},
-                                    twins_.relaxation_time().value_or(0.0), case_.run.tolerance,
-                                    case_.run.average_from.value_or(-1.0));
+    convergence_ = test_convergence(
+        {.time = series.column(fields::time_series.time),
+         .depth_mean_velocity = series.column(fields::time_series.depth_mean_velocity),
+         .velocity_fluctuation = series.column(fields::time_series.velocity_fluctuation)},
+        twins_.relaxation_time().value_or(0.0), case_.run.tolerance, case_.run.average_from.value_or(-1.0));
     if (final_test && !convergence_.converged && !case_.run.average_from) {
         // A run cut short still averages something: its second half, marked as not converged.
         convergence_.window_start = std::min(convergence_.window_start, 0.5 * simulation_->clock().time);
@@ -355,11 +358,11 @@ void RunSession<D>::report_progress() {
         progress.steps_per_second > 0.0 && clock.time_step > 0.0
             ? std::max(0.0, progress.expected_end - clock.time) / clock.time_step / progress.steps_per_second
             : 0.0;
-    progress.depth_mean_velocity = series.last("depth_mean_velocity");
-    progress.drag_over_gravity = series.last("drag_over_gravity");
-    progress.particle_order = series.last("particle_order");
-    progress.velocity_fluctuation = series.last("velocity_fluctuation");
-    progress.density_deviation_maximum = series.last("density_deviation_maximum");
+    progress.depth_mean_velocity = series.last(fields::time_series.depth_mean_velocity);
+    progress.drag_over_gravity = series.last(fields::time_series.drag_over_gravity);
+    progress.particle_order = series.last(fields::time_series.particle_order);
+    progress.velocity_fluctuation = series.last(fields::time_series.velocity_fluctuation);
+    progress.density_deviation_maximum = series.last(fields::time_series.density_deviation_maximum);
     progress.mean_level = recorder_->mean_level();
     progress.convergence = convergence_.reason;
     options_.progress(progress);

@@ -9,6 +9,8 @@
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "output/checkpoint_file.hpp"
+#include "record/field_content.hpp"
+#include "record/run_fields.hpp"
 #include "solver/content.hpp"
 #include "solver/failure.hpp"
 #include "solver/run_content.hpp"
@@ -81,12 +83,12 @@ void RunSession<D>::write_results(Moment moment) {
     add_profiles_content(content, twins_, *recorder_, convergence_);
     // A run that goes on has its last state in the checkpoint; the failed one is no state to start from.
     if (moment == Moment::stopped || moment == Moment::complete) {
-        add_state(content, "/state", *simulation_);
+        add_state(content, *simulation_);
     } else {
-        add_clock(content, "/state", *simulation_);
+        add_clock(content, *simulation_);
     }
     // The summary whole: what it no longer says, such as an interval of too few samples, must go.
-    ResultsFile::update(files_.results(), content, {}, {}, {"/summary"});
+    ResultsFile::update(files_.results(), content, {}, {}, {fields::groups::summary.path});
 }
 
 template <int D>
@@ -99,42 +101,43 @@ void RunSession<D>::write_checkpoint() {
     add_identity(content, run_id_, inputs_);
     content.datasets.push_back(case_dataset(case_));
     recorder_->save(content);
-    add_state(content, "/state", *simulation_);
+    add_state(content, *simulation_);
     CheckpointFile::write(files_.checkpoint(), content);
 }
 
 template <int D>
 void RunSession<D>::add_run_attributes(Content& content, Moment moment) const {
-    const auto attribute = [&](const std::string& path, const std::string& name, AttributeValue value) {
-        add_attribute(content, path, name, std::move(value));
+    const auto& outcomes = fields::summary;
+    const auto set = [&](const Field& field, AttributeValue value) {
+        add_field(content, field, std::move(value));
     };
-    attribute("/", "complete", std::int64_t{moment == Moment::complete ? 1 : 0});
-    attribute("/", "failure", failure_);
-    const RunSummary summary = current_summary(case_, twins_, *recorder_, convergence_);
-    for (const auto& [name, value] : summary.values) {
-        attribute("/summary", name, value);
+    set(fields::file.complete, std::int64_t{moment == Moment::complete ? 1 : 0});
+    set(fields::file.failure, failure_);
+    const Numbers summary = current_summary(case_, twins_, *recorder_, convergence_);
+    for (const auto& [name, value] : summary.all()) {
+        add_attribute(content, fields::groups::summary.path, name, value);
     }
-    attribute("/summary", "convergence", convergence_.reason);
-    attribute("/summary", "particles", static_cast<std::int64_t>(simulation_->particles().size()));
-    attribute("/summary", "wall_particles", static_cast<std::int64_t>(simulation_->walls().size()));
+    set(outcomes.convergence, convergence_.reason);
+    set(outcomes.particles, static_cast<std::int64_t>(simulation_->particles().size()));
+    set(outcomes.wall_particles, static_cast<std::int64_t>(simulation_->walls().size()));
     const LostWater water = lost();
-    attribute("/summary", "lost_particles", static_cast<std::int64_t>(water.particles));
-    attribute("/summary", "lost_mass", water.mass);
-    attribute("/summary", "lost_share", water.share);
-    attribute("/summary", "lost_ways", exits_text(simulation_->particles().lost));
-    attribute("/summary", "steps", simulation_->clock().steps);
-    attribute("/summary", "simulated_time", simulation_->clock().time);
-    attribute("/summary", "sound_speed", simulation_->scheme().state.sound_speed);
-    attribute("/summary", "crest", case_.crest());
-    attribute("/summary", "datum", case_.datum());
-    attribute("/summary", "total_depth", case_.total_depth());
+    set(outcomes.lost_particles, static_cast<std::int64_t>(water.particles));
+    set(outcomes.lost_mass, water.mass);
+    set(outcomes.lost_share, water.share);
+    set(outcomes.lost_ways, exits_text(simulation_->particles().lost));
+    set(outcomes.steps, simulation_->clock().steps);
+    set(outcomes.simulated_time, simulation_->clock().time);
+    set(outcomes.sound_speed, simulation_->scheme().state.sound_speed);
+    set(outcomes.crest, case_.crest());
+    set(outcomes.datum, case_.datum());
+    set(outcomes.total_depth, case_.total_depth());
     const double seconds = earlier_wall_seconds_ + seconds_since(begin_);
-    attribute("/summary", "wall_clock_seconds", seconds);
-    attribute("/summary", "threads", std::int64_t{thread_count()});
-    attribute("/summary", "instruction_set", instruction_set_name(active_instruction_set()));
-    attribute("/summary", "particle_updates_per_second",
-              static_cast<double>(simulation_->clock().steps) * simulation_->evaluations_per_step() *
-                  static_cast<double>(simulation_->particles().size()) / std::max(1e-9, seconds));
+    set(outcomes.wall_clock_seconds, seconds);
+    set(outcomes.threads, std::int64_t{thread_count()});
+    set(outcomes.instruction_set, instruction_set_name(active_instruction_set()));
+    set(outcomes.particle_updates_per_second,
+        static_cast<double>(simulation_->clock().steps) * simulation_->evaluations_per_step() *
+            static_cast<double>(simulation_->particles().size()) / std::max(1e-9, seconds));
 }
 
 // What run_session.cpp calls.

@@ -5,9 +5,11 @@
 #include <limits>
 #include <numbers>
 #include <stdexcept>
+#include <string>
 
 #include "base/parallel.hpp"
 #include "particles/lattice.hpp"
+#include "record/flow_fields.hpp"
 #include "sph/elastic_energy.hpp"
 
 namespace riffle {
@@ -150,53 +152,28 @@ Totals all_sums(const SimulationIn<D>& simulation, const Case& c) {
 }  // namespace
 
 TimeSeries::TimeSeries(const Case& c) : case_(c) {
-    const auto add = [&](const char* name, const char* unit, const char* long_name) {
-        columns_.push_back({.name = name, .unit = unit, .long_name = long_name, .values = {}});
-    };
-    add("time", "s", "simulated time");
-    add("depth_mean_velocity", "m/s", "mean streamwise velocity over the water above the datum");
-    add("total_mean_velocity", "m/s", "mass-mean streamwise velocity of all fluid");
-    add("drag_over_gravity", "1", "bed drag over the weight component");
-    add("wall_over_gravity", "1", "streamwise wall force over the weight component");
-    add("acceleration_over_gravity", "1", "rate of change of streamwise momentum over the weight component");
-    add("mean_level", "m", "mean surface level above the bed level");
-    add("maximum_velocity", "m/s", "largest particle speed");
-    add("density_deviation_minimum", "1", "smallest rho/rho0 - 1");
-    add("density_deviation_maximum", "1", "largest rho/rho0 - 1");
-    add("velocity_fluctuation", "m/s", "rms departure of the particle velocities from their layer means");
-    add("particle_order", "1", "layering of the particles, 1: perfect rows, 0: none");
-    const bool space = c.channel.dimensions == 3;
-    add("kinetic_energy", space ? "J" : "J/m", space ? "kinetic energy" : "kinetic energy per unit width");
-    add("time_step", "s", "time step");
-    add("potential_energy", space ? "J" : "J/m",
-        space ? "potential energy above the bed level"
-              : "potential energy above the bed level per unit width");
-    add("elastic_energy", space ? "J" : "J/m",
-        space ? "energy of the compression" : "energy of the compression per unit width");
-    add("water_volume", space ? "m3" : "m2",
-        space ? "volume of the water: mass over density of the particles"
-              : "volume of the water per unit width: mass over density of the particles");
-    add("first_particle", "m", "place along the channel of the first particle");
-    add("last_particle", "m", "place along the channel of the last particle");
-    if (space) {
-        add("side_wall_over_gravity", "1", "drag of the side walls' layers over the weight component");
-        add("centreline_velocity", "m/s",
-            "mean streamwise velocity above the datum in a strip along the centreline");
-        add("secondary_velocity", "m/s", "rms of the velocity in the cross-section");
-    }
-}
-
-const std::vector<double>& TimeSeries::column(const std::string& name) const {
-    for (const SeriesColumn& c : columns_) {
-        if (c.name == name) {
-            return c.values;
+    for (const Field& field : fields_of(fields::time_series)) {
+        if (field.written == every_run || c.channel.dimensions == 3) {
+            columns_.push_back({.field = field, .values = {}});
         }
     }
-    throw std::invalid_argument("no time series " + name);
 }
 
-double TimeSeries::last(const std::string& name) const {
-    const auto& values = column(name);
+std::vector<double>& TimeSeries::values_of(const Field& field) {
+    const auto found = std::find_if(columns_.begin(), columns_.end(),
+                                    [&](const SeriesColumn& column) { return column.field == field; });
+    if (found == columns_.end()) {
+        throw std::invalid_argument(std::string("no time series ") + field.name);
+    }
+    return found->values;
+}
+
+const std::vector<double>& TimeSeries::column(const Field& field) const {
+    return const_cast<TimeSeries&>(*this).values_of(field);
+}
+
+double TimeSeries::last(const Field& field) const {
+    const auto& values = column(field);
     return values.empty() ? 0.0 : values.back();
 }
 
@@ -217,40 +194,35 @@ void TimeSeries::sample(const SimulationIn<D>& simulation, double mean_level) {
     const auto n = static_cast<double>(simulation.particles().size());
     const double weight = sum.mass * simulation.scheme().streamwise_gravity;
     const auto over_weight = [&](double force) { return weight > 0.0 ? force / weight : 0.0; };
-    const double row[] = {simulation.clock().time,
-                          sum.above_mass > 0.0 ? sum.above / sum.above_mass : 0.0,
-                          sum.momentum / sum.mass,
-                          over_weight(sum.drag),
-                          over_weight(sum.wall),
-                          over_weight(weight + sum.pairs - sum.drag - sum.side_wall),
-                          mean_level,
-                          std::sqrt(sum.fastest),
-                          sum.s_low,
-                          sum.s_high,
-                          std::sqrt(std::max(0.0, fluctuation / n)),
-                          order / n,
-                          sum.energy,
-                          simulation.clock().time_step,
-                          sum.potential,
-                          sum.elastic,
-                          sum.volume / case_.fluid.density,
-                          sum.first_x,
-                          sum.last_x,
-                          over_weight(sum.side_wall),
-                          sum.centre_mass > 0.0 ? sum.centre / sum.centre_mass : 0.0,
-                          std::sqrt(sum.secondary / n)};
-    for (std::size_t k = 0; k < columns_.size(); ++k) {
-        columns_[k].values.push_back(row[k]);
+    const auto add = [&](const Field& field, double value) { values_of(field).push_back(value); };
+    const auto& series = fields::time_series;
+    add(series.time, simulation.clock().time);
+    add(series.depth_mean_velocity, sum.above_mass > 0.0 ? sum.above / sum.above_mass : 0.0);
+    add(series.total_mean_velocity, sum.momentum / sum.mass);
+    add(series.drag_over_gravity, over_weight(sum.drag));
+    add(series.wall_over_gravity, over_weight(sum.wall));
+    add(series.acceleration_over_gravity, over_weight(weight + sum.pairs - sum.drag - sum.side_wall));
+    add(series.mean_level, mean_level);
+    add(series.maximum_velocity, std::sqrt(sum.fastest));
+    add(series.density_deviation_minimum, sum.s_low);
+    add(series.density_deviation_maximum, sum.s_high);
+    add(series.velocity_fluctuation, std::sqrt(std::max(0.0, fluctuation / n)));
+    add(series.particle_order, order / n);
+    add(series.kinetic_energy, sum.energy);
+    add(series.time_step, simulation.clock().time_step);
+    add(series.potential_energy, sum.potential);
+    add(series.elastic_energy, sum.elastic);
+    add(series.water_volume, sum.volume / case_.fluid.density);
+    add(series.first_particle, sum.first_x);
+    add(series.last_particle, sum.last_x);
+    if constexpr (D == 3) {
+        add(series.side_wall_over_gravity, over_weight(sum.side_wall));
+        add(series.centreline_velocity, sum.centre_mass > 0.0 ? sum.centre / sum.centre_mass : 0.0);
+        add(series.secondary_velocity, std::sqrt(sum.secondary / n));
     }
 }
 
-void TimeSeries::set_mean_level(double level) {
-    for (SeriesColumn& column : columns_) {
-        if (column.name == "mean_level") {
-            column.values.back() = level;
-        }
-    }
-}
+void TimeSeries::set_mean_level(double level) { values_of(fields::time_series.mean_level).back() = level; }
 
 template void TimeSeries::sample(const SimulationIn<2>&, double);
 template void TimeSeries::sample(const SimulationIn<3>&, double);

@@ -1,19 +1,17 @@
 #pragma once
 
 #include <cstddef>
-#include <string>
 #include <vector>
 
 #include "case/case.hpp"
+#include "record/field.hpp"
 #include "solver/simulation.hpp"
 
 namespace riffle {
 
 /// One column of the time series of a run.
 struct SeriesColumn {
-    std::string name;
-    std::string unit;
-    std::string long_name;
+    Field field;
     std::vector<double> values;
 };
 
@@ -31,10 +29,13 @@ class TimeSeries {
     [[nodiscard]] const std::vector<SeriesColumn>& columns() const { return columns_; }
     [[nodiscard]] std::vector<SeriesColumn>& columns() { return columns_; }
     [[nodiscard]] std::size_t rows() const { return columns_.front().values.size(); }
-    [[nodiscard]] const std::vector<double>& column(const std::string& name) const;
-    [[nodiscard]] double last(const std::string& name) const;
+    /// Of a field of `fields::time_series` that the run has.
+    [[nodiscard]] const std::vector<double>& column(const Field& field) const;
+    [[nodiscard]] double last(const Field& field) const;
 
   private:
+    [[nodiscard]] std::vector<double>& values_of(const Field& field);
+
     Case case_;
     std::vector<SeriesColumn> columns_;
 };

@@ -7,26 +7,14 @@
 #include <sstream>
 #include <utility>
 
+#include "record/field_content.hpp"
+#include "record/particle_fields.hpp"
 #include "solver/content.hpp"
 #include "solver/recorder.hpp"
 
 namespace riffle {
 
 namespace {
-
-template <class T>
-std::size_t add_field(Content& content, const std::string& path, std::size_t components,
-                      std::vector<T> values, const std::string& unit, const std::string& long_name) {
-    const std::size_t n = values.size() / components;
-    const std::size_t bytes = values.size() * sizeof(T);
-    std::vector<std::size_t> shape = {n};
-    if (components > 1) {
-        shape.push_back(components);
-    }
-    content.datasets.push_back(
-        {.path = path, .shape = shape, .values = std::move(values), .unit = unit, .long_name = long_name});
-    return bytes;
-}
 
 /// Components of (x, y, z) by particle, in the order of the chosen ones.
 template <int D>
@@ -51,22 +39,23 @@ SnapshotRecorder::SnapshotRecorder(const Case& c) : case_(c), boundaries_(c) {
     }
 }
 
-bool SnapshotRecorder::has(const char* field) const {
-    return std::find(chosen_fields_.begin(), chosen_fields_.end(), field) != chosen_fields_.end();
+bool SnapshotRecorder::has(const Field& field) const {
+    return std::find(chosen_fields_.begin(), chosen_fields_.end(), field.name) != chosen_fields_.end();
 }
 
 std::vector<SnapshotField> SnapshotRecorder::fields() const {
-    std::vector<SnapshotField> fields = {{.name = "position", .components = 3}};
-    if (has("velocity")) {
-        fields.push_back({.name = "velocity", .components = 3});
+    const auto& of = fields::snapshot;
+    std::vector<SnapshotField> all = {{.name = of.position.name, .components = 3}};
+    if (has(of.velocity)) {
+        all.push_back({.name = of.velocity.name, .components = 3});
     }
-    for (const char* scalar : {"pressure", "density", "eddy_viscosity"}) {
+    for (const Field& scalar : {of.pressure, of.density, of.eddy_viscosity}) {
         if (has(scalar)) {
-            fields.push_back({.name = scalar});
+            all.push_back({.name = scalar.name});
         }
     }
-    fields.push_back({.name = "id", .components = 1, .type = ElementType::int32});
-    return fields;
+    all.push_back({.name = of.id.name, .components = 1, .type = ElementType::int32});
+    return all;
 }
 
 std::size_t SnapshotRecorder::bytes_per_particle() const {
@@ -112,46 +101,51 @@ void SnapshotRecorder::record(const SimulationIn<D>& simulation) {
     const std::size_t n = rows.size();
     const std::size_t index = entries_.size();
     const std::string group = snapshot_group(index);
-    const auto add = [&](const char* name, std::size_t components, auto values, const char* unit,
-                         const char* long_name) {
-        new_bytes_ += add_field(new_, group + "/" + name, components, std::move(values), unit, long_name);
+    const auto add = [&]<class T>(const Field& field, std::vector<T> values, std::size_t components = 1) {
+        new_bytes_ += values.size() * sizeof(T);
+        std::vector<std::size_t> shape = {n};
+        if (components > 1) {
+            shape.push_back(components);
+        }
+        Dataset dataset = dataset_of(field, D, std::move(shape), std::move(values));
+        dataset.path = field.path_in(group);
+        new_.datasets.push_back(std::move(dataset));
     };
-    const auto scalar = [&](const char* name, const char* unit, const char* long_name, const auto& value) {
-        if (has(name)) {
+    const auto scalar = [&](const Field& field, const auto& value) {
+        if (has(field)) {
             std::vector<float> values(n);
             for (std::size_t row = 0; row < n; ++row) {
                 values[row] = static_cast<float>(value(rows[row]));
             }
-            add(name, 1, std::move(values), unit, long_name);
+            add(field, std::move(values));
         }
     };
+    const auto& of = fields::snapshot;
     const double density = case_.fluid.density;
-    add("position", 3, triples<D>(p.position, rows), "m", "position (x, y, z)");
-    if (has("velocity")) {
-        add("velocity", 3, triples<D>(p.velocity, rows), "m/s", "velocity (u, v, w)");
+    add(of.position, triples<D>(p.position, rows), 3);
+    if (has(of.velocity)) {
+        add(of.velocity, triples<D>(p.velocity, rows), 3);
     }
-    scalar("pressure", "Pa", "pressure", [&](std::size_t i) {
+    scalar(of.pressure, [&](std::size_t i) {
         return density * simulation.scheme().state.pressure(p.density_deviation[i]);
     });
-    scalar("density", "kg/m3", "density",
-           [&](std::size_t i) { return density * (1.0 + p.density_deviation[i]); });
-    scalar("eddy_viscosity", "m2/s", "eddy viscosity",
-           [&](std::size_t i) { return simulation.fields().eddy_viscosity[i]; });
+    scalar(of.density, [&](std::size_t i) { return density * (1.0 + p.density_deviation[i]); });
+    scalar(of.eddy_viscosity, [&](std::size_t i) { return simulation.fields().eddy_viscosity[i]; });
     std::vector<std::int32_t> id(n);
     for (std::size_t row = 0; row < n; ++row) {
         id[row] = static_cast<std::int32_t>(p.id[rows[row]]);
     }
-    add("id", 1, std::move(id), "1", "particle number");
+    add(of.id, std::move(id));
     SnapshotEntry entry{.index = index, .time = simulation.clock().time, .particles = n};
     if constexpr (D == 3) {
         entry.points_in = points_in(n);
         if (*entry.points_in == index) {
             std::vector<std::int32_t> points(n);
             std::iota(points.begin(), points.end(), 0);
-            add("point", 1, std::move(points), "1", "rows of the snapshot, for its index");
+            add(of.point, std::move(points));
         }
     }
-    new_.attributes.push_back({.path = group, .name = "time", .value = entry.time});
+    new_.attributes.push_back({.path = group, .name = of.time.name, .value = entry.time});
     new_bytes_ += boundaries_.add_moved(new_, group, entry.time);
     entries_.push_back(entry);
 }
@@ -209,11 +203,12 @@ void SnapshotRecorder::restore(const CheckpointReader& checkpoint) {
 
 void SnapshotRecorder::keep_last(const ResultsReader& results, double time) {
     const std::string group = snapshot_group(entries_.size());
-    if (!results.has(group) || results.attribute(group, "time") != AttributeValue(time)) {
+    if (!results.has(group) || results.attribute(group, fields::snapshot.time.name) != AttributeValue(time)) {
         return;
     }
-    SnapshotEntry entry{
-        .index = entries_.size(), .time = time, .particles = results.shape(group + "/id").front()};
+    SnapshotEntry entry{.index = entries_.size(),
+                        .time = time,
+                        .particles = results.shape(fields::snapshot.id.path_in(group)).front()};
     if (case_.channel.dimensions == 3) {
         entry.points_in = points_in(entry.particles);
     }

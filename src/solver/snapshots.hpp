@@ -11,6 +11,7 @@
 #include "output/dataset.hpp"
 #include "output/results_file.hpp"
 #include "output/xdmf.hpp"
+#include "record/particle_fields.hpp"
 #include "solver/boundary_content.hpp"
 #include "solver/simulation.hpp"
 
@@ -32,7 +33,7 @@ class SnapshotRecorder {
     [[nodiscard]] const BoundaryContent& boundaries() const { return boundaries_; }
     /// Whether snapshots are made and hold the eddy viscosity.
     [[nodiscard]] bool shows_viscosity() const {
-        return case_.output.snapshot_interval > 0.0 && has("eddy_viscosity");
+        return case_.output.snapshot_interval > 0.0 && has(fields::snapshot.eddy_viscosity);
     }
 
     /// The snapshots so far, and what each holds, for their index.
@@ -58,7 +59,7 @@ class SnapshotRecorder {
     };
     template <int D>
     [[nodiscard]] std::vector<std::uint32_t> chosen(const Particles<D>& particles) const;
-    [[nodiscard]] bool has(const char* field) const;
+    [[nodiscard]] bool has(const Field& field) const;
     /// The snapshot that has the list of points for one with so many particles: the first such one.
     [[nodiscard]] std::size_t points_in(std::size_t particles) const;
 

@@ -12,23 +12,34 @@
 
 #include "base/error.hpp"
 #include "case/words.hpp"
-#include "solver/content.hpp"
+#include "record/field_content.hpp"
+#include "record/particle_fields.hpp"
+#include "record/run_fields.hpp"
 #include "solver/recorder.hpp"
 
 namespace riffle {
 
 namespace {
 
-constexpr const char* lost_group = "/lost_particles";
+/// Place of an axis of a simulation in D dimensions among x, y, z.
+template <int D>
+constexpr std::size_t axis_of(std::size_t k) {
+    return D == 2 && k == 1 ? 2 : k;
+}
+
+/// Where a field of the particles stands in the state: their table names the same fields as fields::state.
+std::string state_path(const std::string& name) {
+    return fmt::format("{}/{}", fields::state.id.group->path, name);
+}
 
 /// A dataset of values that are read from an array while they are written. The array must stay until then.
 template <class T>
-Dataset lent(const std::string& group, const FieldInfo& info, const std::vector<T>& values) {
+Dataset lent(const FieldInfo& info, const std::vector<T>& values) {
     using Saved = std::conditional_t<std::is_same_v<T, double>, double, std::int64_t>;
     const auto fill = [&values](std::size_t first, std::span<Saved> block) {
         std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(first), block.size(), block.begin());
     };
-    return {.path = group + "/" + info.name,
+    return {.path = state_path(info.name),
             .shape = {values.size()},
             .values = StreamedValues<Saved>{values.size(), fill},
             .unit = info.unit,
@@ -36,31 +47,19 @@ Dataset lent(const std::string& group, const FieldInfo& info, const std::vector<
 }
 
 void add_lost_particles(Content& content, const std::vector<LostParticle>& lost, int dimensions) {
-    const auto column = [&](const char* name, const char* unit, const char* long_name, const auto& value) {
-        std::vector<double> values(lost.size());
+    const auto column = [&]<class T>(const Field& field, T /*zero*/, const auto& value) {
+        std::vector<T> values(lost.size());
         std::transform(lost.begin(), lost.end(), values.begin(), value);
-        add_array(content, fmt::format("{}/{}", lost_group, name), std::move(values), unit, long_name);
+        content.datasets.push_back(dataset_of(field, dimensions, {lost.size()}, std::move(values)));
     };
-    const auto whole = [&](const char* name, const char* long_name, const auto& value) {
-        std::vector<std::int64_t> values(lost.size());
-        std::transform(lost.begin(), lost.end(), values.begin(), value);
-        content.datasets.push_back({.path = fmt::format("{}/{}", lost_group, name),
-                                    .shape = {lost.size()},
-                                    .values = std::move(values),
-                                    .unit = "1",
-                                    .long_name = long_name});
-    };
-    whole("id", "number of the particle", [](const auto& p) { return std::int64_t{p.id}; });
-    whole("exit", "way out", [](const auto& p) { return static_cast<std::int64_t>(p.exit); });
-    column("time", "s", "simulated time at which it was taken out", [](const auto& p) { return p.time; });
-    column("mass", dimensions == 2 ? "kg/m" : "kg", dimensions == 2 ? "mass per unit width" : "mass",
-           [](const auto& p) { return p.mass; });
+    const auto& of = fields::lost_particles;
+    column(of.id, std::int64_t{}, [](const auto& p) { return std::int64_t{p.id}; });
+    column(of.exit, std::int64_t{}, [](const auto& p) { return static_cast<std::int64_t>(p.exit); });
+    column(of.time, 0.0, [](const auto& p) { return p.time; });
+    column(of.mass, 0.0, [](const auto& p) { return p.mass; });
     for (std::size_t k = 0; k < 3; ++k) {
-        const char axis = "xyz"[k];
-        column(fmt::format("position_{}", axis).c_str(), "m", "place where it was taken out",
-               [k](const auto& p) { return p.position[k]; });
-        column(fmt::format("velocity_{}", axis).c_str(), "m/s", "velocity with which it left",
-               [k](const auto& p) { return p.velocity[k]; });
+        column(of.position[k], 0.0, [k](const auto& p) { return p.position[k]; });
+        column(of.velocity[k], 0.0, [k](const auto& p) { return p.velocity[k]; });
     }
 }
 
@@ -82,14 +81,14 @@ std::vector<std::int64_t> whole_numbers(const ContentReader& file, const std::st
 constexpr std::int64_t largest_id = std::numeric_limits<std::int32_t>::max();
 
 std::vector<LostParticle> saved_lost_particles(const CheckpointReader& checkpoint) {
-    const auto path = [](const std::string& name) { return fmt::format("{}/{}", lost_group, name); };
-    const std::vector<std::size_t> shape = checkpoint.shape(path("id"));
+    const auto& of = fields::lost_particles;
+    const std::vector<std::size_t> shape = checkpoint.shape(of.id.path());
     const std::size_t n = shape.empty() ? 0 : shape[0];
-    const auto column = [&](const std::string& name) { return checkpoint.doubles(path(name), n); };
-    const auto id = whole_numbers(checkpoint, path("id"), n, largest_id);
-    const auto exit = whole_numbers(checkpoint, path("exit"), n, last_exit);
-    const auto time = column("time");
-    const auto mass = column("mass");
+    const auto column = [&](const Field& field) { return checkpoint.doubles(field.path(), n); };
+    const auto id = whole_numbers(checkpoint, of.id.path(), n, largest_id);
+    const auto exit = whole_numbers(checkpoint, of.exit.path(), n, last_exit);
+    const auto time = column(of.time);
+    const auto mass = column(of.mass);
     std::vector<LostParticle> lost(n);
     for (std::size_t i = 0; i < n; ++i) {
         lost[i].id = static_cast<std::int32_t>(id[i]);
@@ -98,8 +97,8 @@ std::vector<LostParticle> saved_lost_particles(const CheckpointReader& checkpoin
         lost[i].mass = mass[i];
     }
     for (std::size_t k = 0; k < 3; ++k) {
-        const auto position = column(fmt::format("position_{}", "xyz"[k]));
-        const auto velocity = column(fmt::format("velocity_{}", "xyz"[k]));
+        const auto position = column(of.position[k]);
+        const auto velocity = column(of.velocity[k]);
         for (std::size_t i = 0; i < n; ++i) {
             lost[i].position[k] = position[i];
             lost[i].velocity[k] = velocity[i];
@@ -111,11 +110,11 @@ std::vector<LostParticle> saved_lost_particles(const CheckpointReader& checkpoin
 }  // namespace
 
 template <int D>
-void add_state(Content& content, const std::string& group, const SimulationIn<D>& simulation) {
+void add_state(Content& content, const SimulationIn<D>& simulation) {
     const Particles<D>& p = simulation.particles();
     p.for_each_field([&](const FieldInfo& info, const auto& values) {
         if (!values.empty()) {
-            content.datasets.push_back(lent(group, info, values));
+            content.datasets.push_back(lent(info, values));
         }
     });
     // What is out of date the run builds anew, here as after a resume.
@@ -123,54 +122,46 @@ void add_state(Content& content, const std::string& group, const SimulationIn<D>
         const auto listed = [&simulation, k](std::size_t first, std::span<double> block) {
             simulation.listed_positions(k, first, block);
         };
-        const std::string axis = axis_names<D>[k];
-        content.datasets.push_back(
-            {.path = group + "/listed_position_" + axis,
-             .shape = {p.size()},
-             .values = StreamedValues<double>{p.size(), listed},
-             .unit = "m",
-             .long_name = "position at the last build of the neighbour lists, " + axis});
+        content.datasets.push_back(dataset_of(fields::state.listed_position[axis_of<D>(k)], D, {p.size()},
+                                              StreamedValues<double>{p.size(), listed}));
     }
-    content.datasets.push_back(lent(group,
-                                    {"wall_density_deviation", "1", "rho/rho0 - 1 of the wall particles"},
-                                    simulation.wall_density_deviation()));
-    add_clock(content, group, simulation);
+    const Field& wall = fields::state.wall_density_deviation;
+    content.datasets.push_back(
+        lent({wall.name, wall.unit.in(D), wall.meaning.in(D)}, simulation.wall_density_deviation()));
+    add_clock(content, simulation);
 }
 
 template <int D>
-void add_clock(Content& content, const std::string& group, const SimulationIn<D>& simulation) {
+void add_clock(Content& content, const SimulationIn<D>& simulation) {
     add_lost_particles(content, simulation.particles().lost, D);
     const SimulationClock& clock = simulation.clock();
-    const auto attribute = [&](const char* name, AttributeValue value) {
-        add_attribute(content, group, name, std::move(value));
-    };
-    attribute("time", clock.time);
-    attribute("steps", clock.steps);
-    attribute("particles_created", std::int64_t{simulation.particles().created});
-    attribute("list_builds", clock.list_builds);
-    attribute("time_step", clock.time_step);
-    attribute("largest_acceleration", clock.largest_acceleration);
-    attribute("displacement_bound", clock.displacement_bound);
+    const auto& of = fields::clock;
+    add_field(content, of.time, clock.time);
+    add_field(content, of.steps, clock.steps);
+    add_field(content, of.particles_created, std::int64_t{simulation.particles().created});
+    add_field(content, of.list_builds, clock.list_builds);
+    add_field(content, of.time_step, clock.time_step);
+    add_field(content, of.largest_acceleration, clock.largest_acceleration);
+    add_field(content, of.displacement_bound, clock.displacement_bound);
     if (clock.listed_time > 0.0) {
-        attribute("listed_time", clock.listed_time);
+        add_field(content, of.listed_time, clock.listed_time);
     }
     if (D == 3) {
-        attribute("side_wall_drag_coefficient", clock.side_wall_drag_coefficient);
+        add_field(content, of.side_wall_drag_coefficient, clock.side_wall_drag_coefficient);
     }
-    attribute("sound_speed", simulation.scheme().state.sound_speed);
+    add_field(content, of.sound_speed, simulation.scheme().state.sound_speed);
 }
 
 template <int D>
-void restore_state(const CheckpointReader& checkpoint, const std::string& group,
-                   SimulationIn<D>& simulation) {
-    const std::vector<std::size_t> shape = checkpoint.shape(group + "/id");
+void restore_state(const CheckpointReader& checkpoint, SimulationIn<D>& simulation) {
+    const auto& state = fields::state;
+    const std::vector<std::size_t> shape = checkpoint.shape(state.id.path());
     const std::size_t n = shape.empty() ? 0 : shape[0];
-    const auto path = [&group](const std::string& name) { return group + "/" + name; };
     Particles<D> p;
     for (const FurtherField& field : simulation.particles().further) {
         // Before the first step they have no values, in the file neither.
         const std::size_t place = p.add_field(field.info);
-        if (checkpoint.has(path(field.info.name))) {
+        if (checkpoint.has(state_path(field.info.name))) {
             p.further[place].values.resize(n);
         }
     }
@@ -178,50 +169,53 @@ void restore_state(const CheckpointReader& checkpoint, const std::string& group,
     p.for_each_field([&](const FieldInfo& info, auto& values) {
         if constexpr (std::is_same_v<decltype(values), std::vector<double>&>) {
             if (values.size() == n) {
-                values = checkpoint.doubles(path(info.name), n);
+                values = checkpoint.doubles(state_path(info.name), n);
             }
         } else {
-            const auto numbers = whole_numbers(checkpoint, path(info.name), n, largest_id);
+            const auto numbers = whole_numbers(checkpoint, state_path(info.name), n, largest_id);
             values.assign(numbers.begin(), numbers.end());
         }
     });
     for (std::size_t k = 0; k < D; ++k) {
-        const std::string name = path(std::string("listed_position_") + axis_names<D>[k]);
+        const std::string name = state.listed_position[axis_of<D>(k)].path();
         if (checkpoint.has(name)) {
             p.listed_position[k] = checkpoint.doubles(name, n);
         }
     }
     p.lost = saved_lost_particles(checkpoint);
-    const auto number = [&](const char* name) { return checkpoint.number(group, name); };
+    const auto number = [&](const Field& field) { return checkpoint.number(field.group->path, field.name); };
+    const auto& of = fields::clock;
     SimulationClock clock;
-    clock.time = number("time");
-    clock.steps = static_cast<std::int64_t>(number("steps"));
+    const auto present = [&](const Field& field) {
+        return checkpoint.attribute(field.group->path, field.name).has_value();
+    };
+    clock.time = number(of.time);
+    clock.steps = static_cast<std::int64_t>(number(of.steps));
     // A checkpoint of before they were counted: the flow counts from the largest number on.
-    p.created = checkpoint.attribute(group, "particles_created")
-                    ? static_cast<std::int32_t>(number("particles_created"))
-                    : 0;
-    clock.list_builds = static_cast<std::int64_t>(number("list_builds"));
-    clock.time_step = number("time_step");
-    clock.largest_acceleration = number("largest_acceleration");
-    clock.displacement_bound = number("displacement_bound");
-    clock.listed_time = checkpoint.attribute(group, "listed_time") ? number("listed_time") : 0.0;
+    p.created = present(of.particles_created) ? static_cast<std::int32_t>(number(of.particles_created)) : 0;
+    clock.list_builds = static_cast<std::int64_t>(number(of.list_builds));
+    clock.time_step = number(of.time_step);
+    clock.largest_acceleration = number(of.largest_acceleration);
+    clock.displacement_bound = number(of.displacement_bound);
+    clock.listed_time = present(of.listed_time) ? number(of.listed_time) : 0.0;
     if (D == 3) {
-        clock.side_wall_drag_coefficient = number("side_wall_drag_coefficient");
+        clock.side_wall_drag_coefficient = number(of.side_wall_drag_coefficient);
     }
     simulation.restore(std::move(p), clock,
-                       checkpoint.doubles(group + "/wall_density_deviation", simulation.walls().size()));
+                       checkpoint.doubles(state.wall_density_deviation.path(), simulation.walls().size()));
 }
 
 template <int D>
 Particles<D> particles_from_results(const Case& c, const Scheme& scheme, const ResultsReader& results,
                                     const std::string& file_name) {
-    if (!results.has("/state/position_x")) {
+    const auto& state = fields::state;
+    if (!results.has(state.position[0].path())) {
         throw InputError(
             fmt::format("[start] file = \"{}\" holds no state to start from; give the results file of a run "
                         "of `riffle run`",
                         file_name));
     }
-    const Case other = parse_case(results.read_string("/case/text"), file_name);
+    const Case other = parse_case(results.read_string(fields::stored_case.text.path()), file_name);
     const auto differs = [](double a, double b) { return std::abs(a - b) > 1e-9 * std::abs(b); };
     if (other.channel.dimensions != D) {
         throw InputError(fmt::format(
@@ -245,30 +239,31 @@ Particles<D> particles_from_results(const Case& c, const Scheme& scheme, const R
                         file_name, other.channel.length, other.total_depth(), other.numerics.spacing,
                         c.channel.length, c.total_depth(), c.numerics.spacing));
     }
-    const std::vector<std::size_t> shape = results.shape("/state/id");
+    const std::vector<std::size_t> shape = results.shape(state.id.path());
     const std::size_t n = shape.empty() ? 0 : shape[0];
-    const auto doubles = [&](const std::string& name) {
-        std::vector<double> values = results.read_doubles("/state/" + name);
+    const auto doubles = [&](const std::string& path) {
+        std::vector<double> values = results.read_doubles(path);
         const bool finite =
             std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); });
         if (values.size() != n || !finite) {
             throw InputError(fmt::format(
-                "[start] file = \"{}\": /state/{} has {} values{}, expected {} numbers, one for each of its "
+                "[start] file = \"{}\": {} has {} values{}, expected {} numbers, one for each of its "
                 "particles: the file has been altered; give one as `riffle run` wrote it",
-                file_name, name, values.size(), finite ? "" : ", not all of them numbers", n));
+                file_name, path, values.size(), finite ? "" : ", not all of them numbers", n));
         }
         return values;
     };
     Particles<D> p;
     p.for_each_field([&](const FieldInfo& info, auto& values) {
         if constexpr (std::is_same_v<decltype(values), std::vector<double>&>) {
-            values = doubles(info.name);
+            values = doubles(state_path(info.name));
         } else {
-            const auto numbers = whole_numbers(results, "/state/" + info.name, n, largest_id);
+            const auto numbers = whole_numbers(results, state_path(info.name), n, largest_id);
             values.assign(numbers.begin(), numbers.end());
         }
     });
-    const auto sound_speed = results.attribute("/state", "sound_speed");
+    const Field& sound = fields::clock.sound_speed;
+    const auto sound_speed = results.attribute(sound.group->path, sound.name);
     const StateEquation old{
         .kind = other.numerics.equation_of_state,
         .sound_speed = sound_speed ? std::get<double>(*sound_speed) : scheme.state.sound_speed};
@@ -281,12 +276,12 @@ Particles<D> particles_from_results(const Case& c, const Scheme& scheme, const R
     return p;
 }
 
-template void add_state(Content&, const std::string&, const SimulationIn<2>&);
-template void add_state(Content&, const std::string&, const SimulationIn<3>&);
-template void add_clock(Content&, const std::string&, const SimulationIn<2>&);
-template void add_clock(Content&, const std::string&, const SimulationIn<3>&);
-template void restore_state(const CheckpointReader&, const std::string&, SimulationIn<2>&);
-template void restore_state(const CheckpointReader&, const std::string&, SimulationIn<3>&);
+template void add_state(Content&, const SimulationIn<2>&);
+template void add_state(Content&, const SimulationIn<3>&);
+template void add_clock(Content&, const SimulationIn<2>&);
+template void add_clock(Content&, const SimulationIn<3>&);
+template void restore_state(const CheckpointReader&, SimulationIn<2>&);
+template void restore_state(const CheckpointReader&, SimulationIn<3>&);
 template Particles<2> particles_from_results(const Case&, const Scheme&, const ResultsReader&,
                                              const std::string&);
 template Particles<3> particles_from_results(const Case&, const Scheme&, const ResultsReader&,

@@ -13,16 +13,16 @@ namespace riffle {
 /// order, listed positions, walls. With the clock as attributes of the group. The arrays are read from the
 /// simulation while they are written: it must not go on before.
 template <int D>
-void add_state(Content& content, const std::string& group, const SimulationIn<D>& simulation);
+void add_state(Content& content, const SimulationIn<D>& simulation);
 
 /// The clock alone, as attributes of the group.
 template <int D>
-void add_clock(Content& content, const std::string& group, const SimulationIn<D>& simulation);
+void add_clock(Content& content, const SimulationIn<D>& simulation);
 
 /// Put the state of a checkpoint back into a simulation of the same case. Throws FileError where the
 /// checkpoint does not belong to it.
 template <int D>
-void restore_state(const CheckpointReader& checkpoint, const std::string& group, SimulationIn<D>& simulation);
+void restore_state(const CheckpointReader& checkpoint, SimulationIn<D>& simulation);
 
 /// Particles of the last state in a results file, for `[start] kind = "results"`. Throws InputError when the
 /// file's water does not fit the case (other dimensions, length, width, depth or spacing). Volumes and

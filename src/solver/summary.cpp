@@ -8,6 +8,8 @@
 #include "case/solid_mesh.hpp"
 #include "hydraulics/channel_laws.hpp"
 #include "hydraulics/log_law.hpp"
+#include "record/flow_fields.hpp"
+#include "record/run_fields.hpp"
 
 namespace riffle {
 
@@ -26,9 +28,9 @@ struct Norms {
     [[nodiscard]] double rms() const { return count > 0 ? std::sqrt(sum / count) : 0.0; }
 };
 
-double window_mean(const TimeSeries& series, const std::string& name, double from, double to) {
-    const auto& time = series.column("time");
-    const auto& values = series.column(name);
+double window_mean(const TimeSeries& series, const Field& field, double from, double to) {
+    const auto& time = series.column(fields::time_series.time);
+    const auto& values = series.column(field);
     double sum = 0.0;
     double count = 0.0;
     for (std::size_t i = 0; i < time.size(); ++i) {
@@ -41,11 +43,11 @@ double window_mean(const TimeSeries& series, const std::string& name, double fro
 }
 
 /// Slope of the straight line through a record's window, per second.
-double window_trend(const TimeSeries& series, const std::string& name, double from, double to) {
-    const auto& time = series.column("time");
-    const auto& values = series.column(name);
+double window_trend(const TimeSeries& series, const Field& field, double from, double to) {
+    const auto& time = series.column(fields::time_series.time);
+    const auto& values = series.column(field);
     const double mean_time = 0.5 * (from + to);
-    const double mean = window_mean(series, name, from, to);
+    const double mean = window_mean(series, field, from, to);
     double covariance = 0.0;
     double variance = 0.0;
     for (std::size_t i = 0; i < time.size(); ++i) {
@@ -57,17 +59,17 @@ double window_trend(const TimeSeries& series, const std::string& name, double fr
     return variance > 0.0 ? covariance / variance : 0.0;
 }
 
-void add_column_departures(const Case& c, const Profiles& p, RunSummary& summary) {
+void add_column_departures(const Case& c, const Profiles& p, Numbers& summary) {
     Norms above;
     Norms below;
     for (std::size_t k = 0; k < p.z.size(); ++k) {
         const double relative = p.velocity_deviation[k] / p.column_velocity[k];
         (p.z[k] > c.crest() ? above : below).add(relative);
     }
-    summary.set("velocity_error_above_rms", above.rms());
-    summary.set("velocity_error_above_maximum", above.largest);
-    summary.set("velocity_error_below_rms", below.rms());
-    summary.set("velocity_error_below_maximum", below.largest);
+    summary.set(fields::summary.velocity_error_above_rms, above.rms());
+    summary.set(fields::summary.velocity_error_above_maximum, above.largest);
+    summary.set(fields::summary.velocity_error_below_rms, below.rms());
+    summary.set(fields::summary.velocity_error_below_maximum, below.largest);
 }
 
 /// Height below which bodies carry a part of the weight by the pressure on their faces, m: 0 without bodies.
@@ -87,7 +89,7 @@ double top_of_solids(const Case& c) {
     return top;
 }
 
-void add_stresses(const Case& c, const Profiles& p, RunSummary& summary) {
+void add_stresses(const Case& c, const Profiles& p, Numbers& summary) {
     const double crest_stress = c.fluid.density * c.streamwise_gravity() * (c.total_depth() - c.crest());
     if (crest_stress <= 0.0 || p.z.size() < 6) {
         return;
@@ -105,52 +107,34 @@ void add_stresses(const Case& c, const Profiles& p, RunSummary& summary) {
     if (spurious.count == 0) {
         return;  // bodies stand through the whole depth
     }
-    summary.set("spurious_stress_rms", spurious.rms());
-    summary.set("spurious_stress_maximum", spurious.largest);
-    summary.set("stress_error_rms", error.rms());
+    summary.set(fields::summary.spurious_stress_rms, spurious.rms());
+    summary.set(fields::summary.spurious_stress_maximum, spurious.largest);
+    summary.set(fields::summary.stress_error_rms, error.rms());
     if (!c.solids.empty()) {
         return;  // the stress at the bed is not the one that continues the line
     }
     if (const std::optional<StressLine> line = fit_stress_line(c, p)) {
-        summary.set("friction_velocity", std::sqrt(std::max(0.0, line->crest_stress / c.fluid.density)));
+        summary.set(fields::summary.friction_velocity,
+                    std::sqrt(std::max(0.0, line->crest_stress / c.fluid.density)));
     }
 }
 
-void add_log_law(const Case& c, const Profiles& p, RunSummary& summary) {
+void add_log_law(const Case& c, const Profiles& p, Numbers& summary) {
     if (c.bed.kind != BedKind::spheres) {
         return;
     }
     const HeightRange range = log_law_range(c);
     const LogLawFit fit = fit_log_law(p.z, p.velocity, log_law_kappa, c.datum(), range.from, range.to);
     if (fit.valid) {
-        summary.set("log_law_friction_velocity", fit.friction_velocity);
-        summary.set("log_law_friction_velocity_half_width", fit.friction_velocity_half_width);
-        summary.set("equivalent_roughness", fit.equivalent_roughness);
-        summary.set("equivalent_roughness_half_width", fit.equivalent_roughness_half_width);
-        summary.set("zero_plane", fit.zero_plane);
+        summary.set(fields::summary.log_law_friction_velocity, fit.friction_velocity);
+        summary.set(fields::summary.log_law_friction_velocity_half_width, fit.friction_velocity_half_width);
+        summary.set(fields::summary.equivalent_roughness, fit.equivalent_roughness);
+        summary.set(fields::summary.equivalent_roughness_half_width, fit.equivalent_roughness_half_width);
+        summary.set(fields::summary.zero_plane, fit.zero_plane);
     }
 }
 
 }  // namespace
-
-double RunSummary::value(const std::string& name) const {
-    for (const auto& [key, number] : values) {
-        if (key == name) {
-            return number;
-        }
-    }
-    return std::numeric_limits<double>::quiet_NaN();
-}
-
-void RunSummary::set(const std::string& name, double number) {
-    for (auto& [key, old] : values) {
-        if (key == name) {
-            old = number;
-            return;
-        }
-    }
-    values.emplace_back(name, number);
-}
 
 std::optional<StressLine> fit_stress_line(const Case& c, const Profiles& p) {
     return fit_stress_line(c, p.bin_upper, p.total_stress);
@@ -184,69 +168,78 @@ std::optional<StressLine> fit_stress_line(const Case& c, const std::vector<doubl
     return result;
 }
 
-RunSummary summarise(const Case& c, const Twins& twins, const TimeSeries& series, const Profiles& profiles,
-                     const Convergence& convergence) {
-    RunSummary summary;
-    const auto& time = series.column("time");
+Numbers summarise(const Case& c, const Twins& twins, const TimeSeries& series, const Profiles& profiles,
+                  const Convergence& convergence) {
+    Numbers summary;
+    const auto& time = series.column(fields::time_series.time);
     if (time.empty()) {
         return summary;
     }
     const double from = profiles.empty() ? convergence.window_start : profiles.window_start;
     const double to = time.back();
-    summary.set("converged", convergence.converged ? 1.0 : 0.0);
-    summary.set("window_start", from);
-    summary.set("window_end", to);
+    summary.set(fields::summary.converged, convergence.converged ? 1.0 : 0.0);
+    summary.set(fields::summary.window_start, from);
+    summary.set(fields::summary.window_end, to);
     const auto first =
         static_cast<std::size_t>(std::lower_bound(time.begin(), time.end(), from) - time.begin());
-    const auto estimate =
-        mean_with_confidence(std::span(series.column("depth_mean_velocity")).subspan(first));
-    summary.set("depth_mean_velocity", estimate.mean);
-    summary.set("depth_mean_velocity_effective_samples", estimate.effective_samples);
+    const auto estimate = mean_with_confidence(
+        std::span(series.column(fields::time_series.depth_mean_velocity)).subspan(first));
+    summary.set(fields::summary.depth_mean_velocity, estimate.mean);
+    summary.set(fields::summary.depth_mean_velocity_effective_samples, estimate.effective_samples);
     // A mean from too few independent samples has no interval.
     if (estimate.effective_samples >= fewest_effective_samples) {
-        summary.set("depth_mean_velocity_half_width", estimate.half_width);
+        summary.set(fields::summary.depth_mean_velocity_half_width, estimate.half_width);
     }
-    summary.set("depth_mean_velocity_integral_time",
+    summary.set(fields::summary.depth_mean_velocity_integral_time,
                 estimate.integral_time * (to - time[first]) /
                     std::max<double>(1.0, static_cast<double>(time.size() - first - 1)));
-    summary.set("remaining_drift", convergence.remaining_drift);
-    summary.set("velocity_fluctuation_growth", std::expm1(convergence.fluctuation_growth));
-    summary.set("velocity_fluctuation_growth_least",
+    summary.set(fields::summary.remaining_drift, convergence.remaining_drift);
+    summary.set(fields::summary.velocity_fluctuation_growth, std::expm1(convergence.fluctuation_growth));
+    summary.set(fields::summary.velocity_fluctuation_growth_least,
                 std::expm1(convergence.fluctuation_growth - convergence.fluctuation_growth_half_width));
-    for (const char* name : {"total_mean_velocity", "drag_over_gravity", "wall_over_gravity", "mean_level",
-                             "velocity_fluctuation", "particle_order", "density_deviation_minimum",
-                             "density_deviation_maximum"}) {
-        summary.set(name, window_mean(series, name, from, to));
-    }
+    const auto& outcomes = fields::summary;
+    const auto& of_series = fields::time_series;
+    const auto set_mean = [&](const Field& outcome, const Field& field) {
+        summary.set(outcome, window_mean(series, field, from, to));
+    };
+    set_mean(outcomes.total_mean_velocity, of_series.total_mean_velocity);
+    set_mean(outcomes.drag_over_gravity, of_series.drag_over_gravity);
+    set_mean(outcomes.wall_over_gravity, of_series.wall_over_gravity);
+    set_mean(outcomes.mean_level, of_series.mean_level);
+    set_mean(outcomes.velocity_fluctuation, of_series.velocity_fluctuation);
+    set_mean(outcomes.particle_order, of_series.particle_order);
+    set_mean(outcomes.density_deviation_minimum, of_series.density_deviation_minimum);
+    set_mean(outcomes.density_deviation_maximum, of_series.density_deviation_maximum);
     if (c.channel.dimensions == 3) {
-        const auto centreline =
-            mean_with_confidence(std::span(series.column("centreline_velocity")).subspan(first));
-        summary.set("centreline_velocity", centreline.mean);
+        const auto centreline = mean_with_confidence(
+            std::span(series.column(fields::time_series.centreline_velocity)).subspan(first));
+        summary.set(fields::summary.centreline_velocity, centreline.mean);
         if (centreline.effective_samples >= fewest_effective_samples) {
-            summary.set("centreline_velocity_half_width", centreline.half_width);
+            summary.set(fields::summary.centreline_velocity_half_width, centreline.half_width);
         }
-        for (const char* name : {"side_wall_over_gravity", "secondary_velocity"}) {
-            summary.set(name, window_mean(series, name, from, to));
-        }
+        set_mean(outcomes.side_wall_over_gravity, of_series.side_wall_over_gravity);
+        set_mean(outcomes.secondary_velocity, of_series.secondary_velocity);
     }
-    summary.set("level_trend", window_trend(series, "mean_level", from, to));
+    summary.set(fields::summary.level_trend, window_trend(series, fields::time_series.mean_level, from, to));
     // The level's drift over the whole run, from the means of its first and last seconds.
-    summary.set("level_drift", window_mean(series, "mean_level", to - 1.0, to) -
-                                   window_mean(series, "mean_level", 0.0, std::min(1.0, to)));
+    summary.set(fields::summary.level_drift,
+                window_mean(series, fields::time_series.mean_level, to - 1.0, to) -
+                    window_mean(series, fields::time_series.mean_level, 0.0, std::min(1.0, to)));
     if (profiles.empty()) {
         return summary;
     }
-    summary.set("surface_velocity", profiles.velocity.back());
+    summary.set(fields::summary.surface_velocity, profiles.velocity.back());
     if (twins.column) {
         add_column_departures(c, profiles, summary);
         const double reference =
             twins.section ? twins.section->depth_mean_velocity : twins.column->depth_mean_velocity;
         const double total = twins.section ? twins.section->bulk_velocity : twins.column->total_mean_velocity;
         if (reference != 0.0) {
-            summary.set("depth_mean_velocity_error", estimate.mean / reference - 1.0);
+            summary.set(fields::summary.depth_mean_velocity_error, estimate.mean / reference - 1.0);
         }
         if (total != 0.0) {
-            summary.set("total_mean_velocity_error", summary.value("total_mean_velocity") / total - 1.0);
+            summary.set(fields::summary.total_mean_velocity_error,
+                        summary.value(fields::summary.total_mean_velocity) / total - 1.0);
         }
     }
     add_stresses(c, profiles, summary);

@@ -1,26 +1,17 @@
 #pragma once
 
 #include <optional>
-#include <string>
-#include <utility>
 #include <vector>
 
 #include "case/case.hpp"
 #include "column/column.hpp"
+#include "record/numbers.hpp"
 #include "solver/convergence.hpp"
 #include "solver/profile_blocks.hpp"
 #include "solver/series.hpp"
 #include "solver/twins.hpp"
 
 namespace riffle {
-
-/// Results of a run as named numbers: the attributes of `/summary` (docs/results-format.md), SI.
-struct RunSummary {
-    std::vector<std::pair<std::string, double>> values;
-
-    [[nodiscard]] double value(const std::string& name) const;  ///< NaN when absent
-    void set(const std::string& name, double value);
-};
 
 /// Shear stress at the crest, Pa, from the straight line of uniform flow, tau_c (H - z)/(H - d_h)
 /// (thesis 4.6), fitted by least squares to the total stress above the crest without the four top layers,
@@ -37,11 +28,11 @@ struct StressLine {
 [[nodiscard]] std::optional<StressLine> fit_stress_line(const Case& c, const std::vector<double>& height,
                                                         const std::vector<double>& total_stress);
 
-/// Summarise the averaging window: means with their intervals, friction velocities, departures from the
-/// twin (the section where there is one, else the column) and from the stress line. Velocities are compared
-/// at the particles' own places and relative to the local velocity of the twin; stresses relative to the
-/// crest's, without the top three layers, where the kernel is cut.
-[[nodiscard]] RunSummary summarise(const Case& c, const Twins& twins, const TimeSeries& series,
-                                   const Profiles& profiles, const Convergence& convergence);
+/// Summarise the averaging window, as the attributes of `/summary` say it: means with their intervals,
+/// friction velocities, departures from the twin (the section where there is one, else the column) and from
+/// the stress line. Velocities are compared at the particles' own places and relative to the local velocity
+/// of the twin; stresses relative to the crest's, without the top three layers, where the kernel is cut.
+[[nodiscard]] Numbers summarise(const Case& c, const Twins& twins, const TimeSeries& series,
+                                const Profiles& profiles, const Convergence& convergence);
 
 }  // namespace riffle

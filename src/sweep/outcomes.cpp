@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <variant>
+#include <optional>
+#include <vector>
 
 #include "analysis/chapters.hpp"
 #include "analysis/figure_tools.hpp"
@@ -15,7 +15,10 @@
 #include "base/error.hpp"
 #include "base/not_a_number.hpp"
 #include "case/nearest.hpp"
-#include "output/results_file.hpp"
+#include "record/flow_fields.hpp"
+#include "record/run_fields.hpp"
+#include "record/run_results.hpp"
+#include "record/twin_fields.hpp"
 #include "statistics/confidence.hpp"
 
 namespace riffle {
@@ -24,49 +27,40 @@ namespace {
 
 constexpr const char* surface_deviation = "surface_standard_deviation";
 
-/// Where the twin has the outcome, in the attributes of /column and /section.
+/// Where the twin has the outcome, among the numbers of /column and /section.
 struct TwinName {
-    const char* outcome;
-    const char* column;
-    const char* section;
+    Field outcome;
+    std::optional<Field> column, section;
 };
-constexpr TwinName twin_names[] = {
-    {"depth_mean_velocity", "depth_mean_velocity", "depth_mean_velocity"},
-    {"total_mean_velocity", "total_mean_velocity", "bulk_velocity"},
-    {"centreline_velocity", nullptr, "centreline_velocity"},
-    {"surface_velocity", "surface_velocity", nullptr},
-    {"friction_velocity", "friction_velocity", nullptr},
-    {"log_law_friction_velocity", "log_law_friction_velocity", nullptr},
-    {"equivalent_roughness", "equivalent_roughness", nullptr},
-    {"drag_over_gravity", "drag_share", "drag_share"},
-    {"wall_over_gravity", "wall_share", nullptr},
-    {"side_wall_over_gravity", nullptr, "side_wall_share"},
-};
-
-double number(const ResultsReader& reader, const std::string& group, const std::string& name) {
-    if (!reader.has(group)) {
-        return not_a_number;
-    }
-    const auto value = reader.attribute(group, name);
-    if (!value) {
-        return not_a_number;
-    }
-    if (const auto* const real = std::get_if<double>(&*value)) {
-        return *real;
-    }
-    const auto* const integer = std::get_if<std::int64_t>(&*value);
-    return integer != nullptr ? static_cast<double>(*integer) : not_a_number;
+const std::vector<TwinName>& twin_names() {
+    const auto& of = fields::summary;
+    const auto& column = fields::column_numbers;
+    const auto& section = fields::section_numbers;
+    static const std::vector<TwinName> names = {
+        {of.depth_mean_velocity, column.depth_mean_velocity, section.depth_mean_velocity},
+        {of.total_mean_velocity, column.total_mean_velocity, section.bulk_velocity},
+        {of.centreline_velocity, std::nullopt, section.centreline_velocity},
+        {of.surface_velocity, column.surface_velocity, std::nullopt},
+        {of.friction_velocity, column.friction_velocity, std::nullopt},
+        {of.log_law_friction_velocity, column.log_law_friction_velocity, std::nullopt},
+        {of.equivalent_roughness, column.equivalent_roughness, std::nullopt},
+        {of.drag_over_gravity, column.drag_share, section.drag_share},
+        {of.wall_over_gravity, column.wall_share, std::nullopt},
+        {of.side_wall_over_gravity, std::nullopt, section.side_wall_share},
+    };
+    return names;
 }
 
 /// Half-width of the mean of a series over the averaging window; not-a-number where there is none.
-double half_width_of_series(const ResultsReader& reader, const std::string& name) {
-    const std::string path = "/time_series/" + name;
-    if (!reader.has(path)) {
+double half_width_of_series(const RunResults& results, const std::string& name) {
+    const auto all = fields_of(fields::time_series);
+    const auto field = std::find_if(all.begin(), all.end(), [&](const Field& f) { return f.name == name; });
+    if (field == all.end()) {
         return not_a_number;
     }
-    const std::vector<double> time = reader.read_doubles("/time_series/time");
-    const std::vector<double> values = reader.read_doubles(path);
-    const double from = number(reader, "/summary", "window_start");
+    const std::vector<double> time = results.values(fields::time_series.time);
+    const std::vector<double> values = results.values(*field);
+    const double from = results.number(fields::summary.window_start).value_or(not_a_number);
     std::vector<double> window;
     for (std::size_t i = 0; i < std::min(time.size(), values.size()); ++i) {
         if (time[i] >= from) {
@@ -77,29 +71,28 @@ double half_width_of_series(const ResultsReader& reader, const std::string& name
     return window.size() < fewest ? not_a_number : mean_with_confidence(window).half_width;
 }
 
-double twin_of(const ResultsReader& reader, const std::string& key) {
-    const auto* const found = std::find_if(std::begin(twin_names), std::end(twin_names),
-                                           [&](const TwinName& name) { return key == name.outcome; });
-    if (found == std::end(twin_names)) {
+double twin_of(const RunResults& results, const std::string& key) {
+    const auto& names = twin_names();
+    const auto found = std::find_if(names.begin(), names.end(),
+                                    [&](const TwinName& name) { return key == name.outcome.name; });
+    if (found == names.end()) {
         return not_a_number;
     }
     // With side walls the section, not the column, is the twin.
-    if (reader.has("/section")) {
-        return found->section != nullptr ? number(reader, "/section", found->section) : not_a_number;
-    }
-    return found->column != nullptr ? number(reader, "/column", found->column) : not_a_number;
+    const std::optional<Field>& field = results.has(fields::groups::section) ? found->section : found->column;
+    return field ? results.number(*field).value_or(not_a_number) : not_a_number;
 }
 
-OutcomeValue read_outcome(const ResultsReader& reader, const std::string& key) {
+OutcomeValue read_outcome(const RunResults& results, const Numbers& summary, const std::string& key) {
     OutcomeValue outcome;
-    outcome.value = number(reader, "/summary", key);
+    outcome.value = summary.value(key);
     if (!std::isfinite(outcome.value)) {
         return outcome;
     }
-    outcome.twin = twin_of(reader, key);
-    outcome.half_width = number(reader, "/summary", key + "_half_width");
+    outcome.twin = twin_of(results, key);
+    outcome.half_width = summary.value(key + "_half_width");
     if (!std::isfinite(outcome.half_width)) {
-        outcome.half_width = half_width_of_series(reader, key);
+        outcome.half_width = half_width_of_series(results, key);
     }
     return outcome;
 }
@@ -147,42 +140,44 @@ OutcomeValue read_surface(const std::filesystem::path& results) {
 
 const std::vector<Outcome>& known_outcomes() {
     using enum OutcomeKind;
+    const auto& of = fields::summary;
     static const std::vector<Outcome> outcomes = {
-        {"depth_mean_velocity", "depth-mean velocity U", "m/s", "m/s", 1, value, true},
-        {"depth_mean_velocity_error", "departure of U from the twin", "1", "%", 100, departure, true},
-        {"total_mean_velocity", "mass-mean velocity", "m/s", "m/s", 1, value, false},
-        {"total_mean_velocity_error", "departure of the mass mean from the twin", "1", "%", 100, departure,
-         false},
-        {"centreline_velocity", "depth-mean velocity on the centreline", "m/s", "m/s", 1, value, true},
-        {"secondary_velocity", "secondary velocity", "m/s", "mm/s", 1e3, value, false, true},
-        {"surface_velocity", "velocity at the surface", "m/s", "m/s", 1, value, false},
-        {"velocity_error_above_rms", "rms departure of u from the twin above the crest", "1", "%", 100,
+        {of.depth_mean_velocity.name, "depth-mean velocity U", "m/s", "m/s", 1, value, true},
+        {of.depth_mean_velocity_error.name, "departure of U from the twin", "1", "%", 100, departure, true},
+        {of.total_mean_velocity.name, "mass-mean velocity", "m/s", "m/s", 1, value, false},
+        {of.total_mean_velocity_error.name, "departure of the mass mean from the twin", "1", "%", 100,
+         departure, false},
+        {of.centreline_velocity.name, "depth-mean velocity on the centreline", "m/s", "m/s", 1, value, true},
+        {of.secondary_velocity.name, "secondary velocity", "m/s", "mm/s", 1e3, value, false, true},
+        {of.surface_velocity.name, "velocity at the surface", "m/s", "m/s", 1, value, false},
+        {of.velocity_error_above_rms.name, "rms departure of u from the twin above the crest", "1", "%", 100,
          departure, true, true},
-        {"velocity_error_above_maximum", "largest departure of u from the twin above the crest", "1", "%",
-         100, departure, false, true},
-        {"velocity_error_below_rms", "rms departure of u from the twin below the crest", "1", "%", 100,
+        {of.velocity_error_above_maximum.name, "largest departure of u from the twin above the crest", "1",
+         "%", 100, departure, false, true},
+        {of.velocity_error_below_rms.name, "rms departure of u from the twin below the crest", "1", "%", 100,
          departure, true, true},
-        {"velocity_error_below_maximum", "largest departure of u from the twin below the crest", "1", "%",
-         100, departure, false, true},
-        {"friction_velocity", "friction velocity u_*, from the stress", "m/s", "mm/s", 1e3, value, true,
+        {of.velocity_error_below_maximum.name, "largest departure of u from the twin below the crest", "1",
+         "%", 100, departure, false, true},
+        {of.friction_velocity.name, "friction velocity u_*, from the stress", "m/s", "mm/s", 1e3, value, true,
          true},
-        {"log_law_friction_velocity", "friction velocity u_*, from the log law", "m/s", "mm/s", 1e3, value,
-         false, true},
-        {"equivalent_roughness", "equivalent roughness k_s", "m", "mm", 1e3, value, false, true},
-        {"drag_over_gravity", "bed drag over weight component", "1", "1", 1, value, true},
-        {"wall_over_gravity", "wall force over weight component", "1", "1", 1, value, false},
-        {"side_wall_over_gravity", "side walls' drag over weight component", "1", "1", 1, value, false},
-        {"mean_level", "mean surface level", "m", "mm", 1e3, value, true, true},
+        {of.log_law_friction_velocity.name, "friction velocity u_*, from the log law", "m/s", "mm/s", 1e3,
+         value, false, true},
+        {of.equivalent_roughness.name, "equivalent roughness k_s", "m", "mm", 1e3, value, false, true},
+        {of.drag_over_gravity.name, "bed drag over weight component", "1", "1", 1, value, true},
+        {of.wall_over_gravity.name, "wall force over weight component", "1", "1", 1, value, false},
+        {of.side_wall_over_gravity.name, "side walls' drag over weight component", "1", "1", 1, value, false},
+        {of.mean_level.name, "mean surface level", "m", "mm", 1e3, value, true, true},
         {surface_deviation, "standard deviation of the surface", "m", "mm", 1e3, value, true, true},
-        {"spurious_stress_rms", "rms spurious stress over the crest's", "1", "%", 100, departure, true, true},
-        {"stress_error_rms", "rms departure of the stress over the crest's", "1", "%", 100, departure, false,
+        {of.spurious_stress_rms.name, "rms spurious stress over the crest's", "1", "%", 100, departure, true,
          true},
-        {"velocity_fluctuation", "rms velocity fluctuation", "m/s", "mm/s", 1e3, value, false, true},
-        {"particle_order", "order of the particles", "1", "1", 1, value, false, true},
-        {"particles", "particles", "1", "1", 1, cost, false},
-        {"steps", "time steps", "1", "1", 1, cost, false},
-        {"simulated_time", "simulated time", "s", "s", 1, value, false},
-        {"wall_clock_seconds", "computing time", "s", "s", 1, cost, true},
+        {of.stress_error_rms.name, "rms departure of the stress over the crest's", "1", "%", 100, departure,
+         false, true},
+        {of.velocity_fluctuation.name, "rms velocity fluctuation", "m/s", "mm/s", 1e3, value, false, true},
+        {of.particle_order.name, "order of the particles", "1", "1", 1, value, false, true},
+        {of.particles.name, "particles", "1", "1", 1, cost, false},
+        {of.steps.name, "time steps", "1", "1", 1, cost, false},
+        {of.simulated_time.name, "simulated time", "s", "s", 1, value, false},
+        {of.wall_clock_seconds.name, "computing time", "s", "s", 1, cost, true},
     };
     return outcomes;
 }
@@ -217,20 +212,22 @@ std::vector<Outcome> chosen_outcomes(const std::vector<std::string>& keys) {
 }
 
 std::map<std::string, OutcomeValue> read_outcomes(const std::filesystem::path& results) {
-    const ResultsReader reader(results);
+    const RunResults file(results);
+    const Numbers summary = file.numbers(fields::groups::summary);
     std::map<std::string, OutcomeValue> outcomes;
     for (const Outcome& outcome : known_outcomes()) {
-        const OutcomeValue found =
-            outcome.key == surface_deviation ? read_surface(results) : read_outcome(reader, outcome.key);
+        const OutcomeValue found = outcome.key == surface_deviation
+                                       ? read_surface(results)
+                                       : read_outcome(file, summary, outcome.key);
         if (std::isfinite(found.value)) {
             outcomes.emplace(outcome.key, found);
         }
     }
-    if (reader.has("/section")) {
+    if (file.has(fields::groups::section)) {
         put_centreline(results, outcomes);
     }
-    add_error_half_width(outcomes, "depth_mean_velocity");
-    add_error_half_width(outcomes, "total_mean_velocity");
+    add_error_half_width(outcomes, fields::summary.depth_mean_velocity.name);
+    add_error_half_width(outcomes, fields::summary.total_mean_velocity.name);
     return outcomes;
 }
 

@@ -9,7 +9,8 @@
 #include "base/error.hpp"
 #include "case/conversion.hpp"
 #include "case/key_table.hpp"
-#include "output/results_file.hpp"
+#include "record/run_fields.hpp"
+#include "record/run_results.hpp"
 #include "solver/run.hpp"
 
 namespace riffle {
@@ -39,12 +40,6 @@ std::string differences(const Case& found, const Case& wanted) {
     return fmt::format("{}{}", fmt::join(list, "; "), more > 0 ? fmt::format("; and {} more", more) : "");
 }
 
-bool is_complete(const ResultsReader& reader) {
-    const auto complete = reader.attribute("/", "complete");
-    const auto* const value = complete ? std::get_if<std::int64_t>(&*complete) : nullptr;
-    return value != nullptr && *value != 0;
-}
-
 }  // namespace
 
 FolderStanding standing_of(const SweepRun& run) {
@@ -57,18 +52,18 @@ FolderStanding standing_of(const SweepRun& run) {
                           : FolderStanding{};
     }
     try {
-        const ResultsReader reader(files.results());
-        const Case found = parse_case(reader.read_string("/case/text"), files.results().string());
+        const RunResults results_file(files.results());
+        const Case found =
+            parse_case(results_file.stored_text(fields::stored_case.text), files.results().string());
         if (found.text != run.flow.text) {
             return {FolderState::other, differences(found, run.flow)};
         }
-        if (is_complete(reader)) {
+        if (results_file.number(fields::file.complete).value_or(0.0) != 0.0) {
             return {FolderState::complete, {}};
         }
-        const auto failure = reader.attribute("/", "failure");
-        const auto* const message = failure ? std::get_if<std::string>(&*failure) : nullptr;
-        if (message != nullptr && !message->empty()) {
-            return {FolderState::failed, *message};
+        const std::string failure = results_file.text(fields::file.failure);
+        if (!failure.empty()) {
+            return {FolderState::failed, failure};
         }
     } catch (const Error& unreadable) {
         return {FolderState::other, unreadable.what()};

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
+
+#include "record/particle_fields.hpp"
+#include "record/run_fields.hpp"
+#include "record/twin_fields.hpp"
 
 namespace riffle {
 
@@ -15,66 +18,45 @@ using Json = nlohmann::ordered_json;
 /// passes (solver/convergence.hpp).
 constexpr double fewest_relaxation_times = 4.0;
 
-double number(const ResultsReader& reader, const std::string& group, const char* name) {
-    const auto value = reader.attribute(group, name);
-    if (!value) return std::numeric_limits<double>::quiet_NaN();
-    if (const auto* real = std::get_if<double>(&*value)) return *real;
-    if (const auto* integer = std::get_if<std::int64_t>(&*value)) return static_cast<double>(*integer);
-    return std::numeric_limits<double>::quiet_NaN();
-}
-
-double number_or(const ResultsReader& reader, const std::string& group, const char* name, double otherwise) {
-    const double value = number(reader, group, name);
-    return std::isfinite(value) ? value : otherwise;
-}
-
-std::int64_t count(const ResultsReader& reader, const char* name) {
-    return static_cast<std::int64_t>(number_or(reader, "/summary", name, 0.0));
-}
-
-std::string text(const ResultsReader& reader, const char* name) {
-    const auto value = reader.attribute("/summary", name);
-    const auto* words = value ? std::get_if<std::string>(&*value) : nullptr;
-    return words != nullptr ? *words : std::string{};
-}
-
 Json optional_json(const std::optional<double>& value) {
     return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
 }
 
 }  // namespace
 
-Progress read_progress(const ResultsReader& reader, const ReportData& data) {
+Progress read_progress(const RunResults& results, const ReportData& data) {
     const Case& c = data.flow;
+    const auto& of = fields::summary;
+    const auto number = [&](const Field& field) { return find_value(data.summary, field).value_or(0.0); };
+    const auto count = [&](const Field& field) { return static_cast<std::int64_t>(number(field)); };
     Progress p;
     p.complete = data.complete;
-    p.time = number_or(reader, "/summary", "simulated_time", 0.0);
+    p.time = number(of.simulated_time);
     p.end_time = c.run.time;
-    p.steps = count(reader, "steps");
-    p.wall_seconds = number_or(reader, "/summary", "wall_clock_seconds", 0.0);
-    p.updates_per_second = number_or(reader, "/summary", "particle_updates_per_second", 0.0);
-    p.time_step = number_or(reader, "/state", "time_step", 0.0);
-    p.particles = count(reader, "particles");
-    p.threads = count(reader, "threads");
-    p.instruction_set = text(reader, "instruction_set");
-    p.converged = number_or(reader, "/summary", "converged", 0.0) != 0.0;
+    p.steps = count(of.steps);
+    p.wall_seconds = number(of.wall_clock_seconds);
+    p.updates_per_second = number(of.particle_updates_per_second);
+    p.time_step = results.number(fields::clock.time_step).value_or(0.0);
+    p.particles = count(of.particles);
+    p.threads = count(of.threads);
+    p.instruction_set = results.text(of.instruction_set);
+    p.converged = number(of.converged) != 0.0;
     p.until_converged = c.run.until == RunUntil::converged;
-    p.convergence = text(reader, "convergence");
+    p.convergence = results.text(of.convergence);
     p.tolerance = c.run.tolerance;
     p.checkpoint_interval = c.output.checkpoint_interval;
-    const auto relaxation = find_value(data.column_summary, "relaxation_time");
+    const auto relaxation = find_value(data.column, fields::column_numbers.relaxation_time);
     if (relaxation && *relaxation > 0) p.relaxation_time = relaxation;
     if (p.until_converged && p.relaxation_time) {
         const double start =
             c.run.average_from.value_or((fewest_relaxation_times - 1.0) * *p.relaxation_time);
         p.earliest_end = std::min(p.end_time, start + *p.relaxation_time);
     }
-    const double mean = number(reader, "/summary", "depth_mean_velocity");
-    const double half = number(reader, "/summary", "depth_mean_velocity_half_width");
-    if (std::isfinite(mean) && std::isfinite(half) && mean != 0) p.half_width = half / std::abs(mean);
+    const double mean = number(of.depth_mean_velocity);
+    const auto half = find_value(data.summary, of.depth_mean_velocity_half_width);
+    if (half && mean != 0) p.half_width = *half / std::abs(mean);
     // The test leaves zero where the record is too short to tell.
-    const double drift = number(reader, "/summary", "remaining_drift");
-    if (std::isfinite(drift) && drift > 0) p.remaining_drift = drift;
+    if (number(of.remaining_drift) > 0) p.remaining_drift = number(of.remaining_drift);
     return p;
 }
 

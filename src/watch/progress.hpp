@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "output/results_file.hpp"
+#include "record/run_results.hpp"
 #include "report/report_data.hpp"
 
 namespace riffle {
@@ -33,7 +33,7 @@ struct Progress {
 };
 
 /// Read it; `data` is the report's, of the same file.
-[[nodiscard]] Progress read_progress(const ResultsReader& reader, const ReportData& data);
+[[nodiscard]] Progress read_progress(const RunResults& results, const ReportData& data);
 
 /// Speed of a run: since the earlier of two writes where both are of one run that went on, else since the
 /// start.

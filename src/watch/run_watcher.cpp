@@ -47,8 +47,7 @@ std::shared_ptr<const std::string> error_json(const std::string& message) {
 }
 
 /// The chapters that follow a run as it goes; the others need its end to be worth their time.
-Analysis watched_analysis(const fs::path& results) {
-    const RunRecord record(results);
+Analysis watched_analysis(const RunRecord& record) {
     Analysis analysis;
     analysis.name = record.name();
     analysis.source = record.source();
@@ -91,9 +90,10 @@ void RunWatcher::read() {
                                      version_->changed);
         std::optional<Progress> progress;
         try {
-            const ReportData report = collect_report_data(results_, FieldFrames::last);
-            const Analysis analysis = watched_analysis(results_);
-            progress = read_progress(ResultsReader(results_), report);
+            const RunRecord record(results_);
+            const ReportData report = collect_report_data(record.results(), FieldFrames::last);
+            const Analysis analysis = watched_analysis(record);
+            progress = read_progress(record.results(), report);
             const auto& before = progress_ && progress_->steps != progress->steps ? progress_ : earlier_;
             data_.json = std::make_shared<const std::string>(fmt::format(
                 R"({{"title":{},"progress":{},"report":{},"analyses":{}}})", dump(Json(report.title)),

@@ -5,7 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
+#include "record/flow_fields.hpp"
+#include "record/run_fields.hpp"
+#include "record/twin_fields.hpp"
 #include "report/diagnostics.hpp"
 #include "report/quantities.hpp"
 #include "report/references.hpp"
@@ -23,22 +28,25 @@ ReportData channel() {
     data.flow.channel.slope = 0.004;
     data.flow.channel.depth = 0.05;
     data.flow.bed.roughness_height = 0.010;
-    data.summary = {{"depth_mean_velocity", 0.33},
-                    {"depth_mean_velocity_half_width", 3e-4},
-                    {"drag_over_gravity", 1.0},
-                    {"wall_over_gravity", 0.0},
-                    {"converged", 1.0},
-                    {"spurious_stress_rms", 3e-5},
-                    {"stress_error_rms", 1e-3},
-                    {"simulated_time", 18.0}};
-    data.column_summary = {{"depth_mean_velocity", 0.335}};
+    const auto& of = fields::summary;
+    for (const auto& [field, value] : {std::pair{of.depth_mean_velocity, 0.33},
+                                       {of.depth_mean_velocity_half_width, 3e-4},
+                                       {of.drag_over_gravity, 1.0},
+                                       {of.wall_over_gravity, 0.0},
+                                       {of.converged, 1.0},
+                                       {of.spurious_stress_rms, 3e-5},
+                                       {of.stress_error_rms, 1e-3},
+                                       {of.simulated_time, 18.0}}) {
+        data.summary.set(field, value);
+    }
+    data.column.set(fields::column_numbers.depth_mean_velocity, 0.335);
     data.window_start = 10;
     data.window_end = 18;
-    for (int i = 0; i <= 900; ++i) {
-        data.series["time"].push_back(0.02 * i);
-        data.series["mean_level"].push_back(0.056);
-        data.series["maximum_velocity"].push_back(0.4);
-    }
+    std::vector<double> time;
+    for (int i = 0; i <= 900; ++i) time.push_back(0.02 * i);
+    data.series.set(fields::time_series.mean_level, std::vector<double>(time.size(), 0.056));
+    data.series.set(fields::time_series.maximum_velocity, std::vector<double>(time.size(), 0.4));
+    data.series.set(fields::time_series.time, std::move(time));
     return data;
 }
 
@@ -96,9 +104,10 @@ TEST(Kinds, WaterThatHasSwollenBeforeTheWindowIsNotGood) {
     for (const auto& [swelling, mark] :
          {std::pair{0.001, Health::good}, {0.008, Health::caution}, {-0.03, Health::bad}}) {
         ReportData data = channel();
-        for (std::size_t i = 0; i < data.series["time"].size(); ++i) {
-            data.series["mean_level"][i] *= 1.0 + swelling * std::min(data.series["time"][i] / 5.0, 1.0);
-        }
+        std::vector<double> level;
+        for (const double time : data.series[fields::time_series.time])
+            level.push_back(0.056 * (1.0 + swelling * std::min(time / 5.0, 1.0)));
+        data.series.set(fields::time_series.mean_level, std::move(level));
         const std::vector<Diagnostic> rows = diagnose(data, {});
         ASSERT_NE(row(rows, "volume"), nullptr);
         EXPECT_EQ(row(rows, "volume")->mark, mark) << swelling;
@@ -113,10 +122,10 @@ TEST(Kinds, BodiesBookTheirDragAndHaveNoTwin) {
     step.name = "step";
     step.x = {0.03, 0.05, 0.05, 0.03};
     step.z = {0.0, 0.0, 0.01, 0.01};
-    data.column_summary.clear();
-    data.summary["drag_over_gravity"] = 0.3;
-    data.summary["wall_over_gravity"] = 0.7;
-    data.summary["spurious_stress_rms"] = 2.45;  // form drag, to a flow without bodies
+    data.column = {};
+    data.summary.set(fields::summary.drag_over_gravity, 0.3);
+    data.summary.set(fields::summary.wall_over_gravity, 0.7);
+    data.summary.set(fields::summary.spurious_stress_rms, 2.45);  // form drag, to a flow without bodies
     Analysis analysis;
     analysis.findings = {finding("unit_discharge", 0.017, "m2/s"), finding("solid_force_share", 0.7),
                          finding("solid_form_drag_share", 0.66)};
@@ -139,10 +148,11 @@ TEST(Kinds, AClosedFlowIsJudgedByWhatItMustKeep) {
     data.flow.channel.slope = 0.0;
     data.flow.channel.ends = Ends::walls;
     data.flow.bed.kind = BedKind::slip;
-    data.column_summary.clear();
+    data.column = {};
     // A dam break: the mean level of the wet places falls by a half, which is no loss of water.
-    for (std::size_t i = 0; i < 900; ++i)
-        data.series["mean_level"][i] = 0.05 * (1.0 - 0.5 * static_cast<double>(i) / 900);
+    std::vector<double> level;
+    for (int i = 0; i <= 900; ++i) level.push_back(0.05 * (1.0 - 0.5 * i / 900));
+    data.series.set(fields::time_series.mean_level, std::move(level));
     Analysis analysis;
     Finding front = finding("front_speed", 1.9, "m/s");
     front.reference = 1.98;
@@ -160,8 +170,8 @@ TEST(Kinds, AClosedFlowIsJudgedByWhatItMustKeep) {
     analysis.findings[1].value = 0.0;
     analysis.findings[3].value = -0.04;  // water lost
     EXPECT_EQ(verdict_of(data, analysis).mark, Health::bad);
-    data.summary["lost_particles"] = 30;
-    data.summary["lost_share"] = 0.03;
+    data.summary.set(fields::summary.lost_particles, 30);
+    data.summary.set(fields::summary.lost_share, 0.03);
     EXPECT_EQ(row(diagnose(data, analysis), "lost_water")->mark, Health::bad);
 }
 
@@ -171,8 +181,8 @@ TEST(Kinds, VorticesAreJudgedByTheirDecay) {
     data.flow.channel.top = Top::periodic;
     data.flow.start.kind = StartKind::taylor_green;
     data.flow.start.velocity = 1.0;
-    data.column_summary.clear();
-    data.series["total_mean_velocity"].assign(901, 1e-5);
+    data.column = {};
+    data.series.set(fields::time_series.total_mean_velocity, std::vector<double>(901, 1e-5));
     Analysis analysis;
     Finding rate = finding("velocity_decay_rate", 0.79, "1/s");
     rate.reference = 0.7896;

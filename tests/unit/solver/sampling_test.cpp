@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "record/flow_fields.hpp"
+#include "record/run_fields.hpp"
 #include "small_case.hpp"
 #include "solver/profile_blocks.hpp"
 #include "solver/series.hpp"
@@ -21,13 +23,14 @@ TEST(Series, OfTheStartIsTheColumns) {
     channel.advance(1);
     TimeSeries series(channel.parameters);
     series.sample(*channel.simulation, channel.parameters.total_depth());
-    EXPECT_NEAR(series.last("total_mean_velocity"), channel.column.total_mean_velocity,
+    EXPECT_NEAR(series.last(fields::time_series.total_mean_velocity), channel.column.total_mean_velocity,
                 0.01 * channel.column.total_mean_velocity);
-    EXPECT_NEAR(series.last("particle_order"), 1.0, 1e-3);
-    EXPECT_NEAR(series.last("drag_over_gravity"), 1.0, 0.03);
+    EXPECT_NEAR(series.last(fields::time_series.particle_order), 1.0, 1e-3);
+    EXPECT_NEAR(series.last(fields::time_series.drag_over_gravity), 1.0, 0.03);
     // The budget of each row closes: weight = drag + wall + acceleration.
-    EXPECT_NEAR(series.last("drag_over_gravity") + series.last("wall_over_gravity") +
-                    series.last("acceleration_over_gravity"),
+    EXPECT_NEAR(series.last(fields::time_series.drag_over_gravity) +
+                    series.last(fields::time_series.wall_over_gravity) +
+                    series.last(fields::time_series.acceleration_over_gravity),
                 1.0, 0.01);
 }
 
@@ -79,12 +82,13 @@ TEST(Profiles, OfRestoredBlocksAreTheSame) {
 }
 
 TEST(Summary, KnowsWhatItWasNotGiven) {
-    RunSummary summary;
-    EXPECT_TRUE(std::isnan(summary.value("friction_velocity")));
-    summary.set("friction_velocity", 0.04);
-    summary.set("friction_velocity", 0.05);
-    EXPECT_DOUBLE_EQ(summary.value("friction_velocity"), 0.05);
-    EXPECT_EQ(summary.values.size(), 1U);
+    Numbers summary;
+    const Field& friction_velocity = fields::summary.friction_velocity;
+    EXPECT_TRUE(std::isnan(summary.value(friction_velocity)));
+    summary.set(friction_velocity, 0.04);
+    summary.set(friction_velocity, 0.05);
+    EXPECT_DOUBLE_EQ(summary.value(friction_velocity), 0.05);
+    EXPECT_EQ(summary.all().size(), 1U);
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "base/parallel.hpp"
 #include "output/checkpoint_file.hpp"
 #include "output/results_file.hpp"
+#include "record/flow_fields.hpp"
 #include "small_case.hpp"
 #include "solver/mean_field.hpp"
 #include "solver/profile_blocks.hpp"
@@ -257,10 +258,12 @@ TEST(SeriesInSpace, KnowTheSecondaryFlowAndTheCentreline) {
     for (std::size_t i = 0; i < p.size(); ++i) {
         squares += p.velocity[1][i] * p.velocity[1][i] + p.velocity[2][i] * p.velocity[2][i];
     }
-    EXPECT_NEAR(series.last("secondary_velocity"), std::sqrt(squares / static_cast<double>(p.size())), 1e-12);
+    EXPECT_NEAR(series.last(fields::time_series.secondary_velocity),
+                std::sqrt(squares / static_cast<double>(p.size())), 1e-12);
     // The strip of half a lattice period to each side is wider than this channel.
-    EXPECT_NEAR(series.last("centreline_velocity"), series.last("depth_mean_velocity"), 1e-12);
-    EXPECT_EQ(series.last("side_wall_over_gravity"), 0.0);
+    EXPECT_NEAR(series.last(fields::time_series.centreline_velocity),
+                series.last(fields::time_series.depth_mean_velocity), 1e-12);
+    EXPECT_EQ(series.last(fields::time_series.side_wall_over_gravity), 0.0);
     Case half = space_case();
     EXPECT_DOUBLE_EQ(centreline_half_strip(half), 0.5 * std::sqrt(3.0) * half.bed.sphere_diameter);
     half.bed.kind = BedKind::no_slip;

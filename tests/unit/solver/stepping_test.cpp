@@ -49,9 +49,9 @@ void expect_resumable(const Case& c, int steps) {
     const ChannelIn<D> straight(c);
     straight.advance(steps);
     Content checkpoint;
-    add_state<D>(checkpoint, "/state", *straight.simulation);
+    add_state<D>(checkpoint, *straight.simulation);
     const ChannelIn<D> resumed(c);
-    restore_state<D>(test::WrittenCheckpoint(checkpoint).reader(), "/state", *resumed.simulation);
+    restore_state<D>(test::WrittenCheckpoint(checkpoint).reader(), *resumed.simulation);
     straight.advance(60);
     resumed.advance(60);
     expect_same_bits(straight.simulation->particles(), resumed.simulation->particles());

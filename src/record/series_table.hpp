@@ -1,0 +1,29 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "record/field.hpp"
+
+namespace riffle {
+
+/// Time series by field, of equal length, SI.
+class SeriesTable {
+  public:
+    /// The values of a field; empty where the record has none.
+    [[nodiscard]] const std::vector<double>& operator[](const Field& field) const {
+        static const std::vector<double> none;
+        const auto found = columns_.find(field.name);
+        return found == columns_.end() ? none : found->second;
+    }
+    [[nodiscard]] bool has(const Field& field) const { return !(*this)[field].empty(); }
+    [[nodiscard]] bool empty() const { return columns_.empty(); }
+    void set(const Field& field, std::vector<double> values) { columns_[field.name] = std::move(values); }
+
+  private:
+    std::map<std::string, std::vector<double>, std::less<>> columns_;
+};
+
+}  // namespace riffle
