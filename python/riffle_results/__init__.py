@@ -7,7 +7,7 @@
         profile = run.profiles.velocity       # an xarray DataArray, read when it is used
         print(run.summary["depth_mean_velocity"], profile.attrs["units"])
 
-It opens files and nothing more: what Riffle measures and analyses is in the files themselves (docs/results-format.md)
+It opens files and nothing more: what Riffle measures and analyses is in the files themselves (docs/results-fields.md)
 and in what `riffle analyse --json` writes, which `read_analysis` opens.
 """
 from .analysis import Analysis, read_analysis

@@ -1,56 +1,33 @@
-"""Dimensions and coordinates of the groups of a results file (docs/results-format.md)."""
+"""Dimensions and coordinates of the groups of a results file, as the table of its fields says them: fields.json, made by
+`riffle schema --results -o python/riffle_results/fields.json`."""
+import json
+import re
+from importlib.resources import files
 
-# First dimension of the arrays of a group, and its coordinates.
-_LISTS = {
-    "time_series": ("time", ["time"]),
-    "profiles": ("layer", ["z", "bin_lower", "bin_upper"]),
-    "column": ("z", ["z"]),
-    "snapshots": ("particle", ["id"]),
-    "lost_particles": ("particle", ["id"]),
-}
+_AXES = {group["path"]: {field["name"]: tuple(field["axes"]) for field in group["fields"] if not field["attribute"]}
+         for group in json.loads(files(__package__).joinpath("fields.json").read_text(encoding="utf-8"))["groups"]
+         if not group["kind"]}
 
-_PLACES = ("x", "y", "z")
-
-# Arrays of a snapshot that are not of its particles, where solids move.
-_OF_BOUNDARIES = {"wall_position": ("wall", "axis"), "solid_vertices": ("vertex", "axis")}
-
-# First dimension of the arrays of a group of /boundaries.
-_BOUNDARIES = {"walls": "wall", "solids": "vertex", "spheres": "sphere"}
-
-# Dimensions of the fields over places of a group; its arrays of these names are their coordinates.
-_FIELDS = {
-    "mean_field": ("time", "z", "y", "x"),
-    "surface_map": ("time", "y", "x"),
-    "section": ("z", "y"),
-}
+# Coordinates beside the arrays that are axes of their group.
+_COORDINATES = {"/profiles": ["z", "bin_lower", "bin_upper"], "/snapshots/NNNNN": ["id"], "/lost_particles": ["id"]}
 
 
 def dimensions(kind, group, arrays):
     """Dimensions of each array by name, and the names of those that are coordinates."""
-    if kind == "surface":
-        return {name: {"x": ("x",), "time": ("time",)}.get(name, ("time", "x")) for name in arrays}, ["time", "x"]
-    if kind == "profile_blocks":
-        axes = ("time", "layer", "quantity")
-        return {name: axes[:array.ndim] for name, array in arrays.items()}, ["time"]
-    if kind in _FIELDS:
-        places = _FIELDS[kind]
-        axes = [name for name in ("time", *_PLACES) if name in arrays]
-        return {name: (name,) if name in axes else places[:array.ndim] for name, array in arrays.items()}, axes
     if kind == "probes":
         return _of_probe(group, arrays)
-    if kind == "boundaries":
-        first = _BOUNDARIES[group.name.rsplit("/", 1)[-1]]
-        return {name: ("triangle", "corner") if name == "triangles" else (first, "axis")[:array.ndim]
-                for name, array in arrays.items()}, []
-    first, coordinates = _LISTS[kind]
-    return {name: _OF_BOUNDARIES.get(name, (first, "axis"))[:array.ndim] for name, array in arrays.items()}, coordinates
+    path = re.sub(r"^/snapshots/.*", "/snapshots/NNNNN", group.name)
+    axes = _AXES[path]
+    unknown = {name: tuple(f"{name}_{k}" for k in range(array.ndim)) for name, array in arrays.items() if name not in axes}
+    return ({name: axes[name] for name in arrays if name in axes} | unknown,
+            [name for name in arrays if axes.get(name) == (name,)] + _COORDINATES.get(path, []))
 
 
 def _of_probe(group, arrays):
     """The axes of an instrument are its arrays x, y, z; all else has a row per time. Rows of one number per point have
     the dimension `point`, or x where that alone gives the places; rows of a plane have the axes x and z as dimensions
     (in three dimensions the plane's place y is an axis of length one)."""
-    axes = [name for name in _PLACES if name in arrays]
+    axes = [name for name in ("x", "y", "z") if name in arrays]
     rows = {name: array for name, array in arrays.items() if name not in axes}
     grid = any(array.ndim > 2 for array in rows.values())
     if grid:

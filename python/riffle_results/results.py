@@ -72,7 +72,7 @@ def _check_format(path, attributes):
 
 
 class Results:
-    """An open results file. Datasets are xarray's, with the units and names of docs/results-format.md, SI throughout;
+    """An open results file. Datasets are xarray's, with the units and names of docs/results-fields.md, SI throughout;
     heights are above the bed level. To be closed: use it in a `with` statement."""
 
     def __init__(self, path, file):
@@ -116,7 +116,7 @@ class Results:
 
     @property
     def summary(self):
-        """The numbers of the run by name (docs/results-format.md, "The attributes of /summary")."""
+        """The numbers of the run by name (docs/results-fields.md, "Summary")."""
         return self._attributes("summary")
 
     @property
