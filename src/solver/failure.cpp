@@ -210,6 +210,11 @@ std::string advice(const SimulationIn<D>& simulation, const FailureScene& scene)
         fastest = std::max(fastest, std::isfinite(speed) ? speed : 0.0);
         density = std::max(density, std::isfinite(s) ? std::abs(s) : 0.0);
     }
+    if (not_finite == scene.nearest.size()) {
+        return fmt::format(
+            "Around it, none of {} particles is finite any more, so it began some steps before: resume from the checkpoint with output.snapshot_interval of some steps, and look at what departs first.",
+            scene.nearest.size());
+    }
     const double sound = simulation.scheme().state.sound_speed;
     std::string text = fmt::format(
         "Around it, among {} particles: largest finite speed {:.3g} m/s (sound {:.3g} m/s, largest "
@@ -223,6 +228,9 @@ std::string advice(const SimulationIn<D>& simulation, const FailureScene& scene)
             "at the surroundings of the particle, and raise numerics.sound_speed.";
     } else if (scene.nearest.front().neighbours < 4) {
         text += "So it is spray: a particle with hardly any neighbours, of which the sums know little.";
+    } else if (not_finite > 1) {
+        text +=
+            "So those that are finite are in order, and what is not began at one of the others: look at the step, and at what acts there (a wall, a solid, an opening).";
     } else {
         text +=
             "So the particles around it are in order: look at what acts on this one alone (a wall, a solid, "
