@@ -200,27 +200,30 @@ std::string neighbourhood_table(const SimulationIn<D>& simulation, const Failure
 template <int D>
 std::string advice(const SimulationIn<D>& simulation, const FailureScene& scene) {
     const Particles<D>& p = simulation.particles();
-    double fastest = 0.0;
-    double density = 0.0;
+    double fastest = -1.0;  // below zero: none is finite
+    double density = -1.0;
     std::size_t not_finite = 0;
     for (const NearbyParticle& near : scene.nearest) {
         const double speed = speed_of(simulation, near.particle);
         const double s = p.density_deviation[near.particle];
         not_finite += std::isfinite(speed) && std::isfinite(s) ? 0 : 1;
-        fastest = std::max(fastest, std::isfinite(speed) ? speed : 0.0);
-        density = std::max(density, std::isfinite(s) ? std::abs(s) : 0.0);
+        fastest = std::max(fastest, std::isfinite(speed) ? speed : -1.0);
+        density = std::max(density, std::isfinite(s) ? std::abs(s) : -1.0);
     }
-    if (not_finite == scene.nearest.size()) {
+    if (fastest < 0.0 && density < 0.0) {
         return fmt::format(
-            "Around it, none of {} particles is finite any more, so it began some steps before: resume from the checkpoint with output.snapshot_interval of some steps, and look at what departs first.",
+            "Around it, none of {} particles has a finite velocity or density any more, so it began some steps before: resume from the checkpoint with output.snapshot_interval of some steps, and look at what departs first.",
             scene.nearest.size());
     }
     const double sound = simulation.scheme().state.sound_speed;
+    const auto largest = [](const char* what, double value, const char* unit) {
+        return value < 0.0 ? fmt::format("no finite {}", what)
+                           : fmt::format("largest finite {} {:.3g}{}", what, value, unit);
+    };
     std::string text = fmt::format(
-        "Around it, among {} particles: largest finite speed {:.3g} m/s (sound {:.3g} m/s, largest "
-        "expected {:.3g} m/s), largest finite density deviation {:.2g}, {} not finite, {} neighbours. ",
-        scene.nearest.size(), fastest, sound, simulation.scheme().maximum_velocity, density, not_finite,
-        scene.nearest.front().neighbours);
+        "Around it, among {} particles: {} (sound {:.3g} m/s, largest expected {:.3g} m/s), {}, {} not finite, {} neighbours. ",
+        scene.nearest.size(), largest("speed", fastest, " m/s"), sound, simulation.scheme().maximum_velocity,
+        largest("density deviation", density, ""), not_finite, scene.nearest.front().neighbours);
     if (density > 0.1 || fastest > 0.5 * sound) {
         text +=
             "So the water is compressed far beyond what the scheme allows: either the step is too long (a "
