@@ -70,4 +70,9 @@ std::string visible_text(std::string_view text, std::string_view allowed) {
     return shown.append(text.substr(from));
 }
 
+std::string shortened(const std::string& text) {
+    constexpr std::size_t longest = 60;
+    return text.size() <= longest ? text : text.substr(0, longest) + "...";
+}
+
 }  // namespace riffle

@@ -24,4 +24,7 @@ struct HiddenCharacter {
 /// <U+001B>, but for those of `allowed`.
 [[nodiscard]] std::string visible_text(std::string_view text, std::string_view allowed = "");
 
+/// A text of a file as a message shows it: its begin, where it is long.
+[[nodiscard]] std::string shortened(const std::string& text);
+
 }  // namespace riffle

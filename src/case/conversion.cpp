@@ -20,10 +20,7 @@ std::string raw_text(const RawValue& raw) {
         std::string operator()(bool value) const { return value ? "true" : "false"; }
         std::string operator()(long long value) const { return std::to_string(value); }
         std::string operator()(double value) const { return fmt::format("{}", value); }
-        std::string operator()(const std::string& value) const {
-            constexpr std::size_t longest = 60;
-            return toml_string(value.size() <= longest ? value : value.substr(0, longest) + "...");
-        }
+        std::string operator()(const std::string& value) const { return toml_string(shortened(value)); }
         std::string operator()(const OtherValue& value) const { return value.kind; }
         std::string operator()(const RawList&) const { return "an array"; }
     };
@@ -88,7 +85,7 @@ std::variant<Value, std::string> checked_number(const Key& key, const RawValue& 
                            limit_text(small ? limits->least : limits->most, key.dimension),
                            small ? "smaller" : "larger", limits->reason);
     }
-    return Value(number);
+    return Value(number + 0.0);  // no negative zero: it is another number in the text of a case
 }
 
 std::variant<Value, std::string> convert_word(const Key& key, const RawValue& raw, const std::string& text) {
@@ -119,7 +116,7 @@ std::variant<Value, std::string> convert_quantity(const Key& key, const RawValue
         if (quantity->value < 0) {
             return wrong(key, raw, "correct the value");
         }
-        return Value(Diameters{quantity->value});
+        return Value(Diameters{quantity->value + 0.0});
     }
     if (quantity->unit.empty()) {
         return wrong(key, raw,
@@ -133,7 +130,7 @@ std::variant<Value, std::string> convert_quantity(const Key& key, const RawValue
     }
     const auto other = dimension_of_unit(quantity->unit);
     return wrong(key, raw,
-                 fmt::format("`{}` is {}; {}", quantity->unit,
+                 fmt::format("`{}` is {}; {}", shortened(quantity->unit),
                              other ? fmt::format("the unit of {}", dimension_name(*other)) : "no known unit",
                              how_to_write(key)));
 }
@@ -155,7 +152,7 @@ std::variant<Value, std::string> convert_number(const Key& key, const RawValue& 
 std::variant<Value, std::string> convert_text(const Key& key, const std::string& text) {
     if (const auto hidden = hidden_character(text, 0, key.several_lines ? "\n\t" : "")) {
         return fmt::format("{} holds the control character {} after \"{}\": remove it{}", shown_name(key),
-                           hidden->name, text.substr(0, hidden->place),
+                           hidden->name, shortened(text.substr(0, hidden->place)),
                            key.several_lines ? "; line breaks and tabs may stay" : "");
     }
     constexpr std::size_t longest_name = 4096;

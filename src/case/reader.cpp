@@ -56,7 +56,7 @@ std::vector<std::string> sections_with(const std::string& name) {
 std::string unknown_section(const std::string& name) {
     const auto names = section_names();
     const auto meant = nearest_name(name, names);
-    return fmt::format("unknown section [{}]{}; the sections are {}", visible_text(name),
+    return fmt::format("unknown section [{}]{}; the sections are {}", shortened(visible_text(name)),
                        meant ? fmt::format(": did you mean [{}]?", *meant) : "", joined(names));
 }
 
@@ -98,7 +98,7 @@ const char* key_hint(const std::string& section, const std::string& name) {
 }
 
 std::string unknown_key(const std::string& section, const std::string& name) {
-    const std::string shown = visible_text(name);
+    const std::string shown = shortened(visible_text(name));
     const SectionKeys& here = *find_section(section);
     if (const char* const hint = key_hint(section, name)) {
         return fmt::format("unknown key `{}` in {}: {}", shown, here.heading(), hint);

@@ -121,9 +121,9 @@ double MomentumBalance::gradient_from_stress(double stress, double mixing_length
     const double square = mixing_length * mixing_length;
     const double size = std::abs(stress);
     // Root of l^2 g^2 + nu0 g - |stress| = 0 in the form that does not cancel for small l.
-    const double gradient =
-        2.0 * size / (viscosity_ + std::sqrt(viscosity_ * viscosity_ + 4.0 * square * size));
-    return std::copysign(gradient, stress);
+    const double carried = viscosity_ + std::sqrt(viscosity_ * viscosity_ + 4.0 * square * size);
+    // Without viscosity nothing carries a stress where the mixing length is zero: there is none.
+    return carried > 0.0 ? std::copysign(2.0 * size / carried, stress) : 0.0;
 }
 
 std::vector<double> MomentumBalance::first_guess() const {

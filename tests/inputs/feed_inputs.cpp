@@ -66,6 +66,14 @@ void* operator new(std::size_t size) {
     count_taken(block);
     return block;
 }
+// The temporary buffers of the standard library's sorts.
+void* operator new(std::size_t size, const std::nothrow_t& /*tag*/) noexcept {
+    void* const block = std::malloc(size);  // NOLINT(cppcoreguidelines-owning-memory)
+    if (block != nullptr) {
+        count_taken(block);
+    }
+    return block;
+}
 void operator delete(void* block) noexcept {
     if (block != nullptr) {
         held.fetch_sub(malloc_usable_size(block));

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "case/conversion.hpp"
 #include "case/key_table.hpp"
 #include "case_test.hpp"
@@ -96,6 +98,23 @@ TEST(HostileInput, NoKeyTakesAnyNumber) {
             }
         }
     }
+}
+
+TEST(HostileInput, NegativeZeroIsZero) {
+    const Key& key = *find_key("start.amplitude");
+    for (const RawValue& raw : {RawValue(-0.0), RawValue(std::string("-0 m"))}) {
+        const auto converted = convert(key, raw);
+        ASSERT_TRUE(std::holds_alternative<Value>(converted));
+        EXPECT_FALSE(std::signbit(std::get<double>(std::get<Value>(converted))));
+    }
+}
+
+TEST(HostileInput, MessagesShowTheBeginOfALongText) {
+    const Key& key = *find_key("start.amplitude");
+    const auto message = convert(key, RawValue("3 " + std::string(100000, 'm')));
+    ASSERT_TRUE(std::holds_alternative<std::string>(message));
+    EXPECT_LT(std::get<std::string>(message).size(), 1000U);
+    EXPECT_LT(error_of(std::string(100000, 'k') + " = 1\n").size(), 2000U);
 }
 
 TEST(HostileInput, TooMuchOfAnythingIsRefused) {

@@ -69,6 +69,19 @@ TEST(Column, LaminarChannelIsTheParabola) {
     EXPECT_FALSE(r.log_law.valid);
 }
 
+// Without viscosity the mixing length alone carries the stress, and none where it is zero: the limit of
+// little viscosity.
+TEST(Column, WithoutViscosityIsTheLimitOfLittle) {
+    Case c = rough_bed();
+    const auto velocity = [&c](double viscosity) {
+        c.fluid.kinematic_viscosity = viscosity;
+        return solve_column(c).depth_mean_velocity;
+    };
+    const double with_little = velocity(1e-9);
+    EXPECT_NEAR(velocity(0.0), with_little, 1e-3 * with_little);
+    EXPECT_NEAR(velocity(1e-8), with_little, 1e-3 * with_little) << "the limit has been reached";
+}
+
 TEST(Column, LaminarFlowBetweenWallsIsPoiseuille) {
     Case c = smooth_bed();
     c.channel.top = Top::wall;
