@@ -9,6 +9,7 @@
 
 #include "analysis/chapters.hpp"
 #include "analysis/figure_tools.hpp"
+#include "base/wrapped_text.hpp"
 
 namespace riffle {
 
@@ -28,18 +29,13 @@ std::string difference(const Finding& finding) {
     return std::abs(percent) < 1000.0 ? fmt::format("{:+.1f} %", percent) : fmt::format("{:+.2g} %", percent);
 }
 
-std::size_t width_of(const std::string& utf8) {
-    return static_cast<std::size_t>(std::count_if(
-        utf8.begin(), utf8.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
-}
-
 std::string padded(const std::string& text, std::size_t width) {
-    const std::size_t has = width_of(text);
+    const std::size_t has = columns_of(text);
     return text + std::string(has < width ? width - has : 0, ' ');
 }
 
 std::string right(const std::string& text, std::size_t width) {
-    const std::size_t has = width_of(text);
+    const std::size_t has = columns_of(text);
     return std::string(has < width ? width - has : 0, ' ') + text;
 }
 
@@ -48,17 +44,33 @@ std::string trimmed(std::string line) {
     return line + "\n";
 }
 
+/// Columns of the labels at most: value, interval and unit then stand beside them on 80 columns.
+constexpr std::size_t widest_label = 42;
+constexpr std::size_t further_indent = 6;  // of what else is said of a finding
+
+/// A line of its own, or several.
+std::string further_lines(const std::string& text) {
+    return wrapped_text(std::string(further_indent, ' ') + text, further_indent) + "\n";
+}
+
+/// A label in as many lines as it takes, the last one as wide as a label may be: values stand behind it.
+std::string label_lines(const std::string& label, std::size_t width) {
+    const std::string lines = wrapped_text("  " + label, 4, 2 + width);
+    const std::size_t last = lines.rfind('\n') + 1;  // npos + 1 is 0
+    return lines.substr(0, last) + padded(lines.substr(last), 2 + width);
+}
+
 std::string finding_lines(const Finding& finding, std::size_t label_width) {
-    std::string line = "  " + padded(finding.label, label_width) + right(printed_value(finding.value), 12);
-    line += finding.half_width ? " ± " + padded(uncertainty(*finding.half_width), 10) : std::string(13, ' ');
-    line += padded(unit_of(finding), 8);
+    std::string lines = label_lines(finding.label, label_width) + right(printed_value(finding.value), 12);
+    lines += finding.half_width ? " ± " + padded(uncertainty(*finding.half_width), 10) : std::string(13, ' ');
+    lines = trimmed(lines + padded(unit_of(finding), 8));
     if (finding.reference) {
-        line += right(printed_value(*finding.reference), 10) + " " + right(difference(finding), 10) + "  " +
-                finding.reference_name;
+        const std::string apart = difference(finding);
+        lines += further_lines(printed_value(*finding.reference) + ": " + finding.reference_name +
+                               (apart.empty() ? "" : ", " + apart));
     }
-    line = trimmed(line);
-    if (!finding.remark.empty()) line += "      " + finding.remark + "\n";
-    return line;
+    if (!finding.remark.empty()) lines += further_lines(finding.remark);
+    return lines;
 }
 
 /// What two labels of one quantity share: up to the comma before the place where they differ, such as the
@@ -72,8 +84,8 @@ std::string common_label(const std::string& a, const std::string& b) {
 
 std::size_t label_width(const std::vector<Finding>& findings) {
     std::size_t width = 0;
-    for (const Finding& finding : findings) width = std::max(width, width_of(finding.label));
-    return width;
+    for (const Finding& finding : findings) width = std::max(width, columns_of(finding.label));
+    return std::min(width, widest_label);
 }
 
 }  // namespace
@@ -91,11 +103,12 @@ std::string analysis_to_text(const Analysis& analysis) {
     if (analysis.findings.empty()) text += "\nNothing could be found in this record.\n";
     std::string missing;
     for (const Figure& figure : analysis.figures) {
-        if (!figure.missing.empty()) missing += fmt::format("  {}: {}\n", figure.key, figure.missing);
+        if (!figure.missing.empty())
+            missing += wrapped_text("  " + figure.key + ": " + figure.missing, 4) + "\n";
     }
     if (!missing.empty()) text += "\nFigures without data\n" + missing;
     if (!analysis.warnings.empty()) text += "\nWarnings\n";
-    for (const std::string& warning : analysis.warnings) text += "  " + warning + "\n";
+    for (const std::string& warning : analysis.warnings) text += wrapped_text("  " + warning, 4) + "\n";
     return text;
 }
 
@@ -127,7 +140,7 @@ std::string comparison_to_text(const std::vector<Analysis>& analyses) {
     for (std::size_t i = 0; i < analyses.size(); ++i) heading += right(fmt::format("({})", i + 1), column);
     text += trimmed(heading);
     for (const Finding& row : rows) {
-        std::string line = "  " + padded(row.label, width) + " " + padded(unit_of(row), 7);
+        std::string line = label_lines(row.label, width) + " " + padded(unit_of(row), 7);
         std::size_t found = 0;
         for (const Analysis& analysis : analyses) {
             const Finding* const finding = find_finding(analysis, row.key);

@@ -169,23 +169,32 @@ void add_fronts(const FlowRecord& record, Analysis& analysis) {
     const Case& c = *record.flow();
     const SeriesTable& series = record.series();
     const std::vector<double>& time = series[fields::time_series.time];
-    const std::vector<double>& lower = series[fields::time_series.first_particle];
-    const std::vector<double>& upper = series[fields::time_series.last_particle];
+    // Files of earlier versions know the particles alone.
+    const bool fronts =
+        series.has(fields::time_series.front_upstream) && series.has(fields::time_series.front_downstream);
+    const std::vector<double>& lower =
+        series[fronts ? fields::time_series.front_upstream : fields::time_series.first_particle];
+    const std::vector<double>& upper =
+        series[fronts ? fields::time_series.front_downstream : fields::time_series.last_particle];
     if (c.channel.ends != Ends::walls || lower.empty() || upper.empty() || time.size() < 2) return;
     const auto moves = [&](const std::vector<double>& ends) {
         const auto [low, high] = std::minmax_element(ends.begin(), ends.end());
         return *high - *low > 3.0 * c.numerics.spacing;
     };
-    Figure figure = make_figure(chapters::course, "front_history", "Ends of the water in time",
-                                "Places along the channel of the first and the last particle, spray and all.",
-                                "", make_axis("time t", "s"), make_axis("distance along the channel x", "m"));
+    Figure figure =
+        make_figure(chapters::course, "front_history", "Ends of the water in time",
+                    fronts ? "Places along the channel of the third particle from each end of the "
+                             "water: two drops that fly ahead do not count."
+                           : "Places along the channel of the first and the last particle, "
+                             "spray and all.",
+                    "", make_axis("time t", "s"), make_axis("distance along the channel x", "m"));
     const auto add = [&](const char* name, const std::vector<double>& ends, int variant) {
         if (!moves(ends)) return;
         figure.curves.push_back(
             make_curve(name, Origin::simulated, Mark::line, thinned(time), thinned(ends), variant));
     };
-    add("last particle", upper, 0);
-    add("first particle", lower, 1);
+    add("downstream end", upper, 0);
+    add("upstream end", lower, 1);
     if (figure.curves.empty()) return;
     const std::optional<DamBreak> dam = dam_break_of(c);
     if (const auto valid = ritter_time(c, dam)) {

@@ -6,6 +6,7 @@
 
 #include "analysis/chapters.hpp"
 #include "analysis/figure_tools.hpp"
+#include "analysis/gauges.hpp"
 #include "record/flow_fields.hpp"
 #include "record/twin_fields.hpp"
 #include "roughness/side_wall_partition.hpp"
@@ -104,6 +105,7 @@ void analyse_forces(const FlowRecord& record, Analysis& analysis) {
     if (record.flow() == nullptr || record.origin() != Origin::simulated) return;
     const Case& c = *record.flow();
     const bool in_space = c.channel.dimensions == 3;
+    add_gauges(record, analysis);
     add_instruments(
         record, "force",
         make_figure(chapters::forces, "force_instruments", "Forces on bed and walls",

@@ -11,6 +11,7 @@ inline constexpr const char* fits = "fits";
 inline constexpr const char* surface = "surface";
 inline constexpr const char* subsurface = "subsurface";
 inline constexpr const char* forces = "forces";
+inline constexpr const char* energy = "energy";
 inline constexpr const char* section = "section";
 inline constexpr const char* secondary = "secondary";
 inline constexpr const char* bed = "bed";

@@ -16,8 +16,6 @@ namespace riffle {
 
 namespace {
 
-constexpr double normal_95 = 1.96;  ///< half-width of a 95 % interval over the standard uncertainty
-
 const char* own_name(const FlowRecord& record) {
     return record.origin() == Origin::simulated ? "simulated" : "measured";
 }

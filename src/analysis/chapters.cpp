@@ -23,6 +23,7 @@ std::span<const Chapter> analysis_chapters() {
         Chapter{chapters::surface, "Free surface", analyse_surface, is_channel},
         Chapter{chapters::subsurface, "Velocities below the surface", analyse_subsurface, is_channel},
         Chapter{chapters::forces, "Forces", analyse_forces},
+        Chapter{chapters::energy, "Energy", analyse_energy},
         Chapter{chapters::section, "Cross-section", analyse_section},
         Chapter{chapters::secondary, "Secondary flow", analyse_secondary, is_channel},
         Chapter{chapters::bed, "Bed and side walls", analyse_bed, uniform},

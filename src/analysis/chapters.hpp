@@ -19,6 +19,8 @@ void analyse_fits(const FlowRecord& record, Analysis& analysis);
 void analyse_surface(const FlowRecord& record, Analysis& analysis);
 void analyse_subsurface(const FlowRecord& record, Analysis& analysis);
 void analyse_forces(const FlowRecord& record, Analysis& analysis);
+/// What drives the water, what takes its energy, and what the scheme itself adds or takes.
+void analyse_energy(const FlowRecord& record, Analysis& analysis);
 
 /// Of flows that nothing drives steadily: levels, fronts, modes, energy and volume in time.
 void analyse_course(const FlowRecord& record, Analysis& analysis);

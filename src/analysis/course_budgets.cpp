@@ -46,7 +46,7 @@ std::optional<TrendEstimate> logarithmic_slope(const std::vector<double>& time,
 
 void add_decay(const Case& c, const std::vector<double>& time, const std::vector<double>& kinetic,
                Figure& figure, Analysis& analysis) {
-    if (c.start.kind != StartKind::taylor_green) return;
+    if (c.start.kind != StartKind::taylor_green || c.channel.dimensions == 3) return;
     const double rate = vortex_decay(c);
     Curve exact = make_curve("exact, exp(-2 nu (kx^2 + kz^2) t)", Origin::theory, Mark::line, {}, {});
     // The kinetic energy at t = 0: u0^2/4 per mass for a square box.

@@ -31,8 +31,8 @@ std::vector<double> dispersive(std::size_t rows, const std::vector<Value>& a, co
         double sum_b = 0.0;
         double sum_ab = 0.0;
         for (std::size_t i = 0; i < across; ++i) {
-            const double va = a[j * across + i];
-            const double vb = b[j * across + i];
+            const auto va = static_cast<double>(a[j * across + i]);
+            const auto vb = static_cast<double>(b[j * across + i]);
             if (!std::isfinite(va) || !std::isfinite(vb)) continue;
             n += 1.0;
             sum_a += va;

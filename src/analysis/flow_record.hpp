@@ -72,10 +72,11 @@ struct VelocityPlane {
     [[nodiscard]] SpaceTime line(const std::vector<double>& values, std::size_t j) const;
 };
 
-/// A quantity against time, such as the flow rate through a section or a force, per unit width.
+/// A quantity against time, such as the flow rate through a section, a force per unit width or the pressure
+/// of a gauge.
 struct ScalarProbe {
     std::string name;      ///< of the instrument
-    std::string kind;      ///< "flow_rate", "force"
+    std::string kind;      ///< "flow_rate", "force", "pressure"
     std::string quantity;  ///< name of the dataset, with the place where there are several
     std::string label;
     std::string unit;

@@ -14,8 +14,6 @@ namespace riffle {
 
 namespace {
 
-constexpr double normal_95 = 1.96;
-
 bool varies(const CsvTable& table, char axis) {
     for (const CsvColumn& column : table.columns) {
         if (column.name.size() != 1 || (column.name[0] | 0x20) != axis) continue;

@@ -10,8 +10,6 @@ namespace riffle {
 
 // The parts of the chapter on the vertical profiles.
 
-inline constexpr double normal_95 = 1.96;  ///< half-width of a 95 % interval over the standard uncertainty
-
 /// A figure of the chapter without curves: a quantity over the height above the bed level.
 [[nodiscard]] Figure profile_figure(std::string key, std::string title, std::string caption,
                                     std::string source, Axis x);

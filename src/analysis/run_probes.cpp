@@ -55,6 +55,13 @@ class ProbeGroup {
     [[nodiscard]] std::vector<double> rows(const Field& field, std::size_t points) const {
         return rows(FieldPlace(group_, field), points);
     }
+    /// The samples of one of `points` points from the rows of its array.
+    [[nodiscard]] std::vector<double> of_point(const std::vector<double>& rows, std::size_t points,
+                                               std::size_t point) const {
+        std::vector<double> samples(rows_);
+        for (std::size_t row = 0; row < rows_; ++row) samples[row] = rows[row * points + point];
+        return samples;
+    }
     [[nodiscard]] std::vector<std::string> arrays() const { return results_.children(group_); }
     [[nodiscard]] FieldPlace place(const std::string& array) const { return {group_, array}; }
 
@@ -97,8 +104,7 @@ void read_wave(const ProbeGroup& group, RunProbes& probes) {
         probe.x = x[i];
         if (!y.empty()) probe.y = y[std::min(i, y.size() - 1)];
         probe.time = group.time();
-        for (std::size_t row = 0; row < probe.time.size(); ++row)
-            probe.elevation.push_back(elevation[row * x.size() + i]);
+        probe.elevation = group.of_point(elevation, x.size(), i);
         probes.wave.push_back(std::move(probe));
     }
 }
@@ -232,10 +238,34 @@ void read_scalars(const RunResults& results, const ProbeGroup& group, const std:
             if (!x.empty()) probe.label += fmt::format(", x = {:.4g} mm", 1000.0 * x[i]);
             probe.unit = results.unit(place);
             probe.time = group.time();
-            for (std::size_t row = 0; row < probe.time.size(); ++row)
-                probe.value.push_back(values[row * points + i]);
+            probe.value = group.of_point(values, points, i);
             probes.scalars.push_back(std::move(probe));
         }
+    }
+}
+
+void read_gauges(const ProbeGroup& group, RunProbes& probes) {
+    const auto& of = fields::pressure_gauges;
+    const std::vector<double> x = group.values(of.x);
+    const std::vector<double> y = group.values(of.y);
+    const std::vector<double> z = group.values(of.z);
+    const std::size_t points = std::max({x.size(), y.size(), z.size()});
+    const std::vector<double> pressure = group.rows(of.pressure, points);
+    const auto place = [](const char* axis, const std::vector<double>& values, std::size_t point) {
+        return values.empty() ? std::string()
+                              : fmt::format(", {} = {:.4g} mm", axis,
+                                            1000.0 * values[std::min(point, values.size() - 1)]);
+    };
+    for (std::size_t i = 0; i < points && !pressure.empty(); ++i) {
+        ScalarProbe probe;
+        probe.name = group.name();
+        probe.kind = "pressure";
+        probe.quantity = points == 1 ? "pressure" : fmt::format("pressure_{}", i + 1);
+        probe.label = group.name() + place("x", x, i) + place("y", y, i) + place("z", z, i);
+        probe.unit = "Pa";
+        probe.time = group.time();
+        probe.value = group.of_point(pressure, points, i);
+        probes.scalars.push_back(std::move(probe));
     }
 }
 
@@ -273,6 +303,8 @@ RunProbes read_probes(const RunResults& results, const Case& c, const TimeWindow
             read_grid(group, window, probes);
         } else if (kind == "flow_rate" || kind == "force") {
             read_scalars(results, group, kind, probes);
+        } else if (kind == "pressure") {
+            read_gauges(group, probes);
         } else {
             probes.warnings.push_back("instrument " + name + ": its kind \"" + kind +
                                       "\" is not one that this version of Riffle analyses");

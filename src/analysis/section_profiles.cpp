@@ -235,7 +235,6 @@ void add_lateral(const FlowRecord& record, Analysis& analysis) {
     if (!means.y.empty()) {
         Curve points = make_curve("measured", Origin::measured, Mark::points, means.y, means.velocity);
         for (const double uncertainty : means.uncertainty) {
-            constexpr double normal_95 = 1.96;
             if (std::isfinite(uncertainty)) points.y_half_width.push_back(normal_95 * uncertainty);
         }
         if (points.y_half_width.size() != points.y.size()) points.y_half_width.clear();

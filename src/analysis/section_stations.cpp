@@ -22,8 +22,6 @@ namespace riffle {
 
 namespace {
 
-constexpr double normal_95 = 1.96;
-
 /// Distances from the wall, over the depth, at which the thesis shows profiles: those of its condition 8 for
 /// that flow and for narrow channels, else those of condition 2.
 std::vector<double> thesis_places(const Case& c) {

@@ -99,8 +99,8 @@ void add_streamwise_correlation(const FlowRecord& record, Analysis& analysis) {
     });
     if (usable == planes.end()) {
         add_missing(record, analysis, std::move(figure),
-                    "no velocities in a plane were recorded in the window; [[probe]] kind = \"plane\" in the "
-                    "case file records them");
+                    "no velocities in a plane were recorded in the window; [[probe]] kind = \"grid\" with "
+                    "averaging_time = 0 in the case file records them");
         return;
     }
     attempt(record, analysis, std::move(figure), [&](Figure& f) {

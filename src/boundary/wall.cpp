@@ -138,6 +138,10 @@ WallParticles<2> wall_particles<2>(const Case& c) {
 
 template <>
 WallParticles<3> wall_particles<3>(const Case& c) {
+    WallParticles<3> wall;
+    if (c.channel.top == Top::periodic || c.numerics.wall == WallKind::repulsive) {
+        return wall;
+    }
     const Lattice lattice = lattice_of(c);
     const int layers = c.numerics.wall_layers;
     // Rows of the body-centred lattice stand closer than the spacing.
@@ -149,10 +153,6 @@ WallParticles<3> wall_particles<3>(const Case& c) {
     const bool ends = c.channel.ends == Ends::walls;
     const double width = c.channel.simulated_width();
     const double length = c.channel.length;
-    WallParticles<3> wall;
-    if (c.numerics.wall == WallKind::repulsive) {
-        return wall;
-    }
     const bool dynamic = c.numerics.wall == WallKind::dynamic;
     // A place beyond the bed, a side or an end; beyond two or three of them it is an edge or a corner. There
     // all motion counts but that along the edge.

@@ -116,7 +116,8 @@ std::string unknown_key(const std::string& section, const std::string& name) {
     } else if (meant) {
         advice = fmt::format(": did you mean `{}`?", *meant);
     }
-    return fmt::format("unknown key `{}` {}{}; the keys there are {}", shown, where, advice, joined(names));
+    return fmt::format("unknown key `{}` {}{}; the keys {} are {}", shown, where, advice, where,
+                       joined(names));
 }
 
 /// Replace or add the entries that the options give.

@@ -76,8 +76,14 @@ CheckList plane_refusals() {
 CheckList space_refusals() {
     return {
         {
-            in_a_plane_alone("channel.top", "a `top` other than `\"free-surface\"` in three dimensions", "",
-                             "choose \"free-surface\"", [](const Case& c) { return !has_free_surface(c); }),
+            in_a_plane_alone("channel.top", "`top = \"wall\"` in three dimensions", "",
+                             R"(choose "free-surface", or "periodic" with `sides = "periodic"`)",
+                             [](const Case& c) { return c.channel.top == Top::wall; }),
+            {{"channel.top", "channel.sides"},
+             R"(`top = "periodic"` without `sides = "periodic"`)",
+             "a box that repeats itself upward does so across as well",
+             "choose [channel] sides = \"periodic\"",
+             [](const Case& c) { return c.channel.top == Top::periodic && !has_periodic_sides(c); }},
             in_a_plane_alone(
                 "bed.drag_form", "`drag_form = \"paper\"` in three dimensions", "it knows no single spheres",
                 R"(choose "consistent", "slice" or "thesis")",
@@ -85,14 +91,10 @@ CheckList space_refusals() {
             in_a_plane_alone("start.lattice", "`lattice = \"hexagonal\"` in three dimensions",
                              "it is an arrangement in a plane", R"(choose "square" or "body-centred")",
                              [](const Case& c) { return c.start.lattice == StartLattice::hexagonal; }),
-            in_a_plane_alone("start.kind",
-                             R"(`kind = "standing-wave"` or `"taylor-green"` in three dimensions)",
-                             "both are flows in a plane",
-                             R"(choose "column", "section", "uniform", "power-law" or "rest")",
-                             [](const Case& c) {
-                                 return c.start.kind == StartKind::standing_wave ||
-                                        c.start.kind == StartKind::taylor_green;
-                             }),
+            in_a_plane_alone(
+                "start.kind", R"(`kind = "standing-wave"` in three dimensions)", "it is a flow in a plane",
+                R"(choose "column", "section", "uniform", "power-law", "taylor-green" or "rest")",
+                [](const Case& c) { return c.start.kind == StartKind::standing_wave; }),
             in_a_plane_alone(
                 "numerics.viscosity",
                 R"(a `viscosity` other than `"morris"` in three dimensions with `turbulence.closure = "czernuszenko-rylov"`, `spanwise_ratio` other than 1 and `eddy_stress = "two-point"`)",

@@ -323,7 +323,7 @@ CheckList make_warnings() {
          [](const Case& c) { return !c.measured.uniform; }},
         {{"numerics.preset", "start.water_x"},
          "water that falls or breaks against an end wall without `preset = \"violent\"`",
-         "in this run water breaks against a wall or falls, spray may end it and pressures scatter",
+         "in this run water breaks against a wall or falls, pressures scatter and spray may leave the water",
          "such flows are verified with preset = \"violent\"",
          [](const Case& c) { return breaks(c) && c.numerics.preset != Preset::violent; }},
         {{"start.lattice", "start.kind"},

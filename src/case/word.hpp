@@ -10,8 +10,8 @@ namespace riffle {
 struct Word {
     std::string_view name;
     std::string_view meaning;
-    std::string_view source = "";  ///< the equation and who stated it
-    std::string_view advice = "";  ///< where to take it and where not; what was measured stands in docs/
+    std::string_view source = {};  ///< the equation and who stated it
+    std::string_view advice = {};  ///< where to take it and where not; what was measured stands in docs/
 };
 
 /// The words of an enumeration, in the order of its enumerators.

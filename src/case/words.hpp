@@ -158,7 +158,7 @@ struct Words<StartKind> {
         {"power-law", "u = U_max (z / H)^(1 / m)"},
         {"results", "the last state of a results file"},
         {"standing-wave", "a standing gravity wave, one wave length over the channel length"},
-        {"taylor-green", "Taylor-Green vortices (periodic in both directions)"},
+        {"taylor-green", "Taylor-Green vortices (periodic in all directions)"},
         {"section", "3D: the steady velocity of the cross-section twin"},
     }};
 };

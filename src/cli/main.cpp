@@ -11,6 +11,7 @@
 #include "base/error.hpp"
 #include "base/memory.hpp"
 #include "base/version.hpp"
+#include "cli/help_formatter.hpp"
 #include "cli/terminal.hpp"
 #include "cli/verbs.hpp"
 
@@ -56,6 +57,7 @@ void print_usage_error(const CLI::App& app, const CLI::ParseError& error, int ar
 int parse_and_run(int argc, char** argv) {
     CLI::App app{
         "Riffle simulates turbulent flow in rivers and flumes over rough beds, with its free surface"};
+    app.formatter(help_formatter());  // the verbs take it over
     app.require_subcommand(1);
     app.set_version_flag("--version", version());
     add_verb_new(app);
@@ -97,15 +99,16 @@ int main(int argc, char** argv) {
         riffle::print_error(message);
         return static_cast<int>(code);
     };
+    const auto output_fault = [](int number) {
+        return fmt::format("standard output cannot be written: {}. What it should hold is incomplete.",
+                           std::generic_category().message(number));
+    };
     try {
         const riffle::OutOfMemoryEnd guard;
         const int status = riffle::parse_and_run(argc, argv);
         // What has been printed counts only once it has arrived.
         if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
-            return fail(
-                ExitCode::file_error,
-                fmt::format("standard output cannot be written: {}. What it should hold is incomplete.",
-                            std::generic_category().message(errno)));
+            return fail(ExitCode::file_error, output_fault(errno));
         }
         return status;
     } catch (const riffle::Error& e) {
@@ -116,6 +119,9 @@ int main(int argc, char** argv) {
             "out of memory: this takes more than the system gives. `riffle check CASE` says what a run "
             "needs; take a larger spacing or fewer records, or a computer with more memory.");
     } catch (const std::system_error& e) {
+        if (std::ferror(stdout) != 0) {
+            return fail(ExitCode::file_error, output_fault(e.code().value()));
+        }
         return fail(ExitCode::file_error, fmt::format("the system refuses: {}", e.what()));
     } catch (const std::exception& e) {
         return fail(ExitCode::run_failed, std::string("unexpected fault: ") + e.what() +

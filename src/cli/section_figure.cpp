@@ -117,8 +117,7 @@ std::string path(const std::vector<double>& x, const std::vector<double>& y, con
 /// The values of the map on an even grid, whose squares make the picture and the isolines.
 class EvenMap {
   public:
-    EvenMap(const SectionResult& r, double width, double depth)
-        : columns_(160), rows_(48), width_(width), depth_(depth) {
+    EvenMap(const SectionResult& r, double width, double depth) : width_(width), depth_(depth) {
         for (int j = 0; j <= rows_; ++j) {
             for (int i = 0; i <= columns_; ++i) {
                 value_.push_back(r.velocity_at(y(i), z(j)) / r.maximum_velocity);
@@ -166,7 +165,8 @@ class EvenMap {
     [[nodiscard]] double y(int i) const { return width_ * i / columns_; }
     [[nodiscard]] double z(int j) const { return depth_ * j / rows_; }
     [[nodiscard]] double at(Node n) const {
-        return value_[static_cast<std::size_t>(n.j * (columns_ + 1) + n.i)];
+        const auto row = static_cast<std::size_t>(columns_) + 1;
+        return value_[static_cast<std::size_t>(n.j) * row + static_cast<std::size_t>(n.i)];
     }
     [[nodiscard]] int level_of(int i, int j, int levels) const {
         const double mean = 0.25 * (at({i, j}) + at({i + 1, j}) + at({i, j + 1}) + at({i + 1, j + 1}));
@@ -186,7 +186,8 @@ class EvenMap {
         return d;
     }
 
-    int columns_, rows_;
+    int columns_ = 160;
+    int rows_ = 48;
     double width_, depth_;
     std::vector<double> value_;
 };
@@ -215,8 +216,8 @@ std::string section_figure(const Case& c, const SectionResult& r, const std::str
     const double lower = map_top + map_height + 80.0;
     constexpr double lower_height = 230.0;
     const double height = lower + lower_height + 60.0;
-    constexpr const char* curve = "stroke=\"#1f5fa8\" stroke-width=\"2\"";
-    constexpr const char* dashed = "stroke=\"#555\" stroke-dasharray=\"5 4\"";
+    constexpr const char* curve = R"(stroke="#1f5fa8" stroke-width="2")";
+    constexpr const char* dashed = R"(stroke="#555" stroke-dasharray="5 4")";
 
     std::string svg = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" "

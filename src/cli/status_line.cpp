@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "base/wrapped_text.hpp"
 #include "cli/terminal.hpp"
 
 namespace riffle {
@@ -12,12 +13,6 @@ namespace riffle {
 namespace {
 
 constexpr std::string_view separator = " | ";
-
-/// Letters of a text in UTF-8, each one column wide.
-std::size_t letters(const std::string& text) {
-    return static_cast<std::size_t>(std::count_if(
-        text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U; }));
-}
 
 /// The first letters of a text.
 std::string cut(const std::string& text, std::size_t columns) {
@@ -38,9 +33,9 @@ std::string fitted_line(const std::vector<std::string>& parts, std::size_t colum
         return "";
     }
     std::string line = cut(parts.front(), columns);
-    std::size_t used = letters(line);
+    std::size_t used = columns_of(line);
     for (std::size_t i = 1; i < parts.size(); ++i) {
-        used += separator.size() + letters(parts[i]);
+        used += separator.size() + columns_of(parts[i]);
         if (used > columns) {
             break;
         }
@@ -49,7 +44,7 @@ std::string fitted_line(const std::vector<std::string>& parts, std::size_t colum
     return line;
 }
 
-StatusLine::StatusLine() : terminal_(error_stream_is_terminal()) {}
+StatusLine::StatusLine() : terminal_(error_stream_can_rewrite()) {}
 
 std::string StatusLine::erasure() const {
     // A terminal that has become narrower has broken the line into several rows: begin at the first of them.
@@ -64,7 +59,7 @@ void StatusLine::show(const std::vector<std::string>& parts) {
         const std::string line = fitted_line(parts, terminal_columns() - 1);
         fmt::print(stderr, "{}{}", erasure(), line);
         std::fflush(stderr);
-        shown_ = letters(line);
+        shown_ = columns_of(line);
         return;
     }
     const auto now = Clock::now();

@@ -11,6 +11,7 @@
 
 #include "base/notice.hpp"
 #include "base/visible_text.hpp"
+#include "base/wrapped_text.hpp"
 
 namespace riffle {
 
@@ -31,18 +32,20 @@ void print_labelled(const char* label, fmt::color colour, const std::string& tex
 
 bool error_stream_is_terminal() { return isatty(STDERR_FILENO) != 0; }
 
-bool error_stream_has_colours() {
+bool error_stream_can_rewrite() {
     // Read before any thread starts.
+    const char* terminal = std::getenv("TERM");  // NOLINT(concurrency-mt-unsafe)
+    return error_stream_is_terminal() && terminal != nullptr && std::string_view(terminal) != "dumb";
+}
+
+bool error_stream_has_colours() {
     const char* no_colour = std::getenv("NO_COLOR");  // NOLINT(concurrency-mt-unsafe)
-    const char* terminal = std::getenv("TERM");       // NOLINT(concurrency-mt-unsafe)
-    const bool dumb = terminal == nullptr || std::string_view(terminal) == "dumb";
-    return error_stream_is_terminal() && !dumb && (no_colour == nullptr || *no_colour == '\0');
+    return error_stream_can_rewrite() && (no_colour == nullptr || *no_colour == '\0');
 }
 
 std::size_t terminal_columns() {
     winsize size{};
-    constexpr std::size_t usual = 80;
-    return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1 ? size.ws_col : usual;
+    return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1 ? size.ws_col : usual_columns;
 }
 
 void print_error(const std::string& message) { print_labelled("error", fmt::color::crimson, message); }

@@ -11,6 +11,9 @@ namespace riffle {
 /// Whether standard error is a terminal.
 [[nodiscard]] bool error_stream_is_terminal();
 
+/// Whether it is one that obeys escape sequences, so that a line can be written anew (TERM not "dumb").
+[[nodiscard]] bool error_stream_can_rewrite();
+
 /// Columns of the terminal that standard error goes to, as wide as it is now; 80 where it does not tell.
 [[nodiscard]] std::size_t terminal_columns();
 

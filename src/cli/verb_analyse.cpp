@@ -15,6 +15,7 @@
 #include "cli/record_input.hpp"
 #include "cli/verbs.hpp"
 #include "output/atomic_file.hpp"
+#include "output/replaced_file.hpp"
 
 namespace riffle {
 
@@ -65,6 +66,7 @@ void write_csv(const std::vector<Analysis>& analyses, const std::filesystem::pat
 void run_analyse(const AnalyseOptions& options) {
     const RecordInput& records = options.records;
     check_record_options(records);
+    if (!options.json.empty()) refuse_to_replace_another(options.json, begin_of_json, "JSON file");
     std::vector<Analysis> analyses;
     for (const std::string& input : records.inputs) analyses.push_back(analyse_input(records, input));
     tell_apart(analyses);

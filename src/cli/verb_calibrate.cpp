@@ -18,6 +18,7 @@
 #include "cli/verbs.hpp"
 #include "column/calibration.hpp"
 #include "output/atomic_file.hpp"
+#include "output/replaced_file.hpp"
 
 namespace riffle {
 
@@ -182,9 +183,7 @@ std::vector<fs::path> written_files(const CalibrateOptions& options) {
 
 void check_writable(const CalibrateOptions& options) {
     for (const fs::path& file : written_files(options)) {
-        if (!fs::exists(file) || options.force) continue;
-        throw InputError(fmt::format(
-            "{}: the file exists already; give another name, or --force to overwrite it", file.string()));
+        if (!options.force) refuse_to_replace(file);
     }
 }
 

@@ -11,6 +11,7 @@
 #include "case/flow_conditions.hpp"
 #include "cli/verbs.hpp"
 #include "output/atomic_file.hpp"
+#include "output/replaced_file.hpp"
 
 namespace riffle {
 
@@ -26,9 +27,8 @@ struct NewOptions {
 
 void write_new_case(const NewOptions& options) {
     const std::filesystem::path file(options.file);
-    if (std::filesystem::exists(file) && !options.force) {
-        throw InputError(fmt::format(
-            "{}: the file exists already; give another name, or --force to overwrite it", options.file));
+    if (!options.force) {
+        refuse_to_replace(file);
     }
     const std::string from = options.violent    ? "dam-break"
                              : options.resolved ? "resolved-eddies"

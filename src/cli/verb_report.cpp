@@ -14,6 +14,7 @@
 #include "base/error.hpp"
 #include "cli/record_input.hpp"
 #include "cli/verbs.hpp"
+#include "output/replaced_file.hpp"
 #include "report/report.hpp"
 #include "report/thesis.hpp"
 
@@ -75,6 +76,12 @@ fs::path common_folder(const std::vector<fs::path>& results) {
     return !relative.empty() && *relative.begin() != ".." ? relative : folder;
 }
 
+/// Throws InputError where the page or its summary would take the place of anything else than an older one.
+void refuse_other_files(const fs::path& html, const fs::path& json) {
+    refuse_to_replace_another(html, begin_of_page, "page of Riffle");
+    refuse_to_replace_another(json, begin_of_json, "summary (JSON)");
+}
+
 void print_written(const fs::path& html, const fs::path& json) {
     fmt::print("{}\n{}\n", html.string(), json.string());
 }
@@ -84,6 +91,7 @@ void report_one(const ReportOptions& options, const fs::path& input) {
     const fs::path html =
         options.output.empty() ? subject.results.parent_path() / "report.html" : fs::path(options.output);
     const fs::path json = options.json.empty() ? summary_beside(html) : fs::path(options.json);
+    refuse_other_files(html, json);
     write_report(subject.results, html, json, subject.analysis);
     print_written(html, json);
 }
@@ -129,6 +137,7 @@ void report_several(const ReportOptions& options, const std::vector<fs::path>& i
     const fs::path html = options.output.empty() ? common_folder(results) / name_of_page(options, inputs)
                                                  : fs::path(options.output);
     const fs::path json = options.json.empty() ? summary_beside(html) : fs::path(options.json);
+    refuse_other_files(html, json);
     write_comparison(comparison, html, json);
     print_written(html, json);
 }

@@ -35,6 +35,12 @@ void resume(const ResumeVerb& verb) {
     if (!checkpoint.empty() && checkpoint.is_relative() && !std::filesystem::exists(checkpoint)) {
         checkpoint = options.folder / checkpoint;
     }
+    if (!checkpoint.empty() && !std::filesystem::exists(checkpoint)) {
+        throw FileError(fmt::format(
+            "--from {}: there is no such file, neither here nor in {}. Without --from, `riffle resume {}` "
+            "goes on from the newest checkpoint",
+            verb.checkpoint, verb.folder, verb.folder));
+    }
     CaseArgument argument;
     argument.settings = verb.settings;
     const RunOutcome outcome = resume_run(options, checkpoint, argument.overrides());

@@ -3,11 +3,13 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "base/error.hpp"
 #include "case/case_documents.hpp"
 #include "cli/verbs.hpp"
 #include "output/atomic_file.hpp"
+#include "output/replaced_file.hpp"
 #include "record/field_tables.hpp"
 
 namespace riffle {
@@ -31,6 +33,9 @@ void write_schema(const SchemaOptions& options) {
         fmt::print("{}", text);
         return;
     }
+    const std::string_view begin =
+        options.markdown ? std::string_view(text).substr(0, text.find('\n')) : begin_of_json;
+    refuse_to_replace_another(options.file, begin, options.markdown ? "page of this reference" : "JSON file");
     write_text_atomically(options.file, text);
 }
 

@@ -21,6 +21,7 @@
 #include "cli/verbs.hpp"
 #include "column/section.hpp"
 #include "output/atomic_file.hpp"
+#include "output/replaced_file.hpp"
 
 namespace riffle {
 
@@ -232,9 +233,8 @@ void run_section(const SectionArguments& a) {
     bool to_terminal = true;
     for (const std::string& file : {a.json, a.csv, a.figure}) {
         if (file == "-") to_terminal = false;
-        if (!file.empty() && file != "-" && std::filesystem::exists(file) && !a.force) {
-            throw InputError(fmt::format(
-                "{}: the file exists already; give another name, or --force to overwrite it", file));
+        if (!file.empty() && file != "-" && !a.force) {
+            refuse_to_replace(file);
         }
     }
     const Case c = a.argument.read();

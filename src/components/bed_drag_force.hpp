@@ -66,7 +66,7 @@ class BedDragForce final : public Component<D, Real> {
         if (wall_over_bed_ <= 0.0) {
             return;
         }
-        if (!flow.motion_sums_drags) {
+        if (!flow.motion_summed) {
             set_side_drag(flow, measured(flow));
             return;
         }

@@ -6,6 +6,7 @@
 #include "components/contact.hpp"
 #include "components/crowds.hpp"
 #include "components/density_filter.hpp"
+#include "components/energy_budget.hpp"
 #include "components/further_pair_sums.hpp"
 #include "components/mixing_lengths.hpp"
 #include "components/repulsion.hpp"
@@ -39,6 +40,7 @@ ComponentList<D, Real> make_components(FlowOf<D, Real>& flow, double celerity) {
     add(components, make_bed_drag_force(flow));
     add(components, make_stirring(flow, celerity));
     add(components, make_repulsion(flow));
+    add(components, make_energy_budget(flow));  // after all that adds forces, before what changes velocities
     add(components, make_contact(flow));
     return components;
 }

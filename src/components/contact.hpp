@@ -22,7 +22,7 @@ class Contact final : public Component<D, Real> {
     using typename Component<D, Real>::Flow;
     using typename Component<D, Real>::Task;
 
-    explicit Contact(const Flow& flow) : motion_(flow.c), planes_(flow.c) {
+    explicit Contact(const Flow& flow) : planes_(flow.c) {
         if constexpr (D == 2) {
             solids_ = SolidContact(flow.c);
         } else {
@@ -34,7 +34,7 @@ class Contact final : public Component<D, Real> {
     /// Error where water stands more than a spacing deep in a solid.
     void particles_sorted(const Flow& flow) override {
         const double spacing = flow.c.numerics.spacing;
-        const std::vector<BodyState> bodies = motion_.at(flow.clock.time);
+        const std::vector<BodyState> bodies = flow.motion.at(flow.clock.time);
         for (std::size_t k = 0; k < flow.c.solids.size(); ++k) {
             for (std::size_t i = 0; i < flow.particles.size(); ++i) {
                 if (solids_.depth(k, bodies, vector_of(flow.particles.position, i)) > spacing) {
@@ -44,10 +44,7 @@ class Contact final : public Component<D, Real> {
         }
     }
 
-    void begin_evaluation(Flow& flow, const Stage& stage) override {
-        if (!solids_.empty()) {
-            bodies_after_ = motion_.at(flow.clock.time + stage.motion);
-        }
+    void begin_evaluation(Flow& flow, const Stage& /*stage*/) override {
         depth_.assign(flow.block_advance.size(), 0.0);
     }
 
@@ -72,15 +69,6 @@ class Contact final : public Component<D, Real> {
     }
 
   private:
-    static Vec<D> vector_of(const std::array<std::vector<double>, static_cast<std::size_t>(D)>& values,
-                            std::size_t i) {
-        Vec<D> v{};
-        for (std::size_t k = 0; k < Flow::axes; ++k) {
-            v[k] = values[k][i];
-        }
-        return v;
-    }
-
     /// Returns how far a particle was put back, m.
     double put_back(Flow& flow, std::size_t i, double step) const {
         constexpr std::size_t vertical = Flow::vertical;
@@ -90,7 +78,7 @@ class Contact final : public Component<D, Real> {
         const Vec<D> before = u;
         double depth = planes_.resolve(x, u);
         if (!solids_.empty()) {
-            depth = std::max(depth, solids_.resolve(bodies_after_, x, u));
+            depth = std::max(depth, solids_.resolve(flow.bodies_after, x, u));
         }
         if (depth > 0.0 && flow.keep_fields) {
             // What the wall takes from the velocity is a force of the wall.
@@ -116,11 +104,9 @@ class Contact final : public Component<D, Real> {
                                                : ", a smaller spacing, or let the solid move more slowly");
     }
 
-    WallMotion motion_;
     std::conditional_t<D == 2, SolidContact, MeshContact> solids_;
     PlaneContact<D> planes_;
-    std::vector<BodyState> bodies_after_;  ///< at the end of the motion; empty without solids
-    std::vector<double> depth_;            ///< by block, the largest of the evaluation, m
+    std::vector<double> depth_;  ///< by block, the largest of the evaluation, m
 };
 
 template <int D, class Real>

@@ -20,13 +20,8 @@ class Repulsion final : public Component<D, Real> {
 
     void add_forces(Flow& flow, Task& task, std::size_t begin, std::size_t end) override {
         flow.for_particles(begin, end, [&](std::size_t i, std::size_t lane) {
-            Vec<D> x{};
-            Vec<D> u{};
-            for (std::size_t k = 0; k < Flow::axes; ++k) {
-                x[k] = flow.particles.position[k][i];
-                u[k] = flow.particles.velocity[k][i];
-            }
-            const Vec<D> a = walls_.acceleration(x, u);
+            const Vec<D> a = walls_.acceleration(vector_of(flow.particles.position, i),
+                                                 vector_of(flow.particles.velocity, i));
             for (std::size_t k = 0; k < Flow::axes; ++k) {
                 task.wall_acceleration[k][lane] += a[k];
                 task.particles.acceleration[k][lane] += a[k];

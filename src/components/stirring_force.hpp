@@ -53,12 +53,8 @@ class StirringForce final : public Component<D, Real> {
 
   private:
     [[nodiscard]] Vec<D> at(const Flow& flow, std::size_t particle) const {
-        Vec<D> x{};
-        for (std::size_t k = 0; k < Flow::axes; ++k) {
-            x[k] = flow.particles.position[k][particle];
-        }
         Vec<D> a{};
-        modes_.add(x, flow.clock.time, a);
+        modes_.add(vector_of(flow.particles.position, particle), flow.clock.time, a);
         return a;
     }
 

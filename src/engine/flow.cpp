@@ -46,6 +46,17 @@ void FlowOf<D, Real>::refer_to_particles() {
 }
 
 template <int D, class Real>
+bool FlowOf<D, Real>::stays(std::size_t particle) const {
+    for (std::size_t k = 0; k < axes; ++k) {
+        const double x = this->particles.position[k][particle];
+        if (!(x >= particle_data.stay_from[k] && x < particle_data.stay_to[k])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+template <int D, class Real>
 void FlowOf<D, Real>::repack() {
     parallel_blocks(clusters.size(), light_block, [&](std::size_t begin, std::size_t end) {
         particle_loops.pack(particle_data, data, &moved, begin, end);

@@ -12,6 +12,7 @@
 #include "engine/particle_fields.hpp"
 #include "engine/scheme.hpp"
 #include "particles/clusters.hpp"
+#include "particles/energy_rates.hpp"
 #include "particles/force_on_solid.hpp"
 #include "particles/particles.hpp"
 #include "sph/pair_loops.hpp"
@@ -39,17 +40,20 @@ struct SimulationClock {
 /// is sampled of them.
 template <int D>
 struct FlowIn {
-    explicit FlowIn(const Case& c_) : c(c_) {}
+    explicit FlowIn(const Case& c_) : c(c_), motion(c_) {}
 
     Case c;
     Scheme scheme;
     SimulationClock clock;
     Particles<D> particles;
     WallParticles<D> walls;
+    WallMotion motion;                       ///< of the bodies that walls and solids belong to
     std::vector<BodyState> bodies;           ///< at the evaluation in progress; empty where no wall moves
+    std::vector<BodyState> bodies_after;     ///< at the end of its motion; empty without solids
     bool keep_fields = true;                 ///< in the step in progress
     ParticleFields fields;                   ///< where they are kept
     std::vector<ForceOnSolid> solid_forces;  ///< at the same times; empty without solids
+    EnergyRates energy_rates;                ///< at the same times
 };
 
 /// What an evaluation of the rates advances by how much, s.
@@ -98,7 +102,7 @@ struct FlowOf : FlowIn<D> {
 
     AdvanceOptions inputs;          ///< what the components add to the motion; the steps are those of a stage
     bool with_side_drag = false;    ///< side walls with drag
-    bool motion_sums_drags = true;  ///< AdvanceResult has the sums over the drags
+    bool motion_summed = true;      ///< Method::sums_motion()
     bool density_filtered = false;  ///< at the begin of the step in progress
     std::vector<AdvanceResult<D>> block_advance;  ///< by block
     Displacement<D> moved;
@@ -106,6 +110,8 @@ struct FlowOf : FlowIn<D> {
 
     /// Tell the loops where the arrays of the particles are: after each change of their order or number.
     void refer_to_particles();
+    /// Whether a particle stands in the domain, and not beyond an open bound.
+    [[nodiscard]] bool stays(std::size_t particle) const;
     /// Make the motion records anew, with the displacements.
     void repack();
     /// The records behind the last particle, which fill up turns of the loops.

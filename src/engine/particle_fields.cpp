@@ -12,45 +12,59 @@ std::span<SparseValues ParticleFields::*const> ParticleFields::near_walls(int di
     return std::span(all).first(dimensions == 3 ? all.size() : 3);
 }
 
-void ParticleFields::release(bool with_viscosity) {
-    pressure.release();
-    shear.release();
-    regularity.release();
-    for (std::vector<double>* const values :
-         {&pair_acceleration_x, &viscous_acceleration_x, &shear_stress, &lateral_shear_stress}) {
-        std::vector<double>().swap(*values);
-    }
+template <class Self, class F>
+void ParticleFields::for_each(Self& self, const F& f) {
+    f(self.pressure);
+    f(self.shear);
+    f(self.regularity);
+    f(self.pair_acceleration_x);
+    f(self.viscous_acceleration_x);
+    f(self.shear_stress);
+    f(self.lateral_shear_stress);
     for (SparseValues ParticleFields::*const force : near_walls(3)) {
-        (this->*force).release();
+        f(self.*force);
     }
+}
+
+namespace {
+
+template <class Values>
+void release_values(Values& values) {
+    values.release();
+}
+void release_values(std::vector<double>& values) { std::vector<double>().swap(values); }
+
+template <class Values>
+void keep_values(Values& values, const std::vector<std::int32_t>& particles) {
+    values.keep(particles);
+}
+void keep_values(std::vector<double>& values, const std::vector<std::int32_t>& particles) {
+    WorkingValues::keep_values(values, particles);
+}
+
+template <class Values>
+std::size_t bytes_of(const Values& values) {
+    return values.bytes();
+}
+std::size_t bytes_of(const std::vector<double>& values) { return values.capacity() * sizeof(double); }
+
+}  // namespace
+
+void ParticleFields::release(bool with_viscosity) {
+    for_each(*this, [](auto& values) { release_values(values); });
     if (with_viscosity) {
         eddy_viscosity.release();
     }
 }
 
 void ParticleFields::keep(const std::vector<std::int32_t>& particles) {
-    pressure.keep(particles);
+    for_each(*this, [&](auto& values) { keep_values(values, particles); });
     eddy_viscosity.keep(particles);
-    shear.keep(particles);
-    regularity.keep(particles);
-    for (std::vector<double>* const values :
-         {&pair_acceleration_x, &viscous_acceleration_x, &shear_stress, &lateral_shear_stress}) {
-        WorkingValues::keep_values(*values, particles);
-    }
-    for (SparseValues ParticleFields::*const force : near_walls(3)) {
-        (this->*force).keep(particles);
-    }
 }
 
 std::size_t ParticleFields::bytes() const {
-    std::size_t total = pressure.bytes() + eddy_viscosity.bytes() + shear.bytes() + regularity.bytes();
-    for (const SparseValues ParticleFields::*const force : near_walls(3)) {
-        total += (this->*force).bytes();
-    }
-    for (const std::vector<double>* const values :
-         {&pair_acceleration_x, &viscous_acceleration_x, &shear_stress, &lateral_shear_stress}) {
-        total += values->capacity() * sizeof(double);
-    }
+    std::size_t total = eddy_viscosity.bytes();
+    for_each(*this, [&](const auto& values) { total += bytes_of(values); });
     return total;
 }
 

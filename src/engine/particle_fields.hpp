@@ -50,6 +50,9 @@ struct ParticleFields {
 
   private:
     [[nodiscard]] static std::span<SparseValues ParticleFields::*const> near_walls(int dimensions);
+    /// The one table of the fields: f(values) for each but the eddy viscosity.
+    template <class Self, class F>
+    static void for_each(Self& self, const F& f);
 };
 
 }  // namespace riffle

@@ -204,10 +204,13 @@ PassOrder order_passes(std::span<const PassDeclaration> passes, std::span<const 
     std::vector<Waves> waves;
     for (std::size_t p = 0; p < passes.size(); ++p) {
         const PassDeclaration& pass = passes[p];
-        Waves own = pass.whole ? Waves{}
-                    : p == 0   ? groups.first_pass()
-                               : Waves(blocks_of(set_sizes[pass.set]), WavesOfBlocks::nothing);
-        for (std::size_t q = 0; q < p && !pass.whole; ++q) {
+        if (pass.whole) {
+            waves.emplace_back();
+            continue;
+        }
+        Waves own =
+            p == 0 ? groups.first_pass() : Waves(blocks_of(set_sizes[pass.set]), WavesOfBlocks::nothing);
+        for (std::size_t q = 0; q < p; ++q) {
             const PassDeclaration& earlier = passes[q];
             if (earlier.whole) {
                 continue;  // all are in one wave

@@ -52,9 +52,14 @@ Scheme make_scheme(const Case& c, const ColumnResult* column) {
     scheme.state.sound_speed = c.numerics.sound_speed.value_or(
         std::max(20.0 * scheme.maximum_velocity, 10.0 * std::sqrt(scheme.normal_gravity * scheme.depth)));
     scheme.acoustic_step = c.numerics.courant_number * scheme.smoothing_length / scheme.state.sound_speed;
-    // Explicit diffusion of momentum, here only where the viscosity is that of a laminar case.
+    // Explicit diffusion of momentum: of a laminar case or, over hundreds of rows, of a mixing length, with
+    // twice the twin's eddy viscosity, for the water shears itself more here and there than its mean flow.
     const double h = scheme.smoothing_length;
     double stiffness = scheme.viscosity;
+    if (column != nullptr && !column->profile.eddy_viscosity.empty()) {
+        const auto& eddy = column->profile.eddy_viscosity;
+        stiffness += 2.0 * *std::max_element(eddy.begin(), eddy.end());
+    }
     if (c.numerics.viscosity == ViscosityForm::monaghan_gingold) {
         stiffness *= c.channel.dimensions + 2.0;  // its force along a line of centres is as much stronger
     }

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <utility>
 
+#include "base/due_times.hpp"
 #include "base/error.hpp"
 #include "case/words.hpp"
 #include "instruments/standard_probes.hpp"
@@ -16,11 +16,6 @@
 namespace riffle {
 
 namespace {
-
-/// First multiple of the interval after `time`.
-double due_after(double time, double frequency) {
-    return (std::floor(time * frequency + 1e-9) + 1.0) / frequency;
-}
 
 std::string group_of(const Instrument& instrument) { return probe_group(instrument.probe().name); }
 
@@ -82,7 +77,7 @@ void add_description(Content& content, const ProbeSet::Member& member) {
 
 double recorded_rows(const Instrument& instrument, double end) {
     const double rows = instrument.row_frequency();
-    return std::max(0.0, std::floor(end * rows + 1e-9) - std::floor(instrument.probe().start * rows + 1e-9));
+    return std::max(0.0, whole_intervals(end * rows) - whole_intervals(instrument.probe().start * rows));
 }
 
 ProbeSet::ProbeSet(const Case& c, double largest_step) {
@@ -91,7 +86,7 @@ ProbeSet::ProbeSet(const Case& c, double largest_step) {
         Member member;
         member.instrument = make_instrument(probe, c);
         member.standard = standard;
-        member.due = due_after(probe.start, probe.sampling_frequency);
+        member.due = due_after_at_frequency(probe.start, probe.sampling_frequency);
         members_.push_back(std::move(member));
     };
     for (const Probe& probe : c.probes) {
@@ -127,7 +122,7 @@ void ProbeSet::record(const FlowState& state, bool looks_at_fluid) {
     for (Member& m : members_) {
         if (state.time >= m.due && m.instrument->looks_at_fluid() == looks_at_fluid) {
             m.instrument->sample(state);
-            m.due = due_after(state.time, m.instrument->probe().sampling_frequency);
+            m.due = due_after_at_frequency(state.time, m.instrument->probe().sampling_frequency);
         }
     }
 }

@@ -6,6 +6,7 @@
 #include <limits>
 #include <span>
 
+#include "base/due_times.hpp"
 #include "base/parallel.hpp"
 #include "instruments/instrument.hpp"
 #include "record/probe_fields.hpp"
@@ -123,10 +124,7 @@ class VelocityGrid final : public Instrument {
     }
 
     /// Windows end at multiples of their length.
-    [[nodiscard]] double window_after(double time) const {
-        const double length = probe().averaging_time;
-        return (std::floor(time / length + 1e-9) + 1.0) * length;
-    }
+    [[nodiscard]] double window_after(double time) const { return due_after(time, probe().averaging_time); }
 
     void finish_window() {
         record(0).add(window_end_);

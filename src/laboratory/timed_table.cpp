@@ -17,7 +17,7 @@ std::optional<double> stated_frequency(const CsvTable& table) {
     if (!text) return std::nullopt;
     const auto frequency = parse_quantity(*text, "Hz");
     if (!frequency || !(*frequency > 0.0)) {
-        throw FileError(fmt::format("{}: expected \"# sampling_frequency: 100 Hz\", got \"{}\"",
+        throw FileError(fmt::format(R"({}: expected "# sampling_frequency: 100 Hz", got "{}")",
                                     table.path.string(), *text));
     }
     return frequency;
@@ -54,7 +54,7 @@ TableSampling sampling_of(const CsvTable& table, std::optional<double> frequency
     }
     if (!frequency) {
         throw FileError(
-            fmt::format("{}: expected a column \"t [s]\", or a comment \"# sampling_frequency: 100 Hz\"",
+            fmt::format(R"({}: expected a column "t [s]", or a comment "# sampling_frequency: 100 Hz")",
                         table.path.string()));
     }
     result.sampling.frequency = *frequency;

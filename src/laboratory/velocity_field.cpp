@@ -66,15 +66,16 @@ class Units {
         if (comment) {
             const std::size_t comma = comment->find(',');
             if (comma == std::string::npos || given) {
-                fail(given ? "the comment units is for columns without units, and these have some: remove it"
-                           : "expected the comment units to be those of positions and velocities, like \"mm, "
-                             "m/s\"");
+                fail(given
+                         ? "the comment units is for columns without units, and these have some: remove it"
+                         : R"(expected the comment units to be those of positions and velocities, like "mm, )"
+                           R"(m/s")");
             }
             length_ = std::string(trimmed(std::string_view(*comment).substr(0, comma)));
             velocity_ = std::string(trimmed(std::string_view(*comment).substr(comma + 1)));
         } else if (!given) {
             warnings.push_back(
-                "the columns have no units and are taken in m and m/s; a comment \"# units: mm, m/s\" says "
+                R"(the columns have no units and are taken in m and m/s; a comment "# units: mm, m/s" says )"
                 "otherwise");
         }
     }
@@ -95,8 +96,7 @@ class Units {
         if (!of_comment) return column_in_si(table_, column, si);
         const auto unit = parse_unit(*of_comment);
         if (!unit || !unit->same_dimension(*parse_unit(si)))
-            fail(
-                fmt::format("expected a unit like \"{}\" in the comment units, got \"{}\"", si, *of_comment));
+            fail(fmt::format(R"(expected a unit like "{}" in the comment units, got "{}")", si, *of_comment));
         std::vector<double> values = table_.columns[column].values;
         for (double& value : values) value = unit->to_si(value);
         return values;
@@ -111,7 +111,7 @@ double offset_of(const CsvTable& table, const char* key) {
     if (!text) return 0.0;
     const auto value = parse_quantity(*text, "m");
     if (!value) {
-        throw FileError(fmt::format("{}: expected the comment {} to be a length like \"4 mm\", got \"{}\"",
+        throw FileError(fmt::format(R"({}: expected the comment {} to be a length like "4 mm", got "{}")",
                                     table.path.string(), key, *text));
     }
     return *value;
@@ -122,7 +122,7 @@ bool turned(const CsvTable& table, const char* key, const char* word) {
     const auto text = table.comment_value(key);
     if (!text) return false;
     if (*text == word) return true;
-    throw FileError(fmt::format("{}: expected the comment {} to be \"{}\", got \"{}\"", table.path.string(),
+    throw FileError(fmt::format(R"({}: expected the comment {} to be "{}", got "{}")", table.path.string(),
                                 key, word, *text));
 }
 
@@ -311,7 +311,7 @@ class FieldReader {
         const auto time = parse_quantity(*text, "s");
         if (!time) {
             throw FileError(
-                fmt::format("{}: expected the comment time to be a time like \"0.04 s\", got \"{}\"",
+                fmt::format(R"({}: expected the comment time to be a time like "0.04 s", got "{}")",
                             table.path.string(), *text));
         }
         field_.time.push_back(*time);

@@ -32,7 +32,7 @@ double position(const CsvTable& table, std::string_view key) {
     if (!text) return not_a_number;
     const auto value = parse_quantity(*text, "m");
     if (!value) {
-        throw FileError(fmt::format("{}: expected a length in the comment \"# {}: 12 mm\", got \"{}\"",
+        throw FileError(fmt::format(R"({}: expected a length in the comment "# {}: 12 mm", got "{}")",
                                     table.path.string(), key, *text));
     }
     return *value;

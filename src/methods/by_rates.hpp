@@ -24,8 +24,7 @@ class SteppingByRates final : public Method<D, Real> {
     }
 
     [[nodiscard]] int evaluations() const override { return stepper_->evaluations(); }
-    [[nodiscard]] bool bounds_motion() const override { return false; }
-    [[nodiscard]] bool sums_drags() const override { return false; }
+    [[nodiscard]] bool sums_motion() const override { return false; }
 
     std::span<const Stage> begin(Flow& flow, double dt) override {
         stepper_->begin(flow.particles, {.now = dt,
@@ -81,9 +80,9 @@ class SteppingByRates final : public Method<D, Real> {
                     x += x < flow.domain.lower[k] ? flow.domain.extent(static_cast<int>(k)) : 0.0;
                     x -= x >= flow.domain.upper[k] ? flow.domain.extent(static_cast<int>(k)) : 0.0;
                 }
-                result.fault = result.fault || !std::isfinite(particles.velocity[k][i]) ||
-                               !(x >= flow.particle_data.stay_from[k] && x < flow.particle_data.stay_to[k]);
+                result.fault = result.fault || !std::isfinite(particles.velocity[k][i]);
             }
+            result.fault = result.fault || !flow.stays(i);
         });
         return result;
     }

@@ -30,10 +30,9 @@ class Method {
     /// Move the particles of a block by the sums of the force pass and the components' inputs.
     virtual AdvanceResult<D> move(Flow& flow, Task& task, const Stage& stage, std::size_t begin,
                                   std::size_t end) = 0;
-    /// Whether the velocities of AdvanceResult bound the way of the particles.
-    [[nodiscard]] virtual bool bounds_motion() const { return true; }
-    /// Whether AdvanceResult has the sums over the drags that AdvanceOptions::sum_of_drags asks for.
-    [[nodiscard]] virtual bool sums_drags() const { return true; }
+    /// Whether all of AdvanceResult is set; else the largest acceleration and the faults alone, not the range
+    /// of the velocities and the sums over the drags.
+    [[nodiscard]] virtual bool sums_motion() const { return true; }
     [[nodiscard]] virtual std::size_t bytes() const { return 0; }
 };
 

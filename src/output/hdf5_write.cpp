@@ -222,8 +222,11 @@ void copy_attributes(const Hdf5Handle& from, const Hdf5Handle& to, const std::st
     if (!hdf5_is_group(from, path)) {
         return;
     }
+    const std::string folder = path == "/" ? path : path + "/";
     for (const std::string& name : hdf5_children(from, path)) {
-        copy_attributes(from, to, path == "/" ? "/" + name : path + "/" + name);
+        std::string child = folder;
+        child += name;
+        copy_attributes(from, to, child);
     }
 }
 
@@ -270,7 +273,7 @@ void write_hdf5_attribute(const Hdf5Handle& file, const Attribute& attribute) {
         put_attribute(object, attribute, H5T_STD_I64LE, H5T_NATIVE_INT64, whole);
     } else {
         const std::string where = attribute.path + ", attribute " + attribute.name;
-        const std::string& text = std::get<std::string>(attribute.value);
+        const auto& text = std::get<std::string>(attribute.value);
         const Hdf5Handle type = hdf5_text_type(text_bytes(text, where));
         put_attribute(object, attribute, type.get(), type.get(), text.c_str());
     }

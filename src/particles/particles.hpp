@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "particles/domain.hpp"
@@ -65,6 +66,16 @@ struct Particles {
     void permute(const std::vector<std::int32_t>& order);
     [[nodiscard]] std::size_t bytes() const;
 };
+
+/// A vector of one particle.
+template <class Components>
+auto vector_of(const Components& components, std::size_t particle) {
+    Vec<static_cast<int>(std::tuple_size_v<Components>)> v{};
+    for (std::size_t k = 0; k < v.size(); ++k) {
+        v[k] = components[k][particle];
+    }
+    return v;
+}
 
 /// A vector of one particle as (x, y, z); y of a plane is 0.
 template <int D>

@@ -181,7 +181,7 @@ std::string results_fields_markdown() {
 std::string results_fields_json() {
     using Json = nlohmann::ordered_json;
     // A line for each field, so that changes can be seen.
-    std::string text = "{\"format\": \"riffle-results-fields\", \"groups\": [";
+    std::string text = R"({"format": "riffle-results-fields", "groups": [)";
     const char* between_groups = "\n";
     for (const FieldTable& table : field_tables()) {
         const Group& group = *table.group;

@@ -64,9 +64,34 @@ struct TimeSeries {
                                 {"volume of the water per unit width: mass over density of the particles",
                                  "volume of the water: mass over density of the particles"});
     Field first_particle = series("first_particle", "m", "place along the channel of the first particle",
-                                  {.averaging = Averaging::none});
+                                  {.averaging = Averaging::none, .reader = Reader::users});
     Field last_particle = series("last_particle", "m", "place along the channel of the last particle",
-                                 {.averaging = Averaging::none});
+                                 {.averaging = Averaging::none, .reader = Reader::users});
+    Field front_upstream =
+        series("front_upstream", "m", "place along the channel of the water's upstream end",
+               {.averaging = Averaging::none, .note = "of the third particle: two drops do not count"});
+    Field front_downstream =
+        series("front_downstream", "m", "place along the channel of the water's downstream end",
+               {.averaging = Averaging::none, .note = "of the third particle: two drops do not count"});
+    Field gravity_power =
+        series("gravity_power", {"W/m", "W"}, "work of the weight along a channel without ends");
+    Field bed_drag_power = series("bed_drag_power", {"W/m", "W"}, "work of the bed's drag on the water");
+    Field closure_power = series("closure_power", {"W/m", "W"}, "work of the eddy stresses on the water",
+                                 {.note = "negative: what goes into turbulence that is not resolved"});
+    Field viscosity_power =
+        series("viscosity_power", {"W/m", "W"},
+               "work of the molecular viscosity on the water, with that of friction on walls");
+    Field density_diffusion_power =
+        series("density_diffusion_power", {"W/m", "W"},
+               "rate at which density diffusion changes the energy of the compression");
+    Field pressure_power =
+        series("pressure_power", {"W/m", "W"},
+               "what the pressure gives to the motion and the continuity does not take from the compression",
+               {.note = "nothing in the exact equations: a part of the scheme's own"});
+    Field further_power = series("further_power", {"W/m", "W"}, "work of stirring and of repulsive walls");
+    Field solids_power = series("solids_power", {"W/m", "W"}, "work of moving solids on the water");
+    Field side_wall_power = series("side_wall_power", "W", "work of the side walls' drag on the water",
+                                   {.written = three_dimensions});
     Field side_wall_over_gravity =
         series("side_wall_over_gravity", "1", "drag of the side walls' layers over the weight component",
                {.written = three_dimensions, .note = "`drag_over_gravity` is the bed's alone"});

@@ -157,16 +157,12 @@ struct FlowRate {
 inline constexpr FlowRate flow_rate;
 
 struct PressureGauges {
-    Field x = make_field(groups::pressure_gauges, "x", "m", "distance along the channel",
-                         {.reader = Reader::users}, "point");
-    Field y = make_field(groups::pressure_gauges, "y", "m", "distance across the channel",
-                         {.written = three_dimensions, .reader = Reader::users}, "point");
-    Field z = make_field(groups::pressure_gauges, "z", "m", "height above the bed level",
-                         {.reader = Reader::users}, "point");
-    Field time =
-        make_field(groups::pressure_gauges, "time", "s", "simulated time", {.reader = Reader::users}, "time");
+    Field x = probe_x(groups::pressure_gauges);
+    Field y = probe_y(groups::pressure_gauges);
+    Field z = probe_z(groups::pressure_gauges);
+    Field time = probe_time(groups::pressure_gauges);
     Field pressure = at_points(groups::pressure_gauges, "pressure", "Pa",
-                               "pressure over that of the air; 0 at a dry point", {.reader = Reader::users});
+                               "pressure over that of the air; 0 at a dry point");
     Field wet_share =
         at_points(groups::pressure_gauges, "wet_share", "1", "share of the kernel's support that is water",
                   {.reader = Reader::users,

@@ -145,7 +145,7 @@ struct Summary {
     Field lost_ways = outcome("lost_ways", "", "their ways out in words", {.reader = Reader::users});
     Field steps = outcome("steps", "1", "steps");
     Field simulated_time = outcome("simulated_time", "s", "simulated time");
-    Field sound_speed = outcome("sound_speed", "m/s", "speed of sound", {.reader = Reader::users});
+    Field sound_speed = outcome("sound_speed", "m/s", "speed of sound");
     Field crest = outcome("crest", "m", "level of the crests above the bed level", {.reader = Reader::users});
     Field datum = outcome("datum", "m", "level of the datum above the bed level", {.reader = Reader::users});
     Field total_depth =

@@ -34,7 +34,8 @@ class ChannelRows : public DiagnosticRows {
         add({"velocity_interval", "Certainty of the depth-mean velocity", "± " + percent(share),
              "at most ± " + percent(bar),
              "Half-width of the 95 % confidence interval of the time mean, with the correlation of "
-             "successive values taken into account. If it is too wide, run longer.",
+             "successive values taken into account. If it is too wide, run longer. It knows of nothing slower "
+             "than the window: between runs from other seeds the mean may differ by more.",
              mark_of(share, bar)});
     }
 
@@ -47,16 +48,18 @@ class ChannelRows : public DiagnosticRows {
         constexpr double fewest = 10;
         // A record that stays within a tenth of the tolerance needs no statistics.
         const bool constant = change != nullptr && change->value <= 0.1 * data_.flow.run.tolerance;
+        // One that stays within the tolerance knows its mean as well, though not by how much it is off.
+        const bool narrow = change != nullptr && change->value <= data_.flow.run.tolerance;
         add({"independent_samples", "Independent samples in the averaging window",
-             constant ? fmt::format("{:.1f}, but the velocity stays within {} of its mean", found->value,
-                                    percent(change->value, 3))
-                      : fmt::format("{:.1f}", found->value),
+             narrow ? fmt::format("{:.1f}, but the velocity stays within {} of its mean", found->value,
+                                  percent(change->value, 3))
+                    : fmt::format("{:.1f}", found->value),
              "10 make an interval; or a velocity that does not vary",
              "Length of the window over twice the integral time scale of the depth-mean velocity. Fewer "
              "make no interval of the mean that can be trusted, and slow changes are not seen.",
-             constant || found->value >= fewest ? Health::good
-             : found->value >= 0.5 * fewest     ? Health::caution
-                                                : Health::bad});
+             constant || found->value >= fewest       ? Health::good
+             : narrow || found->value >= 0.5 * fewest ? Health::caution
+                                                      : Health::bad});
     }
 
     /// Whether the flow is still on its way to another state.
@@ -185,13 +188,26 @@ class ChannelRows : public DiagnosticRows {
         const TrendEstimate trend = trend_with_confidence(levels);
         const double minute = 60.0 / interval;
         const double depth = data_.flow.total_depth();
+        constexpr double bar = 0.005;
         add({"depth_drift", "Drift of the water level",
              fmt::format("{:+.3f} ± {:.3f} mm per minute", 1000 * trend.slope * minute,
                          1000 * trend.half_width * minute),
-             fmt::format("at most {:.2f} mm per minute, 0.5 % of the depth", 1000 * 0.005 * depth),
+             fmt::format("at most {:.2f} mm per minute, 0.5 % of the depth", 1000 * bar * depth),
              "Water is neither lost nor added, so the level must stay. A drift means that the particles' "
              "volume changes.",
-             drift_mark(std::abs(trend.slope) * minute / depth, trend.half_width * minute / depth)});
+             mark_of(std::abs(trend.slope) * minute / depth, bar, trend.half_width * minute / depth)});
+    }
+
+    /// What the pair sums add to the motion or take from it beside the physics: it tells eddies from noise.
+    void energy() {
+        const Finding* const found = finding("energy_share_scheme");
+        if (found == nullptr) return;
+        constexpr double bar = 0.1;
+        add({"energy", "Energy that the scheme itself adds or takes",
+             signed_percent(found->value) + " of the energy input", "at most 10 %",
+             "Weight drives the flow; drag, closure and viscosity take its energy. What pressure forces and "
+             "time stepping add or take beside them is not physics: it feeds noise or damps eddies.",
+             mark_of(std::abs(found->value), bar, found->half_width.value_or(0.0))});
     }
 
     /// What the start-up has done to the volume stays in every mean after it, steady as they may be. The
@@ -214,12 +230,6 @@ class ChannelRows : public DiagnosticRows {
 
   private:
     /// A drift counts as bad only where it stands out of its own uncertainty.
-    static Health drift_mark(double drift, double half_width) {
-        constexpr double bar = 0.005;
-        const Health mark = mark_of(drift, bar);
-        return mark == Health::bad && drift - half_width <= bar ? Health::caution : mark;
-    }
-
     void velocity_error(const std::string& part, const Field& rms_field, const Field& maximum_field,
                         double rms_bar, double maximum_bar) {
         const auto rms = value(rms_field);
@@ -255,6 +265,7 @@ std::vector<Diagnostic> diagnose_channel(const ReportData& data, const Analysis&
     rows.velocity_errors();
     rows.depth_drift();
     rows.volume();
+    rows.energy();
     rows.density();
     rows.particles_lost();
     rows.order();

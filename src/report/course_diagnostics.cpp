@@ -46,8 +46,9 @@ class CourseRows : public DiagnosticRows {
              judged  ? "no gain above 2 %"
              : moved ? "moving walls and bodies add energy"
                      : "the water is nearly still",
-             "Kinetic, potential and elastic energy together, since the start. Friction takes energy away, "
-             "and so does the density diffusion; nothing at rest may add any.",
+             "Kinetic, potential and elastic energy together, since the start; a wave that dies out or a dam that "
+             "has emptied loses more than it ever had in motion. Friction takes energy away, and so does the "
+             "density diffusion; nothing at rest may add any.",
              judged ? mark_of(gain->value, bar) : Health::none});
     }
 
@@ -100,12 +101,14 @@ class CourseRows : public DiagnosticRows {
         if (found == nullptr || !found->reference || *found->reference == 0.0) return;
         const double share = found->value / *found->reference - 1.0;
         const double known = found->half_width ? std::abs(*found->half_width / *found->reference) : 0.0;
-        const Health mark = mark_of(std::abs(share), bar);
+        // An interval wider than the bar says nothing for or against.
+        const std::string interval = found->half_width ? fmt::format(" ± {:.2g}", *found->half_width) : "";
         add({row, label,
-             fmt::format("{:.4g} {}, {} of {}", found->value, found->unit, signed_percent(share), "theory"),
+             fmt::format("{:.4g}{} {}, {} of theory", found->value, interval, found->unit,
+                         signed_percent(share)),
              fmt::format("within {} of {:.4g} {}", percent(bar, 0), *found->reference, found->unit),
              fmt::format("Theory: {}.", found->reference_name),
-             mark == Health::bad && std::abs(share) - known <= bar ? Health::caution : mark});
+             known > bar ? Health::none : mark_of(std::abs(share), bar, known)});
     }
 };
 

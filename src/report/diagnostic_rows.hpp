@@ -13,6 +13,8 @@ namespace riffle {
 
 /// Mark of a size that should not exceed `bar`.
 [[nodiscard]] Health mark_of(double size, double bar);
+/// The same of a size that is known within `half_width`: not bad where its interval reaches down to the bar.
+[[nodiscard]] Health mark_of(double size, double bar, double half_width);
 
 /// A share in percent, with a minus sign that is one; the other with its sign in front.
 [[nodiscard]] std::string percent(double share, int digits = 2);
@@ -42,6 +44,8 @@ class DiagnosticRows {
     /// The part of a series inside the averaging window of a channel; all of it before there is a window, and
     /// of a flow that nothing drives.
     [[nodiscard]] std::span<const double> in_window(const Field& field) const;
+    /// By how much the fastest water compresses itself where it hits a wall: its speed over that of sound.
+    [[nodiscard]] double impact_compression() const;
     void add(Diagnostic row) { rows_.push_back(std::move(row)); }
 
     const ReportData& data_;

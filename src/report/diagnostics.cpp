@@ -20,6 +20,11 @@ Health mark_of(double size, double bar) {
     return size <= 2 * bar ? Health::caution : Health::bad;
 }
 
+Health mark_of(double size, double bar, double half_width) {
+    const Health mark = mark_of(size, bar);
+    return mark == Health::bad && size - half_width <= bar ? Health::caution : mark;
+}
+
 std::string percent(double share, int digits) {
     std::string text = fmt::format("{:.{}f} %", 100 * share, digits);
     if (text.front() == '-') text.replace(0, 1, "−");
@@ -40,6 +45,14 @@ std::span<const double> DiagnosticRows::in_window(const Field& field) const {
                                      static_cast<std::size_t>(last - first));
 }
 
+double DiagnosticRows::impact_compression() const {
+    const auto sound = value(fields::summary.sound_speed);
+    if (!sound || *sound <= 0.0 || !data_.series.has(fields::time_series.maximum_velocity)) return 0.0;
+    const auto& speeds = data_.series[fields::time_series.maximum_velocity];
+    const double fastest = speeds.empty() ? 0.0 : *std::max_element(speeds.begin(), speeds.end());
+    return fastest / *sound;
+}
+
 void DiagnosticRows::density() {
     if (!data_.series.has(fields::time_series.density_deviation_minimum) ||
         !data_.series.has(fields::time_series.density_deviation_maximum)) {
@@ -52,14 +65,16 @@ void DiagnosticRows::density() {
     const double most = *std::max_element(high.begin(), high.end());
     // Water that strikes a wall or itself is compressed for a moment by more than its own weight does.
     const bool impacts = flow_kind(data_.flow) == FlowKind::tank;
-    const double bar = impacts ? 0.03 : 0.015;
+    const double bar = impacts ? std::max(0.03, impact_compression()) : 0.015;
     add({"density_range", "Range of the density", signed_percent(least) + " to " + signed_percent(most),
-         impacts ? "within ± 3 %" : "within ± 1.5 %",
-         impacts ? "The water is treated as slightly compressible: its own weight alone may compress it by "
-                   "up to 1 % at the bed, and an impact by more for a moment. Beyond 3 % the speed of "
-                   "sound of the case is too low."
-                 : "The water is treated as slightly compressible: its own weight alone may compress it by "
-                   "up to 1 % at the bed. More tells of pressure noise.",
+         "within ± " + percent(bar, 1),
+         impacts
+             ? "The water is treated as slightly compressible: its own weight alone may compress it by "
+               "up to 1 % at the bed, and for a moment an impact of water of speed u by u over the speed "
+               "of sound (water hammer), u the fastest of the run. Beyond that, and beyond 3 %, the speed of "
+               "sound of the case is too low."
+             : "The water is treated as slightly compressible: its own weight alone may compress it by "
+               "up to 1 % at the bed. More tells of pressure noise.",
          mark_of(std::max(std::abs(least), std::abs(most)), bar)});
 }
 

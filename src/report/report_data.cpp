@@ -55,6 +55,7 @@ ReportData collect_report_data(const RunResults& results, FieldFrames frames) {
     data.build = results.text(file.build);
     data.created = results.text(file.created);
     data.complete = results.number(file.complete).value_or(0.0) != 0.0;
+    data.failure = results.text(file.failure);
     data.flow = results.flow();
     data.title = results.text(file.title);
     if (data.title.empty()) data.title = data.flow.title;

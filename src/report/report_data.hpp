@@ -17,7 +17,8 @@ struct ReportData {
     std::filesystem::path source;
     std::string title, riffle_version, build, created;
     bool complete = false;
-    Case flow;  ///< the case, from its text in the file
+    std::string failure;  ///< what the run failed with; empty where it did not
+    Case flow;            ///< the case, from its text in the file
     Numbers summary;
     Numbers column;   ///< of the column twin
     Numbers section;  ///< of the section twin, between side walls

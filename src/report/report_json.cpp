@@ -119,17 +119,17 @@ Json chapters_json(FlowKind kind) {
     };
     switch (kind) {
         case FlowKind::uniform_channel:
-            return lists({"profiles", "statistics"},
-                         {"section", "secondary", "bed", "fits", "surface", "subsurface", "forces"});
+            return lists({"profiles", "statistics"}, {"section", "secondary", "bed", "fits", "surface",
+                                                      "subsurface", "forces", "energy"});
         case FlowKind::channel_with_bodies:
-            return lists({"along", "forces"},
+            return lists({"along", "forces", "energy"},
                          {"statistics", "profiles", "section", "secondary", "surface", "subsurface"});
         case FlowKind::tank:
         case FlowKind::standing_wave:
         case FlowKind::periodic_box:
             break;
     }
-    return lists({"course"}, {"profiles", "forces", "section"});
+    return lists({"course", "energy"}, {"profiles", "forces", "section"});
 }
 
 std::string summary_note(const ReportData& data) {

@@ -27,7 +27,9 @@ std::string computing_time_text(double seconds) {
 std::vector<Fact> run_facts(const ReportData& data) {
     std::vector<Fact> facts;
     const auto value = [&](const Field& field) { return find_value(data.summary, field); };
-    facts.push_back({"State", data.complete ? "complete" : "not complete"});
+    facts.push_back({"State", !data.failure.empty() ? "failed"
+                              : data.complete       ? "complete"
+                                                    : "not complete"});
     if (data.series.has(fields::time_series.time))
         facts.push_back({"Simulated time", fmt::format("{:.2f} s", recorded_time(data))});
     if (data.window_end > data.window_start) {

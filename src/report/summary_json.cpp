@@ -16,6 +16,7 @@ Json summary_object(const ReportData& data, const Analysis& analysis) {
             {"build", data.build},
             {"results", data.source.string()},
             {"complete", data.complete},
+            {"failure", data.failure},
             {"flow_kind", flow_kind_word(flow_kind(data.flow))},
             {"converged", find_value(data.summary, fields::summary.converged).value_or(0.0) != 0.0},
             {"window", {{"start", data.window_start}, {"end", data.window_end}}},

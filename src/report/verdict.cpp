@@ -189,10 +189,19 @@ void judge_course(const ReportData& data, const std::vector<SummaryRow>& quantit
                     flow_kind_name(flow_kind(data.flow)), time));
 }
 
-}  // namespace
+/// What else a run was found to be, it has failed: what is shown is of the time before.
+void tell_failure(const ReportData& data, Verdict& verdict) {
+    verdict.mark = Health::bad;
+    verdict.headline = fmt::format("The run failed after {:.4g} s.", recorded_time(data));
+    const std::string cause = data.failure.substr(0, data.failure.find('\n'));
+    verdict.sentences.insert(verdict.sentences.begin(),
+                             {cause + (cause.ends_with('.') ? "" : "."),
+                              "What is shown below is of the time before the failure; the log of the run "
+                              "(run.log) says what to look at and how to go on."});
+}
 
-Verdict judge(const ReportData& data, const std::vector<SummaryRow>& quantities,
-              const std::vector<Diagnostic>& diagnostics) {
+Verdict judge_flow(const ReportData& data, const std::vector<SummaryRow>& quantities,
+                   const std::vector<Diagnostic>& diagnostics) {
     Verdict verdict;
     const FlowKind kind = flow_kind(data.flow);
     const SummaryRow* const mean = find_quantity(quantities, "depth_mean_velocity");
@@ -236,9 +245,20 @@ Verdict judge(const ReportData& data, const std::vector<SummaryRow>& quantities,
         verdict.sentences.emplace_back(
             "The measured flow was not uniform, so the comparison with it is only an indication.");
     }
-    if (!data.complete) {
+    if (!data.complete && data.failure.empty()) {
         verdict.sentences.push_back(
             fmt::format("The run had not ended when this report was made ({:.2f} s so far).", time));
+    }
+    return verdict;
+}
+
+}  // namespace
+
+Verdict judge(const ReportData& data, const std::vector<SummaryRow>& quantities,
+              const std::vector<Diagnostic>& diagnostics) {
+    Verdict verdict = judge_flow(data, quantities, diagnostics);
+    if (!data.failure.empty()) {
+        tell_failure(data, verdict);
     }
     return verdict;
 }

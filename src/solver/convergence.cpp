@@ -125,13 +125,14 @@ double expected_end(const Convergence& test, double time, double relaxation_time
         // Not by the half-width, in which Student's t of few samples makes much of what a little more of the
         // record will tell.
         const double samples = std::max(1.0, test.mean.effective_samples);
-        constexpr double normal_95 = 1.96;
         const double width = normal_95 * test.mean.standard_deviation / (mean * std::sqrt(samples));
         const double longer =
             std::max((width / tolerance) * (width / tolerance), fewest_effective_samples / samples);
         if (longer > 1.0) {
             end = std::max(end, test.window_start + window * longer);
         }
+    } else {
+        end = std::max(end, usual_relaxation_times * relaxation_time);
     }
     return std::min(end, latest);
 }

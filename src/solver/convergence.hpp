@@ -40,9 +40,14 @@ inline constexpr double largest_fluctuation_growth = 0.25;
 [[nodiscard]] Convergence test_convergence(const SteadinessRecord& record, double relaxation_time,
                                            double tolerance, double fixed_start = -1.0);
 
+/// Relaxation times after which a flow over spheres has usually come to its end: three of start-up, and a
+/// record that holds some independent samples.
+inline constexpr double usual_relaxation_times = 10.0;
+
 /// About where a run will end that the newest test, at `time`, found not yet converged, s: what is left of
 /// the drift falls like exp(-t/T), the standard error of the mean like one over the root of the window, whose
-/// independent samples grow with it; at least the record that the test asks for, at most `latest`.
+/// independent samples grow with it; usual_relaxation_times before there is a first estimate; at least the
+/// record that the test asks for, at most `latest`.
 [[nodiscard]] double expected_end(const Convergence& test, double time, double relaxation_time,
                                   double tolerance, double latest);
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "base/due_times.hpp"
 #include "base/memory.hpp"
 #include "base/parallel.hpp"
 #include "case/words.hpp"
@@ -91,7 +92,7 @@ RecordedBytes recorded_bytes(const Case& c, double particles, double time) {
     }
     const MeanField field(c);
     bytes.mean_field =
-        std::floor(count(c.output.mean_field_interval) + 1e-9) * static_cast<double>(field.row_bytes());
+        whole_intervals(count(c.output.mean_field_interval)) * static_cast<double>(field.row_bytes());
     bytes.mean_field_sums = static_cast<double>(field.cells() * cell_quantities * sizeof(double));
     if (c.output.snapshot_interval > 0.0) {
         bytes.snapshot =
@@ -157,7 +158,7 @@ void forecast_probes(const Case& c, const SimulationIn<D>& simulation, double st
                                    (void)instrument.take();
                                }) +
                                (instrument.looks_at_fluid() ? view_seconds : 0.0);
-        p.samples = std::max(0.0, std::floor((f.end_time - probe.start) * probe.sampling_frequency + 1e-9));
+        p.samples = std::max(0.0, whole_intervals((f.end_time - probe.start) * probe.sampling_frequency));
         p.bytes = recorded_rows(instrument, f.end_time) * static_cast<double>(instrument.row_bytes());
         p.time_share = seconds * p.samples / (step_seconds * f.steps);
         f.probes.push_back(std::move(p));
@@ -203,9 +204,7 @@ Forecast forecast_in(const Case& c) {
     f.relaxation_time = twins.relaxation_time();
     if (f.relaxation_time) {
         if (c.run.until == RunUntil::converged) {
-            // Three relaxation times of start-up, and a record that holds some independent samples: condition
-            // 2 ends after 9.5.
-            f.end_time = std::min(c.run.time, 10.0 * *f.relaxation_time);
+            f.end_time = std::min(c.run.time, usual_relaxation_times * *f.relaxation_time);
         }
     }
 

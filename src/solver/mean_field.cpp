@@ -6,6 +6,7 @@
 #include <span>
 #include <utility>
 
+#include "base/due_times.hpp"
 #include "base/not_a_number.hpp"
 #include "base/parallel.hpp"
 #include "particles/lattice.hpp"
@@ -79,9 +80,7 @@ MeanField::MeanField(const Case& c) {
     new_fields_.resize(cell_fields().size());
 }
 
-double MeanField::window_after(double time) const {
-    return (std::floor(time / interval_ + 1e-9) + 1.0) * interval_;
-}
+double MeanField::window_after(double time) const { return due_after(time, interval_); }
 
 std::vector<double> MeanField::centres(std::size_t axis) const {
     std::vector<double> centres(count_[axis]);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 
+#include "base/due_times.hpp"
 #include "base/interpolation.hpp"
 #include "base/parallel.hpp"
 #include "particles/lattice.hpp"
@@ -155,8 +156,7 @@ void ProfileSampler::sample(const SimulationIn<D>& simulation) {
     if (simulation.clock().time >= current_.end) {
         blocks_.push_back(current_);
         // Blocks end on multiples of their duration; a long step may pass several.
-        const double blocks_passed = std::floor(simulation.clock().time / profile_block_duration + 1e-9);
-        current_.end = (blocks_passed + 1.0) * profile_block_duration;
+        current_.end = due_after(simulation.clock().time, profile_block_duration);
         current_.samples = 0.0;
         std::fill(current_.sums.begin(), current_.sums.end(), 0.0);
     }

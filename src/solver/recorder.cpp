@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "base/due_times.hpp"
 #include "base/error.hpp"
 #include "particles/lattice.hpp"
 #include "record/field_content.hpp"
@@ -23,8 +24,7 @@ bool is_due(double time, double interval, double& due) {
     if (interval <= 0.0 || time < due) {
         return false;
     }
-    // Due times are multiples of the interval, without accumulated rounding.
-    due = (std::floor(time / interval + 1e-9) + 1.0) * interval;
+    due = due_after(time, interval);
     return true;
 }
 

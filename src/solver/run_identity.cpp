@@ -40,7 +40,7 @@ std::map<std::string, std::string> parse_inputs(const std::string& text) {
         words >> checksum >> bytes >> std::ws;
         std::string rest;
         std::getline(words, rest);
-        inputs[rest] = checksum + " " + bytes;
+        inputs[rest] = fmt::format("{} {}", checksum, bytes);
     }
     return inputs;
 }
@@ -100,12 +100,16 @@ void require_same_run(const CheckpointReader& checkpoint, const ResultsReader& r
     const auto shown = [](const std::string& id) {
         return id.empty() ? std::string("without a run id") : id;
     };
-    throw FileError(
-        fmt::format("{} is of another run ({}) than {} ({}): files of two runs have been put into one "
-                    "folder. Put back those "
-                    "that belong together, or start anew: riffle run CASE -o {} --force",
-                    checkpoint.path().string(), shown(saved), results.path().string(), shown(found),
-                    folder_of(results.path()).string()));
+    const std::string folder = folder_of(results.path()).string();
+    const bool from_elsewhere = folder_of(checkpoint.path()) != folder_of(results.path());
+    const std::string way_on =
+        from_elsewhere ? fmt::format("a run goes on from its own checkpoints alone: riffle resume {}", folder)
+                       : fmt::format(
+                             "files of two runs have been put into one folder. Put back those that belong "
+                             "together, or start anew: riffle run CASE -o {} --force",
+                             folder);
+    throw FileError(fmt::format("{} is of another run ({}) than {} ({}): {}", checkpoint.path().string(),
+                                shown(saved), results.path().string(), shown(found), way_on));
 }
 
 std::vector<std::string> compare_identity(const CheckpointReader& checkpoint, const Case& c) {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <exception>
 #include <initializer_list>
 #include <map>
@@ -11,6 +10,7 @@
 #include <system_error>
 #include <utility>
 
+#include "base/due_times.hpp"
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "base/version.hpp"
@@ -230,7 +230,7 @@ RunOutcome RunSession<D>::advance() {
         recorder_->record(*simulation_);
         report_losses();
         if (simulation_->clock().time >= next_test_) {
-            next_test_ = (std::floor(simulation_->clock().time / test_interval + 1e-9) + 1.0) * test_interval;
+            next_test_ = due_after(simulation_->clock().time, test_interval);
             update_convergence(false);
         }
         if (seconds_since(last_progress_) >= case_.output.progress_interval) {

@@ -10,6 +10,7 @@
 #include "base/parallel.hpp"
 #include "particles/lattice.hpp"
 #include "record/flow_fields.hpp"
+#include "solver/furthest.hpp"
 #include "sph/elastic_energy.hpp"
 
 namespace riffle {
@@ -34,8 +35,8 @@ struct Totals {
     double side_wall = 0.0, centre = 0.0, centre_mass = 0.0, secondary = 0.0;
     double potential = 0.0, elastic = 0.0, volume = 0.0;
     double fastest = 0.0;
-    double first_x = std::numeric_limits<double>::infinity();
-    double last_x = -std::numeric_limits<double>::infinity();
+    Furthest upstream;  ///< of -x
+    Furthest downstream;
     double s_low = std::numeric_limits<double>::infinity();
     double s_high = -std::numeric_limits<double>::infinity();
     std::vector<Layer> layers;
@@ -49,8 +50,8 @@ struct Totals {
             this->*sum += other.*sum;
         }
         fastest = std::max(fastest, other.fastest);
-        first_x = std::min(first_x, other.first_x);
-        last_x = std::max(last_x, other.last_x);
+        upstream.add(other.upstream);
+        downstream.add(other.downstream);
         s_low = std::min(s_low, other.s_low);
         s_high = std::max(s_high, other.s_high);
         for (std::size_t k = 0; k < layers.size(); ++k) {
@@ -108,8 +109,8 @@ Totals sums_over(const SimulationIn<D>& simulation, const Case& c, std::size_t b
         sum.elastic += mass * elastic_energy(scheme.state, p.density_deviation[i]);
         sum.volume += mass / (1.0 + p.density_deviation[i]);
         sum.fastest = std::max(sum.fastest, speed_squared);
-        sum.first_x = std::min(sum.first_x, p.position[0][i]);
-        sum.last_x = std::max(sum.last_x, p.position[0][i]);
+        sum.upstream.add(-p.position[0][i]);
+        sum.downstream.add(p.position[0][i]);
         sum.above += above * u;
         sum.above_mass += above;
         sum.drag -= mass * f.drag_acceleration_x[i];
@@ -213,9 +214,21 @@ void TimeSeries::sample(const SimulationIn<D>& simulation, double mean_level) {
     add(series.potential_energy, sum.potential);
     add(series.elastic_energy, sum.elastic);
     add(series.water_volume, sum.volume / case_.fluid.density);
-    add(series.first_particle, sum.first_x);
-    add(series.last_particle, sum.last_x);
+    add(series.first_particle, -sum.upstream.furthest());
+    add(series.last_particle, sum.downstream.furthest());
+    add(series.front_upstream, -sum.upstream.front());
+    add(series.front_downstream, sum.downstream.front());
+    const EnergyRates& rates = simulation.energy_rates();
+    add(series.gravity_power, rates.gravity);
+    add(series.bed_drag_power, rates.bed_drag);
+    add(series.closure_power, rates.closure);
+    add(series.viscosity_power, rates.viscosity);
+    add(series.density_diffusion_power, rates.density_diffusion);
+    add(series.pressure_power, rates.pressure);
+    add(series.further_power, rates.further_forces);
+    add(series.solids_power, rates.solids);
     if constexpr (D == 3) {
+        add(series.side_wall_power, rates.side_drag);
         add(series.side_wall_over_gravity, over_weight(sum.side_wall));
         add(series.centreline_velocity, sum.centre_mass > 0.0 ? sum.centre / sum.centre_mass : 0.0);
         add(series.secondary_velocity, std::sqrt(sum.secondary / n));

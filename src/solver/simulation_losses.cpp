@@ -11,17 +11,6 @@
 namespace riffle {
 
 template <int D, class Real>
-bool SimulationOf<D, Real>::stays(std::size_t particle) const {
-    for (std::size_t k = 0; k < axes; ++k) {
-        const double x = flow_.particles.position[k][particle];
-        if (!(x >= flow_.particle_data.stay_from[k] && x < flow_.particle_data.stay_to[k])) {
-            return false;
-        }
-    }
-    return true;
-}
-
-template <int D, class Real>
 bool SimulationOf<D, Real>::can_be_packed(std::size_t begin, std::size_t end) const {
     bool possible = true;
     flow_.for_clusters(begin, end, [&](std::size_t first, std::size_t last, std::size_t) {
@@ -90,7 +79,7 @@ void SimulationOf<D, Real>::take_out_leaving() {
     std::vector<std::int32_t> kept;
     kept.reserve(flow_.particles.size());
     for (std::size_t i = 0; i < flow_.particles.size(); ++i) {
-        if (stays(i)) {
+        if (flow_.stays(i)) {
             kept.push_back(static_cast<std::int32_t>(i));
             continue;
         }

@@ -67,7 +67,6 @@ class SimulationOf final : public SimulationIn<D> {
     [[nodiscard]] bool has_loose_particles() const;
 
     // Particles that leave (simulation_losses.cpp).
-    [[nodiscard]] bool stays(std::size_t particle) const;
     /// Whether all particles of a block have integer positions.
     [[nodiscard]] bool can_be_packed(std::size_t begin, std::size_t end) const;
     /// Error where a particle is no longer finite or beyond all integer positions.

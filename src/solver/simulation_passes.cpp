@@ -258,15 +258,15 @@ void SimulationOf<D, Real>::gather_motion(double step) {
         check_state();
         leaving_ = true;
     }
-    walls_.add_motion(step, slowest, fastest);
+    walls_.add_motion(flow_, step, slowest, fastest);
     flow_.clock.largest_acceleration = std::sqrt(largest);
     double squared = 0.0;
     for (std::size_t k = 0; k < axes; ++k) {
         squared += (fastest[k] - slowest[k]) * (fastest[k] - slowest[k]);
     }
     // A hair more than the rounding of the moved positions.
-    last_motion_ = method_->bounds_motion() ? (1.0 + 1e-6) * step * std::sqrt(squared)
-                                            : std::numeric_limits<double>::infinity();
+    last_motion_ = method_->sums_motion() ? (1.0 + 1e-6) * step * std::sqrt(squared)
+                                          : std::numeric_limits<double>::infinity();
     flow_.clock.displacement_bound += last_motion_;
 }
 

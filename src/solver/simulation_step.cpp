@@ -17,7 +17,7 @@ SimulationOf<D, Real>::SimulationOf(const Case& c, const ColumnResult* column, P
       walls_(flow_),
       components_(make_components(flow_, column != nullptr ? column->total_mean_velocity : 0.0)),
       method_(make_method(flow_)) {
-    flow_.motion_sums_drags = method_->sums_drags();
+    flow_.motion_summed = method_->sums_motion();
     check_state();
     walls_.place_at_start(flow_);
     passes_ = make_passes();

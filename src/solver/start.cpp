@@ -32,17 +32,29 @@ double wave_pressure(const Case& c, const Scheme& scheme, double x, double z) {
            std::cos(k * x);
 }
 
-void start_taylor_green(const Case& c, const Scheme& scheme, Particles<2>& particles,
+/// Vortices that decay as they are in a plane; in space those of Taylor & Green (1937), which break up: u =
+/// u0 sin x cos y cos z, v = -u0 (kx/ky) cos x sin y cos z, w = 0, with their pressure in a cube.
+template <int D>
+void start_taylor_green(const Case& c, const Scheme& scheme, Particles<D>& particles,
                         std::vector<double>& pressure) {
     const double u0 = c.start.velocity.value_or(1.0);
     const double kx = 2.0 * std::numbers::pi / c.channel.length;
     const double kz = 2.0 * std::numbers::pi / scheme.depth;
     for (std::size_t i = 0; i < particles.size(); ++i) {
         const double x = kx * particles.position[0][i];
-        const double z = kz * particles.position[1][i];
-        particles.velocity[0][i] = u0 * std::sin(x) * std::cos(z);
-        particles.velocity[1][i] = -u0 * kx / kz * std::cos(x) * std::sin(z);
-        pressure[i] = 0.25 * u0 * u0 * (std::cos(2.0 * x) + kx * kx / (kz * kz) * std::cos(2.0 * z));
+        const double z = kz * particles.position[D - 1][i];
+        if constexpr (D == 2) {
+            particles.velocity[0][i] = u0 * std::sin(x) * std::cos(z);
+            particles.velocity[1][i] = -u0 * kx / kz * std::cos(x) * std::sin(z);
+            pressure[i] = 0.25 * u0 * u0 * (std::cos(2.0 * x) + kx * kx / (kz * kz) * std::cos(2.0 * z));
+        } else {
+            const double ky = 2.0 * std::numbers::pi / c.channel.width;
+            const double y = ky * particles.position[1][i];
+            particles.velocity[0][i] = u0 * std::sin(x) * std::cos(y) * std::cos(z);
+            particles.velocity[1][i] = -u0 * kx / ky * std::cos(x) * std::sin(y) * std::cos(z);
+            pressure[i] =
+                u0 * u0 / 16.0 * (std::cos(2.0 * x) + std::cos(2.0 * y)) * (std::cos(2.0 * z) + 2.0);
+        }
     }
 }
 
@@ -95,9 +107,10 @@ Particles<D> initial_particles(const Case& c, const Scheme& scheme, const Column
             start_standing_wave(c, particles);
             // A particle displaced from still_height carries the pressure of its new height and of the wave.
             still_height = particles.position[1];
-        } else if (c.start.kind == StartKind::taylor_green) {
-            start_taylor_green(c, scheme, particles, extra_pressure);
         }
+    }
+    if (c.start.kind == StartKind::taylor_green) {
+        start_taylor_green(c, scheme, particles, extra_pressure);
     }
     if (c.channel.lid_velocity != 0.0) {
         // A box without a surface has no pressure of its own; with that of the lid's velocity it does not

@@ -126,7 +126,9 @@ void perturb_velocity(const Case& c, Particles<D>& particles) {
     const double depth = c.total_depth();
     const double width = c.channel.simulated_width();
     const double thickest = std::min({depth, c.channel.length, D == 3 ? width : depth});
-    const double thinnest = std::min(8.0 * c.numerics.spacing, thickest);
+    // Of many rows over the depth, smaller eddies would shear the water so much that its mixing length, which
+    // does not fall with the spacing, makes it stiffer than the step allows.
+    const double thinnest = std::min(std::max(8.0 * c.numerics.spacing, depth / 8.0), thickest);
     const Modes modes(c, thickest, thinnest);
     std::vector<Vec<D>> velocity(n);
     Vec<D> momentum{};

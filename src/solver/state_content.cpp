@@ -224,20 +224,20 @@ Particles<D> particles_from_results(const Case& c, const Scheme& scheme, const R
             file_name, other.channel.dimensions, D));
     }
     if (D == 3 && (differs(other.channel.width, c.channel.width) || other.channel.sides != c.channel.sides)) {
-        throw InputError(
-            fmt::format("[start] file = \"{}\" was run with channel.width {} m and sides = \"{}\", this "
-                        "case has {} m and \"{}\": start from a run of the same water, or from the column",
-                        file_name, other.channel.width, word(other.channel.sides), c.channel.width,
-                        word(c.channel.sides)));
+        throw InputError(fmt::format(
+            "[start] file = \"{}\" was run with channel.width {:.10g} m and sides = \"{}\", this "
+            "case has {:.10g} m and \"{}\": start from a run of the same water, or from the column",
+            file_name, other.channel.width, word(other.channel.sides), c.channel.width,
+            word(c.channel.sides)));
     }
     if (differs(other.channel.length, c.channel.length) || differs(other.total_depth(), c.total_depth()) ||
         differs(other.numerics.spacing, c.numerics.spacing)) {
-        throw InputError(
-            fmt::format("[start] file = \"{}\" was run with channel.length {} m, total depth {} m and "
-                        "numerics.spacing {} m, this case has {} m, {} m and {} m: start from a run of the "
-                        "same water and spacing, or from the column",
-                        file_name, other.channel.length, other.total_depth(), other.numerics.spacing,
-                        c.channel.length, c.total_depth(), c.numerics.spacing));
+        throw InputError(fmt::format(
+            "[start] file = \"{}\" was run with channel.length {:.10g} m, total depth {:.10g} m and "
+            "numerics.spacing {:.10g} m, this case has {:.10g} m, {:.10g} m and {:.10g} m: start from a run of the "
+            "same water and spacing, or from the column",
+            file_name, other.channel.length, other.total_depth(), other.numerics.spacing, c.channel.length,
+            c.total_depth(), c.numerics.spacing));
     }
     const std::vector<std::size_t> shape = results.shape(state.id.path());
     const std::size_t n = shape.empty() ? 0 : shape[0];

@@ -69,7 +69,7 @@ class AntuonoDiffusion final : public PairSum<D, Real> {
                   });
         for (std::size_t lane = 0; lane < (end - begin) * cluster_size; ++lane) {
             // As the velocity gradient: of neighbours on one line alone there is no inverse.
-            const double blend = smoothstep<double>(0.1, 0.3, smallest_eigenvalue<double, D>(moment[lane]));
+            const auto blend = smoothstep<double>(0.1, 0.3, smallest_eigenvalue<double, D>(moment[lane]));
             const Components<double, D* D> inverse_moment =
                 pressure_correction<double, D>(moment[lane], Symmetric<double, D>{}, blend);
             Vec<D>& gradient = gradient_[begin * cluster_size + lane];

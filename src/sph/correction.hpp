@@ -71,7 +71,7 @@ RIFFLE_INLINE T smallest_eigenvalue(const Symmetric<T, D>& m) {
     } else {
         const T mean = (m[0] + m[3] + m[5]) * R(1.0 / 3.0);
         Symmetric<T, D> deviator = m;
-        for (const std::size_t k : {0, 3, 5}) {
+        for (const std::size_t k : {0U, 3U, 5U}) {
             deviator[k] -= mean;
         }
         const T p_squared = (deviator[0] * deviator[0] + deviator[3] * deviator[3] +
@@ -104,7 +104,8 @@ RIFFLE_INLINE Components<T, D * D> pressure_correction(const Symmetric<T, D>& m_
                 sum -= m_wall[symmetric_index<D>(k, m)] * inv[symmetric_index<D>(m, l)];
             }
             const R identity = k == l ? R(1) : R(0);
-            b[static_cast<std::size_t>(k * D + l)] = identity + blend * (sum - identity);
+            b[static_cast<std::size_t>(k) * D + static_cast<std::size_t>(l)] =
+                identity + blend * (sum - identity);
         }
     }
     return b;

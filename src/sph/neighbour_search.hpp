@@ -104,10 +104,11 @@ class BlockSearch {
             const double reach = static_cast<double>(i_.half_extent[k][ci]) + range_;
             columns[k] = ColumnRange(j_, k, centre - reach, centre + reach);
         }
-        const int stride = D == 3 ? j_.columns[D - 2] : 1;
+        const auto stride = static_cast<std::size_t>(D == 3 ? j_.columns[D - 2] : 1);
         for (int x = 0; x < columns[0].count(); ++x) {
             for (int y = 0; y < columns[1].count(); ++y) {
-                search_column(ci, static_cast<std::size_t>(columns[0][x] * stride + columns[1][y]));
+                search_column(ci, static_cast<std::size_t>(columns[0][x]) * stride +
+                                      static_cast<std::size_t>(columns[1][y]));
             }
         }
     }
@@ -154,7 +155,7 @@ class BlockSearch {
             }
             // The first cluster that reaches up to low_, by bisection in high columns.
             std::size_t count = last - first;
-            while (count > 2 * cluster_size) {
+            while (count > std::size_t{2} * cluster_size) {
                 const std::size_t half_count = count / 2;
                 const bool below = j_.highest[first + half_count] < low_;
                 first = below ? first + half_count + 1 : first;
@@ -217,7 +218,7 @@ class BlockSearch {
         for (std::size_t k = 0; k < D; ++k) {
             const Lanes<std::int32_t> difference = i_.centre[k][ci] - load_lanes(&j_.centre[k][cj]);
             const Floats distance = abs(Floats(stdx::static_simd_cast<Floats>(difference) * unit_[k]));
-            const Floats gap =
+            const auto gap =
                 positive_part<Floats>(distance - i_.half_extent[k][ci] - load_lanes(&j_.half_extent[k][cj]));
             squared += gap * gap;
         }

@@ -158,6 +158,7 @@ struct BlockWork {
     /// Lists that the force pass takes in place of those of PairData; null: those.
     const NeighbourList* fluid_fluid = nullptr;
     const NeighbourList* fluid_wall = nullptr;
+    bool uncorrected_gradient = false;  ///< the gradient pass gives the velocity gradient without correction
 };
 
 /// Everything the loops read. Fluid records by fluid slot, wall records by wall slot; each array ends with

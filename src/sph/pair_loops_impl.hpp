@@ -185,12 +185,14 @@ template <int D, class Real, class Kernel, bool Gradients, bool Midway>
     using T = Lanes<Real>;
     using stdx::sqrt;
     const PairConstants<D, Real> c = data.constants;
-    const Kernel kernel = kernel_of<Kernel>(c);
+    const auto kernel = kernel_of<Kernel>(c);
     const Real scale = Kernel::template gradient_constant<Real>() * c.gradient_scale;
     const Real hydrostatic_gradient = c.hydrostatic_gradient * c.h;
     for (std::size_t cluster = begin; cluster < end; ++cluster) {
         const MotionRecord<D, Real>* own = &data.motion[cluster * cluster_size];
-        const auto [self, s] = own_motion<D, Real>(own);
+        const auto motion = own_motion<D, Real>(own);
+        const OwnCluster<D, Real>& self = motion.first;
+        const W& s = motion.second;
 
         W wide_diffusion(0);
         W wide_divergence(0);
@@ -316,8 +318,9 @@ template <int D, class Real, class Kernel, bool Gradients, bool Midway>
             // The corrected gradient G M_fluid^-1 is exact for linear fields as long as M_fluid can be
             // inverted.
             const T gradient_blend =
-                c.correct_gradient ? smoothstep<T>(Real(0.1), Real(0.3), smallest_eigenvalue<T, D>(m_fluid))
-                                   : T(0);
+                c.correct_gradient && !work.uncorrected_gradient
+                    ? smoothstep<T>(Real(0.1), Real(0.3), smallest_eigenvalue<T, D>(m_fluid))
+                    : T(0);
             const Components<T, D* D> gradient_matrix =
                 pressure_correction<T, D>(m_fluid, Symmetric<T, D>{}, gradient_blend);
 
@@ -401,8 +404,8 @@ template <int D, class Real, class Kernel, class Viscosity, class Record>
     constexpr std::size_t components = std::tuple_size_v<decltype(Record::stress)>;
     constexpr bool further = std::is_same_v<Viscosity, PairForm<Real>>;
     const PairConstants<D, Real> c = data.constants;
-    const Viscosity form = viscosity_of<Viscosity>(c);
-    const Kernel kernel = kernel_of<Kernel>(c);
+    const auto form = viscosity_of<Viscosity>(c);
+    const auto kernel = kernel_of<Kernel>(c);
     const Real scale = Kernel::template gradient_constant<Real>() * c.gradient_scale;
     const std::vector<Record>& records = stress_records<Record>(data);
     const NeighbourList& fluid_list = *(work.fluid_fluid != nullptr ? work.fluid_fluid : data.fluid_fluid);
@@ -410,8 +413,12 @@ template <int D, class Real, class Kernel, class Viscosity, class Record>
     for (std::size_t cluster = begin; cluster < end; ++cluster) {
         const std::size_t slot = cluster * cluster_size;
         const Record* own = &records[slot];
-        const auto [self, s] = own_motion<D, Real>(&data.motion[slot]);
-        const auto [stress, root] = own_stress<Real>(own);
+        const auto motion = own_motion<D, Real>(&data.motion[slot]);
+        const OwnCluster<D, Real>& self = motion.first;
+        [[maybe_unused]] const W& s = motion.second;
+        const auto stress_and_root = own_stress<Real>(own);
+        const Components<W, components>& stress = stress_and_root.first;
+        const W& root = stress_and_root.second;
         [[maybe_unused]] W own_pressure(0);
         if constexpr (further) {
             own_pressure = gather<Real, Real>(own, [](const auto& r) { return r.pressure; });
@@ -465,7 +472,8 @@ template <int D, class Real, class Kernel, class Viscosity, class Record>
             const bool continued = correction_lane >= 0;
             Components<W, D * D> departure{};
             if (continued) {
-                for (std::size_t k = c.correct_along ? 0 : first_continued_row<D> * D; k < D * D; ++k) {
+                for (std::size_t k = c.correct_along ? 0 : first_continued_row<D> * D; k < departure.size();
+                     ++k) {
                     const Real identity = k % (D + 1) == 0 ? Real(1) : Real(0);
                     departure[k] =
                         gather<Real, Real>(&data.correction[k][static_cast<std::size_t>(correction_lane)],
@@ -500,7 +508,7 @@ template <int D, class Real, class Kernel, class Viscosity, class Record>
                     if (continued) {
                         const W corrected = pressure_sum * halves<Real, Real>(a.continuation, b.continuation);
                         Components<W, D * D> stress_sum{};
-                        for (std::size_t k = 0; k < D * D; ++k) {
+                        for (std::size_t k = 0; k < stress_sum.size(); ++k) {
                             stress_sum[k] = corrected * departure[k];
                         }
                         add(wall_tensor, tensor_force<W, D>(weight, stress_sum, r));
@@ -531,7 +539,7 @@ template <int D, class Real, class Kernel, class Record>
     using W = Wide<Real>;
     using stdx::sqrt;
     const PairConstants<D, Real> c = data.constants;
-    const Kernel kernel = kernel_of<Kernel>(c);
+    const auto kernel = kernel_of<Kernel>(c);
     const Real scale = Kernel::template gradient_constant<Real>() * c.gradient_scale;
     const std::vector<Record>& records = stress_records<Record>(data);
     for (std::size_t cluster = begin; cluster < end; ++cluster) {
@@ -580,7 +588,7 @@ template <int D, class Real, class Kernel>
     using W = Wide<Real>;
     using stdx::sqrt;
     const PairConstants<D, Real> c = data.constants;
-    const Kernel kernel = kernel_of<Kernel>(c);
+    const auto kernel = kernel_of<Kernel>(c);
     const Real kernel_scale = c.gradient_scale * c.h * c.h;  // h^-D
     for (std::size_t cluster = begin; cluster < end; ++cluster) {
         const OwnCluster<D, Real> self(&data.motion[cluster * cluster_size]);

@@ -256,7 +256,7 @@ template <int D, class Real>
             T nu_t(0);
             Components<T, D * D> g{};
             if (tensor) {
-                for (std::size_t k = 0; k < D * D; ++k) {
+                for (std::size_t k = 0; k < g.size(); ++k) {
                     g[k] = load_lanes(&work.gradient.velocity_gradient[k][lane]);
                 }
                 if (p.closure) {
@@ -510,7 +510,7 @@ template <int D, class Real>
         for (std::size_t r = list.run_begin[i]; r < list.run_begin[i + 1]; ++r) {
             const ClusterRun run = list.runs[r];
             for (std::int32_t c = 0; c < run.count; c += cluster_size) {
-                const auto j = static_cast<std::size_t>(run.first + c);
+                const auto j = static_cast<std::size_t>(run.first) + static_cast<std::size_t>(c);
                 Floats squared(0.0F);
                 for (std::size_t k = 0; k < D; ++k) {
                     const Integers up = moved.high[k][i] - load_lanes(&moved.low[k][j]);
@@ -527,8 +527,8 @@ template <int D, class Real>
         if (data.fluid_wall != nullptr && data.fluid_wall->run_begin[i] < data.fluid_wall->run_begin[i + 1]) {
             float squared = 0.0F;
             for (std::size_t k = 0; k < D; ++k) {
-                const float low = static_cast<float>(-moved.low[k][i]);
-                const float high = static_cast<float>(moved.high[k][i]);
+                const auto low = static_cast<float>(-moved.low[k][i]);
+                const auto high = static_cast<float>(moved.high[k][i]);
                 const float d = (low > high ? low : high) * static_cast<float>(fixed_point.unit(k));
                 squared += d * d;
             }

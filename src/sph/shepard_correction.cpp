@@ -48,7 +48,7 @@ class ShepardCorrection final : public PairSum<D, Real> {
             add(*data.fluid_wall, data, data.wall_gradient, clusters, begin, end, sum);
         }
         for_lanes([&](std::size_t lane) {
-            const double blend = smoothstep<double>(0.6, 0.9, static_cast<double>(sums.regularity[lane]));
+            const auto blend = smoothstep<double>(0.6, 0.9, static_cast<double>(sums.regularity[lane]));
             const auto factor = static_cast<Real>(1.0 + blend * (1.0 / sum[lane] - 1.0));
             for (std::size_t k = 0; k < D; ++k) {
                 for (std::size_t l = 0; l < D; ++l) {

@@ -105,7 +105,7 @@ RIFFLE_INLINE Lanes<std::int32_t> bit_positions(std::uint8_t mask) {
     return Lanes<std::int32_t>(
         _mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(positions))));
 #else
-    return Lanes<std::int32_t>(positions, stdx::element_aligned);
+    return {positions, stdx::element_aligned};
 #endif
 }
 

@@ -17,6 +17,9 @@ struct MeanEstimate {
 /// not known from a record so short.
 inline constexpr double fewest_effective_samples = 10.0;
 
+/// Half-width of a 95 % interval over the standard uncertainty of a normal distribution.
+inline constexpr double normal_95 = 1.96;
+
 /// Mean of an equally spaced record with its 95 % interval: the variance of the mean is inflated by the
 /// integrated autocorrelation time (Sokal's self-consistent window), Student's t on the effective samples.
 /// Gaps (not-a-number) are left out, of the mean and of the lagged products; the effective samples are then

@@ -49,7 +49,10 @@ std::optional<LinearFit> SeparableFit::fit_at(double parameter) const {
 
 double SeparableFit::sum_at(double parameter) const {
     const auto fit = fit_at(parameter);
-    return fit ? fit->sum_of_squares : infinite;
+    if (!fit) {
+        return infinite;
+    }
+    return fit->sum_of_squares;
 }
 
 void SeparableFit::refine(std::size_t lowest) {
@@ -95,8 +98,13 @@ void SeparableFit::bound_parameter() {
     const double end = scan_.back().parameter;
     searched_.lower = lowest > begin ? crossing(lowest, std::max(begin, lowest - step_)) : begin;
     searched_.upper = highest < end ? crossing(highest, std::min(end, highest + step_)) : end;
-    parameter_interval_ = {lowest > begin ? searched_.lower : -infinite,
-                           highest < end ? searched_.upper : infinite};
+    parameter_interval_ = {};  // open on both sides
+    if (lowest > begin) {
+        parameter_interval_.lower = searched_.lower;
+    }
+    if (highest < end) {
+        parameter_interval_.upper = searched_.upper;
+    }
 }
 
 void SeparableFit::propagate() {

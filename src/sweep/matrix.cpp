@@ -70,6 +70,7 @@ std::vector<std::string> names_of(const std::vector<Variation>& variations) {
         ++count[variation.short_name()];
     }
     std::vector<std::string> names;
+    names.reserve(variations.size());
     for (const Variation& variation : variations) {
         names.push_back(count[variation.short_name()] > 1 ? variation.key : variation.short_name());
     }

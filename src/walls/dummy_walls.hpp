@@ -38,7 +38,7 @@ class DummyWalls final : public WallTreatment<D, Real> {
                     std::size_t i) const {
         constexpr std::size_t vertical = Flow::vertical;
         const auto weight = static_cast<double>(sums.weight[lane]);
-        const double offset = static_cast<double>(sums.offset[vertical][lane]);
+        const auto offset = static_cast<double>(sums.offset[vertical][lane]);
         double pressure = static_cast<double>(sums.pressure[lane]) - flow.scheme.normal_gravity * offset;
         if (const BodyState* const body = body_of(flow, i)) {
             pressure -= body->acceleration[0] * static_cast<double>(sums.offset[0][lane]) +

@@ -9,7 +9,7 @@
 namespace riffle {
 
 template <int D, class Real>
-Walls<D, Real>::Walls(Flow& flow) : motion_(flow.c), treatment_(make_wall_treatment<D, Real>(flow.c)) {
+Walls<D, Real>::Walls(Flow& flow) : treatment_(make_wall_treatment<D, Real>(flow.c)) {
     flow.walls = wall_particles<D>(flow.c);
     set_hydrostatic(flow);
 }
@@ -28,7 +28,7 @@ void Walls<D, Real>::place_at_start(Flow& flow) {
     if (flow.walls.size() == 0) {
         return;
     }
-    if (motion_.displaces()) {
+    if (flow.motion.displaces()) {
         reference_ = flow.walls;
         order_.resize(flow.walls.size());
         for (std::size_t i = 0; i < order_.size(); ++i) {
@@ -48,10 +48,10 @@ void Walls<D, Real>::place_at_start(Flow& flow) {
 
 template <int D, class Real>
 void Walls<D, Real>::restore(Flow& flow, std::vector<double> deviation) {
-    if (motion_.displaces()) {
+    if (flow.motion.displaces()) {
         place(flow, flow.clock.listed_time);
     }
-    flow.walls.density_deviation = std::move(deviation);
+    flow.walls.density_deviation.swap(deviation);
     if (flow.clock.steps > 0 || starts_beside_dry_walls(flow.c)) {
         treatment_->wet(flow);
     }
@@ -59,7 +59,7 @@ void Walls<D, Real>::restore(Flow& flow, std::vector<double> deviation) {
 
 template <int D, class Real>
 void Walls<D, Real>::place_for_lists(Flow& flow) {
-    if (motion_.displaces()) {
+    if (flow.motion.displaces()) {
         flow.clock.listed_time = flow.clock.time;
         place(flow, flow.clock.listed_time);
     }
@@ -92,7 +92,7 @@ void Walls<D, Real>::place(Flow& flow, double time) {
         reference_.density_deviation[static_cast<std::size_t>(order_[i])] = walls.density_deviation[i];
     }
     walls = reference_;
-    const std::vector<BodyState> bodies = motion_.at(time);
+    const std::vector<BodyState> bodies = flow.motion.at(time);
     for (std::size_t i = 0; i < walls.size(); ++i) {
         const BodyState& body = bodies[static_cast<std::size_t>(walls.body[i])];
         for (std::size_t k = 0; k < Flow::axes; ++k) {
@@ -120,15 +120,16 @@ double Walls<D, Real>::displaced(const Flow& flow, double x, const BodyState& bo
 
 template <int D, class Real>
 void Walls<D, Real>::move(Flow& flow, const Stage& stage) {
-    if (!motion_.any()) {
+    if (!flow.c.solids.empty()) {
+        flow.bodies_after = flow.motion.at(flow.clock.time + stage.motion);
+    }
+    if (!flow.motion.any()) {
         return;
     }
-    flow.bodies = motion_.at(flow.clock.time);
-    if (!motion_.displaces()) {
+    flow.bodies = flow.motion.at(flow.clock.time);
+    if (!flow.motion.displaces()) {
         return;
     }
-    before_ = flow.bodies;
-    after_ = motion_.at(flow.clock.time + stage.motion);
     PairData<D, Real>& data = flow.data;
     WallParticles<D>& walls = flow.walls;
     data.wall_drift.assign(data.wall_force.size(), {});
@@ -156,13 +157,13 @@ void Walls<D, Real>::move(Flow& flow, const Stage& stage) {
 }
 
 template <int D, class Real>
-void Walls<D, Real>::add_motion(double step, Vec<D>& slowest, Vec<D>& fastest) const {
-    if (!motion_.displaces() || step <= 0.0) {
+void Walls<D, Real>::add_motion(const Flow& flow, double step, Vec<D>& slowest, Vec<D>& fastest) {
+    if (!flow.motion.displaces() || step <= 0.0) {
         return;
     }
-    for (std::size_t b = first_solid; b < after_.size(); ++b) {
-        const Vec<D> from = in_flow<D>(before_[b].displacement);
-        const Vec<D> to = in_flow<D>(after_[b].displacement);
+    for (std::size_t b = first_solid; b < flow.bodies_after.size(); ++b) {
+        const Vec<D> from = in_flow<D>(flow.bodies[b].displacement);
+        const Vec<D> to = in_flow<D>(flow.bodies_after[b].displacement);
         for (std::size_t k = 0; k < Flow::axes; ++k) {
             const double speed = (to[k] - from[k]) / step;
             slowest[k] = std::min(slowest[k], speed);

@@ -3,7 +3,6 @@
 #include <memory>
 #include <vector>
 
-#include "boundary/wall_motion.hpp"
 #include "walls/wall_treatment.hpp"
 
 namespace riffle {
@@ -29,12 +28,12 @@ class Walls {
     /// Where the walls stand at the time of an evaluation, and how they move, into their records.
     void move(Flow& flow, const Stage& stage);
     /// Widen the range of velocities by those of the solids in the step that begins now.
-    void add_motion(double step, Vec<D>& slowest, Vec<D>& fastest) const;
+    static void add_motion(const Flow& flow, double step, Vec<D>& slowest, Vec<D>& fastest);
 
     /// Whether the lists hold by the bound of all velocities alone: walls change their place, or what they
     /// look at is in no list of clusters.
     [[nodiscard]] bool outside_of_lists(const Flow& flow) const {
-        return motion_.displaces() || looks_at_all_water(flow);
+        return flow.motion.displaces() || looks_at_all_water(flow);
     }
     [[nodiscard]] bool looks_at_all_water(const Flow& flow) const {
         return flow.walls.size() > 0 && treatment_->looks_at_all_water();
@@ -54,11 +53,7 @@ class Walls {
     /// Coordinate along axis k of a wall particle that is displaced with its body.
     static double displaced(const Flow& flow, double x, const BodyState& body, std::size_t k);
 
-    WallMotion motion_;
     std::unique_ptr<WallTreatment<D, Real>> treatment_;
-    std::vector<BodyState>
-        before_;  ///< at the begin of the motion of an evaluation; empty where no wall moves
-    std::vector<BodyState> after_;     ///< at its end
     WallParticles<D> reference_;       ///< at t = 0 in their first order; only where walls change place
     std::vector<std::int32_t> order_;  ///< of the flow's walls: number in reference_
 };

@@ -32,14 +32,19 @@ export async function open(browser, file, width, height, scheme) {
   return { context, page, where };
 }
 
-// Figures are drawn when they come into view: show each, and wait until it is drawn.
+// Figures are drawn when they come into view: show each, and wait until it is drawn. A browser on a busy machine may stop making
+// frames of a page that nobody looks at, and sees nothing come into view then: a screenshot has it make one.
 export async function draw_all(page) {
   for (const plot of await page.$$('figure .plot')) {
-    // Again and again: figures above that are being drawn move it away.
-    await page.waitForFunction(element => {
-      element.scrollIntoView({ block: 'center' });
-      return element.classList.contains('js-plotly-plot') && element._fullLayout;
-    }, plot, { timeout: 180000, polling: 100 });
+    for (let patience = 9; ; --patience) {
+      // Again and again: figures above that are being drawn move it away.
+      const drawn = await page.waitForFunction(element => {
+        element.scrollIntoView({ block: 'center' });
+        return element.classList.contains('js-plotly-plot') && element._fullLayout;
+      }, plot, { timeout: 20000, polling: 100 }).catch(error => { if (patience === 0) throw error; });
+      if (drawn) break;
+      await page.screenshot({ clip: { x: 0, y: 0, width: 1, height: 1 } });
+    }
   }
   await page.evaluate(() => scrollTo(0, 0));
 }

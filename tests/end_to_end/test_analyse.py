@@ -5,7 +5,7 @@ import json
 from riffle_cli import CASE, SMALL, SOURCE, CommandLineTest, every, main, until
 
 LABORATORY = SOURCE / "cases/laboratory"
-CHAPTERS = {"statistics", "profiles", "fits", "surface", "subsurface", "forces"}
+CHAPTERS = {"statistics", "profiles", "fits", "surface", "subsurface", "forces", "energy"}
 
 
 class Analyse(CommandLineTest):

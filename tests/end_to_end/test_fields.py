@@ -24,7 +24,7 @@ ELSEWHERE = {
     ("/summary", "lost_share"): "the diagnostics, where water was lost",
     ("/profiles", "spanwise_velocity_rms"): "the turbulence of channels without side walls",
     ("/mean_field", "pressure"): "the maps of channels with bodies",
-    ("/time_series", "first_particle"): "the front of water that moves against x",
+    ("/time_series", "front_upstream"): "the front of water that moves against x",
     ("/snapshots", "solid_vertices"): "the picture of a flow in three dimensions whose solids move",
     ("surface_line", "elevation"): "the surface, where a line has more points than the record", ("surface_line", "time"): "so",
     **{("velocity", name): "records long enough for spectra"

@@ -1,4 +1,5 @@
 """The folder of a run: one process at a time, files that belong together, what a failure leaves, where output goes."""
+import json
 import os
 import shutil
 import signal
@@ -75,6 +76,12 @@ class Ties(CommandLineTest):
                     self.refused("resume", self.run, *until(0.4), "--from", file, says=["another run", "--force"])
                     (self.run / "checkpoint.h5").write_bytes(kept)
                     (self.run / "elsewhere.h5").unlink(missing_ok=True)
+
+    def test_advice_about_a_checkpoint_harms_nothing(self):
+        other = self.run_small("other", 0.2)
+        for file in ("nothing.h5", other / "checkpoint.h5"):
+            error = self.fail_with(3, "resume", self.run, *until(0.4), "--from", file, says=["riffle resume"]).stderr
+            self.assertNotIn("--force", error)
 
     def test_results_that_end_before_the_checkpoint_are_refused(self):
         earlier = self.run_small("earlier", 0.1)
@@ -188,6 +195,11 @@ class Failures(CommandLineTest):
         log = (folder / "run.log").read_text()
         self.assertIn("neighbours", log)
         self.assertIn("error", log)
+        self.succeed("report", folder)
+        verdict = json.loads((folder / "summary.json").read_text())["verdict"]
+        self.assertEqual(verdict["status"], "bad")
+        self.assertIn("The run failed", verdict["headline"])
+        self.assertIn("particle", " ".join(verdict["sentences"]))
         # The next one that goes well leaves no trace of it.
         self.succeed("resume", folder, "-q", "-j", 1, *until(0.4), "--set", "numerics.time_step=auto")
         self.assertFalse((folder / "failure.h5").exists())

@@ -97,6 +97,24 @@ class Report(CommandLineTest):
         target = folder / "results.h5" / "report.html"
         self.fail_with(3, "report", folder, "-o", target, says=[str(target)])
 
+    def test_an_output_takes_the_place_of_nothing_else(self):
+        folder = self.run_small("run", 0.1)
+        results, case = folder / "results.h5", self.folder / "case.toml"
+        case.write_text("# mine\n")
+        before = results.read_bytes()
+        for command in (["report", folder, "-o", results], ["report", folder, "--json", case], ["analyse", folder, "--json", results],
+                        ["analyse", folder, "--json", case], ["schema", "-o", case], ["schema", "--markdown", "-o", case]):
+            with self.subTest(command=command[0]):
+                self.fail_with(2, *command, says=["would be lost", str(command[-1])])
+        self.assertEqual(results.read_bytes(), before)
+        self.assertEqual(case.read_text(), "# mine\n")
+        # Its own older version it may replace, and a device.
+        for _ in range(2):
+            self.succeed("report", folder)
+            self.succeed("analyse", folder, "--json", self.folder / "a.json")
+            self.succeed("schema", "--markdown", "-o", self.folder / "reference.md")
+        self.succeed("analyse", folder, "--json", "/dev/null")
+
     def test_report_in_a_browser(self):
         folder = self.folder / "run"
         self.succeed("run", CASE, "-o", folder, "-q", *until(6), "--set", "numerics.spacing=2.5mm", "--set",

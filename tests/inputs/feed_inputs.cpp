@@ -58,19 +58,18 @@ extern "C" void __sanitizer_cov_trace_pc() {
     __atomic_store_n(&work, __atomic_load_n(&work, __ATOMIC_RELAXED) + 1, __ATOMIC_RELAXED);
 }
 
-void* operator new(std::size_t size) {
-    void* const block = std::malloc(size);  // NOLINT(cppcoreguidelines-owning-memory)
-    if (block == nullptr) {
-        throw std::bad_alloc();
-    }
-    count_taken(block);
-    return block;
-}
-// The temporary buffers of the standard library's sorts.
+// For the temporary buffers of the standard library's sorts too.
 void* operator new(std::size_t size, const std::nothrow_t& /*tag*/) noexcept {
     void* const block = std::malloc(size);  // NOLINT(cppcoreguidelines-owning-memory)
     if (block != nullptr) {
         count_taken(block);
+    }
+    return block;
+}
+void* operator new(std::size_t size) {
+    void* const block = operator new(size, std::nothrow);
+    if (block == nullptr) {
+        throw std::bad_alloc();
     }
     return block;
 }

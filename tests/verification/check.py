@@ -104,5 +104,5 @@ def summary_table(checks):
 def budget_table(checks):
     heads = ["mass lost", "momentum along x", "along z", "energy", "work of viscosity", "left"]
     table = Table("Budgets", ["case"] + heads)
-    table.rows = [[check.title] + [check.closing.get(head, "") for head in heads] for check in checks]
+    table.rows = [[check.title] + [check.closing.get(head, "") for head in heads] for check in checks if check.closing]
     return table

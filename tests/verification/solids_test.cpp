@@ -14,6 +14,7 @@
 #include "case/outline.hpp"
 #include "check_run.hpp"
 #include "solver/start.hpp"
+#include "temporary_folder.hpp"
 
 using namespace riffle;
 using namespace riffle::verification;
@@ -229,7 +230,7 @@ Case step_case(int dimensions) {
         step.x = {0.03, 0.05, 0.05, 0.03};
         step.z = {-0.005, -0.005, 0.005, 0.005};
     } else {
-        step.file = std::string(testing::TempDir()) + "riffle_step.stl";
+        step.file = test::folder_of_this_process() / "step.stl";
         step.scale = 1e-3;
         std::ofstream file(step.file);
         file << "solid step\n";

@@ -16,6 +16,7 @@
 #include "boundary/wall_motion.hpp"
 #include "particles/lattice.hpp"
 #include "sph/kernel.hpp"
+#include "temporary_folder.hpp"
 
 namespace riffle::solid_test {
 namespace {
@@ -170,7 +171,7 @@ TEST(SolidFill, InSpaceWaterAndSolidShareTheLattice) {
     // An octahedron with corners 20 mm from its middle; its faces are planes |x| + |y| + |z| = 20 mm.
     Solid s;
     s.name = "octahedron";
-    s.file = std::string(testing::TempDir()) + "riffle_octahedron.stl";
+    s.file = test::folder_of_this_process() / "octahedron.stl";
     s.scale = 0.02;
     s.place = {0.03, 0.03, 0.02};
     const int faces[8][3] = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},

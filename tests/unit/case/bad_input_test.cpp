@@ -20,14 +20,16 @@ TEST(BadInput, SmallestCaseIsRight) { EXPECT_EQ(error_of(smallest), ""); }
 TEST(BadInput, UnknownKeyNamesPlaceAndNearestMatch) {
     EXPECT_THAT(
         error_of(changed("slope = 0.004", "slop = 0.004")),
-        AllOf(HasSubstr("case.toml:2:1: unknown key `slop` in [channel]: did you mean `slope`?"),
-              HasSubstr("the keys there are slope, depth, length, width, dimensions, ends, sides, top"),
-              HasSubstr("[channel] slope is missing")));
+        AllOf(
+            HasSubstr("case.toml:2:1: unknown key `slop` in [channel]: did you mean `slope`?"),
+            HasSubstr("the keys in [channel] are slope, depth, length, width, dimensions, ends, sides, top"),
+            HasSubstr("[channel] slope is missing")));
 }
 
 TEST(BadInput, UnknownKeyLikeNoOther) {
     const std::string message = error_of(smallest + "banana = 1\n");
-    EXPECT_THAT(message, HasSubstr("case.toml:6:1: unknown key `banana` in [bed]; the keys there are kind,"));
+    EXPECT_THAT(message,
+                HasSubstr("case.toml:6:1: unknown key `banana` in [bed]; the keys in [bed] are kind,"));
     EXPECT_THAT(message, Not(HasSubstr("did you mean")));
 }
 

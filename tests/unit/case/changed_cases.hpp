@@ -11,6 +11,7 @@
 #include "case/key_table.hpp"
 #include "case_test.hpp"
 #include "stl_box.hpp"
+#include "temporary_folder.hpp"
 
 namespace riffle::test {
 
@@ -94,7 +95,7 @@ inline Case with_water() {
 
 /// A box of 30 mm in a file, and the case that it stands in.
 inline Case with_mesh() {
-    const auto folder = std::filesystem::path(testing::TempDir());
+    const auto& folder = folder_of_this_process();
     test::write_stl_box(folder / "riffle_refusals.stl", {0.0, 0.0, 0.0}, {30.0, 30.0, 30.0});
     Case c = tank();
     c.path = folder / "case.toml";

@@ -58,6 +58,7 @@ std::vector<Wrong> wrong_geometry() {
         {flume(), "start.lattice = body-centred"},
         {flume(), "start.kind = section"},
         {cell(), "channel.top = wall"},
+        {periodic_box(), "channel.dimensions = 3; channel.width = 50 mm; channel.sides = walls"},
         {cell(), "bed.drag_form = paper"},
         {cell(), "start.lattice = hexagonal"},
         {cell(), "start.kind = standing-wave"},

@@ -15,6 +15,7 @@
 #include "base/error.hpp"
 #include "case/stl_file.hpp"
 #include "case_test.hpp"
+#include "temporary_folder.hpp"
 
 namespace riffle::solid_mesh_test {
 namespace {
@@ -83,7 +84,7 @@ std::string binary_of(const Triangles& triangles) {
 
 std::filesystem::path file_of(const std::string& content) {
     const std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
-    const auto file = std::filesystem::path(testing::TempDir()) / ("riffle_" + name + ".stl");
+    const auto file = test::folder_of_this_process() / (name + ".stl");
     std::ofstream(file, std::ios::binary) << content;
     return file;
 }
@@ -160,7 +161,7 @@ TEST(StlFile, FaultsNameFileAndTriangle) {
     Triangles open = whole;
     open.erase(open.begin() + 4);
     EXPECT_THAT(fault_of(text_of(open)), HasSubstr("the surface is not closed"));
-    EXPECT_THAT(fault_of(text_of(open)), HasSubstr("riffle_FaultsNameFileAndTriangle.stl: triangle "));
+    EXPECT_THAT(fault_of(text_of(open)), HasSubstr("FaultsNameFileAndTriangle.stl: triangle "));
     Triangles one_turned = whole;
     std::swap(one_turned[6][0], one_turned[6][1]);
     EXPECT_THAT(fault_of(text_of(one_turned)), HasSubstr("turned over"));
@@ -235,7 +236,7 @@ TEST(SolidMesh, AShellInAnotherIsSolidOrAHollowByItsSense) {
 TEST(SolidsInSpace, NeedAFileAndAPlaceInTheChannel) {
     const auto file = file_of(text_of(box({0.0, 0.0, 0.0}, {40.0, 30.0, 20.0})));
     const auto text = [&](const std::string& lines) {
-        const auto path = file.parent_path() / "riffle_solid_case.toml";
+        const auto path = file.parent_path() / "solid_case.toml";
         std::ofstream(path)
             << "[channel]\nslope = 0\ndepth = \"50 mm\"\nlength = \"200 mm\"\nwidth = \"100 mm\"\n"
                "dimensions = 3\n[bed]\nkind = \"slip\"\n[turbulence]\nclosure = \"none\"\n"

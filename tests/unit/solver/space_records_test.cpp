@@ -19,6 +19,7 @@
 #include "solver/profile_blocks.hpp"
 #include "solver/series.hpp"
 #include "solver/snapshots.hpp"
+#include "temporary_folder.hpp"
 
 namespace riffle::space_records_test {
 namespace {
@@ -185,7 +186,7 @@ TEST(MeanFieldWindows, GoOnFromACheckpoint) {
     Content before;
     Content after;
     std::map<std::string, std::vector<float>> parts;
-    const auto file = std::filesystem::path(testing::TempDir()) / "riffle-mean-field-checkpoint.h5";
+    const auto file = test::folder_of_this_process() / "mean-field-checkpoint.h5";
     for (int k = 0; k < 25; ++k) {
         channel.advance(1);
         straight.sample(*channel.simulation);

@@ -41,6 +41,13 @@ class TemporaryFolder {
     std::filesystem::path path_;
 };
 
+/// A folder that lasts as long as the process. Tests run side by side, each in a process of its own: a name
+/// that two of them share in one folder is read by one while the other writes it.
+inline const std::filesystem::path& folder_of_this_process() {
+    static const TemporaryFolder folder;
+    return folder.path();
+}
+
 /// A disk in memory of the given size, mounted on a folder.
 class SmallDisk {
   public:

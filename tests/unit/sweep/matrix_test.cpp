@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "base/error.hpp"
+#include "temporary_folder.hpp"
 
 namespace riffle::matrix_test {
 namespace {
@@ -121,7 +122,7 @@ TEST(Matrix, RefusesAKeyThatIsSetAndVariedAndCasesThatAreOne) {
 
 TEST(Matrix, RefusesWhatOnlyShowsWhenARunIsSetUp) {
     // An instrument that samples more often than there are steps.
-    const auto file = std::filesystem::path(::testing::TempDir()) / "riffle-sweep-probe.toml";
+    const auto file = test::folder_of_this_process() / "sweep-probe.toml";
     std::ofstream(file) << std::ifstream(condition_2).rdbuf()
                         << "\n[[probe]]\nname = \"wave\"\nkind = \"wave\"\nx = 0.01\n"
                            "sampling_frequency = \"2 kHz\"\n";
@@ -129,7 +130,6 @@ TEST(Matrix, RefusesWhatOnlyShowsWhenARunIsSetUp) {
     input.case_file = file;
     EXPECT_THAT(refusal_of([&] { (void)read_matrix(input); }),
                 AllOf(HasSubstr("1 of the 2"), HasSubstr("time_step=1ms"), HasSubstr("sampling_frequency")));
-    std::filesystem::remove(file);
 }
 
 }  // namespace

@@ -1,0 +1,66 @@
+#include "analysis/gauges.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+#include "analysis/chapter_names.hpp"
+#include "analysis/figure_tools.hpp"
+
+namespace riffle {
+
+namespace {
+
+constexpr double response_time = 0.003;  // s
+
+/// Means over `width` samples around each; at the ends over those that there are.
+std::vector<double> running_means(const std::vector<double>& values, std::size_t width) {
+    std::vector<double> sums(values.size() + 1, 0.0);
+    std::partial_sum(values.begin(), values.end(), sums.begin() + 1);
+    std::vector<double> means(values.size());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const std::size_t first = i - std::min(i, width / 2);
+        const std::size_t last = std::min(values.size(), first + width);
+        means[i] = (sums[last] - sums[first]) / static_cast<double>(last - first);
+    }
+    return means;
+}
+
+}  // namespace
+
+void add_gauges(const FlowRecord& record, Analysis& analysis) {
+    Figure figure = make_figure(
+        chapters::forces, "pressure_gauges", "Pressure at the gauges",
+        "Pressure of the water over that of the air at the points of the instruments, running means over "
+        "3 ms; 0 at a dry point.",
+        "", make_axis("time t", "s"), make_axis("pressure p", "Pa"));
+    int variant = 0;
+    for (const ScalarProbe& probe : record.scalar_probes()) {
+        if (probe.kind != "pressure" || probe.value.size() < 2) continue;
+        const double interval =
+            (probe.time.back() - probe.time.front()) / static_cast<double>(probe.time.size() - 1);
+        const auto width =
+            std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(response_time / interval)));
+        const std::vector<double> means = running_means(probe.value, width);
+        const auto largest = std::max_element(means.begin(), means.end());
+        const double sample = *std::max_element(probe.value.begin(), probe.value.end());
+        Finding finding = make_finding(chapters::forces, probe.name + "_" + probe.quantity + "_largest",
+                                       probe.label + ", largest mean over 3 ms", probe.unit, *largest);
+        if (*largest > 0.0) {
+            finding.remark =
+                fmt::format("at t = {:.4g} s; the largest sample is {:.3g} times as large",
+                            probe.time[static_cast<std::size_t>(largest - means.begin())], sample / *largest);
+        } else {
+            finding.remark = "no water came there";
+        }
+        analysis.findings.push_back(std::move(finding));
+        figure.curves.push_back(make_curve(probe.label, record.origin(), Mark::line, thinned(probe.time),
+                                           thinned(means), variant++));
+    }
+    if (!figure.curves.empty()) analysis.figures.push_back(std::move(figure));
+}
+
+}  // namespace riffle

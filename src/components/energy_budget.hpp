@@ -1,0 +1,263 @@
+#pragma once
+
+#include <numeric>
+#include <vector>
+
+#include "boundary/wall_motion.hpp"
+#include "engine/component.hpp"
+#include "engine/pair_setup.hpp"
+#include "engine/pass_order.hpp"
+#include "particles/working_values.hpp"
+
+namespace riffle {
+
+/// What each part of the scheme does to the energy of the water, in steps that keep the fields
+/// (docs/theory.md, "Energy"). Forces work on the mean of a particle's velocity before and after them, so
+/// that with a method of one evaluation their powers add up to the change of the kinetic energy to rounding.
+template <int D, class Real>
+class EnergyBudget final : public Component<D, Real> {
+  public:
+    using typename Component<D, Real>::Flow;
+    using typename Component<D, Real>::Task;
+
+    explicit EnergyBudget(const Flow& flow)
+        : corrected_(weighs_by_volume(flow.c)),
+          two_point_(flow.particle_data.closure && flow.particle_data.two_point),
+          tensor_(flow.particle_data.closure && !flow.particle_data.two_point) {
+        LoopOptions options = loop_options(flow.c);
+        options.gradients = false;
+        options.directional = false;  // a weight of the eddies alone
+        molecular_loops_ = pair_loops<D, Real>(options);
+    }
+
+    void begin_evaluation(Flow& flow, const Stage& stage) override {
+        if (!flow.keep_fields) {
+            return;
+        }
+        stage_ = stage;
+        blocks_.assign(flow.block_advance.size(), EnergyRates{});
+        if (two_point_) {
+            flow.data.pressure.assign(flow.data.motion.size(), PressureRecord<Real>{});
+        }
+        if (tensor_) {
+            strain_work_.template reset<Real>(flow.particles.size());
+        }
+    }
+
+    void complete_gradients(Flow& flow, Task& task, std::size_t begin, std::size_t end) override {
+        if (!flow.keep_fields) {
+            return;
+        }
+        add_compression(flow, task.sums.gradient, begin, end);
+        if (two_point_) {
+            put_molecular_records(flow, task.sums.gradient, begin, end);
+        }
+        if (tensor_) {
+            keep_strain_work(flow, task, begin, end);
+        }
+    }
+
+    void add_forces(Flow& flow, Task& task, std::size_t begin, std::size_t end) override {
+        if (!flow.keep_fields) {
+            return;
+        }
+        Own& own = own_of(task);
+        if (two_point_) {
+            molecular_loops_.force(flow.data, begin, end, own.sums);
+        }
+        flow.for_particles(begin, end, [&](std::size_t i, std::size_t lane) {
+            for (std::size_t k = 0; k < Flow::axes; ++k) {
+                own.velocity[k][lane] = flow.particles.velocity[k][i];
+            }
+        });
+    }
+
+    void after_motion(Flow& flow, Task& task, const Stage& /*stage*/, std::size_t begin,
+                      std::size_t end) override {
+        if (!flow.keep_fields) {
+            return;
+        }
+        const Own& own = own_of(task);
+        EnergyRates& sum = blocks_[begin / block_clusters];
+        flow.for_particles(begin, end, [&](std::size_t i, std::size_t lane) {
+            Vec<D> u{};
+            for (std::size_t k = 0; k < Flow::axes; ++k) {
+                const double before = own.velocity[k][lane];
+                u[k] = flow.motion_summed ? 0.5 * (before + flow.particles.velocity[k][i]) : before;
+            }
+            add_powers(flow, task, own, i, lane, u, sum);
+        });
+    }
+
+    void end_evaluation(Flow& flow) override {
+        if (!flow.keep_fields) {
+            return;
+        }
+        flow.energy_rates = std::accumulate(blocks_.begin(), blocks_.end(), EnergyRates{});
+        flow.energy_rates.pressure += flow.energy_rates.compression;
+    }
+
+    void end_step(Flow& flow) override {
+        if (!flow.keep_fields) {
+            return;
+        }
+        add_solids(flow);
+        if (two_point_) {
+            flow.data.pressure = {};
+        }
+        strain_work_.release();
+        std::vector<EnergyRates>().swap(blocks_);
+    }
+
+  private:
+    /// What a thread keeps of a block from its forces to its motion.
+    struct Own {
+        BlockWork<D, Real> sums;
+        std::array<LaneArray<double>, Flow::axes> velocity;  ///< before the motion
+    };
+
+    static Own& own_of(const Task& task) {
+        thread_local Own own;
+        if (own.sums.slots.size() < task.sums.slots.size()) {
+            own.sums.slots.resize(task.sums.slots.size());
+        }
+        return own;
+    }
+
+    /// The energy of the compression at the middle of its change: exact to the third order of the change.
+    void add_compression(const Flow& flow, const GradientResult<D, Real>& gradient, std::size_t begin,
+                         std::size_t end) {
+        EnergyRates& sum = blocks_[begin / block_clusters];
+        flow.for_particles(begin, end, [&](std::size_t i, std::size_t lane) {
+            const double before = flow.particles.density_deviation[i];
+            const double compression = (1.0 + before) * static_cast<double>(gradient.density_rate[lane]);
+            const auto diffusion = static_cast<double>(gradient.diffusion[lane]);
+            const double s = before + 0.5 * stage_.density * (compression + diffusion);
+            const double slope =
+                flow.particles.mass[i] * flow.scheme.state.pressure(s) / ((1.0 + s) * (1.0 + s));
+            sum.compression += slope * compression;
+            sum.density_diffusion += slope * diffusion;
+        });
+    }
+
+    /// Records of which the force pass makes the molecular viscosity alone.
+    void put_molecular_records(Flow& flow, const GradientResult<D, Real>& gradient, std::size_t begin,
+                               std::size_t end) const {
+        flow.for_particles(begin, end, [&](std::size_t i, std::size_t lane) {
+            const std::size_t slot = begin * cluster_size + lane;
+            const double density_ratio = 1.0 + flow.particles.density_deviation[i];
+            const double viscosity = flow.particle_data.viscosity *
+                                     static_cast<double>(gradient.viscosity_factor[lane]) *
+                                     (corrected_ ? density_ratio : 1.0 / density_ratio);
+            const double mass = flow.particles.mass[i] / flow.scheme.density;
+            flow.data.pressure[slot].viscosity_root = static_cast<Real>(viscosity_root(viscosity));
+            flow.data.pressure[slot].weight = static_cast<Real>(corrected_ ? mass / density_ratio : mass);
+        });
+    }
+
+    /// tau:G over rho nu_t of the eddy stresses in the tensor. With G, the velocity gradient without
+    /// correction, its sum is that of the forces' work, pair by pair.
+    void keep_strain_work(Flow& flow, Task& task, std::size_t begin, std::size_t end) {
+        Own& own = own_of(task);
+        own.sums.uncorrected_gradient = true;
+        flow.loops.gradient(flow.data, begin, end, own.sums);
+        const ParticleData<D>& p = flow.particle_data;
+        flow.for_particles(begin, end, [&](std::size_t i, std::size_t lane) {
+            const auto strain = [&](std::size_t k, std::size_t l) {
+                return static_cast<double>(task.sums.gradient.velocity_gradient[k * D + l][lane]);
+            };
+            const auto plain = [&](std::size_t k, std::size_t l) {
+                return static_cast<double>(own.sums.gradient.velocity_gradient[k * D + l][lane]);
+            };
+            double work = 0.0;
+            if (p.shear_only) {
+                work = strain(0, D - 1) * (plain(0, D - 1) + plain(D - 1, 0));
+            } else {
+                for (std::size_t k = 0; k < D; ++k) {
+                    for (std::size_t l = 0; l < D; ++l) {
+                        const bool across_k = D == 3 && k == 1;
+                        const bool across_l = D == 3 && l == 1;
+                        const double weight = across_k && across_l   ? p.normal_weight_across
+                                              : across_k || across_l ? p.shear_weight_across
+                                                                     : 1.0;
+                        work += weight * (strain(k, l) + strain(l, k)) * plain(k, l);
+                    }
+                }
+            }
+            strain_work_.set(i, static_cast<Real>(work));
+        });
+    }
+
+    void add_powers(const Flow& flow, const Task& task, const Own& own, std::size_t i, std::size_t lane,
+                    const Vec<D>& u, EnergyRates& sum) const {
+        const ForceResult<D, Real>& force = task.sums.force;
+        const ParticleWork<D, Real>& work = task.particles;
+        const double mass = flow.particles.mass[i];
+        const double factor = corrected_ ? mass / (1.0 + flow.particles.density_deviation[i]) : mass;
+        double tensor = 0.0;
+        double viscous = 0.0;
+        double molecular = 0.0;
+        double weight = 0.0;
+        double further = 0.0;
+        for (std::size_t k = 0; k < Flow::axes; ++k) {
+            tensor += factor * u[k] * static_cast<double>(force.tensor[k][lane]);
+            viscous += factor * u[k] * static_cast<double>(force.viscous[k][lane]);
+            weight += mass * u[k] * flow.particle_data.gravity[k];
+            if (two_point_) {
+                molecular += factor * u[k] * static_cast<double>(own.sums.force.viscous[k][lane]);
+            }
+            if (flow.inputs.acceleration) {
+                further += mass * u[k] * work.acceleration[k][lane];
+            }
+        }
+        double bed = flow.inputs.drag ? work.drag_force[lane] * u[0] : 0.0;
+        double side = 0.0;
+        if constexpr (D == 3) {
+            bed += flow.inputs.drag ? work.drag_force_across[lane] * u[1] : 0.0;
+            side = flow.with_side_drag
+                       ? work.side_force[lane] * u[0] + work.side_force_vertical[lane] * u[Flow::vertical]
+                       : 0.0;
+        }
+        const double closure = two_point_ ? viscous - molecular
+                               : tensor_  ? -mass * flow.fields.eddy_viscosity[i] * strain_work_[i]
+                                          : 0.0;
+        sum.kinetic += tensor + viscous + weight + mass * (bed + side) + further;
+        sum.closure += closure;
+        sum.viscosity += two_point_ ? molecular : viscous;
+        sum.pressure += tensor - (tensor_ ? closure : 0.0);
+        sum.bed_drag += mass * bed;
+        sum.side_drag += mass * side;
+        sum.further_forces += further;
+        if (flow.domain.periodic[0]) {
+            sum.gravity += mass * u[0] * flow.particle_data.gravity[0];
+        }
+    }
+
+    /// Solids that move work on the water by pressure and friction, of which the sums above know no cause.
+    static void add_solids(Flow& flow) {
+        for (std::size_t n = 0; !flow.bodies.empty() && n < flow.solid_forces.size(); ++n) {
+            const auto& velocity = flow.bodies[static_cast<std::size_t>(first_solid) + n].velocity;
+            const auto& force = flow.solid_forces[n];
+            const double pressure = -(force.pressure[0] * velocity[0] + force.pressure[2] * velocity[1]);
+            const double friction = -(force.friction[0] * velocity[0] + force.friction[2] * velocity[1]);
+            flow.energy_rates.solids += pressure + friction;
+            flow.energy_rates.pressure -= pressure;
+            flow.energy_rates.viscosity -= friction;
+        }
+    }
+
+    bool corrected_;
+    bool two_point_;  ///< an eddy viscosity acts between pairs
+    bool tensor_;     ///< or in the stress tensor
+    PairLoops<D, Real> molecular_loops_;
+    Stage stage_;
+    std::vector<EnergyRates> blocks_;
+    WorkingValues strain_work_;  ///< 1/s2, by particle
+};
+
+template <int D, class Real>
+std::unique_ptr<Component<D, Real>> make_energy_budget(FlowOf<D, Real>& flow) {
+    return std::make_unique<EnergyBudget<D, Real>>(flow);
+}
+
+}  // namespace riffle
