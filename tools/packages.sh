@@ -7,7 +7,7 @@ build_packages=(
 )
 test_packages=(
     libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev clang-format-14
-    python3 python3-h5py python3-matplotlib python3-numpy python3-xarray python3-paraview chromium mount valgrind
+    python3 python3-h5py python3-matplotlib python3-numpy python3-xarray python3-paraview chromium-headless-shell mount valgrind
 )
 lint_packages=(clang-tidy-14)
 

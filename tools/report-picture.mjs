@@ -1,14 +1,10 @@
 // Puts figures of a report side by side into one PNG, for the README and the gallery:
 //   node tools/report-picture.mjs REPORT.html PICTURE.png velocity stress field
-// Names are those of the report's figures (figure-<name>). Needs web/node_modules (npm ci --prefix web) and the
-// browser named by CHROMIUM (default /usr/bin/chromium).
+// Names are those of the report's figures (figure-<name>). Needs what tools/browser.mjs says.
 
-import { createRequire } from 'node:module';
-import { dirname, join, resolve } from 'node:path';
-import { fileURLToPath, pathToFileURL } from 'node:url';
-
-const here = dirname(fileURLToPath(import.meta.url));
-const { chromium } = createRequire(join(here, '../web/package.json'))('playwright-core');
+import { resolve } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { launch } from './browser.mjs';
 
 const [report, picture, ...names] = process.argv.slice(2);
 if (!names.length) {
@@ -16,10 +12,7 @@ if (!names.length) {
   process.exit(2);
 }
 
-const browser = await chromium.launch({
-  executablePath: process.env.CHROMIUM || '/usr/bin/chromium',
-  args: ['--no-sandbox', '--disable-gpu', '--disable-background-networking', '--no-first-run'],
-});
+const browser = await launch();
 try {
   const page = await browser.newPage({ viewport: { width: 1280, height: 900 }, colorScheme: 'light' });
   await page.goto(pathToFileURL(resolve(report)).href);

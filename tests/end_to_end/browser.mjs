@@ -1,21 +1,29 @@
-// What the browser's tests of the pages share: a browser without a network, and the faults that a page must not have.
-// Needs the browser named by CHROMIUM (default /usr/bin/chromium) and web/node_modules (npm ci --prefix web).
+// What the browser's tests of the pages share: a page without a network, and the faults that a page must not have.
 
-import { createRequire } from 'node:module';
-import { dirname, join } from 'node:path';
-import { fileURLToPath, pathToFileURL } from 'node:url';
-
-const here = dirname(fileURLToPath(import.meta.url));
-const { chromium } = createRequire(join(here, '../../web/package.json'))('playwright-core');
+import { pathToFileURL } from 'node:url';
+import { launch } from '../../tools/browser.mjs';
 
 export const failures = [];
 export const check = (ok, what) => { if (!ok) failures.push(what); };
 
-export const launch = () => chromium.launch({
-  executablePath: process.env.CHROMIUM || '/usr/bin/chromium',
-  args: ['--no-sandbox', '--disable-gpu', '--disable-dev-shm-usage', '--disable-background-networking',
-    '--disable-component-update', '--no-first-run', '--disable-sync', '--disable-extensions'],
-});
+// A browser that no longer makes frames of its pages: nothing comes into view in it. It is no fault of the page.
+class Stalled extends Error {}
+
+// Has a browser looked through, and another one where the first has stalled; three stalled ones are a failure.
+export async function look_through_a_browser(look) {
+  for (let left = 2; ; --left) {
+    failures.length = 0;
+    const browser = await launch();
+    try {
+      return await look(browser);
+    } catch (error) {
+      if (!(error instanceof Stalled) || left === 0) throw error;
+      console.error(`note: ${error.message}; the next one begins anew`);
+    } finally {
+      await browser.close();
+    }
+  }
+}
 
 // A page without a network; what it writes to the console, throws or asks for is a failure.
 export async function open(browser, file, width, height, scheme) {
@@ -33,17 +41,21 @@ export async function open(browser, file, width, height, scheme) {
 }
 
 // Figures are drawn when they come into view: show each, and wait until it is drawn. A browser on a busy machine may stop making
-// frames of a page that nobody looks at, and sees nothing come into view then: a screenshot has it make one.
+// frames of a page that nobody looks at, and sees nothing come into view then: a screenshot has it make one, or shows that it
+// has stalled.
 export async function draw_all(page) {
   for (const plot of await page.$$('figure .plot')) {
-    for (let patience = 9; ; --patience) {
+    for (let patience = 2; ; --patience) {
       // Again and again: figures above that are being drawn move it away.
       const drawn = await page.waitForFunction(element => {
         element.scrollIntoView({ block: 'center' });
         return element.classList.contains('js-plotly-plot') && element._fullLayout;
-      }, plot, { timeout: 20000, polling: 100 }).catch(error => { if (patience === 0) throw error; });
+      }, plot, { timeout: 20000, polling: 100 }).catch(() => null);
       if (drawn) break;
-      await page.screenshot({ clip: { x: 0, y: 0, width: 1, height: 1 } });
+      const frame = await page.screenshot({ clip: { x: 0, y: 0, width: 1, height: 1 }, timeout: 20000 }).catch(() => null);
+      const id = await plot.evaluate(element => element.id);
+      if (!frame) throw new Stalled(`the browser makes no frame in which ${id} could come into view`);
+      if (patience === 0) throw new Error(`${id} is not drawn where it is in view`);
     }
   }
   await page.evaluate(() => scrollTo(0, 0));

@@ -6,7 +6,7 @@
 
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
-import { check, check_figure, draw_all, failures, finish, inspect, launch, open } from './browser.mjs';
+import { check, check_figure, draw_all, failures, finish, inspect, look_through_a_browser, open } from './browser.mjs';
 
 const options = process.argv.slice(2);
 const list = name => { const at = options.indexOf(name); return at < 0 ? null : options.splice(at, 2)[1].split(','); };
@@ -18,8 +18,6 @@ if (!page_file) {
 }
 const file = resolve(page_file), name = file.replace(/.*\//, '').replace(/\.html$/, '');
 if (folder) mkdirSync(folder, { recursive: true });
-
-const browser = await launch();
 
 // The file that a button of a figure saves. On a machine with much else to do a browser may drop a click: it gets three.
 async function save(page, id, button) {
@@ -52,7 +50,7 @@ async function check_files(page, id, state, where) {
   }
 }
 
-async function check_page(width, height, scheme) {
+async function check_page(browser, width, height, scheme) {
   const { context, page, where } = await open(browser, file, width, height, scheme);
   const ids = await page.$$eval('figure', all => all.map(figure => figure.id.replace('figure-', '')));
   const before = (await page.$$('.js-plotly-plot')).length, all = (await page.$$('figure .plot')).length;
@@ -72,8 +70,8 @@ async function check_page(width, height, scheme) {
   return { context, page, where, ids, states };
 }
 
-try {
-  const { context, page, where, ids, states } = await check_page(1280, 900, 'light');
+await look_through_a_browser(async browser => {
+  const { context, page, where, ids, states } = await check_page(browser, 1280, 900, 'light');
   for (const id of ids) if (!states[id].note && (!saved || saved.includes(id))) await check_files(page, id, states[id], where);
   // Each view of a figure of several runs draws as the other does.
   for (const button of await page.$$('.chapter .choices button[aria-pressed="false"]')) {
@@ -101,10 +99,8 @@ try {
   check(drawn === figures, `on paper at once: ${drawn} of ${figures} figures`);
   await fresh.context.close();
   for (const [width, height, scheme] of [[420, 900, 'light'], [1280, 900, 'dark']]) {
-    const seen = await check_page(width, height, scheme);
+    const seen = await check_page(browser, width, height, scheme);
     await seen.context.close();
   }
-} finally {
-  await browser.close();
-}
+});
 finish(`figures look right: ${file} (${failures.length} faults)`);

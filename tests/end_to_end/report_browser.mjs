@@ -8,7 +8,7 @@
 
 import { existsSync, mkdirSync, statSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
-import { check, check_figure, draw_all, finish, inspect, launch, open as open_page } from './browser.mjs';
+import { check, check_figure, draw_all, finish, inspect, look_through_a_browser, open } from './browser.mjs';
 
 const options = process.argv.slice(2);
 const partial = options.includes('--partial');
@@ -53,11 +53,8 @@ const painted = async () => {
   return { share: count / (data.length / 4), colours: colours.size };
 };
 
-const browser = await launch();
-const open = (width, height, scheme) => open_page(browser, file, width, height, scheme);
-
-async function check_page(width, height, scheme) {
-  const { context, page, where } = await open(width, height, scheme);
+async function check_page(browser, width, height, scheme) {
+  const { context, page, where } = await open(browser, file, width, height, scheme);
   await draw_all(page);
   for (const id of expected) {
     if (partial && !(await page.$(`#figure-${id}`))) continue;
@@ -77,9 +74,9 @@ async function check_page(width, height, scheme) {
   return { context, page, where };
 }
 
-try {
+await look_through_a_browser(async browser => {
   // A desk: everything, and the ways to use the page.
-  const { context, page, where } = await check_page(1280, 900, 'light');
+  const { context, page, where } = await check_page(browser, 1280, 900, 'light');
   const rows = await page.$$eval('#summary-table tbody tr', lines => lines.map(line => ({ key: line.dataset.key,
     numbers: [...line.querySelectorAll('td')].map(cell => cell.dataset.value).filter(value => value !== undefined).map(Number) })));
   check(rows.length >= (partial ? 0 : kind === 'uniform' ? 5 : 2), `${where}: the summary table has ${rows.length} rows`);
@@ -140,12 +137,10 @@ try {
   await context.close();
 
   for (const [width, height, scheme] of [[420, 900, 'light'], [1280, 900, 'dark']]) {
-    const seen = await check_page(width, height, scheme);
+    const seen = await check_page(browser, width, height, scheme);
     await seen.context.close();
   }
-} finally {
-  await browser.close();
-}
+});
 
 check(existsSync(file) && statSync(file).size < 12e6, 'the report is larger than 12 MB');
 finish(`report looks right: ${file}`);

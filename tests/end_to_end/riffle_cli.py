@@ -13,6 +13,9 @@ SOURCE = Path(__file__).resolve().parents[2]
 RIFFLE = os.environ.get("RIFFLE", str(SOURCE / "build/ci/bin/riffle"))
 CASE = SOURCE / "cases/rough-bed-2d/condition-2.toml"
 SKIPPED = 77  # exit status by which ctest knows a skipped test
+# The browser of the tests that draw pages, as in tools/browser.mjs; None where there is none.
+BROWSER = next((path for path in (os.environ.get("CHROMIUM"), "/usr/bin/chromium-headless-shell", "/usr/bin/chromium")
+                if path and Path(path).exists()), None)
 
 # Flow condition 2 with some 500 particles: a simulated second takes a fraction of one.
 SMALL = ["--set", "numerics.spacing=2.5mm", "--set", "channel.length=0.06"]
@@ -163,6 +166,15 @@ def kept_files(folder):
 
 class CommandLineTest(unittest.TestCase):
     """A test with a folder of its own, self.folder."""
+
+    def need_browser(self, driver=True):
+        """Skip where nothing can draw a page; driver: the test steers the browser from node."""
+        if not BROWSER:
+            self.skipTest("no browser (package chromium-headless-shell)")
+        if driver and not shutil.which("node"):
+            self.skipTest("no node (package nodejs)")
+        if driver and not (SOURCE / "web/node_modules/playwright-core").exists():
+            self.skipTest("no playwright-core: npm ci --prefix web")
 
     def setUp(self):
         self.folder = Path(tempfile.mkdtemp(prefix="riffle-test-"))

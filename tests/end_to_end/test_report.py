@@ -7,8 +7,6 @@ from pathlib import Path
 
 from riffle_cli import CASE, RIFFLE, SMALL, SOURCE, CommandLineTest, every, main, start, until, wait_for
 
-CHROMIUM = os.environ.get("CHROMIUM", "/usr/bin/chromium")
-
 
 class Report(CommandLineTest):
     def test_report_prints_its_path_and_the_summary_as_json(self):
@@ -186,12 +184,9 @@ class Report(CommandLineTest):
         subprocess.run([program, self.folder], check=True, timeout=60)
 
     def look_at(self, page, *options, script="report_browser.mjs"):
-        if not shutil.which("node") or not Path(CHROMIUM).exists():
-            self.skipTest(f"no node or no browser at {CHROMIUM} (packages nodejs, chromium)")
-        if not (SOURCE / "web/node_modules/playwright-core").exists():
-            self.skipTest("no playwright-core: npm ci --prefix web")
+        self.need_browser()
         browser = subprocess.run(["node", SOURCE / "tests/end_to_end" / script, page, *options],
-                                 capture_output=True, text=True, timeout=240)
+                                 capture_output=True, text=True, timeout=900)
         self.assertEqual(browser.returncode, 0, browser.stdout + browser.stderr)
 
 

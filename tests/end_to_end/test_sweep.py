@@ -2,16 +2,12 @@
 import csv
 import json
 import math
-import os
 import shutil
 import signal
 import subprocess
 import time
-from pathlib import Path
 
-from riffle_cli import CASE, SMALL, CommandLineTest, every, kept_files, main, start, until, wait_for
-
-CHROMIUM = os.environ.get("CHROMIUM", "/usr/bin/chromium")
+from riffle_cli import BROWSER, CASE, SMALL, CommandLineTest, every, kept_files, main, start, until, wait_for
 
 # Some hundred particles, a fraction of a second each.
 TINY = ["--set", "channel.length=0.06", *until(0.2)]
@@ -155,11 +151,10 @@ class Sweep(CommandLineTest):
         self.fail_with(3, "sweep", self.folder / "none.toml", "--vary", "numerics.spacing=4mm", says=["none.toml"])
 
     def test_the_page_draws_tables_and_figures(self):
-        if not Path(CHROMIUM).exists():
-            self.skipTest("no browser")
+        self.need_browser(driver=False)
         self.succeed("sweep", CASE, *MATRIX, *TINY, *until(0.4), "-o", self.sweep, "-q")
         page = (self.sweep / "sweep.html").as_uri()
-        drawn = subprocess.run([CHROMIUM, "--headless", "--no-sandbox", "--disable-gpu", "--window-size=1200,8000", "--virtual-time-budget=20000",
+        drawn = subprocess.run([BROWSER, "--headless", "--no-sandbox", "--disable-gpu", "--window-size=1200,8000", "--virtual-time-budget=20000",
                                 "--dump-dom", page], capture_output=True, text=True, timeout=120).stdout
         for name in ("The runs", "Convergence", "The outcomes"):
             self.assertIn(f"<h2>{name}</h2>", drawn)

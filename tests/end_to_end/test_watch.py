@@ -10,7 +10,6 @@ from pathlib import Path
 
 from riffle_cli import CASE, SMALL, SOURCE, CommandLineTest, main, start, until, wait_for
 
-CHROMIUM = os.environ.get("CHROMIUM", "/usr/bin/chromium")
 OFTEN = ["--set", "output.checkpoint_interval=0.2"]
 
 
@@ -213,10 +212,7 @@ class Watch(CommandLineTest):
                          ("finished", "The results file is marked as complete."))
 
     def test_page_in_a_browser(self):
-        if not shutil.which("node") or not Path(CHROMIUM).exists():
-            self.skipTest(f"no node or no browser at {CHROMIUM} (packages nodejs, chromium)")
-        if not (SOURCE / "web/node_modules/playwright-core").exists():
-            self.skipTest("no playwright-core: npm ci --prefix web")
+        self.need_browser()
         folder = self.folder / "run"
         self.watch(folder)
         screenshots = [os.environ["RIFFLE_SCREENSHOTS"]] if "RIFFLE_SCREENSHOTS" in os.environ else []

@@ -3,15 +3,10 @@
 // Goes through the states of a run and prints the name of each when the page shows it, so that the caller can bring
 // about the next one: `waiting`, `advanced` (running, and the simulated time has grown), `stopped`, `finished`, `looked`
 // (figures and layouts are as they should be), `alone` (the page says that nobody answers).
-// Needs the browser named by CHROMIUM (default /usr/bin/chromium) and web/node_modules (npm ci --prefix web).
 
 import { mkdirSync } from 'node:fs';
-import { createRequire } from 'node:module';
-import { dirname, join } from 'node:path';
-import { fileURLToPath } from 'node:url';
-
-const here = dirname(fileURLToPath(import.meta.url));
-const { chromium } = createRequire(join(here, '../../web/package.json'))('playwright-core');
+import { join } from 'node:path';
+import { launch } from '../../tools/browser.mjs';
 
 const [url, folder] = process.argv.slice(2);
 if (!url) {
@@ -22,15 +17,11 @@ if (folder) mkdirSync(folder, { recursive: true });
 
 const failures = [];
 const check = (ok, what) => { if (!ok) failures.push(what); };
-const patience = { timeout: 120_000 };
+const patience = { timeout: 120_000, polling: 100 };  // by the clock: a browser of which nobody sees frames may make none
 const curve = { ...patience, state: 'attached' };  // a curve that is a level line has no height, and so is not "visible"
 let answered = true;
 
-const browser = await chromium.launch({
-  executablePath: process.env.CHROMIUM || '/usr/bin/chromium',
-  args: ['--no-sandbox', '--disable-gpu', '--disable-dev-shm-usage', '--disable-background-networking',
-    '--disable-component-update', '--no-first-run', '--disable-sync', '--disable-extensions'],
-});
+const browser = await launch();
 
 async function open(width, scheme) {
   const context = await browser.newContext({ viewport: { width, height: 900 }, colorScheme: scheme, deviceScaleFactor: 1 });
