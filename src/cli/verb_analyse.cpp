@@ -5,7 +5,9 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "analysis/analysis_json.hpp"
@@ -41,26 +43,46 @@ void tell_apart(std::vector<Analysis>& analyses) {
     }
 }
 
+/// A file of figures or findings, to be written.
+struct CsvOutput {
+    std::filesystem::path path;
+    std::string content;
+};
+
 /// The CSV files of the analyses: in the folder itself, of several analyses in one subfolder each.
-void write_csv(const std::vector<Analysis>& analyses, const std::filesystem::path& folder) {
-    std::size_t count = 0;
+std::vector<CsvOutput> csv_outputs(const std::vector<Analysis>& analyses,
+                                   const std::filesystem::path& folder) {
+    std::vector<CsvOutput> outputs;
     for (std::size_t i = 0; i < analyses.size(); ++i) {
         const std::filesystem::path place = analyses.size() == 1 ? folder : folder / fmt::format("{}", i + 1);
-        std::error_code error;
-        std::filesystem::create_directories(place, error);
-        if (error) {
-            throw FileError(
-                fmt::format("{}: the folder cannot be made: {}", place.string(), error.message()));
-        }
         for (const Figure& figure : analyses[i].figures) {
-            for (const CsvFile& file : figure_to_csv(figure)) {
-                write_text_atomically(place / file.name, file.content);
-                ++count;
+            for (CsvFile& file : figure_to_csv(figure)) {
+                outputs.push_back({place / file.name, std::move(file.content)});
             }
         }
     }
-    write_text_atomically(folder / "findings.csv", findings_to_csv(analyses));
-    fmt::print("{} (findings.csv and {} files of figures)\n", folder.string(), count);
+    outputs.push_back({folder / "findings.csv", findings_to_csv(analyses)});
+    return outputs;
+}
+
+void write_csv(const std::vector<Analysis>& analyses, const std::filesystem::path& folder) {
+    const std::vector<CsvOutput> outputs = csv_outputs(analyses, folder);
+    // An older table begins with the same line: the title of the figure, or the names of the columns.
+    for (const CsvOutput& output : outputs) {
+        refuse_to_replace_another(output.path,
+                                  std::string_view(output.content).substr(0, output.content.find('\n')),
+                                  "older table of this name by riffle analyse");
+    }
+    for (const CsvOutput& output : outputs) {
+        std::error_code error;
+        std::filesystem::create_directories(output.path.parent_path(), error);
+        if (error) {
+            throw FileError(fmt::format("{}: the folder cannot be made: {}",
+                                        output.path.parent_path().string(), error.message()));
+        }
+        write_text_atomically(output.path, output.content);
+    }
+    fmt::print("{} (findings.csv and {} files of figures)\n", folder.string(), outputs.size() - 1);
 }
 
 void run_analyse(const AnalyseOptions& options) {

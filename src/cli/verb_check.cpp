@@ -4,6 +4,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "base/wrapped_text.hpp"
 #include "cli/case_argument.hpp"
 #include "cli/run_arguments.hpp"
 #include "cli/terminal.hpp"
@@ -20,24 +21,36 @@ struct CheckVerb {
     bool json = false;
 };
 
+/// Prints a line of a table within the columns of a terminal.
+void print_wrapped(const std::string& line, std::size_t indent) {
+    fmt::print("{}\n", wrapped_text(line, indent));
+}
+
+/// A fact of the case with its label before it.
+void print_row(const char* label, const std::string& text) {
+    print_wrapped(fmt::format("  {:<22} {}", label, text), 25);
+}
+
 /// A table of the instruments with what each costs.
 void print_probes(const Forecast& f) {
-    double bytes = 0.0;
-    double share = 0.0;
-    for (const ProbeForecast& p : f.probes) {
-        bytes += p.bytes;
-        share += p.time_share;
-    }
     if (!f.probes.empty()) {
-        fmt::print("  {:<22} {} in all, {:.2g} % of the time\n", "probes", size_text(bytes), 100.0 * share);
+        double bytes = 0.0;
+        double share = 0.0;
+        for (const ProbeForecast& p : f.probes) {
+            bytes += p.bytes;
+            share += p.time_share;
+        }
+        print_row("probes", fmt::format("{} in all, {:.2g} % of the time (samples of points)",
+                                        size_text(bytes), 100.0 * share));
     }
     for (const ProbeForecast& p : f.probes) {
-        fmt::print("    {:<20} {}, {:.4g} Hz, {:.0f} samples of {} point{}, {}, {:.2g} %\n", p.name, p.kind,
-                   p.sampling_frequency, p.samples, p.points, p.points == 1 ? "" : "s", size_text(p.bytes),
-                   100.0 * p.time_share);
+        print_wrapped(
+            fmt::format("    {:<20} {:<9} {:>7.4g} Hz {:>8.0f} of {:<5} {:>7} {:>6.2g} %", p.name, p.kind,
+                        p.sampling_frequency, p.samples, p.points, size_text(p.bytes), 100.0 * p.time_share),
+            6);
     }
     for (const std::string& note : f.probe_notes) {
-        fmt::print("    {}\n", note);
+        print_wrapped("    " + note, 6);
     }
 }
 
@@ -65,31 +78,28 @@ nlohmann::ordered_json probes_json(const Forecast& f) {
 }
 
 void print_forecast(const Case& c, const Forecast& f) {
-    const auto row = [](const char* label, const std::string& text) {
-        fmt::print("  {:<22} {}\n", label, text);
-    };
     fmt::print("{}\nvalid\n", c.title.empty() ? c.path.string() : c.title);
-    row("particles", fmt::format("{} fluid, {} wall", f.particles, f.wall_particles));
-    row("spacing, h", fmt::format("{:.4g} mm, {:.4g} mm", 1e3 * f.spacing, 1e3 * f.smoothing_length));
-    row("sound speed",
-        fmt::format("{:.4g} m/s{}", f.sound_speed,
-                    f.maximum_velocity > 0.0 ? fmt::format(" ({:.3g} times the largest velocity)",
-                                                           f.sound_speed / f.maximum_velocity)
-                                             : ""));
-    row("time step", fmt::format("{:.3g} s", f.time_step));
+    print_row("particles", fmt::format("{} fluid, {} wall", f.particles, f.wall_particles));
+    print_row("spacing, h", fmt::format("{:.4g} mm, {:.4g} mm", 1e3 * f.spacing, 1e3 * f.smoothing_length));
+    print_row("sound speed",
+              fmt::format("{:.4g} m/s{}", f.sound_speed,
+                          f.maximum_velocity > 0.0 ? fmt::format(" ({:.3g} times the largest velocity)",
+                                                                 f.sound_speed / f.maximum_velocity)
+                                                   : ""));
+    print_row("time step", fmt::format("{:.3g} s", f.time_step));
     if (f.relaxation_time) {
-        row("relaxation time", fmt::format("{:.3g} s", *f.relaxation_time));
+        print_row("relaxation time", fmt::format("{:.3g} s", *f.relaxation_time));
     }
-    row("simulated time",
-        c.run.until == RunUntil::converged
-            ? fmt::format("about {:.3g} s until converged, at most {:.3g} s", f.end_time, f.latest_end)
-            : fmt::format("{:.4g} s", f.end_time));
-    row("steps", fmt::format("{:.3g}", f.steps));
-    row("time", fmt::format("about {} here ({:.2f} M particle updates/s measured)",
-                            duration_text(f.wall_seconds), f.updates_per_second * 1e-6));
-    row("memory", fmt::format("{} at the peak", size_text(f.memory_bytes)));
-    row("disk", fmt::format("at most {}, and {} more while files are replaced", size_text(f.disk_bytes),
-                            size_text(f.replacing_bytes)));
+    print_row("simulated time",
+              c.run.until == RunUntil::converged
+                  ? fmt::format("about {:.3g} s until converged, at most {:.3g} s", f.end_time, f.latest_end)
+                  : fmt::format("{:.4g} s", f.end_time));
+    print_row("steps", fmt::format("{:.3g}", f.steps));
+    print_row("time", fmt::format("about {} here ({:.2f} M particle updates/s measured)",
+                                  duration_text(f.wall_seconds), f.updates_per_second * 1e-6));
+    print_row("memory", fmt::format("{} at the peak", size_text(f.memory_bytes)));
+    print_row("disk", fmt::format("at most {}, {} more while files are replaced", size_text(f.disk_bytes),
+                                  size_text(f.replacing_bytes)));
     for (const RecordForecast& part : f.parts) {
         fmt::print("    {:<20} {}\n", part.name, size_text(part.bytes));
     }

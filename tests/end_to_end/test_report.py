@@ -104,12 +104,21 @@ class Report(CommandLineTest):
                         ["analyse", folder, "--json", case], ["schema", "-o", case], ["schema", "--markdown", "-o", case]):
             with self.subTest(command=command[0]):
                 self.fail_with(2, *command, says=["would be lost", str(command[-1])])
+        tables = self.folder / "tables"
+        tables.mkdir()
+        for name in ("velocity_history.csv", "findings.csv"):
+            mine = tables / name
+            mine.write_text("# my flume\nz,u\n")
+            self.fail_with(2, "analyse", folder, "--csv", tables, says=["would be lost", str(mine)])
+            self.assertEqual([path.name for path in tables.iterdir()], [name], "some tables were written")
+            self.assertEqual(mine.read_text(), "# my flume\nz,u\n")
+            mine.unlink()
         self.assertEqual(results.read_bytes(), before)
         self.assertEqual(case.read_text(), "# mine\n")
         # Its own older version it may replace, and a device.
         for _ in range(2):
             self.succeed("report", folder)
-            self.succeed("analyse", folder, "--json", self.folder / "a.json")
+            self.succeed("analyse", folder, "--json", self.folder / "a.json", "--csv", tables)
             self.succeed("schema", "--markdown", "-o", self.folder / "reference.md")
         self.succeed("analyse", folder, "--json", "/dev/null")
 
