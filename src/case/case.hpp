@@ -107,6 +107,7 @@ struct Numerics {
     int density_filter_interval = 30;  ///< steps
     ViscosityForm viscosity = ViscosityForm::morris;
     EddyStress eddy_stress = EddyStress::two_point;
+    DragSampling drag_sampling = DragSampling::row;
     double artificial_viscosity = 0.02;  ///< alpha of viscosity = "artificial"
     double tensile_correction = 0.0;     ///< epsilon of Monaghan (2000); 0: none
     double impact_dissipation = 0.0;     ///< eta of Zhang, Hu & Adams (2017); 0: none

@@ -79,7 +79,7 @@ Case space_condition(std::size_t number, double spacing) {
     Case c = flow_condition(number);
     c.channel.dimensions = 3;
     c.turbulence.closure = ClosureKind::czernuszenko_rylov;
-    c.numerics = Numerics{};
+    c.numerics = preset_numerics(Preset::riffle, 3);
     c.numerics.spacing = spacing;
     c.start.lattice = StartLattice::square;
     return c;
@@ -163,6 +163,7 @@ Case resolved_eddies() {
     c.channel.width = 2.0 * std::sqrt(3.0) * c.bed.sphere_diameter;
     c.turbulence.closure = ClosureKind::wale;
     c.turbulence.smagorinsky_constant = 0.1;
+    c.numerics = preset_numerics(Preset::riffle, 3);
     c.numerics.spacing = 0.003;
     c.numerics.smoothing_ratio = 1.5;
     c.numerics.wall_layers = 3;

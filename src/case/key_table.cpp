@@ -67,6 +67,10 @@ SectionKeys numerics() {
                          .applies_with("turbulence.closure", {"ramp", "nezu-rodi", "nikuradse", "sps",
                                                               "czernuszenko-rylov", "wale", "vreman"}));
     s.keys.push_back(
+        key("drag_sampling", &Numerics::drag_sampling, "Where a particle takes the drag of the bed.")
+            .with_default_note("row; in three dimensions point")
+            .applies_with("bed.kind", {"spheres"}));
+    s.keys.push_back(
         key("artificial_viscosity", &Numerics::artificial_viscosity, "alpha of the artificial viscosity.")
             .at_least(1e-4)
             .at_most(2)

@@ -42,6 +42,17 @@ struct Words<KernelKind> {
 };
 
 template <>
+struct Words<DragSampling> {
+    static constexpr std::array<Word, 2> list{{
+        {"row",
+         "its mean over the height of the particle's row: the rows meet the whole drag wherever they stand",
+         "theory 8", "in two dimensions; in three its flows have not been measured"},
+        {"point", "its value at the height of the particle's centre", "thesis (4.3)",
+         "to repeat the thesis; the flow depends on where the rows stand"},
+    }};
+};
+
+template <>
 struct Words<EquationOfState> {
     static constexpr std::array<Word, 2> list{{
         {"linear", "p = c0^2 (rho - rho0)", "paper (10); Morris et al. (1997)",

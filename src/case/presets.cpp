@@ -31,6 +31,7 @@ Numerics thesis_numerics(int dimensions) {
     n.density_filter = DensityFilter::mls;
     n.density_filter_interval = 30;
     n.eddy_stress = EddyStress::stress_divergence;
+    n.drag_sampling = DragSampling::point;
     n.stepping = Stepping::predictor_corrector;
     n.courant_number = 0.15;
     n.wall = WallKind::dynamic;
@@ -48,9 +49,7 @@ Numerics paper_numerics(int dimensions) {
     return n;
 }
 
-}  // namespace
-
-Numerics preset_numerics(Preset preset, int dimensions) {
+Numerics numerics_of(Preset preset, int dimensions) {
     switch (preset) {
         case Preset::riffle:
             return {};
@@ -62,6 +61,16 @@ Numerics preset_numerics(Preset preset, int dimensions) {
             return paper_numerics(dimensions);
     }
     return {};
+}
+
+}  // namespace
+
+Numerics preset_numerics(Preset preset, int dimensions) {
+    Numerics n = numerics_of(preset, dimensions);
+    if (dimensions == 3) {
+        n.drag_sampling = DragSampling::point;
+    }
+    return n;
 }
 
 void choose_resolution(Case& c, const GivenResolution& given) {

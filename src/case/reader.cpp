@@ -252,8 +252,8 @@ void set_dependent_defaults(Case& c, const Values& values) {
     const auto preset = values.find({find_key("numerics.preset"), 0});
     if (preset != values.end()) {
         preset->first.first->set(c, preset->second);
-        c.numerics = preset_numerics(c.numerics.preset, c.channel.dimensions);
     }
+    c.numerics = preset_numerics(c.numerics.preset, c.channel.dimensions);
     const auto kind = values.find({find_key("bed.kind"), 0});
     if (kind != values.end()) {
         kind->first.first->set(c, kind->second);

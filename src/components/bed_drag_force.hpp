@@ -6,7 +6,9 @@
 
 #include "engine/component.hpp"
 #include "engine/pair_setup.hpp"
+#include "particles/lattice.hpp"
 #include "roughness/bed_drag.hpp"
+#include "roughness/row_mean_drag.hpp"
 #include "roughness/side_wall_partition.hpp"
 
 namespace riffle {
@@ -126,6 +128,9 @@ class BedDragForce final : public Component<D, Real> {
 template <int D, class Real>
 std::unique_ptr<Component<D, Real>> make_bed_drag_force(FlowOf<D, Real>& flow) {
     auto drag = make_bed_drag(flow.c);
+    if (drag && flow.c.numerics.drag_sampling == DragSampling::row) {
+        drag = row_mean_drag(std::move(drag), lattice_of(flow.c).dz);
+    }
     return drag || (D == 3 && has_side_wall_drag(flow.c))
                ? std::make_unique<BedDragForce<D, Real>>(flow, std::move(drag))
                : nullptr;

@@ -46,6 +46,7 @@ CHOICES = [
     ("Courant number 0.35", {"numerics.courant_number": "0.35"}),
     ("stepping semi-implicit-euler", {"numerics.stepping": "semi-implicit-euler"}),
     ("stepping predictor-corrector", {"numerics.stepping": "predictor-corrector", "numerics.courant_number": "0.4"}),
+    ("drag_sampling point", {"numerics.drag_sampling": "point"}),
     ("preset thesis", {"numerics.preset": "thesis", "numerics.spacing": '"2 mm"', "numerics.sound_speed": "9"}),
 ]
 

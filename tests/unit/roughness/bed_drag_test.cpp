@@ -7,7 +7,9 @@
 #include <numbers>
 #include <vector>
 
+#include "roughness/row_mean_drag.hpp"
 #include "roughness/sphere_bed.hpp"
+#include "roughness/sphere_drag.hpp"
 
 namespace riffle::bed_drag_test {
 namespace {
@@ -97,6 +99,50 @@ TEST_P(EveryForm, IsZeroOutsideTheRoughnessZoneAndBatchAgrees) {
 
 INSTANTIATE_TEST_SUITE_P(Forms, EveryForm,
                          testing::Values(DragForm::consistent, DragForm::thesis, DragForm::paper));
+
+// Rows of particles meet the whole drag of the bed wherever they stand; at their centres they do not.
+TEST_P(EveryForm, SumsOverRowsToTheWholeDragWhereverTheRowsStand) {
+    Case c = sphere_bed();
+    c.bed.drag_form = GetParam();
+    constexpr double row = 0.0015;
+    const double whole = integral(*make_bed_drag(c), c.bed.roughness_height);
+    const auto mean = row_mean_drag(make_bed_drag(c), row);
+    EXPECT_NEAR(mean->top(), c.bed.roughness_height + 0.5 * row, 1e-12);
+    for (const double shift : {0.0, 0.2, 0.35, 0.5, 0.81}) {
+        double sum = 0.0;
+        for (int i = -1; i < 10; ++i) sum += mean->coefficient((i + shift) * row) * row;
+        EXPECT_NEAR(sum / whole, 1.0, 1e-5) << shift;
+    }
+}
+
+TEST_P(EveryForm, IsThatOfThePointWhereRowsAreThin) {
+    Case c = sphere_bed();
+    c.bed.drag_form = GetParam();
+    const auto point = make_bed_drag(c);
+    const auto mean = row_mean_drag(make_bed_drag(c), 1e-4);
+    for (const double z : {0.001, 0.004, 0.0075}) {
+        EXPECT_NEAR(mean->coefficient(z) / point->coefficient(z), 1.0, 1e-4);
+    }
+}
+
+// Of spheres at their places: over a row above one place it is the mean of what many points find there.
+TEST(RowMeanDrag, OfSpheresAtTheirPlacesIsTheirMeanOverTheRow) {
+    Case c = sphere_bed();
+    c.channel.dimensions = 3;
+    const auto point = make_bed_drag(c);
+    constexpr double row = 0.003;
+    const auto mean = row_mean_drag(make_bed_drag(c), row);
+    ASSERT_TRUE(mean->varies_in_plan());
+    const double inside = volume_drag_coefficient(c.bed.drag_coefficient, c.bed.sphere_diameter);
+    for (const double x : {0.0, 0.004, 0.009}) {
+        for (const double z : {0.002, 0.006, 0.009}) {
+            double sum = 0.0;
+            for (int k = 0; k < 1000; ++k)
+                sum += 1e-3 * point->coefficient_at(x, 0.003, z + row * (1e-3 * (k + 0.5) - 0.5));
+            EXPECT_NEAR(mean->coefficient_at(x, 0.003, z), sum, 0.01 * inside) << x << ' ' << z;
+        }
+    }
+}
 
 }  // namespace
 }  // namespace riffle::bed_drag_test
