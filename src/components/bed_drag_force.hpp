@@ -100,9 +100,7 @@ class BedDragForce final : public Component<D, Real> {
                     const double square = particles.mass[i] * u * std::abs(u);
                     const double y = particles.position[1][i];
                     part[0] += coefficient(flow, i) * square;
-                    part[1] += y < flow.particle_data.layer_below || y > flow.particle_data.layer_above
-                                   ? square
-                                   : 0.0;
+                    part[1] += flow.particle_data.in_side_layer(y) ? square : 0.0;
                 }
                 return part;
             },

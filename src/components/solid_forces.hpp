@@ -5,7 +5,6 @@
 
 #include "boundary/wall_motion.hpp"
 #include "engine/component.hpp"
-#include "engine/pair_setup.hpp"
 #include "engine/pass_order.hpp"
 
 namespace riffle {
@@ -33,7 +32,6 @@ class SolidForces final : public Component<D, Real> {
         if (work.slots.size() < task.sums.slots.size()) {
             work.slots.resize(task.sums.slots.size());
         }
-        const bool corrected = weighs_by_volume(flow.c);
         const std::vector<double>& mass = flow.particles.mass;
         for (std::size_t solid = 0; solid < lists_.size(); ++solid) {
             ForceOnSolid& sum = block_forces_[begin / block_clusters * lists_.size() + solid];
@@ -49,8 +47,7 @@ class SolidForces final : public Component<D, Real> {
             flow.loops.force(flow.data, begin, end, work);
             flow.for_particles(begin, end, [&](std::size_t i, std::size_t lane) {
                 // What pushes the water one way pushes the solid the other.
-                const double factor =
-                    -mass[i] * (corrected ? 1.0 / (1.0 + flow.particles.density_deviation[i]) : 1.0);
+                const double factor = -mass[i] * flow.force_factor(i);
                 for (std::size_t k = 0; k < Flow::axes; ++k) {
                     const std::size_t axis = k == Flow::vertical ? 2 : k;
                     sum.pressure[axis] += factor * static_cast<double>(work.force.tensor[k][lane]);

@@ -112,6 +112,10 @@ struct FlowOf : FlowIn<D> {
     void refer_to_particles();
     /// Whether a particle stands in the domain, and not beyond an open bound.
     [[nodiscard]] bool stays(std::size_t particle) const;
+    /// What makes the acceleration of a particle of its force sums: rho0/rho where pairs weigh by volume.
+    [[nodiscard]] double force_factor(std::size_t particle) const {
+        return particle_data.corrected ? 1.0 / (1.0 + this->particles.density_deviation[particle]) : 1.0;
+    }
     /// Make the motion records anew, with the displacements.
     void repack();
     /// The records behind the last particle, which fill up turns of the loops.

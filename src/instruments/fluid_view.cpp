@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "particles/lattice.hpp"
+#include "sph/correction.hpp"
 #include "sph/free_surface.hpp"
 #include "sph/kernel_registry.hpp"
 
@@ -20,7 +21,7 @@ struct Moments {
     double one = 0.0;
     double images = 0.0;  ///< of 1 over the mirror images
     Vec<D> r{};
-    std::array<double, axes*(axes + 1) / 2> rr{};  ///< upper triangle, by rows
+    Symmetric<double, D> rr{};
     std::array<std::array<double, axes + 1>, N> quantity{};
 
     void add(double weight, const Vec<D>& distance, const std::array<double, N>& values) {
@@ -52,9 +53,35 @@ struct LinearFit {
     explicit LinearFit(const Moments<D, N>& m) {
         weight[0] = 1.0 / m.one;
         if constexpr (D == 2) {
-            fit_plane(m);
+            // First row of the inverse of ((1, x, z), (x, xx, xz), (z, xz, zz)).
+            const Symmetric<double, 3> matrix{m.one, m.r[0], m.r[1], m.rr[0], m.rr[1], m.rr[2]};
+            const double size = determinant<double, 3>(matrix);
+            // Of a full support the second moments are about 0.3; a thousandth of that says nothing.
+            if (size > 1e-4 * m.one * m.one * m.one) {
+                const auto row = cofactors<double, 3>(matrix);
+                weight = {row[0] / size, row[1] / size, row[2] / size};
+            }
         } else {
-            fit_space(m);
+            // The second moments about the neighbours' middle, N = M - r r^T / m; the first row of the
+            // inverse of ((m, r^T), (r, M)) is (1/m + r.s/m, -s) with N s = r/m.
+            Symmetric<double, 3> about = m.rr;
+            std::size_t product = 0;
+            for (std::size_t k = 0; k < 3; ++k) {
+                for (std::size_t l = k; l < 3; ++l) {
+                    about[product++] -= m.r[k] * m.r[l] / m.one;
+                }
+            }
+            const double size = determinant<double, 3>(about);
+            // Of a full support the second moments are about 0.25; a thousandth of that says nothing.
+            if (size > 1e-5 * m.one * m.one * m.one) {
+                const auto c = cofactors<double, 3>(about);
+                const auto [x, y, z] = m.r;
+                const double scale = 1.0 / (size * m.one);
+                const double s_x = scale * (c[0] * x + c[1] * y + c[2] * z);
+                const double s_y = scale * (c[1] * x + c[3] * y + c[4] * z);
+                const double s_z = scale * (c[2] * x + c[4] * y + c[5] * z);
+                weight = {(1.0 + x * s_x + y * s_y + z * s_z) / m.one, -s_x, -s_y, -s_z};
+            }
         }
     }
     [[nodiscard]] double value(const std::array<double, static_cast<std::size_t>(D) + 1>& sums) const {
@@ -63,51 +90,6 @@ struct LinearFit {
             result += weight[k] * sums[k];
         }
         return result;
-    }
-
-  private:
-    template <std::size_t N>
-    void fit_plane(const Moments<D, N>& m) {
-        const auto [xx, xz, zz] = m.rr;
-        const auto [x, z] = m.r;
-        // First row of the inverse of ((1, x, z), (x, xx, xz), (z, xz, zz)).
-        const double cofactor_one = xx * zz - xz * xz;
-        const double cofactor_x = xz * z - x * zz;
-        const double cofactor_z = x * xz - xx * z;
-        const double determinant = m.one * cofactor_one + x * cofactor_x + z * cofactor_z;
-        // Of a full support the second moments are about 0.3; a thousandth of that says nothing.
-        constexpr double least = 1e-4;
-        if (determinant > least * m.one * m.one * m.one) {
-            weight = {cofactor_one / determinant, cofactor_x / determinant, cofactor_z / determinant};
-        }
-    }
-    template <std::size_t N>
-    void fit_space(const Moments<D, N>& m) {
-        const auto [x, y, z] = m.r;
-        // The second moments about the neighbours' middle, N = M - r r^T / m; the first row of the inverse of
-        // ((m, r^T), (r, M)) is (1/m + r.s/m, -s) with N s = r/m.
-        const double xx = m.rr[0] - x * x / m.one;
-        const double xy = m.rr[1] - x * y / m.one;
-        const double xz = m.rr[2] - x * z / m.one;
-        const double yy = m.rr[3] - y * y / m.one;
-        const double yz = m.rr[4] - y * z / m.one;
-        const double zz = m.rr[5] - z * z / m.one;
-        const double c_xx = yy * zz - yz * yz;
-        const double c_xy = xz * yz - xy * zz;
-        const double c_xz = xy * yz - xz * yy;
-        const double c_yy = xx * zz - xz * xz;
-        const double c_yz = xy * xz - xx * yz;
-        const double c_zz = xx * yy - xy * xy;
-        const double determinant = xx * c_xx + xy * c_xy + xz * c_xz;
-        // Of a full support the second moments are about 0.25; a thousandth of that says nothing.
-        constexpr double least = 1e-5;
-        if (determinant > least * m.one * m.one * m.one) {
-            const double scale = 1.0 / (determinant * m.one);
-            const double s_x = scale * (c_xx * x + c_xy * y + c_xz * z);
-            const double s_y = scale * (c_xy * x + c_yy * y + c_yz * z);
-            const double s_z = scale * (c_xz * x + c_yz * y + c_zz * z);
-            weight = {(1.0 + x * s_x + y * s_y + z * s_z) / m.one, -s_x, -s_y, -s_z};
-        }
     }
 };
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "case/case.hpp"
-#include "instruments/particle_cells.hpp"
 #include "particles/domain.hpp"
+#include "particles/particle_cells.hpp"
 #include "particles/particles.hpp"
 #include "particles/working_values.hpp"
 

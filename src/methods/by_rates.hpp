@@ -4,7 +4,6 @@
 #include <utility>
 #include <vector>
 
-#include "engine/pair_setup.hpp"
 #include "methods/method.hpp"
 #include "methods/stepper.hpp"
 
@@ -50,14 +49,13 @@ class SteppingByRates final : public Method<D, Real> {
 
     AdvanceResult<D> move(Flow& flow, Task& task, const Stage& stage, std::size_t begin,
                           std::size_t end) override {
-        const bool corrected = weighs_by_volume(flow.c);
         const auto block_first = static_cast<std::size_t>(flow.clusters.begin[begin]);
         Particles<D>& particles = flow.particles;
         AdvanceResult<D> result;
         flow.for_particles(begin, end, [&](std::size_t i, std::size_t lane) {
             const bool dragged =
                 flow.inputs.drag && (task.particles.drag_clusters >> lane / cluster_size & 1U) != 0;
-            const double factor = corrected ? 1.0 / (1.0 + particles.density_deviation[i]) : 1.0;
+            const double factor = flow.force_factor(i);
             double squared = 0.0;
             Vec<D> drags{};
             add_drags(flow, task, lane, i, dragged ? task.particles.drag[i - block_first] : 0.0, drags);
@@ -103,8 +101,7 @@ class SteppingByRates final : public Method<D, Real> {
         if constexpr (D == 3) {
             task.particles.drag_force_across[lane] = drag(bed, 1);
             const double y = flow.particles.position[1][particle];
-            const bool inside = y < flow.particle_data.layer_below || y > flow.particle_data.layer_above;
-            const double side = inside ? flow.inputs.side_drag : 0.0;
+            const double side = flow.particle_data.in_side_layer(y) ? flow.inputs.side_drag : 0.0;
             task.particles.side_force[lane] = drag(side, 0);
             task.particles.side_force_vertical[lane] = drag(side, 2);
         }

@@ -6,7 +6,6 @@
 #include <span>
 
 #include "base/parallel.hpp"
-#include "engine/pair_setup.hpp"
 #include "solver/simulation_of.hpp"
 
 namespace riffle {
@@ -272,13 +271,12 @@ void SimulationOf<D, Real>::gather_motion(double step) {
 
 template <int D, class Real>
 void SimulationOf<D, Real>::keep_force_fields(const Task& task, std::size_t begin, std::size_t end) {
-    const bool corrected = weighs_by_volume(flow_.c);
     const AdvanceOptions& inputs = flow_.inputs;
     ParticleFields& fields = flow_.fields;
     const ForceResult<D, Real>& force = task.sums.force;
     const ParticleWork<D, Real>& work = task.particles;
     flow_.for_particles(begin, end, [&](std::size_t i, std::size_t lane) {
-        const double factor = corrected ? 1.0 / (1.0 + flow_.particles.density_deviation[i]) : 1.0;
+        const double factor = flow_.force_factor(i);
         const auto by_walls = [&](std::size_t k) {
             return factor * static_cast<double>(force.wall[k][lane]) +
                    (inputs.acceleration ? task.wall_acceleration[k][lane] : 0.0);

@@ -39,6 +39,17 @@ RIFFLE_INLINE T determinant(const Symmetric<T, D>& m) {
     }
 }
 
+/// The cofactors of a symmetric matrix, its inverse times its determinant.
+template <class T, int D>
+RIFFLE_INLINE Symmetric<T, D> cofactors(const Symmetric<T, D>& m) {
+    if constexpr (D == 2) {
+        return {m[2], -m[1], m[0]};
+    } else {
+        return {m[3] * m[5] - m[4] * m[4], m[2] * m[4] - m[1] * m[5], m[1] * m[4] - m[2] * m[3],
+                m[0] * m[5] - m[2] * m[2], m[1] * m[2] - m[0] * m[4], m[0] * m[3] - m[1] * m[1]};
+    }
+}
+
 /// Inverse of a symmetric matrix, the determinant kept away from zero (the callers blend the result out
 /// there).
 template <class T, int D>
@@ -47,12 +58,11 @@ RIFFLE_INLINE Symmetric<T, D> inverse(const Symmetric<T, D>& m) {
     using std::max;
     using std::experimental::max;
     const T scale = R(1) / max(determinant<T, D>(m), T(R(0.02)));
+    const Symmetric<T, D> c = cofactors<T, D>(m);
     if constexpr (D == 2) {
-        return {m[2] * scale, -m[1] * scale, m[0] * scale};
+        return {c[0] * scale, c[1] * scale, c[2] * scale};
     } else {
-        return {(m[3] * m[5] - m[4] * m[4]) * scale, (m[2] * m[4] - m[1] * m[5]) * scale,
-                (m[1] * m[4] - m[2] * m[3]) * scale, (m[0] * m[5] - m[2] * m[2]) * scale,
-                (m[1] * m[2] - m[0] * m[4]) * scale, (m[0] * m[3] - m[1] * m[1]) * scale};
+        return {c[0] * scale, c[1] * scale, c[2] * scale, c[3] * scale, c[4] * scale, c[5] * scale};
     }
 }
 

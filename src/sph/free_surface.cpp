@@ -7,6 +7,7 @@
 
 #include "base/not_a_number.hpp"
 #include "base/parallel.hpp"
+#include "particles/particle_cells.hpp"
 #include "sph/kernel_registry.hpp"
 
 namespace riffle {
@@ -15,104 +16,36 @@ namespace {
 
 constexpr std::size_t places_per_block = 16;
 
-/// One horizontal axis cut into stretches of at least the support.
-class AxisBins {
-  public:
-    AxisBins() = default;
-    AxisBins(double lower, double extent, bool periodic, double support)
-        : lower_(lower), extent_(extent), periodic_(periodic) {
-        count_ = std::max(1, static_cast<int>(extent_ / support));
-    }
-
-    [[nodiscard]] int count() const { return count_; }
-    [[nodiscard]] int index(double x) const {
-        return std::clamp(static_cast<int>((x - lower_) / extent_ * count_), 0, count_ - 1);
-    }
-    /// The bin `offset` after that of x; -1 outside.
-    [[nodiscard]] int beside(double x, int offset) const {
-        const int bin = index(x) + offset;
-        if (periodic_ && count_ >= 3) return (bin + count_) % count_;
-        return bin < 0 || bin >= count_ ? -1 : bin;
-    }
-    [[nodiscard]] double distance(double a, double b) const {
-        const double d = a - b;
-        return periodic_ ? d - extent_ * std::nearbyint(d / extent_) : d;
-    }
-
-  private:
-    double lower_ = 0.0;
-    double extent_ = 0.0;
-    bool periodic_ = false;
-    int count_ = 1;
-};
-
-/// Particles sorted by their horizontal position into columns of about 2h.
+/// Particles in columns of about 2h.
 template <int D>
 class Columns {
   public:
-    explicit Columns(const FluidParticles<D>& fluid) : fluid_(fluid) {
-        std::size_t total = 1;
-        for (std::size_t k = 0; k + 1 < D; ++k) {
-            axes_[k] = AxisBins(fluid.domain.lower[k], fluid.domain.extent(static_cast<int>(k)),
-                                fluid.domain.periodic[k], 2.0 * fluid.smoothing_length);
-            total *= static_cast<std::size_t>(axes_[k].count());
-        }
-        members_.resize(total);
-        for (std::size_t i = 0; i < fluid.volume.size(); ++i) {
-            std::array<int, static_cast<std::size_t>(D - 1)> bins{};
-            for (std::size_t k = 0; k + 1 < D; ++k) bins[k] = axes_[k].index(fluid.position[k][i]);
-            members_[flat(bins)].push_back(i);
-        }
-    }
+    explicit Columns(const FluidParticles<D>& fluid)
+        : cells_(fluid.domain, fluid.position, 2.0 * fluid.smoothing_length,
+                 ParticleCells<D>::Shape::columns) {}
 
     /// Indices of the particles in the columns around a place.
     void around(const Vec<D - 1>& place, std::vector<std::size_t>& result) const {
+        Vec<D> point{};
+        std::copy(place.begin(), place.end(), point.begin());
         result.clear();
-        for (int first = -1; first <= 1; ++first) {
-            std::array<int, static_cast<std::size_t>(D - 1)> bins{};
-            bins[0] = axes_[0].beside(place[0], first);
-            if constexpr (D == 2) {
-                append(bins, result);
-            } else {
-                for (int second = -1; second <= 1; ++second) {
-                    bins[1] = axes_[1].beside(place[1], second);
-                    append(bins, result);
-                }
-            }
-        }
+        cells_.around(point, [&result](std::size_t particle) { result.push_back(particle); });
     }
 
     /// Square of the horizontal distance of a particle, m2.
     [[nodiscard]] double horizontal_squared(const Vec<D - 1>& place, std::size_t particle) const {
         double squared = 0.0;
         for (std::size_t k = 0; k + 1 < D; ++k) {
-            const double d = axes_[k].distance(place[k], fluid_.position[k][particle]);
+            const double d = cells_.distance(k, place[k], cells_.positions()[k][particle]);
             squared += d * d;
         }
         return squared;
     }
 
-    [[nodiscard]] double height(std::size_t particle) const { return fluid_.position[D - 1][particle]; }
+    [[nodiscard]] double height(std::size_t particle) const { return cells_.positions()[D - 1][particle]; }
 
   private:
-    using Bins = std::array<int, static_cast<std::size_t>(D - 1)>;
-
-    [[nodiscard]] std::size_t flat(const Bins& bins) const {
-        auto result = static_cast<std::size_t>(bins[0]);
-        if constexpr (D == 3) {
-            result = result * static_cast<std::size_t>(axes_[1].count()) + static_cast<std::size_t>(bins[1]);
-        }
-        return result;
-    }
-    void append(const Bins& bins, std::vector<std::size_t>& result) const {
-        if (std::any_of(bins.begin(), bins.end(), [](int b) { return b < 0; })) return;
-        const auto& members = members_[flat(bins)];
-        result.insert(result.end(), members.begin(), members.end());
-    }
-
-    const FluidParticles<D>& fluid_;
-    std::array<AxisBins, static_cast<std::size_t>(D - 1)> axes_;
-    std::vector<std::vector<std::size_t>> members_;
+    ParticleCells<D> cells_;
 };
 
 /// A particle near a place: the square of its horizontal distance, and its height.

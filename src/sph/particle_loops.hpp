@@ -46,6 +46,12 @@ struct ParticleData {
     double layer_below = -std::numeric_limits<double>::infinity();
     double layer_above = std::numeric_limits<double>::infinity();
     const Clusters<D>* clusters = nullptr;
+
+    /// Whether y, a scalar or lanes, lies in the layer of a side wall.
+    template <class T>
+    [[nodiscard]] RIFFLE_INLINE auto in_side_layer(const T& y) const {
+        return y < layer_below || y > layer_above;
+    }
 };
 
 /// Arrays of a block, beside the sums: the first two by particle, from the block's first one on, so that they

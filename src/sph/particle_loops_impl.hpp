@@ -343,7 +343,7 @@ RIFFLE_INLINE void drag_in_space(const ParticleData<3>& p, const AdvanceOptions&
     using stdx::abs;
     const double kick = kick_of(options);
     Doubles inside(0.0);
-    stdx::where(y < p.layer_below || y > p.layer_above, inside) = Doubles(1.0);
+    stdx::where(p.in_side_layer(y), inside) = Doubles(1.0);
     const Doubles side = options.side_drag * inside;
     const Doubles both = bed + side;
     // Bed and side wall act on the same velocity along x, and share the step in proportion.

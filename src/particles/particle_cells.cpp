@@ -1,4 +1,4 @@
-#include "instruments/particle_cells.hpp"
+#include "particles/particle_cells.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,12 +6,14 @@
 namespace riffle {
 
 template <int D>
-ParticleCells<D>::ParticleCells(const Domain<D>& domain, const Positions& positions, double reach)
-    : positions_(positions), domain_(domain) {
+ParticleCells<D>::ParticleCells(const Domain<D>& domain, const Positions& positions, double reach,
+                                Shape shape)
+    : positions_(positions), domain_(domain), shape_(shape) {
     std::size_t cells = 1;
     for (std::size_t k = 0; k < D; ++k) {
         extent_[k] = domain.extent(static_cast<int>(k));
-        count_[k] = std::max(1, static_cast<int>(extent_[k] / reach));
+        const bool whole = k == vertical && shape == Shape::columns;
+        count_[k] = whole ? 1 : std::max(1, static_cast<int>(extent_[k] / reach));
         per_length_[k] = count_[k] / extent_[k];
         cells *= static_cast<std::size_t>(count_[k]);
     }
@@ -39,12 +41,16 @@ ParticleCells<D>::ParticleCells(const Domain<D>& domain, const Positions& positi
 
 template <int D>
 int ParticleCells<D>::index(std::size_t axis, double x) const {
+    if (count_[axis] == 1) return 0;
     double d = x - domain_.lower[axis];
     const double extent = extent_[axis];
     if (axis != vertical && domain_.periodic[axis] && (d < 0.0 || d >= extent)) {
         d -= extent * std::floor(d / extent);
     }
-    return std::clamp(static_cast<int>(d * per_length_[axis]), 0, count_[axis] - 1);
+    // Where a particle stands on an edge, rounding decides, and with it the order of the sums: each shape
+    // keeps its own, so that no optimisation changes the bits of the results.
+    const double cell = shape_ == Shape::columns ? d / extent * count_[axis] : d * per_length_[axis];
+    return std::clamp(static_cast<int>(cell), 0, count_[axis] - 1);
 }
 
 template class ParticleCells<2>;

@@ -10,16 +10,19 @@
 
 namespace riffle {
 
-/// Particles sorted into cells at least as wide and high as a kernel reaches, so that those around a point
-/// are found without looking at all. Keeps views of the positions, which must outlive it and stay as they
-/// are.
+/// Particles sorted into cells at least as wide as a kernel reaches, so that those around a point are found
+/// without looking at all. Keeps views of the positions, which must outlive it and stay as they are.
 template <int D>
 class ParticleCells {
   public:
     using Positions = std::array<JoinedValues, static_cast<std::size_t>(D)>;
 
+    /// Cells at least as high as wide, or columns as high as the domain, around a point of any height.
+    enum class Shape { cells, columns };
+
     /// `reach`: distance within which around() finds all particles, m.
-    ParticleCells(const Domain<D>& domain, const Positions& positions, double reach);
+    ParticleCells(const Domain<D>& domain, const Positions& positions, double reach,
+                  Shape shape = Shape::cells);
 
     [[nodiscard]] const Positions& positions() const { return positions_; }
 
@@ -92,6 +95,7 @@ class ParticleCells {
 
     Positions positions_;
     Domain<D> domain_;
+    Shape shape_;
     Vec<D> extent_{};
     Vec<D> per_length_{};                                   ///< cells per length
     std::array<int, static_cast<std::size_t>(D)> count_{};  ///< cells along each axis
