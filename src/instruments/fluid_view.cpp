@@ -55,7 +55,7 @@ struct LinearFit {
         if constexpr (D == 2) {
             // First row of the inverse of ((1, x, z), (x, xx, xz), (z, xz, zz)).
             const Symmetric<double, 3> matrix{m.one, m.r[0], m.r[1], m.rr[0], m.rr[1], m.rr[2]};
-            const double size = determinant<double, 3>(matrix);
+            const auto size = determinant<double, 3>(matrix);
             // Of a full support the second moments are about 0.3; a thousandth of that says nothing.
             if (size > 1e-4 * m.one * m.one * m.one) {
                 const auto row = cofactors<double, 3>(matrix);
@@ -71,7 +71,7 @@ struct LinearFit {
                     about[product++] -= m.r[k] * m.r[l] / m.one;
                 }
             }
-            const double size = determinant<double, 3>(about);
+            const auto size = determinant<double, 3>(about);
             // Of a full support the second moments are about 0.25; a thousandth of that says nothing.
             if (size > 1e-5 * m.one * m.one * m.one) {
                 const auto c = cofactors<double, 3>(about);

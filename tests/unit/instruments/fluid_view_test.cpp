@@ -141,9 +141,9 @@ TEST(FluidView, FollowsASineSurface) {
     const double amplitude = 0.003;
     const auto wave = [&](double x) { return amplitude * std::sin(2.0 * std::numbers::pi * x / 0.1); };
     const Water water(small_water(), 0.0, wave);
-    std::vector<Vec<2>> x;
-    for (int i = 0; i < 25; ++i) {
-        x.push_back({i * 0.004, 0.0});
+    std::vector<Vec<2>> x(25);
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        x[i] = {static_cast<double>(i) * 0.004, 0.0};
     }
     const std::vector<double> elevation = water.view().surface_at(x);
     for (std::size_t i = 0; i < x.size(); ++i) {

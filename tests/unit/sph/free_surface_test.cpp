@@ -73,9 +73,9 @@ TEST(FreeSurface, OfStillWaterIsItsLevel) {
 TEST(FreeSurface, FollowsAWave) {
     const double amplitude = 0.003;
     const Water water(amplitude);
-    std::vector<Vec<1>> at;
-    for (int i = 0; i < 40; ++i) {
-        at.push_back({(i + 0.5) * length / 40});
+    std::vector<Vec<1>> at(40);
+    for (std::size_t i = 0; i < at.size(); ++i) {
+        at[i] = {(static_cast<double>(i) + 0.5) * length / 40};
     }
     for (const SurfaceDetection detection : contours) {
         const auto elevation = find_surface<2>(detection, usual_surface_threshold(detection, 2),
