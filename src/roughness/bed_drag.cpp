@@ -25,11 +25,6 @@ class HeightDrag final : public BedDrag {
 
     [[nodiscard]] double top() const override { return top_; }
 
-    void coefficients(std::span<const double> z, std::span<double> result) const override {
-        assert(result.size() == z.size());
-        for (std::size_t i = 0; i < z.size(); ++i) result[i] = law_(z[i]);
-    }
-
   private:
     Law law_;
     double top_;
@@ -55,10 +50,6 @@ class SphereDrag final : public BedDrag {
     }
     [[nodiscard]] bool varies_in_plan() const override { return true; }
     [[nodiscard]] double top() const override { return lattice_.top(); }
-    void coefficients(std::span<const double> z, std::span<double> result) const override {
-        assert(result.size() == z.size());
-        for (std::size_t i = 0; i < z.size(); ++i) result[i] = coefficient(z[i]);
-    }
 
   private:
     SphereLattice lattice_;

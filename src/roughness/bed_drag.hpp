@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cassert>
+#include <cstddef>
 #include <memory>
 #include <span>
 
@@ -30,7 +32,12 @@ class BedDrag {
     [[nodiscard]] virtual bool varies_in_plan() const { return false; }
 
     /// coefficient() at each height.
-    virtual void coefficients(std::span<const double> z, std::span<double> result) const = 0;
+    void coefficients(std::span<const double> z, std::span<double> result) const {
+        assert(result.size() == z.size());
+        for (std::size_t i = 0; i < z.size(); ++i) {
+            result[i] = coefficient(z[i]);
+        }
+    }
 };
 
 /// The drag law that the case names; nullptr for a smooth bed.
