@@ -13,10 +13,10 @@ std::vector<Outline> outlines_at(const Case& c, double time) {
     if (c.channel.dimensions != 2) return outlines;
     const std::vector<BodyState> bodies = WallMotion(c).at(time);
     for (std::size_t k = 0; k < c.solids.size(); ++k) {
-        const Vec<2>& shift = bodies[static_cast<std::size_t>(first_solid) + k].displacement;
+        const Vec<3>& shift = bodies[static_cast<std::size_t>(first_solid) + k].displacement;
         Outline outline{c.solids[k].x, c.solids[k].z};
         for (double& x : outline.x) x += shift[0];
-        for (double& z : outline.z) z += shift[1];
+        for (double& z : outline.z) z += shift[2];
         outlines.push_back(std::move(outline));
     }
     return outlines;

@@ -9,7 +9,16 @@
 namespace riffle {
 
 MeshContact::MeshContact(const Case& c, const WallParticles<3>& walls)
-    : meshes_(meshes_of(c)), layers_(meshes_->size()), spacing_(c.numerics.spacing) {
+    : meshes_(meshes_of(c)),
+      layers_(meshes_->size()),
+      spacing_(c.numerics.spacing),
+      period_{c.channel.ends == Ends::periodic ? c.channel.length : 0.0,
+              c.channel.sides == Sides::periodic ? c.channel.simulated_width() : 0.0, 0.0},
+      lower_(lowest_of_water<3>(c)),
+      upper_(highest_of_water<3>(c)) {
+    for (const Solid& solid : c.solids) {
+        moves_.push_back(solid.motion != SolidMotion::fixed);
+    }
     for (std::size_t i = 0; i < walls.size(); ++i) {
         if (!is_solid(walls, i)) {
             continue;
@@ -44,43 +53,81 @@ double MeshContact::room_at(std::size_t solid, const Vec<3>& place) const {
         }
     }
     const double half = 0.5 * spacing_;
-    return std::isfinite(first_layer) ? std::clamp(first_layer - half, 0.0, half) : 0.0;
-}
-
-double MeshContact::depth(std::size_t solid, const std::vector<BodyState>& /*bodies*/,
-                          const Vec<3>& position) const {
-    const SolidMesh& mesh = (*meshes_)[solid];
-    if (!mesh.contains(position)) {
+    if (!std::isfinite(first_layer)) {
         return 0.0;
     }
-    const auto foot = mesh.nearest(position);
+    return std::clamp(first_layer - half, moves_[solid] ? -half : 0.0, half);
+}
+
+Vec<3> MeshContact::in_body(std::size_t solid, const BodyState& state, Vec<3> position) const {
+    const Point3& lower = (*meshes_)[solid].lower();
+    for (std::size_t k = 0; k < 3; ++k) {
+        position[k] -= state.displacement[k];
+        if (period_[k] > 0.0 && state.displacement[k] != 0.0) {
+            position[k] -= period_[k] * std::floor((position[k] - lower[k]) / period_[k]);
+        }
+    }
+    return position;
+}
+
+double MeshContact::before_walls(const Vec<3>& place) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < 3; ++k) {
+        least = std::min({least, place[k] - lower_[k], upper_[k] - place[k]});
+    }
+    return least;
+}
+
+double MeshContact::depth(std::size_t solid, const std::vector<BodyState>& now,
+                          const Vec<3>& position) const {
+    const SolidMesh& mesh = (*meshes_)[solid];
+    const Vec<3> place = in_body(solid, now[first_solid + solid], position);
+    if (!mesh.contains(place)) {
+        return 0.0;
+    }
+    const auto foot = mesh.nearest(place);
     return foot ? foot->distance : 0.0;
 }
 
-double MeshContact::resolve(const std::vector<BodyState>& /*bodies*/, Vec<3>& position,
-                            Vec<3>& velocity) const {
+double MeshContact::resolve(const std::vector<BodyState>& now, Vec<3>& position, Vec<3>& velocity) const {
     double furthest = 0.0;
     for (std::size_t solid = 0; meshes_ && solid < meshes_->size(); ++solid) {
         const SolidMesh& mesh = (*meshes_)[solid];
-        if (!mesh.contains(position)) {
+        const BodyState& state = now[first_solid + solid];
+        // Water that has been pressed into a wall must not slip along it under a solid that stands there: it
+        // leaves by the faces that water can touch alone.
+        const double hair = 1e-3 * spacing_;
+        Vec<3> before = position;
+        for (std::size_t k = 0; k < 3; ++k) {
+            before[k] = std::clamp(before[k], lower_[k] + hair, upper_[k] - hair);
+        }
+        Vec<3> place = in_body(solid, state, before);
+        const bool inside = mesh.contains(place);
+        if (!inside && !moves_[solid]) {
             continue;
         }
-        const auto near = mesh.nearest(position, spacing_);
+        const auto near = mesh.nearest(place, spacing_, [&](const Vec<3>& foot) {
+            Vec<3> now_at{};
+            for (std::size_t k = 0; k < 3; ++k) {
+                now_at[k] = before[k] + foot[k] - place[k];
+            }
+            return before_walls(now_at) > 0.5 * hair;
+        });
         if (!near) {
             continue;
         }
-        const SolidMesh::Foot& foot = *near;
-        Vec<3> place = position;
+        SolidMesh::Foot foot = *near;
         for (std::size_t k = 0; k < 3; ++k) {
             place[k] += foot.distance * foot.direction[k];
+            foot.direction[k] *= inside ? 1.0 : -1.0;
         }
-        const double way = foot.distance - room_at(solid, place);
+        const double way = (inside ? foot.distance : -foot.distance) - room_at(solid, place);
         if (way <= 0.0) {
             continue;
         }
         double outward = 0.0;
         for (std::size_t k = 0; k < 3; ++k) {
-            outward += velocity[k] * foot.direction[k];
+            outward += (velocity[k] - state.velocity[k]) * foot.direction[k];
         }
         for (std::size_t k = 0; k < 3; ++k) {
             position[k] += (way + 1e-6 * spacing_) * foot.direction[k];

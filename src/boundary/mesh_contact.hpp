@@ -25,24 +25,36 @@ class MeshContact {
 
     [[nodiscard]] bool empty() const { return !meshes_ || meshes_->empty(); }
     /// Put a particle that is up to a spacing too deep in a solid back to where water may stand, along the
-    /// shortest way out, and take from its velocity what still leads into the solid. Solids stand still in
-    /// three dimensions. Returns how far it was put back, m; 0 where it may stand; deeper it stays where it
+    /// shortest way out, and take from its velocity what still leads into the solid. `now`: the bodies,
+    /// WallMotion::at(). Returns how far it was put back, m; 0 where it may stand; deeper it stays where it
     /// is.
-    double resolve(const std::vector<BodyState>& bodies, Vec<3>& position, Vec<3>& velocity) const;
+    double resolve(const std::vector<BodyState>& now, Vec<3>& position, Vec<3>& velocity) const;
 
     /// How deep a place is behind the surface of a solid, m; 0 outside.
-    [[nodiscard]] double depth(std::size_t solid, const std::vector<BodyState>& bodies,
+    [[nodiscard]] double depth(std::size_t solid, const std::vector<BodyState>& now,
                                const Vec<3>& position) const;
 
   private:
-    /// Depth up to which water may stand behind the surface at a place of it, m.
+    /// The place of water where the surface of a solid stood at t = 0; of one that has moved through periodic
+    /// ends or sides its image at the solid.
+    [[nodiscard]] Vec<3> in_body(std::size_t solid, const BodyState& state, Vec<3> position) const;
+    /// How far inside of all walls of the channel a place is, m.
+    [[nodiscard]] double before_walls(const Vec<3>& place) const;
+    /// Depth up to which water may stand behind the surface at a place of it, m. Below zero, before the
+    /// surface, at a solid that moves: it catches up with water that no pressure holds off, and what comes
+    /// nearer than half a spacing to its first layer has less room than its density says, and sinks along the
+    /// next edge.
     [[nodiscard]] double room_at(std::size_t solid, const Vec<3>& place) const;
     [[nodiscard]] std::int64_t cell_of(const Vec<3>& place, const std::array<int, 3>& beside) const;
 
     std::shared_ptr<const std::vector<SolidMesh>> meshes_;
     /// Of each solid, the depth of its wall particle in a cell a spacing wide.
     std::vector<std::unordered_map<std::int64_t, double>> layers_;
+    std::vector<bool> moves_;  ///< of each solid
     double spacing_ = 0.0;
+    std::array<double, 3> period_{};  ///< along x, y, z, m; 0: none
+    Vec<3> lower_{};  ///< the bed and walls of the channel, m; without limit where there are none
+    Vec<3> upper_{};
 };
 
 }  // namespace riffle

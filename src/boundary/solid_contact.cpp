@@ -27,14 +27,13 @@ SolidContact::SolidContact(const Case& c)
 std::optional<Vec<2>> SolidContact::inside(const Body& body, const BodyState& state,
                                            const Vec<2>& position) const {
     double x = position[0] - state.displacement[0];
-    double z = position[1] - state.displacement[1];
+    double z = position[1] - state.displacement[2];
     // A drop that has hit the bed and is squeezed into it must not slip under what stands on it.
     if (body.stands_on_bed) {
         z = std::max(z, 1e-6 * spacing_);
     }
     if (period_ > 0.0) {
-        x += x < body.left ? period_ : 0.0;
-        x -= x > body.right ? period_ : 0.0;
+        x -= period_ * std::floor((x - body.left) / period_);
     }
     return x < body.left || x > body.right || !contains(body.outline, x, z) ? std::nullopt
                                                                             : std::optional(Vec<2>{x, z});
@@ -74,7 +73,7 @@ double SolidContact::resolve(const std::vector<BodyState>& now, Vec<2>& position
         const double dz = body.outline.z[end] - body.outline.z[edge];
         const Vec<2> normal{dz / std::hypot(dx, dz), -dx / std::hypot(dx, dz)};
         const double inward =
-            (velocity[0] - state.velocity[0]) * normal[0] + (velocity[1] - state.velocity[1]) * normal[1];
+            (velocity[0] - state.velocity[0]) * normal[0] + (velocity[1] - state.velocity[2]) * normal[1];
         for (std::size_t axis = 0; axis < 2; ++axis) {
             position[axis] += (depth + 1e-6 * spacing_) * normal[axis];
             velocity[axis] -= std::min(inward, 0.0) * normal[axis];

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "boundary/solid_fill.hpp"
 #include "boundary/wall_particle.hpp"
@@ -34,39 +35,74 @@ int end_wall_rows(const Case& c, const Lattice& lattice) {
                                  : lattice.rows + lattice.rows / 2;
 }
 
-/// The places of the lattice in solids, as deep as there are layers: with the water around them they leave no
-/// gap, whatever the surface. Each particle takes the normal and the depth of the nearest place of the
-/// surface.
-void add_meshes(const Case& c, const Lattice& lattice, int rows, WallParticles<3>& wall) {
-    const auto meshes = meshes_of(c);
-    const double reach = c.numerics.wall_layers * c.numerics.spacing;
-    for (int column = 0; column < lattice.columns && !meshes->empty(); ++column) {
-        for (int file = 0; file < lattice.files; ++file) {
-            for (int row = 0; row < rows; ++row) {
-                const Vec<3> p{lattice.x(column, row), lattice.y(file, row), lattice.z(row)};
-                const auto mesh = std::find_if(meshes->begin(), meshes->end(),
-                                               [&](const SolidMesh& m) { return m.contains(p); });
-                if (mesh == meshes->end()) {
-                    continue;
-                }
-                const auto foot = mesh->nearest(p, reach);
-                if (!foot) {
-                    continue;
-                }
-                for (std::size_t k = 0; k < 3; ++k) {
-                    wall.position[k].push_back(p[k]);
-                    wall.normal[k].push_back(foot->direction[k]);
-                    for (std::size_t l = 0; l < 3; ++l) {
-                        wall.projector[3 * k + l].push_back(k == l ? 1.0 : 0.0);
+/// Wall particles at places in a solid, as deep as there are layers. Each takes the normal and the depth of
+/// the nearest place of the surface.
+class MeshFill {
+  public:
+    MeshFill(const Case& c, WallParticles<3>& walls)
+        : meshes_(meshes_of(c)), walls_(walls), reach_(c.numerics.wall_layers * c.numerics.spacing) {}
+
+    /// Solids take up places of the water's lattice: they leave no gap, whatever the surface. Of one at rest
+    /// no more than the water can reach up to `rows`, and a place in several belongs to the first.
+    void add_resting(const Case& c, const Lattice& lattice, int rows) {
+        for (int column = 0; column < lattice.columns && !meshes_->empty(); ++column) {
+            for (int file = 0; file < lattice.files; ++file) {
+                for (int row = 0; row < rows; ++row) {
+                    const Vec<3> p{lattice.x(column, row), lattice.y(file, row), lattice.z(row)};
+                    for (std::size_t k = 0; k < meshes_->size(); ++k) {
+                        if (c.solids[k].motion == SolidMotion::fixed && (*meshes_)[k].contains(p)) {
+                            add(k, p, lattice.volume<3>());
+                            break;
+                        }
                     }
                 }
-                wall.volume.push_back(lattice.volume<3>());
-                wall.depth.push_back(foot->distance);
-                wall.body.push_back(first_solid + static_cast<std::int32_t>(mesh - meshes->begin()));
             }
         }
     }
-}
+
+    /// All of a solid that moves, wherever it stands.
+    void add_moving(std::size_t k, const Lattice& lattice) {
+        const SolidMesh& mesh = (*meshes_)[k];
+        const auto first = [&](std::size_t axis, double step) {
+            return static_cast<int>(std::floor(mesh.lower()[axis] / step)) - 1;
+        };
+        const auto last = [&](std::size_t axis, double step) {
+            return static_cast<int>(std::ceil(mesh.upper()[axis] / step)) + 1;
+        };
+        for (int column = first(0, lattice.dx); column <= last(0, lattice.dx); ++column) {
+            for (int file = first(1, lattice.dy); file <= last(1, lattice.dy); ++file) {
+                for (int row = first(2, lattice.dz); row <= last(2, lattice.dz); ++row) {
+                    const Vec<3> p{lattice.x(column, row), lattice.y(file, row), lattice.z(row)};
+                    if (mesh.contains(p)) {
+                        add(k, p, lattice.volume<3>());
+                    }
+                }
+            }
+        }
+    }
+
+  private:
+    void add(std::size_t solid, const Vec<3>& p, double volume) {
+        const auto foot = (*meshes_)[solid].nearest(p, reach_);
+        if (!foot) {
+            return;
+        }
+        for (std::size_t k = 0; k < 3; ++k) {
+            walls_.position[k].push_back(p[k]);
+            walls_.normal[k].push_back(foot->direction[k]);
+            for (std::size_t l = 0; l < 3; ++l) {
+                walls_.projector[3 * k + l].push_back(k == l ? 1.0 : 0.0);
+            }
+        }
+        walls_.volume.push_back(volume);
+        walls_.depth.push_back(foot->distance);
+        walls_.body.push_back(first_solid + static_cast<std::int32_t>(solid));
+    }
+
+    std::shared_ptr<const std::vector<SolidMesh>> meshes_;
+    WallParticles<3>& walls_;
+    double reach_;
+};
 
 }  // namespace
 
@@ -74,6 +110,35 @@ double end_wall_height(const Case& c) {
     const Lattice lattice = lattice_of(c);
     return end_wall_rows(c, lattice) * lattice.dz;
 }
+
+template <int D>
+Vec<D> lowest_of_water(const Case& c) {
+    constexpr double without = -std::numeric_limits<double>::infinity();
+    Vec<D> lower{};
+    lower[0] = c.channel.ends == Ends::walls ? 0.0 : without;
+    lower[D - 1] = c.channel.top == Top::periodic ? without : 0.0;
+    if constexpr (D == 3) {
+        lower[1] = c.channel.sides == Sides::periodic ? without : 0.0;
+    }
+    return lower;
+}
+
+template <int D>
+Vec<D> highest_of_water(const Case& c) {
+    constexpr double without = std::numeric_limits<double>::infinity();
+    Vec<D> upper{};
+    upper[0] = c.channel.ends == Ends::walls ? c.channel.length : without;
+    upper[D - 1] = c.channel.top == Top::wall ? c.total_depth() : without;
+    if constexpr (D == 3) {
+        upper[1] = c.channel.sides == Sides::periodic ? without : c.channel.simulated_width();
+    }
+    return upper;
+}
+
+template Vec<2> lowest_of_water<2>(const Case&);
+template Vec<3> lowest_of_water<3>(const Case&);
+template Vec<2> highest_of_water<2>(const Case&);
+template Vec<3> highest_of_water<3>(const Case&);
 
 template <>
 WallParticles<2> wall_particles<2>(const Case& c) {
@@ -153,10 +218,12 @@ WallParticles<3> wall_particles<3>(const Case& c) {
     const bool ends = c.channel.ends == Ends::walls;
     const double width = c.channel.simulated_width();
     const double length = c.channel.length;
+    const double depth = c.total_depth();
     const bool dynamic = c.numerics.wall == WallKind::dynamic;
-    // A place beyond the bed, a side or an end; beyond two or three of them it is an edge or a corner. There
-    // all motion counts but that along the edge.
-    const auto add = [&](const Vec<3>& x, const std::array<int, 3>& faces, double depth) {
+    const bool lid = c.channel.top == Top::wall;
+    // A place beyond the bed, the lid, a side or an end; beyond two or three of them it is an edge or a
+    // corner. There all motion counts but that along the edge; it belongs to the walls at rest.
+    const auto add = [&](const Vec<3>& x, const std::array<int, 3>& faces, double behind) {
         const int walls = std::abs(faces[0]) + std::abs(faces[1]) + std::abs(faces[2]);
         for (std::size_t k = 0; k < 3; ++k) {
             wall.position[k].push_back(x[k]);
@@ -166,8 +233,8 @@ WallParticles<3> wall_particles<3>(const Case& c) {
             }
         }
         wall.volume.push_back(lattice.volume<3>());
-        wall.depth.push_back(depth);
-        wall.body.push_back(resting_body);
+        wall.depth.push_back(behind);
+        wall.body.push_back(walls == 1 && faces[2] < 0 ? lid_body : resting_body);
     };
     const int beside = sides ? layers : 0;
     const int beyond = ends ? layers : 0;
@@ -178,9 +245,12 @@ WallParticles<3> wall_particles<3>(const Case& c) {
         const double x = (column + 0.5 + (layer % 2 == 1 ? 0.5 : 0.0)) * lattice.dx;
         return std::fmod(x, length);
     };
-    const auto add_below = [&](int column, int file, int layer, const std::array<int, 3>& faces) {
+    // A layer below the bed or above the lid.
+    const auto add_level = [&](int column, int file, int layer, const std::array<int, 3>& faces) {
+        const bool below = faces[2] > 0;
+        const int row = below ? -1 - layer : lattice.rows + layer;
         if (!dynamic) {
-            add({lattice.x(column, -1 - layer), lattice.y(file, -1 - layer), lattice.z(-1 - layer)}, faces,
+            add({lattice.x(column, row), lattice.y(file, row), lattice.z(row)}, faces,
                 (layer + 0.5) * lattice.dz);
             return;
         }
@@ -189,7 +259,8 @@ WallParticles<3> wall_particles<3>(const Case& c) {
         if (sides && shifted && file == lattice.files + beside - 1) return;
         const double behind = 0.5 * (layer + 1) * lattice.dz;
         const double y = (file + (shifted ? 1.0 : 0.5)) * lattice.dy;
-        add({shifted_x(column, layer), sides ? y : std::fmod(y, width), -behind}, faces, behind);
+        add({shifted_x(column, layer), sides ? y : std::fmod(y, width), below ? -behind : depth + behind},
+            faces, behind);
     };
     const auto add_beside = [&](int column, int file, int row, const std::array<int, 3>& faces) {
         const bool left = file < 0;
@@ -211,15 +282,24 @@ WallParticles<3> wall_particles<3>(const Case& c) {
         for (int file = -beside; file < lattice.files + beside; ++file) {
             const int side = file < 0 ? 1 : file >= lattice.files ? -1 : 0;
             for (int layer = 0; layer < layers_below; ++layer) {
-                add_below(column, file, layer, {end, side, 1});
+                add_level(column, file, layer, {end, side, 1});
+                if (lid) {
+                    add_level(column, file, layer, {end, side, -1});
+                }
             }
             for (int row = 0; row < top && (end != 0 || side != 0); ++row) {
                 add_beside(column, file, row, {end, side, 0});
             }
         }
     }
-    add_meshes(c, lattice, top, wall);
-    if (c.solids.empty()) {
+    MeshFill fill(c, wall);
+    fill.add_resting(c, lattice, top);
+    for (std::size_t k = 0; k < c.solids.size(); ++k) {
+        if (c.solids[k].motion != SolidMotion::fixed) {
+            fill.add_moving(k, lattice);
+        }
+    }
+    if (c.solids.empty() && c.channel.lid_velocity == 0.0) {
         wall.body.clear();
     }
     return wall;

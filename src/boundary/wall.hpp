@@ -30,6 +30,12 @@ struct WallLaw {
 /// Height up to which end walls and side walls stand, m.
 [[nodiscard]] double end_wall_height(const Case& c);
 
+/// Where the bed and the walls of the channel stand, m; without limit where there are none.
+template <int D>
+[[nodiscard]] Vec<D> lowest_of_water(const Case& c);
+template <int D>
+[[nodiscard]] Vec<D> highest_of_water(const Case& c);
+
 /// Whether walls may stand dry at the start of a case: the water has an outline of its own, or there are
 /// solids.
 [[nodiscard]] bool starts_beside_dry_walls(const Case& c);
@@ -37,9 +43,9 @@ struct WallLaw {
 /// Wall particles of a case: layers of dummy particles (Adami et al. 2012) below a bed, above a top wall
 /// and behind end walls, on the continuation of the fluid's lattice; or two staggered layers of dynamic
 /// particles; and the dummy particles of the solids. Empty for a fully periodic case, and with repulsive
-/// walls (repulsive_wall.hpp). In three dimensions (free surface) such layers below the bed, behind end walls
-/// (dummy particles only) and side walls, of dummy particles also behind a plane of symmetry, and the places
-/// of the lattice in the solids.
+/// walls (repulsive_wall.hpp). In three dimensions also behind side walls and, of dummy particles, behind a
+/// plane of symmetry; solids at rest take up places of the lattice, solids that move have a lattice of their
+/// own.
 template <int D = 2>
 [[nodiscard]] WallParticles<D> wall_particles(const Case& c);
 

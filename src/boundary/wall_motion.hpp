@@ -16,21 +16,22 @@ inline constexpr std::int32_t first_solid = 2;
 
 /// Where a body is against its place at t = 0, and how it moves; SI.
 struct BodyState {
-    Vec<2> displacement{};
-    Vec<2> velocity{};
-    Vec<2> acceleration{};
+    Vec<3> displacement{};
+    Vec<3> velocity{};
+    Vec<3> acceleration{};
 };
 
-/// A vector of a body, along the channel and upright, as one of a flow in D dimensions.
+/// A vector of a body as one of a flow in D dimensions.
 template <int D>
-[[nodiscard]] Vec<D> in_flow(const Vec<2>& v) {
-    Vec<D> result{};
-    result[0] = v[0];
-    result[D - 1] = v[1];
-    return result;
+[[nodiscard]] Vec<D> in_flow(const Vec<3>& v) {
+    if constexpr (D == 3) {
+        return v;
+    } else {
+        return {v[0], v[2]};
+    }
 }
 
-/// The prescribed motion of the walls and solids of a case, along the channel and upright.
+/// The prescribed motion of the walls and solids of a case.
 class WallMotion {
   public:
     WallMotion() = default;

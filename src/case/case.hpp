@@ -245,8 +245,10 @@ struct Solid {
     double start = 0.0;          ///< time at which it starts to move, s
     std::optional<double> stop;  ///< time at which it stops, s; unset: never
     double velocity_x = 0.0;     ///< constant: m/s
+    double velocity_y = 0.0;     ///< 3D
     double velocity_z = 0.0;
     double amplitude_x = 0.0;  ///< oscillating: x = amplitude sin(2 pi frequency (t - start)), m
+    double amplitude_y = 0.0;  ///< 3D
     double amplitude_z = 0.0;
     double frequency = 0.0;  ///< Hz
 

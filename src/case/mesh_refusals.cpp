@@ -73,13 +73,6 @@ Findings thin_mesh(const Case& c, const Solid& solid) {
 CheckList mesh_refusals() {
     return {
         {
-            {{"solid.motion"},
-             "a `motion` other than `\"fixed\"` in three dimensions",
-             "in three dimensions solids stand still",
-             "choose motion = \"fixed\", or [channel] dimensions = 2",
-             [](const Case&, const Solid& solid) {
-                 return found_if(solid.motion != SolidMotion::fixed, "moves");
-             }},
             {{"solid.file"},
              "`file` missing in three dimensions",
              "",

@@ -58,10 +58,18 @@ SectionKeys solid_keys() {
     s.keys.push_back(key("velocity_x", &Solid::velocity_x, "Its velocity along the channel.")
                          .measured_in(velocity)
                          .applies_with(motion, {"constant"}, true));
+    s.keys.push_back(
+        key("velocity_y", &Solid::velocity_y, "Its velocity across the channel, in three dimensions.")
+            .measured_in(velocity)
+            .applies_with(motion, {"constant"}, true));
     s.keys.push_back(key("velocity_z", &Solid::velocity_z, "Its velocity upward.")
                          .measured_in(velocity)
                          .applies_with(motion, {"constant"}, true));
     s.keys.push_back(key("amplitude_x", &Solid::amplitude_x, "Amplitude of its swing along the channel.")
+                         .measured_in(length)
+                         .applies_with(motion, {"oscillating"}, true));
+    s.keys.push_back(key("amplitude_y", &Solid::amplitude_y,
+                         "Amplitude of its swing across the channel, in three dimensions.")
                          .measured_in(length)
                          .applies_with(motion, {"oscillating"}, true));
     s.keys.push_back(key("amplitude_z", &Solid::amplitude_z, "Amplitude of its swing upward.")

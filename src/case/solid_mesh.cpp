@@ -68,8 +68,14 @@ bool SolidMesh::is_exposed(std::size_t triangle, const Point3& place) const {
 }
 
 std::optional<SolidMesh::Foot> SolidMesh::nearest(const Point3& p, double limit) const {
-    const auto near = tree_.nearest(
-        p, limit, [&](std::size_t i, const Point3& foot) { return !several_shells_ || is_exposed(i, foot); });
+    return nearest(p, limit, [](const Point3&) { return true; });
+}
+
+std::optional<SolidMesh::Foot> SolidMesh::nearest(const Point3& p, double limit,
+                                                  const std::function<bool(const Point3&)>& takes) const {
+    const auto near = tree_.nearest(p, limit, [&](std::size_t i, const Point3& foot) {
+        return takes(foot) && (!several_shells_ || is_exposed(i, foot));
+    });
     if (!near) {
         return std::nullopt;
     }

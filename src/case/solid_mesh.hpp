@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -34,6 +35,9 @@ class SolidMesh {
     /// Nothing where none is nearer than `limit`, m.
     [[nodiscard]] std::optional<Foot> nearest(const Point3& p,
                                               double limit = std::numeric_limits<double>::infinity()) const;
+    /// The same of those places alone that `takes`.
+    [[nodiscard]] std::optional<Foot> nearest(const Point3& p, double limit,
+                                              const std::function<bool(const Point3&)>& takes) const;
 
     /// Its triangles, for questions of other kinds.
     [[nodiscard]] const TriangleTree& tree() const { return tree_; }

@@ -1,9 +1,7 @@
 #include <algorithm>
-#include <cmath>
 
 #include "case/outline_check.hpp"
 #include "case/refusals.hpp"
-#include "case/solid_motion.hpp"
 #include "case/units.hpp"
 
 namespace riffle {
@@ -37,49 +35,6 @@ Findings thin_outline(const Case& c, const Solid& solid) {
         }
     }
     return {};
-}
-
-bool moves(const Solid& solid) { return solid.motion != SolidMotion::fixed; }
-bool moves_on(const Solid& solid) { return solid.motion == SolidMotion::constant; }
-bool swings(const Solid& solid) { return solid.motion == SolidMotion::oscillating; }
-
-/// How long a solid moves in the run, s.
-double time_of_motion(const Case& c, const Solid& solid) {
-    return std::max(0.0, std::min(solid.stop.value_or(c.run.time), c.run.time) - solid.start);
-}
-
-Findings motion_through_walls(const Case& c, const Solid& solid) {
-    const double way = moves_on(solid) ? time_of_motion(c, solid) * solid.velocity_x : 0.0;
-    const double swing_x = swings(solid) ? std::abs(solid.amplitude_x) : 0.0;
-    const double swing_z = swings(solid) ? std::abs(solid.amplitude_z) : 0.0;
-    const double slack = 1e-9 * c.numerics.spacing;
-    const Extent x(solid.x);
-    const bool through_an_end = x.low + std::min(way, -swing_x) < -slack ||
-                                x.high + std::max(way, swing_x) > c.channel.length + slack;
-    return found_if(moves(solid) && (Extent(solid.z).low - swing_z < -slack ||
-                                     (c.channel.ends == Ends::walls && through_an_end)),
-                    "moves through the bed or an end wall: expected room for it, x from 0 to {} and z from 0",
-                    shown_length(c.channel.length));
-}
-
-/// Solids that move through each other press the water between them out of the world.
-Findings overlap(const Case& c) {
-    const auto overlap = first_overlap(c);
-    if (!overlap) {
-        return {};
-    }
-    const std::string& name = c.solids[overlap->second].name;
-    const std::string& other = c.solids[overlap->first].name;
-    const std::string where =
-        fmt::format("at x = {:.4g} m, z = {:.4g} m", overlap->place[0], overlap->place[1]);
-    return {overlap->time == 0.0
-                ? Finding{.detail = fmt::format("{}: stands in the solid \"{}\" at the start, {}", name,
-                                                other, where),
-                          .cure = "move one of them",
-                          .item = overlap->second}
-                : Finding{.detail = fmt::format("{}: meets the solid \"{}\" at t = {:.4g} s, {}", name, other,
-                                                overlap->time, where),
-                          .item = overlap->second}};
 }
 
 }  // namespace
@@ -171,60 +126,6 @@ CheckList outline_refusals() {
              "water on one side would reach water on the other",
              "make it thicker or the spacing smaller",
              thin_outline},
-            {{"solid.motion"},
-             "`motion = \"constant\"` without a velocity",
-             "",
-             "give velocity_x or velocity_z, or motion = \"fixed\"",
-             [](const Case&, const Solid& solid) {
-                 return found_if(moves_on(solid) && solid.velocity_x == 0.0 && solid.velocity_z == 0.0,
-                                 "moves at no velocity");
-             }},
-            {{"solid.motion"},
-             "`motion = \"oscillating\"` without an amplitude or a frequency",
-             "",
-             "give amplitude_x or amplitude_z and frequency, or motion = \"fixed\"",
-             [](const Case&, const Solid& solid) {
-                 const bool nowhere = solid.amplitude_x == 0.0 && solid.amplitude_z == 0.0;
-                 return found_if(swings(solid) && (nowhere || solid.frequency <= 0.0), "swings by nothing");
-             }},
-            {{"solid.start"},
-             "`start` at the end of the run or later",
-             "it would stand still",
-             "make it smaller",
-             [](const Case& c, const Solid& solid) {
-                 return found_if(moves(solid) && solid.start >= c.run.time,
-                                 "starts to move at {:.6g} s, not before the end of the run at {:.6g} s",
-                                 solid.start, c.run.time);
-             }},
-            {{"solid.stop"},
-             "`stop` not after `start`",
-             "it would stand still",
-             "make it larger, or motion = \"fixed\"",
-             [](const Case&, const Solid& solid) {
-                 const double stop = solid.stop.value_or(solid.start);
-                 return found_if(moves(solid) && solid.stop && stop <= solid.start,
-                                 "stops at {:.6g} s, not after its start at {:.6g} s", stop, solid.start);
-             }},
-            {{"solid.motion", "channel.length"},
-             "a motion through the bed or an end wall",
-             "",
-             "give it another way, or let it stop before (stop)",
-             motion_through_walls},
-            {{"solid.velocity_z"},
-             "a `velocity_z` that brings the solid to the bed before the end of the run",
-             "",
-             "make it slower, or let it stop before (stop)",
-             [](const Case& c, const Solid& solid) {
-                 const double sunk = solid.velocity_z * time_of_motion(c, solid);
-                 return found_if(
-                     moves_on(solid) && sunk < 0.0 && Extent(solid.z).low + sunk < -1e-9 * c.numerics.spacing,
-                     "reaches the bed before the end of the run");
-             }},
-            {{"solid.motion"},
-             "a motion through another solid",
-             "it would move through it",
-             "let it stop before (stop), or give it another way",
-             overlap},
         },
         [](const Case& c) { return !in_space(c) && corners_of_outlines(c) <= most_corners; }};
 }

@@ -76,9 +76,6 @@ CheckList plane_refusals() {
 CheckList space_refusals() {
     return {
         {
-            in_a_plane_alone("channel.top", "`top = \"wall\"` in three dimensions", "",
-                             R"(choose "free-surface", or "periodic" with `sides = "periodic"`)",
-                             [](const Case& c) { return c.channel.top == Top::wall; }),
             {{"channel.top", "channel.sides"},
              R"(`top = "periodic"` without `sides = "periodic"`)",
              "a box that repeats itself upward does so across as well",

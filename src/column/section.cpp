@@ -110,6 +110,10 @@ std::optional<std::string> why_no_section(const Case& c) {
     Case resisting = c;
     resisting.bed.kind = BedKind::no_slip;
     if (auto reason = why_no_column(resisting)) return reason;
+    if (c.channel.top == Top::wall) {
+        return "a wall closes the channel at its top (channel.top = \"wall\"), which the balance of a "
+               "cross-section does not have: it needs channel.top = \"free-surface\"";
+    }
     if (!c.has_side_walls()) {
         return "it has no side walls, and without them the flow does not vary over the cross-section: "
                "set channel.dimensions = 3 and channel.sides = \"walls\" or \"half\", or use riffle column";

@@ -238,8 +238,12 @@ class EnergyBudget final : public Component<D, Real> {
         for (std::size_t n = 0; !flow.bodies.empty() && n < flow.solid_forces.size(); ++n) {
             const auto& velocity = flow.bodies[static_cast<std::size_t>(first_solid) + n].velocity;
             const auto& force = flow.solid_forces[n];
-            const double pressure = -(force.pressure[0] * velocity[0] + force.pressure[2] * velocity[1]);
-            const double friction = -(force.friction[0] * velocity[0] + force.friction[2] * velocity[1]);
+            double pressure = 0.0;
+            double friction = 0.0;
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                pressure -= force.pressure[axis] * velocity[axis];
+                friction -= force.friction[axis] * velocity[axis];
+            }
             flow.energy_rates.solids += pressure + friction;
             flow.energy_rates.pressure -= pressure;
             flow.energy_rates.viscosity -= friction;

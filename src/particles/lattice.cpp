@@ -60,11 +60,17 @@ double highest_part(const Case& c) {
     for (const double z : c.start.water_z) {
         top = std::max(top, z);
     }
-    for (const Solid& solid : c.solids) {
+    const auto meshes = c.channel.dimensions == 3 ? meshes_of(c) : nullptr;
+    for (std::size_t k = 0; k < c.solids.size(); ++k) {
+        const Solid& solid = c.solids[k];
         // With where it moves to, but not beyond as much again: a gate leaves the water for good.
         const double reach = solid.motion == SolidMotion::oscillating ? std::abs(solid.amplitude_z) : 0.0;
         for (const double z : solid.z) {
             top = std::max(top, z + reach);
+        }
+        // Of one at rest no more than the walls' height has wall particles.
+        if (meshes && solid.motion != SolidMotion::fixed) {
+            top = std::max(top, (*meshes)[k].upper()[2] + reach);
         }
     }
     return top;

@@ -115,9 +115,10 @@ std::vector<float> BoundaryContent::displaced(const std::vector<float>& points,
     const std::vector<BodyState> states = motion_.at(time);
     std::vector<float> moved = points;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
-        const Vec<2>& shift = states[static_cast<std::size_t>(bodies[i])].displacement;
-        moved[3 * i] += static_cast<float>(shift[0]);
-        moved[3 * i + 2] += static_cast<float>(shift[1]);
+        const Vec<3>& shift = states[static_cast<std::size_t>(bodies[i])].displacement;
+        for (std::size_t k = 0; k < 3; ++k) {
+            moved[3 * i + k] += static_cast<float>(shift[k]);
+        }
     }
     return moved;
 }

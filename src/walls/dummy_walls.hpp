@@ -41,8 +41,12 @@ class DummyWalls final : public WallTreatment<D, Real> {
         const auto offset = static_cast<double>(sums.offset[vertical][lane]);
         double pressure = static_cast<double>(sums.pressure[lane]) - flow.scheme.normal_gravity * offset;
         if (const BodyState* const body = body_of(flow, i)) {
-            pressure -= body->acceleration[0] * static_cast<double>(sums.offset[0][lane]) +
-                        body->acceleration[1] * offset;
+            const Vec<D> acceleration = in_flow<D>(body->acceleration);
+            double product = 0.0;
+            for (std::size_t k = 0; k < Flow::axes; ++k) {
+                product += acceleration[k] * static_cast<double>(sums.offset[k][lane]);
+            }
+            pressure -= product;
         }
         pressure /= weight;
         // Suction at a solid in the water is no sign of a surface: its particles fade only where the water
@@ -63,11 +67,8 @@ class DummyWalls final : public WallTreatment<D, Real> {
                                                                   const WallResult<D, Real>& sums,
                                                                   std::size_t lane, std::size_t i) {
         const auto weight = static_cast<double>(sums.weight[lane]);
-        Vec<D> surface{};
-        if (const BodyState* const body = body_of(flow, i)) {
-            surface[0] = body->velocity[0];
-            surface[Flow::vertical] = body->velocity[1];
-        }
+        const BodyState* const body = body_of(flow, i);
+        const Vec<D> surface = body == nullptr ? Vec<D>{} : in_flow<D>(body->velocity);
         double height = -flow.walls.depth[i] * weight;
         for (std::size_t k = 0; k < Flow::axes; ++k) {
             height -= flow.walls.normal[k][i] * static_cast<double>(sums.offset[k][lane]);

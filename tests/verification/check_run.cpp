@@ -35,7 +35,8 @@ void CheckRun::advance_to(double time, const std::function<void()>& each) {
     }
 }
 
-double mass_mean(const Particles<2>& particles, const std::function<double(std::size_t)>& f) {
+template <int D>
+double mass_mean(const Particles<D>& particles, const std::function<double(std::size_t)>& f) {
     double sum = 0.0;
     double mass = 0.0;
     for (std::size_t i = 0; i < particles.size(); ++i) {
@@ -45,13 +46,23 @@ double mass_mean(const Particles<2>& particles, const std::function<double(std::
     return sum / mass;
 }
 
-double largest_speed(const Particles<2>& particles) {
+template <int D>
+double largest_speed(const Particles<D>& particles) {
     double largest = 0.0;
     for (std::size_t i = 0; i < particles.size(); ++i) {
-        largest = std::max(largest, std::hypot(particles.velocity[0][i], particles.velocity[1][i]));
+        double squared = 0.0;
+        for (const auto& component : particles.velocity) {
+            squared += component[i] * component[i];
+        }
+        largest = std::max(largest, std::sqrt(squared));
     }
     return largest;
 }
+
+template double mass_mean<2>(const Particles<2>&, const std::function<double(std::size_t)>&);
+template double mass_mean<3>(const Particles<3>&, const std::function<double(std::size_t)>&);
+template double largest_speed<2>(const Particles<2>&);
+template double largest_speed<3>(const Particles<3>&);
 
 double hydrostatic_error(const CheckRun& run) {
     const Scheme& scheme = run.simulation().scheme();

@@ -29,10 +29,12 @@ class CheckRun {
 };
 
 /// Mass-weighted sums over the particles: sum m f(i) / sum m.
-[[nodiscard]] double mass_mean(const Particles<2>& particles, const std::function<double(std::size_t)>& f);
+template <int D>
+[[nodiscard]] double mass_mean(const Particles<D>& particles, const std::function<double(std::size_t)>& f);
 
 /// Largest speed of any particle, m/s.
-[[nodiscard]] double largest_speed(const Particles<2>& particles);
+template <int D>
+[[nodiscard]] double largest_speed(const Particles<D>& particles);
 
 /// Departure of the pressure from that of water at rest, rms over the particles more than 2h below the
 /// surface, over rho g H.

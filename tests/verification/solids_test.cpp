@@ -25,7 +25,7 @@ namespace {
 double penetration(const CheckRun& run) {
     const Solid& solid = run.parameters().solids[0];
     const Outline outline{solid.x, solid.z};
-    const Vec<2> moved = WallMotion(run.parameters()).at(run.time())[first_solid].displacement;
+    const Vec<2> moved = in_flow<2>(WallMotion(run.parameters()).at(run.time())[first_solid].displacement);
     const Particles<2>& p = run.particles();
     double deepest = 0.0;
     for (std::size_t i = 0; i < p.size(); ++i) {

@@ -99,6 +99,37 @@ TEST(ClosedTank, WallsLetTheWaterSlide) {
     EXPECT_EQ((found[{true, true, true}]), 4 * 27);
 }
 
+// A lid closes the tank as the bed does: complete support up to the top row, and it alone moves.
+TEST(ClosedTank, HasALid) {
+    Case c = tank();
+    c.channel.wall_height.reset();
+    c.channel.top = Top::wall;
+    c.channel.lid_velocity = 0.1;
+    c.bed.kind = BedKind::no_slip;
+    const Particles<3> fluid = lattice_particles<3>(c);
+    const WallParticles<3> wall = wall_particles<3>(c);
+    const Lattice lattice = lattice_of(c);
+    for (const int column : {0, lattice.columns / 2}) {
+        for (const int file : {0, lattice.files / 2}) {
+            for (const int row : {0, lattice.rows / 2, lattice.rows - 1}) {
+                const Vec<3> place{lattice.x(column, row), lattice.y(file, row), lattice.z(row)};
+                EXPECT_NEAR(coverage(c, fluid, wall, place), 1.0, 0.01)
+                    << column << " " << file << " " << row;
+            }
+        }
+    }
+    int above = 0;
+    for (std::size_t i = 0; i < wall.size(); ++i) {
+        const Vec<3> x = vector_of(wall.position, i);
+        const bool over = x[2] > 0.04;
+        const bool beside = x[0] < 0.0 || x[0] > 0.04 || x[1] < 0.0 || x[1] > 0.032;
+        EXPECT_EQ(wall.body[i], over && !beside ? lid_body : resting_body);
+        EXPECT_EQ(wall.normal[2][i], beside ? 0.0 : over ? -1.0 : 1.0);
+        above += over ? 1 : 0;
+    }
+    EXPECT_EQ(above, 3 * 26 * 22);
+}
+
 TEST(ClosedTank, HasTheOutlineOfTheWaterAcrossItsWidth) {
     Case c = tank();
     c.start.kind = StartKind::rest;

@@ -22,7 +22,7 @@ struct TankWithBox {
     WallParticles<3> walls;
     MeshContact contact;
 
-    explicit TankWithBox(double shift = 0.0) {
+    explicit TankWithBox(double shift = 0.0, double foot = -0.01) {
         Case& c = parameters;
         c.channel.dimensions = 3;
         c.channel.ends = Ends::walls;
@@ -37,12 +37,15 @@ struct TankWithBox {
         s.name = "box";
         // Tests run at the same time, each in a process of its own.
         s.file = testing::TempDir() + "riffle_contact_box_" + std::to_string(getpid()) + ".stl";
-        test::write_stl_box(s.file, {0.02 - shift, 0.02 - shift, -0.01}, {0.04 + shift, 0.04 + shift, 0.02});
+        test::write_stl_box(s.file, {0.02 - shift, 0.02 - shift, foot}, {0.04 + shift, 0.04 + shift, 0.02});
         c.solids = {s};
         walls = wall_particles<3>(c);
         contact = MeshContact(c, walls);
     }
 };
+
+/// The bodies of the tank, none of which moves.
+std::vector<BodyState> at_rest() { return std::vector<BodyState>(first_solid + 1); }
 
 TEST(MeshContact, LeavesWaterOutsideAlone) {
     const TankWithBox tank;
@@ -50,10 +53,10 @@ TEST(MeshContact, LeavesWaterOutsideAlone) {
          {Vec<3>{0.0199, 0.03, 0.01}, Vec<3>{0.03, 0.03, 0.0201}, Vec<3>{0.05, 0.01, 0.02}}) {
         Vec<3> x = place;
         Vec<3> u{1.0, 2.0, 3.0};
-        EXPECT_EQ(tank.contact.resolve({}, x, u), 0.0);
+        EXPECT_EQ(tank.contact.resolve(at_rest(), x, u), 0.0);
         EXPECT_EQ(x, place);
         EXPECT_EQ(u, (Vec<3>{1.0, 2.0, 3.0}));
-        EXPECT_EQ(tank.contact.depth(0, {}, place), 0.0);
+        EXPECT_EQ(tank.contact.depth(0, at_rest(), place), 0.0);
     }
 }
 
@@ -63,8 +66,8 @@ TEST(MeshContact, PutsWaterBackOntoTheFace) {
     const TankWithBox tank;
     Vec<3> x{0.0206, 0.031, 0.009};
     Vec<3> u{2.0, 0.5, -0.3};
-    EXPECT_NEAR(tank.contact.depth(0, {}, x), 0.0006, 1e-9);
-    EXPECT_NEAR(tank.contact.resolve({}, x, u), 0.0006, 1e-9);
+    EXPECT_NEAR(tank.contact.depth(0, at_rest(), x), 0.0006, 1e-9);
+    EXPECT_NEAR(tank.contact.resolve(at_rest(), x, u), 0.0006, 1e-9);
     EXPECT_NEAR(x[0], 0.02, 1e-8);
     EXPECT_LE(x[0], 0.02);
     EXPECT_EQ(x[1], 0.031);
@@ -75,7 +78,7 @@ TEST(MeshContact, PutsWaterBackOntoTheFace) {
     // What leaves already keeps its velocity.
     x = {0.03, 0.03, 0.0195};
     u = {0.1, 0.0, 0.7};
-    EXPECT_GT(tank.contact.resolve({}, x, u), 0.0);
+    EXPECT_GT(tank.contact.resolve(at_rest(), x, u), 0.0);
     EXPECT_EQ(u, (Vec<3>{0.1, 0.0, 0.7}));
     EXPECT_GE(x[2], 0.02);
 }
@@ -87,10 +90,10 @@ TEST(MeshContact, LeavesTheWaterItsPlaceBeforeTheFirstLayer) {
     Vec<3> x{0.0194 + 0.0005, 0.031, 0.009};
     const Vec<3> before = x;
     Vec<3> u{2.0, 0.0, 0.0};
-    EXPECT_EQ(tank.contact.resolve({}, x, u), 0.0);
+    EXPECT_EQ(tank.contact.resolve(at_rest(), x, u), 0.0);
     EXPECT_EQ(x, before);
     x[0] = 0.0194 + 0.0009;
-    EXPECT_NEAR(tank.contact.resolve({}, x, u), 0.0003, 1e-9);
+    EXPECT_NEAR(tank.contact.resolve(at_rest(), x, u), 0.0003, 1e-9);
     EXPECT_NEAR(x[0], 0.02, 1e-8);
     EXPECT_EQ(u[0], 0.0);
 }
@@ -100,9 +103,41 @@ TEST(MeshContact, LeavesWhatIsDeeperThanASpacingToTheError) {
     Vec<3> x{0.03, 0.03, 0.0105};
     Vec<3> u{0.0, 0.0, -1.0};
     const Vec<3> before = x;
-    EXPECT_EQ(tank.contact.resolve({}, x, u), 0.0);
+    EXPECT_EQ(tank.contact.resolve(at_rest(), x, u), 0.0);
     EXPECT_EQ(x, before);
-    EXPECT_NEAR(tank.contact.depth(0, {}, x), 0.0095, 1e-9);
+    EXPECT_NEAR(tank.contact.depth(0, at_rest(), x), 0.0095, 1e-9);
+}
+
+// The box stands on the bed and moves along y: what it has caught up with goes before its face with it.
+TEST(MeshContact, MovesWithTheSolid) {
+    TankWithBox tank(0.0, 0.0);
+    tank.parameters.solids[0].motion = SolidMotion::constant;
+    tank.parameters.solids[0].velocity_y = 0.5;
+    tank.contact = MeshContact(tank.parameters, tank.walls);
+    const std::vector<BodyState> now = WallMotion(tank.parameters).at(0.01);
+    Vec<3> x{0.03, 0.0447, 0.009};
+    Vec<3> u{0.2, 0.1, -0.3};
+    EXPECT_NEAR(tank.contact.resolve(now, x, u), 0.0003, 1e-9);
+    EXPECT_NEAR(x[1], 0.045, 1e-8);
+    EXPECT_EQ(u, (Vec<3>{0.2, 0.5, -0.3}));
+    // Faster than the face it leaves; and where the box has gone from there is water.
+    u = {0.2, 0.7, -0.3};
+    x[1] = 0.0447;
+    static_cast<void>(tank.contact.resolve(now, x, u));
+    EXPECT_EQ(u[1], 0.7);
+    x[1] = 0.0203;
+    EXPECT_EQ(tank.contact.resolve(now, x, u), 0.0);
+}
+
+// The lowest layer has been pressed into the bed: out of the box it comes by the side, not under it.
+TEST(MeshContact, HasNoWayOutUnderASolidOnTheBed) {
+    const TankWithBox tank(0.0, 0.0);
+    Vec<3> x{0.0208, 0.03, -0.0003};
+    Vec<3> u{0.1, 0.0, -0.1};
+    EXPECT_NEAR(tank.contact.resolve(at_rest(), x, u), 0.0008, 1e-9);
+    EXPECT_NEAR(x[0], 0.02, 1e-8);
+    EXPECT_EQ(x[2], -0.0003);
+    EXPECT_EQ(u[0], 0.0);
 }
 
 }  // namespace

@@ -261,8 +261,10 @@ TEST(SolidsInSpace, NeedAFileAndAPlaceInTheChannel) {
                 HasSubstr("across its periodic ends"));
     EXPECT_THAT(text(name + "scale = \"1 mm\"\nplace = [0.05]\n"), HasSubstr("expected three: x, y and z"));
     EXPECT_THAT(text(name + "scale = \"0.1 mm\"\n"), HasSubstr("less than 3 layers"));
-    EXPECT_THAT(text(name + "scale = \"1 mm\"\nmotion = \"constant\"\nvelocity_x = 1\n"),
-                HasSubstr("in three dimensions solids stand still"));
+    const std::string stone = name + "scale = \"1 mm\"\nplace = [0.05, 0.02, 0]\nmotion = \"constant\"\n";
+    EXPECT_EQ(text(stone + "velocity_y = 0.02\n"), "");
+    EXPECT_THAT(text(stone), HasSubstr("moves at no velocity"));
+    EXPECT_THAT(text(stone + "velocity_z = -0.01\n"), HasSubstr("reaches the bed before the end of the run"));
     EXPECT_THAT(text(name + "x = [0, 1, 2]\n"), HasSubstr("x goes only with channel.dimensions"));
     EXPECT_THAT(text("file = \"none.stl\"\n"), HasSubstr("there is no such STL file"));
 }

@@ -69,8 +69,6 @@ closure = "czernuszenko-rylov")";
 }
 
 TEST(Space, WhatDoesNotExistInThreeDimensionsIsRefused) {
-    EXPECT_THAT(error_of(with("dimensions = 3", "dimensions = 3\ntop = \"wall\"")),
-                HasSubstr("top = \"wall\" is not there with [channel] dimensions = 3"));
     EXPECT_THAT(error_of(with("\"0.4 D\"", "\"0.4 D\"\ndrag_form = \"paper\"")),
                 HasSubstr("drag_form = \"paper\" is not there"));
     EXPECT_THAT(error_of(with("dimensions = 3", "dimensions = 4")), HasSubstr("2 or 3"));

@@ -1,10 +1,12 @@
 // Solids that move into each other.
 
-#include "case/solid_motion.hpp"
+#include "case/solid_overlap.hpp"
 
 #include "case_test.hpp"
+#include "stl_box.hpp"
+#include "temporary_folder.hpp"
 
-namespace riffle::solid_motion_test {
+namespace riffle::solid_overlap_test {
 namespace {
 
 using test::error_of;
@@ -99,5 +101,58 @@ TEST(Solids, ThatMoveThroughEachOtherAreRefused) {
     EXPECT_THAT(error, HasSubstr("let it stop before"));
 }
 
+/// A box in space that moves with a constant velocity.
+Solid box(const std::string& name, const Point3& low, const Point3& high, const Point3& velocity = {}) {
+    Solid s;
+    s.name = name;
+    s.file = test::folder_of_this_process() / (name + ".stl");
+    test::write_stl_box(s.file, low, high);
+    s.velocity_x = velocity[0];
+    s.velocity_y = velocity[1];
+    s.velocity_z = velocity[2];
+    s.motion = velocity != Point3{} ? SolidMotion::constant : SolidMotion::fixed;
+    return s;
+}
+
+Case basin(std::vector<Solid> solids) {
+    Case c = tank(std::move(solids));
+    c.channel.dimensions = 3;
+    c.channel.width = 0.5;
+    c.channel.sides = Sides::walls;
+    return c;
+}
+
+TEST(FirstOverlap, FindsWhenTwoBoxesMeet) {
+    const Solid first = box("a", {0.2, 0.1, 0.0}, {0.3, 0.2, 0.1}, {0.0, 0.02, 0.0});
+    const auto overlap = first_overlap(basin({first, box("b", {0.25, 0.3, 0.05}, {0.4, 0.4, 0.2})}));
+    ASSERT_TRUE(overlap);
+    EXPECT_NEAR(overlap->time, 5.0, 0.05);
+    EXPECT_GE(overlap->time, 5.0);
+    EXPECT_NEAR(overlap->place[1], 0.3, 0.005);
+    // One passes beside the other, and along it.
+    EXPECT_FALSE(first_overlap(basin({first, box("c", {0.31, 0.3, 0.0}, {0.4, 0.4, 0.2})})));
+    EXPECT_FALSE(first_overlap(basin({first, box("d", {0.3, 0.3, 0.0}, {0.4, 0.4, 0.2})})));
+}
+
+TEST(FirstOverlap, SeesBoxesAcrossEachOtherAndInEachOther) {
+    const auto plus =
+        first_overlap(basin({box("upright", {0.4, 0.2, 0.0}, {0.45, 0.25, 0.2}, {0.0, 0.0, 0.001}),
+                             box("flat", {0.3, 0.1, 0.08}, {0.6, 0.4, 0.12})}));
+    ASSERT_TRUE(plus);
+    EXPECT_EQ(plus->time, 0.0);
+    EXPECT_TRUE(first_overlap(basin({box("inner", {0.4, 0.2, 0.05}, {0.45, 0.25, 0.1}, {0.0, 0.0, 0.001}),
+                                     box("outer", {0.3, 0.1, 0.0}, {0.6, 0.4, 0.2})})));
+}
+
+TEST(FirstOverlap, GoesOnThroughPeriodicSides) {
+    Case c = basin({box("south", {0.2, 0.1, 0.0}, {0.3, 0.2, 0.1}, {0.0, -0.05, 0.0}),
+                    box("north", {0.2, 0.3, 0.0}, {0.3, 0.4, 0.1})});
+    EXPECT_FALSE(first_overlap(c));
+    c.channel.sides = Sides::periodic;
+    const auto overlap = first_overlap(c);
+    ASSERT_TRUE(overlap);
+    EXPECT_NEAR(overlap->time, 0.2 / 0.05, 0.05);
+}
+
 }  // namespace
-}  // namespace riffle::solid_motion_test
+}  // namespace riffle::solid_overlap_test

@@ -1,0 +1,184 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "case/outline_check.hpp"
+#include "case/refusals.hpp"
+#include "case/solid_mesh.hpp"
+#include "case/solid_motion.hpp"
+#include "case/solid_overlap.hpp"
+#include "case/units.hpp"
+
+namespace riffle {
+
+namespace {
+
+bool moves(const Solid& solid) { return solid.motion != SolidMotion::fixed; }
+bool moves_on(const Solid& solid) { return solid.motion == SolidMotion::constant; }
+bool swings(const Solid& solid) { return solid.motion == SolidMotion::oscillating; }
+
+std::array<double, 3> velocity_of(const Solid& solid) {
+    return {solid.velocity_x, solid.velocity_y, solid.velocity_z};
+}
+
+std::array<double, 3> amplitude_of(const Solid& solid) {
+    return {solid.amplitude_x, solid.amplitude_y, solid.amplitude_z};
+}
+
+bool is_zero(const std::array<double, 3>& v) { return v[0] == 0.0 && v[1] == 0.0 && v[2] == 0.0; }
+
+/// How long a solid moves in the run, s.
+double time_of_motion(const Case& c, const Solid& solid) {
+    return std::max(0.0, std::min(solid.stop.value_or(c.run.time), c.run.time) - solid.start);
+}
+
+struct Range {
+    double low = 0.0;
+    double high = 0.0;
+};
+
+/// What a solid takes up along axis x, y or z at the start.
+Range at_start(const Case& c, const Solid& solid, std::size_t axis) {
+    if (in_space(c)) {
+        const SolidMesh& mesh = (*c.meshes)[static_cast<std::size_t>(&solid - c.solids.data())];
+        return {mesh.lower()[axis], mesh.upper()[axis]};
+    }
+    const Extent extent(axis == 0 ? solid.x : solid.z);
+    return {extent.low, extent.high};
+}
+
+/// And with its way.
+Range in_motion(const Case& c, const Solid& solid, std::size_t axis) {
+    const double way = moves_on(solid) ? time_of_motion(c, solid) * velocity_of(solid)[axis] : 0.0;
+    const double swing = swings(solid) ? std::abs(amplitude_of(solid)[axis]) : 0.0;
+    const Range start = at_start(c, solid, axis);
+    return {start.low + std::min(way, -swing), start.high + std::max(way, swing)};
+}
+
+/// Whether it goes through one of two walls.
+bool leaves(const Case& c, const Range& range, double extent) {
+    const double slack = 1e-9 * c.numerics.spacing;
+    return range.low < -slack || range.high > extent + slack;
+}
+
+Findings motion_through_walls(const Case& c, const Solid& solid) {
+    if (!moves(solid)) {
+        return {};
+    }
+    const bool ends = c.channel.ends == Ends::walls;
+    const bool sides = in_space(c) && c.channel.sides != Sides::periodic;
+    const double width = c.channel.simulated_width();
+    // Where it sinks to is looked at below.
+    const double lowest = (swings(solid) ? in_motion(c, solid, 2) : at_start(c, solid, 2)).low;
+    const bool outside = lowest < -1e-9 * c.numerics.spacing ||
+                         (ends && leaves(c, in_motion(c, solid, 0), c.channel.length)) ||
+                         (sides && leaves(c, in_motion(c, solid, 1), width));
+    return found_if(outside, "moves through the bed{}: expected room for it, x from 0 to {}{} and z from 0",
+                    in_space(c) ? ", an end wall or a side wall" : " or an end wall",
+                    shown_length(c.channel.length),
+                    in_space(c) ? ", y from 0 to " + shown_length(width) : std::string());
+}
+
+/// Solids that move through each other press the water between them out of the world.
+Findings overlap(const Case& c) {
+    const auto overlap = first_overlap(c);
+    if (!overlap) {
+        return {};
+    }
+    const std::string& name = c.solids[overlap->second].name;
+    const std::string& other = c.solids[overlap->first].name;
+    const auto& [x, y, z] = overlap->place;
+    const std::string where = in_space(c)
+                                  ? fmt::format("at x = {:.4g} m, y = {:.4g} m, z = {:.4g} m", x, y, z)
+                                  : fmt::format("at x = {:.4g} m, z = {:.4g} m", x, z);
+    return {overlap->time == 0.0
+                ? Finding{.detail = fmt::format("{}: stands in the solid \"{}\" at the start, {}", name,
+                                                other, where),
+                          .cure = "move one of them",
+                          .item = overlap->second}
+                : Finding{.detail = fmt::format("{}: meets the solid \"{}\" at t = {:.4g} s, {}", name, other,
+                                                overlap->time, where),
+                          .item = overlap->second}};
+}
+
+/// Whether all solids have a shape: else another check has said what is missing.
+bool have_shapes(const Case& c) {
+    if (in_space(c)) {
+        return c.meshes && c.meshes->size() == c.solids.size();
+    }
+    return corners_of_outlines(c) <= most_corners &&
+           std::all_of(c.solids.begin(), c.solids.end(), [](const Solid& solid) {
+               return is_simple({solid.x, solid.z});
+           });
+}
+
+}  // namespace
+
+CheckList motion_refusals() {
+    return {
+        {
+            {{"solid.velocity_y", "solid.amplitude_y", "channel.dimensions"},
+             "`velocity_y` or `amplitude_y` in two dimensions",
+             "nothing moves across a plane",
+             "remove the key, or set [channel] dimensions = 3",
+             [](const Case& c, const Solid& solid) {
+                 return found_if(!in_space(c) && (solid.velocity_y != 0.0 || solid.amplitude_y != 0.0),
+                                 "moves across the channel");
+             }},
+            {{"solid.motion"},
+             "`motion = \"constant\"` without a velocity",
+             "",
+             "give velocity_x, velocity_z or, in three dimensions, velocity_y; or motion = \"fixed\"",
+             [](const Case&, const Solid& solid) {
+                 return found_if(moves_on(solid) && is_zero(velocity_of(solid)), "moves at no velocity");
+             }},
+            {{"solid.motion"},
+             "`motion = \"oscillating\"` without an amplitude or a frequency",
+             "",
+             "give amplitude_x, amplitude_z or, in three dimensions, amplitude_y and frequency; or motion = \"fixed\"",
+             [](const Case&, const Solid& solid) {
+                 return found_if(swings(solid) && (is_zero(amplitude_of(solid)) || solid.frequency <= 0.0),
+                                 "swings by nothing");
+             }},
+            {{"solid.start"},
+             "`start` at the end of the run or later",
+             "it would stand still",
+             "make it smaller",
+             [](const Case& c, const Solid& solid) {
+                 return found_if(moves(solid) && solid.start >= c.run.time,
+                                 "starts to move at {:.6g} s, not before the end of the run at {:.6g} s",
+                                 solid.start, c.run.time);
+             }},
+            {{"solid.stop"},
+             "`stop` not after `start`",
+             "it would stand still",
+             "make it larger, or motion = \"fixed\"",
+             [](const Case&, const Solid& solid) {
+                 const double stop = solid.stop.value_or(solid.start);
+                 return found_if(moves(solid) && solid.stop && stop <= solid.start,
+                                 "stops at {:.6g} s, not after its start at {:.6g} s", stop, solid.start);
+             }},
+            {{"solid.motion", "channel.length"},
+             "a motion through the bed, an end wall or a side wall",
+             "",
+             "give it another way, or let it stop before (stop)",
+             motion_through_walls},
+            {{"solid.velocity_z"},
+             "a `velocity_z` that brings the solid to the bed before the end of the run",
+             "",
+             "make it slower, or let it stop before (stop)",
+             [](const Case& c, const Solid& solid) {
+                 return found_if(moves_on(solid) && solid.velocity_z < 0.0 &&
+                                     in_motion(c, solid, 2).low < -1e-9 * c.numerics.spacing,
+                                 "reaches the bed before the end of the run");
+             }},
+            {{"solid.motion"},
+             "a motion through another solid",
+             "it would move through it",
+             "let it stop before (stop), or give it another way",
+             overlap},
+        },
+        have_shapes};
+}
+
+}  // namespace riffle
