@@ -73,6 +73,7 @@ std::optional<DamBreak> dam_break_of(const Case& c) {
     DamBreak dam{at_left ? *right : *left, *high, *right - *left, 0.0, at_left};
     // Bodies in the way change the flow; one that stands at the dam and is pulled is its gate.
     for (const Solid& solid : c.solids) {
+        if (solid.x.empty()) return std::nullopt;  // in space its outline is that of a file
         const auto [from, to] = std::minmax_element(solid.x.begin(), solid.x.end());
         const double near = 2.0 * c.numerics.spacing;
         const bool gate = solid.motion == SolidMotion::constant && solid.velocity_z > 0.0 &&

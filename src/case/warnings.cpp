@@ -9,6 +9,8 @@
 #include "case/outline_check.hpp"
 #include "case/presets.hpp"
 #include "case/refusals.hpp"
+#include "case/solid_mesh.hpp"
+#include "case/solid_motion.hpp"
 #include "case/units.hpp"
 #include "case/words.hpp"
 
@@ -69,13 +71,20 @@ double compression(const Case& c) {
 /// Whether a solid that is not lifted holds the water at one edge of its outline, over its whole height.
 bool is_held(const Case& c, double edge, double height) {
     const double touch = 2.0 * c.numerics.spacing;
-    return std::any_of(c.solids.begin(), c.solids.end(), [&](const Solid& solid) {
-        if (solid.x.empty() || solid.z.empty() || solid.velocity_z > 0.0) {
-            return false;
+    for (std::size_t k = 0; k < c.solids.size(); ++k) {
+        const Solid& solid = c.solids[k];
+        const bool has_surface = in_space(c) && c.meshes && k < c.meshes->size();
+        if (solid.velocity_z > 0.0 || (!has_surface && (solid.x.empty() || solid.z.empty()))) {
+            continue;
         }
-        const Extent x(solid.x);
-        return x.low - touch <= edge && edge <= x.high + touch && Extent(solid.z).high + touch >= height;
-    });
+        const SolidMesh* const mesh = has_surface ? &(*c.meshes)[k] : nullptr;
+        const Extent x(mesh != nullptr ? std::vector{mesh->lower()[0], mesh->upper()[0]} : solid.x);
+        const double top = mesh != nullptr ? mesh->upper()[2] : Extent(solid.z).high;
+        if (x.low - touch <= edge && edge <= x.high + touch && top + touch >= height) {
+            return true;
+        }
+    }
+    return false;
 }
 
 /// Whether the water falls, or meets a wall of a tank that it does not fill.
@@ -338,6 +347,15 @@ CheckList make_warnings() {
          "particles so near to each other may throw the start apart",
          "verified up to 0.25 spacings",
          [](const Case& c) { return c.start.jitter > most_jitter; }},
+        {{"solid.motion", "channel.dimensions"},
+         "a solid in three dimensions that moves faster than 1.5 sqrt(g H)",
+         "such a jerk drives the water beside it, and adds energy to it (docs/theory.md, section 9, solids)",
+         "verified up to sqrt(g H); let it move more slowly",
+         [](const Case& c, const Solid& solid) {
+             const double wave = std::sqrt(c.normal_gravity() * c.total_depth());
+             return found_if(in_space(c) && largest_speed(solid) > 1.5 * wave,
+                             "moves at {:.3g} m/s, and waves run at {:.3g} m/s", largest_speed(solid), wave);
+         }},
     }};
 }
 

@@ -56,10 +56,9 @@ Case tank_with_piston(bool across) {
 
 }  // namespace
 
-// Level and bar as of the piston in the plane. The face stands on the lattice, half a millimetre before that
-// of the file, and the water with it. Before contact told the density of what it takes back, water that the
-// piston had caught up with sank along the edges beside it, at 0.2 sqrt(gH) and more, until the run failed
-// at 2.5 s.
+// Level and bar as of the piston in the plane. Before crowds counted the walls, water that the piston had
+// caught up with sank along the edges beside it, at 0.2 sqrt(gH) and more, until the run failed at 2.2 s
+// (docs/theory.md, Crowds).
 TEST(PistonInSpace, DisplacesItsVolumeAndComesToRest) {
     set_thread_count(1);
     const double exact = 0.04 * 48.0 / 36.0;

@@ -225,6 +225,7 @@ TEST(WallMotion, FollowsItsLaw) {
     c.solids[1].motion = SolidMotion::constant;
     c.solids[1].start = 1.0;
     c.solids[1].velocity_z = 2.0;
+    c.solids[1].velocity_y = -1.0;
     c.solids[2].motion = SolidMotion::oscillating;
     c.solids[2].amplitude_x = 0.01;
     c.solids[2].frequency = 2.0;
@@ -236,9 +237,10 @@ TEST(WallMotion, FollowsItsLaw) {
     EXPECT_EQ(now[resting_body].velocity[0], 0.0);
     EXPECT_EQ(now[lid_body].velocity[0], 0.5);
     EXPECT_EQ(now[lid_body].displacement[0], 0.0);
-    EXPECT_EQ(now[first_solid].displacement[1], 0.0);
-    EXPECT_NEAR(now[first_solid + 1].displacement[1], 0.6, 1e-12);
-    EXPECT_EQ(motion.at(0.9)[first_solid + 1].velocity[1], 0.0);
+    EXPECT_EQ(now[first_solid].displacement, (Vec<3>{}));
+    EXPECT_NEAR(now[first_solid + 1].displacement[2], 0.6, 1e-12);
+    EXPECT_NEAR(now[first_solid + 1].displacement[1], -0.3, 1e-12);
+    EXPECT_EQ(motion.at(0.9)[first_solid + 1].velocity[2], 0.0);
     // Velocity and acceleration are the derivatives of the displacement.
     const double step = 1e-5;
     const BodyState before = motion.at(t - step)[first_solid + 2];
@@ -246,7 +248,7 @@ TEST(WallMotion, FollowsItsLaw) {
     const BodyState& swing = now[first_solid + 2];
     EXPECT_NEAR((after.displacement[0] - before.displacement[0]) / (2 * step), swing.velocity[0], 1e-8);
     EXPECT_NEAR((after.velocity[0] - before.velocity[0]) / (2 * step), swing.acceleration[0], 1e-6);
-    EXPECT_NEAR(largest_wall_speed(c), 2.0, 1e-12);
+    EXPECT_NEAR(largest_wall_speed(c), std::sqrt(5.0), 1e-12);
 }
 
 TEST(WallMotion, RestsAfterItsStopWhereItHasCome) {

@@ -19,6 +19,7 @@ using test::flume;
 using test::smallest;
 using test::tank;
 using test::with_keys;
+using test::with_solid;
 using test::with_water;
 using testing::Contains;
 using testing::HasSubstr;
@@ -154,6 +155,8 @@ TEST(Warnings, EachRowHasACase) {
         with_keys(with_water(), "run.until = 3"),
         with_keys(cell(), "start.lattice = body-centred"),
         with_keys(between_side_walls(), "turbulence.closure = sps; numerics.stepping = semi-implicit-euler"),
+        with_keys(with_solid(),
+                  "channel.dimensions = 3; solid[0].motion = constant; solid[0].velocity_z = 3"),
     };
     std::set<const CaseCheck*> met;
     for (const Case& c : cases) {
