@@ -14,8 +14,7 @@ MeshContact::MeshContact(const Case& c, const WallParticles<3>& walls)
       spacing_(c.numerics.spacing),
       period_{c.channel.ends == Ends::periodic ? c.channel.length : 0.0,
               c.channel.sides == Sides::periodic ? c.channel.simulated_width() : 0.0, 0.0},
-      lower_(lowest_of_water<3>(c)),
-      upper_(highest_of_water<3>(c)) {
+      planes_(boundary_planes<3>(c)) {
     for (const Solid& solid : c.solids) {
         moves_.push_back(solid.motion != SolidMotion::fixed);
     }
@@ -70,14 +69,6 @@ Vec<3> MeshContact::in_body(std::size_t solid, const BodyState& state, Vec<3> po
     return position;
 }
 
-double MeshContact::before_walls(const Vec<3>& place) const {
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t k = 0; k < 3; ++k) {
-        least = std::min({least, place[k] - lower_[k], upper_[k] - place[k]});
-    }
-    return least;
-}
-
 double MeshContact::depth(std::size_t solid, const std::vector<BodyState>& now,
                           const Vec<3>& position) const {
     const SolidMesh& mesh = (*meshes_)[solid];
@@ -98,8 +89,8 @@ double MeshContact::resolve(const std::vector<BodyState>& now, Vec<3>& position,
         // leaves by the faces that water can touch alone.
         const double hair = 1e-3 * spacing_;
         Vec<3> before = position;
-        for (std::size_t k = 0; k < 3; ++k) {
-            before[k] = std::clamp(before[k], lower_[k] + hair, upper_[k] - hair);
+        for (const BoundaryPlane& plane : planes_) {
+            before[plane.axis] += plane.inward * std::max(0.0, hair - plane.distance<3>(before));
         }
         Vec<3> place = in_body(solid, state, before);
         const bool inside = mesh.contains(place);
@@ -111,7 +102,9 @@ double MeshContact::resolve(const std::vector<BodyState>& now, Vec<3>& position,
             for (std::size_t k = 0; k < 3; ++k) {
                 now_at[k] = before[k] + foot[k] - place[k];
             }
-            return before_walls(now_at) > 0.5 * hair;
+            return std::all_of(planes_.begin(), planes_.end(), [&](const BoundaryPlane& plane) {
+                return plane.distance<3>(now_at) > 0.5 * hair;
+            });
         });
         if (!near) {
             continue;

@@ -5,6 +5,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "boundary/boundary_planes.hpp"
 #include "boundary/wall_motion.hpp"
 #include "case/case.hpp"
 #include "case/solid_mesh.hpp"
@@ -38,8 +39,6 @@ class MeshContact {
     /// The place of water where the surface of a solid stood at t = 0; of one that has moved through periodic
     /// ends or sides its image at the solid.
     [[nodiscard]] Vec<3> in_body(std::size_t solid, const BodyState& state, Vec<3> position) const;
-    /// How far inside of all walls of the channel a place is, m.
-    [[nodiscard]] double before_walls(const Vec<3>& place) const;
     /// Depth up to which water may stand behind the surface at a place of it, m. Below zero, before the
     /// surface, at a solid that moves: it catches up with water that no pressure holds off, and what comes
     /// nearer than half a spacing to its first layer has less room than its density says, and sinks along the
@@ -53,8 +52,7 @@ class MeshContact {
     std::vector<bool> moves_;  ///< of each solid
     double spacing_ = 0.0;
     std::array<double, 3> period_{};  ///< along x, y, z, m; 0: none
-    Vec<3> lower_{};  ///< the bed and walls of the channel, m; without limit where there are none
-    Vec<3> upper_{};
+    std::vector<BoundaryPlane> planes_;
 };
 
 }  // namespace riffle

@@ -1,9 +1,8 @@
 #pragma once
 
-#include <cstddef>
-#include <limits>
 #include <vector>
 
+#include "boundary/boundary_planes.hpp"
 #include "case/case.hpp"
 #include "particles/domain.hpp"
 
@@ -26,13 +25,7 @@ class PlaneContact {
     double resolve(Vec<D>& position, Vec<D>& velocity) const;
 
   private:
-    struct Plane {
-        std::size_t axis;
-        double place;
-        double inward;  ///< 1: the water has larger coordinates; -1: smaller ones
-        double top = std::numeric_limits<double>::infinity();  ///< height up to which the wall stands
-    };
-    std::vector<Plane> planes_;
+    std::vector<BoundaryPlane> planes_;
     double spacing_ = 0.0;
 };
 

@@ -7,7 +7,7 @@ namespace riffle {
 
 template <int D>
 RepulsiveWalls<D>::RepulsiveWalls(const Case& c, double sound_speed) {
-    if (c.numerics.wall != WallKind::repulsive || c.channel.top == Top::periodic) {
+    if (c.numerics.wall != WallKind::repulsive) {
         return;
     }
     const Numerics& n = c.numerics;
@@ -15,27 +15,21 @@ RepulsiveWalls<D>::RepulsiveWalls(const Case& c, double sound_speed) {
     depth_ = c.total_depth();
     strength_ = c.normal_gravity() * depth_ / (n.smoothing_ratio * n.spacing);
     sound_speed_ = sound_speed;
-    planes_.push_back({.axis = D - 1, .position = 0.0, .normal = 1.0});
-    const bool standing = D == 2 ? c.channel.ends == Ends::walls : c.channel.sides == Sides::walls;
-    if (standing) {
-        planes_.push_back({.axis = D - 2, .position = 0.0, .normal = 1.0});
-        planes_.push_back(
-            {.axis = D - 2, .position = D == 2 ? c.channel.length : c.channel.width, .normal = -1.0});
-    }
+    planes_ = boundary_planes<D>(c);
 }
 
 template <int D>
 Vec<D> RepulsiveWalls<D>::acceleration(const Vec<D>& x, const Vec<D>& u) const {
     constexpr double nearest = 0.01;
     Vec<D> a{};
-    for (const Plane& plane : planes_) {
-        const double q = std::max(plane.normal * (x[plane.axis] - plane.position) / reach_, nearest);
+    for (const BoundaryPlane& plane : planes_) {
+        const double q = std::max(plane.distance<D>(x) / reach_, nearest);
         if (q >= 1.0) {
             continue;
         }
         const double below = std::clamp((depth_ - x[D - 1]) / depth_ + 0.02, 0.02, 1.0);
-        const double approach = std::clamp(-20.0 * plane.normal * u[plane.axis] / sound_speed_, 0.0, 1.0);
-        a[plane.axis] += plane.normal * strength_ * (1.0 - q) / std::sqrt(q) * (below + approach);
+        const double approach = std::clamp(-20.0 * plane.inward * u[plane.axis] / sound_speed_, 0.0, 1.0);
+        a[plane.axis] += plane.inward * strength_ * (1.0 - q) / std::sqrt(q) * (below + approach);
     }
     return a;
 }

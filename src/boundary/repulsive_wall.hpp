@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "boundary/boundary_planes.hpp"
 #include "case/case.hpp"
 #include "particles/domain.hpp"
 
@@ -31,12 +32,7 @@ class RepulsiveWalls {
     [[nodiscard]] Vec<D> acceleration(const Vec<D>& x, const Vec<D>& u) const;
 
   private:
-    struct Plane {
-        std::size_t axis = 0;
-        double position = 0.0;  ///< m
-        double normal = 1.0;    ///< 1 or -1, into the water
-    };
-    std::vector<Plane> planes_;
+    std::vector<BoundaryPlane> planes_;
     double reach_ = 0.0;     ///< 2 dx
     double strength_ = 0.0;  ///< A
     double depth_ = 0.0;     ///< H

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "boundary/solid_fill.hpp"
 #include "boundary/wall_particle.hpp"
@@ -110,35 +109,6 @@ double end_wall_height(const Case& c) {
     const Lattice lattice = lattice_of(c);
     return end_wall_rows(c, lattice) * lattice.dz;
 }
-
-template <int D>
-Vec<D> lowest_of_water(const Case& c) {
-    constexpr double without = -std::numeric_limits<double>::infinity();
-    Vec<D> lower{};
-    lower[0] = c.channel.ends == Ends::walls ? 0.0 : without;
-    lower[D - 1] = c.channel.top == Top::periodic ? without : 0.0;
-    if constexpr (D == 3) {
-        lower[1] = c.channel.sides == Sides::periodic ? without : 0.0;
-    }
-    return lower;
-}
-
-template <int D>
-Vec<D> highest_of_water(const Case& c) {
-    constexpr double without = std::numeric_limits<double>::infinity();
-    Vec<D> upper{};
-    upper[0] = c.channel.ends == Ends::walls ? c.channel.length : without;
-    upper[D - 1] = c.channel.top == Top::wall ? c.total_depth() : without;
-    if constexpr (D == 3) {
-        upper[1] = c.channel.sides == Sides::periodic ? without : c.channel.simulated_width();
-    }
-    return upper;
-}
-
-template Vec<2> lowest_of_water<2>(const Case&);
-template Vec<3> lowest_of_water<3>(const Case&);
-template Vec<2> highest_of_water<2>(const Case&);
-template Vec<3> highest_of_water<3>(const Case&);
 
 template <>
 WallParticles<2> wall_particles<2>(const Case& c) {

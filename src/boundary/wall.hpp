@@ -30,12 +30,6 @@ struct WallLaw {
 /// Height up to which end walls and side walls stand, m.
 [[nodiscard]] double end_wall_height(const Case& c);
 
-/// Where the bed and the walls of the channel stand, m; without limit where there are none.
-template <int D>
-[[nodiscard]] Vec<D> lowest_of_water(const Case& c);
-template <int D>
-[[nodiscard]] Vec<D> highest_of_water(const Case& c);
-
 /// Whether walls may stand dry at the start of a case: the water has an outline of its own, or there are
 /// solids.
 [[nodiscard]] bool starts_beside_dry_walls(const Case& c);

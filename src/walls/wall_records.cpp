@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "boundary/boundary_planes.hpp"
 #include "boundary/wall.hpp"
 #include "engine/pair_setup.hpp"
 #include "particles/lattice.hpp"
@@ -27,7 +28,10 @@ template <int D>
 class Continuation {
   public:
     Continuation(const Case& c, const Scheme& scheme, const WallParticles<D>& walls)
-        : c_(c), h_(scheme.smoothing_length), walls_(walls), domain_(domain_of<D>(c)) {
+        : planes_(boundary_planes<D>(c)),
+          h_(scheme.smoothing_length),
+          walls_(walls),
+          domain_(domain_of<D>(c)) {
         for (std::size_t i = 0; i < walls.body.size(); ++i) {
             if (is_solid(walls, i)) {
                 solids_.push_back(i);
@@ -49,15 +53,10 @@ class Continuation {
 
     [[nodiscard]] double beside_walls(std::size_t i) const {
         double continued = 0.0;
-        const auto beside = [&](bool standing, std::size_t axis, double extent) {
-            if (standing) {
-                const double x = walls_.position[axis][i];
-                continued = std::max(continued, faded(std::min(x, extent - x)));
+        for (const BoundaryPlane& plane : planes_) {
+            if (plane.axis + 1 < static_cast<std::size_t>(D)) {
+                continued = std::max(continued, faded(plane.distance<D>(vector_of(walls_.position, i))));
             }
-        };
-        beside(c_.channel.ends == Ends::walls, 0, c_.channel.length);
-        if constexpr (D == 3) {
-            beside(c_.channel.sides != Sides::periodic, 1, c_.channel.simulated_width());
         }
         return continued;
     }
@@ -77,7 +76,7 @@ class Continuation {
         return solids_.empty() ? 0.0 : faded(std::sqrt(nearest));
     }
 
-    const Case& c_;
+    std::vector<BoundaryPlane> planes_;
     double h_;
     const WallParticles<D>& walls_;
     Domain<D> domain_;

@@ -49,6 +49,21 @@ TEST(RepulsiveWalls, ActAsTheirParticles) {
     }
 }
 
+// In space the end walls of a tank push as its side walls do.
+TEST(RepulsiveWalls, PushInwardsFromAllWallsInSpace) {
+    Case c = tank();
+    c.channel.dimensions = 3;
+    c.channel.width = 0.08;
+    c.channel.sides = Sides::walls;
+    const RepulsiveWalls<3> walls(c, sound_speed);
+    const double strength = walls.acceleration({0.001, 0.04, 0.025}, {})[0];
+    EXPECT_GT(strength, 0.0);
+    EXPECT_NEAR(walls.acceleration({0.1 - 0.001, 0.04, 0.025}, {})[0], -strength, 1e-9 * strength);
+    EXPECT_NEAR(walls.acceleration({0.05, 0.001, 0.025}, {})[1], strength, 1e-9 * strength);
+    EXPECT_NEAR(walls.acceleration({0.05, 0.08 - 0.001, 0.025}, {})[1], -strength, 1e-9 * strength);
+    EXPECT_EQ(walls.acceleration({0.05, 0.04, 0.025}, {}), (Vec<3>{}));
+}
+
 TEST(RepulsiveWalls, PushInwardsFromAllWalls) {
     const RepulsiveWalls<2> walls(tank(), sound_speed);
     const Vec<2> left = walls.acceleration({0.001, 0.025}, {});
