@@ -29,6 +29,7 @@ constexpr const char* examples = R"(Examples:
   riffle check my-flume.toml                        is it valid, and what will it cost?
   riffle column my-flume.toml                       the 1D twin: the mean flow in milliseconds
   riffle section my-channel.toml                    the 2D twin of a channel with side walls
+  riffle backwater my-flume.toml --downstream 80mm  steady varied flow: M1 to S3, jumps
   riffle run my-flume.toml -o results/my-flume      simulate until the mean flow is steady
   riffle watch results/my-flume                     follow it in the browser meanwhile
   riffle resume results/my-flume                    go on after a stop
@@ -64,6 +65,7 @@ int parse_and_run(int argc, char** argv) {
     add_verb_check(app);
     add_verb_column(app);
     add_verb_section(app);
+    add_verb_backwater(app);
     add_verb_calibrate(app);
     add_verb_run(app);
     add_verb_resume(app);

@@ -8,6 +8,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "cli/svg_drawing.hpp"
+
 namespace riffle {
 
 namespace {
@@ -16,79 +18,6 @@ constexpr double figure_width = 960.0;
 constexpr double map_left = 70.0;
 constexpr double map_width = 800.0;
 constexpr double map_top = 70.0;
-
-/// A panel's range of data and its place in the figure.
-struct Panel {
-    double left, top, width, height;
-    double x_low, x_high, y_low, y_high;
-
-    [[nodiscard]] double x(double value) const { return left + width * (value - x_low) / (x_high - x_low); }
-    [[nodiscard]] double y(double value) const {
-        return top + height * (1.0 - (value - y_low) / (y_high - y_low));
-    }
-};
-
-std::string escaped(const std::string& text) {
-    std::string result;
-    for (const char letter : text) {
-        if (letter == '&') {
-            result += "&amp;";
-        } else if (letter == '<') {
-            result += "&lt;";
-        } else if (letter == '>') {
-            result += "&gt;";
-        } else {
-            result += letter;
-        }
-    }
-    return result;
-}
-
-std::string text_at(double x, double y, const std::string& text, const char* extra = "") {
-    return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" {}>{}</text>\n", x, y, extra, escaped(text));
-}
-
-std::string line(double x1, double y1, double x2, double y2, const char* style) {
-    return fmt::format("<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" {}/>\n", x1, y1, x2, y2,
-                       style);
-}
-
-/// About five round numbers between the ends.
-std::vector<double> ticks(double low, double high) {
-    const double rough = (high - low) / 5.0;
-    const double power = std::pow(10.0, std::floor(std::log10(rough)));
-    double step = power;
-    for (const double factor : {2.0, 5.0, 10.0}) {
-        if (step < rough) step = factor * power;
-    }
-    std::vector<double> result;
-    for (double value = std::ceil(low / step - 1e-9); value * step <= high + 1e-9 * step; value += 1.0) {
-        result.push_back(value == 0.0 ? 0.0 : value * step);  // no -0
-    }
-    return result;
-}
-
-std::string axes(const Panel& p, const std::string& x_title, const std::string& y_title) {
-    std::string svg;
-    for (const double value : ticks(p.x_low, p.x_high)) {
-        svg += line(p.x(value), p.top + p.height, p.x(value), p.top + p.height + 5.0, "stroke=\"#555\"");
-        svg += text_at(p.x(value), p.top + p.height + 19.0, fmt::format("{:g}", value),
-                       "text-anchor=\"middle\"");
-    }
-    for (const double value : ticks(p.y_low, p.y_high)) {
-        svg += line(p.left - 5.0, p.y(value), p.left, p.y(value), "stroke=\"#555\"");
-        svg += text_at(p.left - 8.0, p.y(value) + 4.0, fmt::format("{:g}", value), "text-anchor=\"end\"");
-    }
-    svg += fmt::format(
-        "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"none\" "
-        "stroke=\"#555\"/>\n",
-        p.left, p.top, p.width, p.height);
-    svg += text_at(p.left + 0.5 * p.width, p.top + p.height + 38.0, x_title, "text-anchor=\"middle\"");
-    svg += fmt::format(
-        "<text transform=\"translate({:.1f} {:.1f}) rotate(-90)\" text-anchor=\"middle\">{}</text>\n",
-        p.left - 46.0, p.top + 0.5 * p.height, escaped(y_title));
-    return svg;
-}
 
 /// Colours of cividis, read by everyone alike, interpolated between a few of its points.
 std::string colour(double fraction) {
@@ -105,15 +34,6 @@ std::string colour(double fraction) {
                        mix(stops[low].g, stops[low + 1].g), mix(stops[low].b, stops[low + 1].b));
 }
 
-std::string path(const std::vector<double>& x, const std::vector<double>& y, const Panel& p,
-                 const char* style) {
-    std::string points;
-    for (std::size_t i = 0; i < x.size(); ++i) {
-        points += fmt::format("{}{:.1f} {:.1f}", i == 0 ? "M" : "L", p.x(x[i]), p.y(y[i]));
-    }
-    return fmt::format("<path d=\"{}\" fill=\"none\" {}/>\n", points, style);
-}
-
 /// The values of the map on an even grid, whose squares make the picture and the isolines.
 class EvenMap {
   public:
@@ -125,7 +45,7 @@ class EvenMap {
         }
     }
 
-    [[nodiscard]] std::string picture(const Panel& p) const {
+    [[nodiscard]] std::string picture(const SvgPanel& p) const {
         std::string svg = "<g shape-rendering=\"crispEdges\">\n";
         const double dx = p.width / columns_;
         const double dz = p.height / rows_;
@@ -147,7 +67,7 @@ class EvenMap {
     }
 
     /// Marching triangles: where the level crosses the two triangles of each square.
-    [[nodiscard]] std::string isoline(const Panel& p, double level) const {
+    [[nodiscard]] std::string isoline(const SvgPanel& p, double level) const {
         std::string d;
         for (int j = 0; j < rows_; ++j) {
             for (int i = 0; i < columns_; ++i) {
@@ -172,7 +92,8 @@ class EvenMap {
         const double mean = 0.25 * (at({i, j}) + at({i + 1, j}) + at({i, j + 1}) + at({i + 1, j + 1}));
         return std::clamp(static_cast<int>(mean * levels), 0, levels - 1);
     }
-    [[nodiscard]] std::string segment(const Panel& p, double level, const std::array<Node, 3>& nodes) const {
+    [[nodiscard]] std::string segment(const SvgPanel& p, double level,
+                                      const std::array<Node, 3>& nodes) const {
         std::string d;
         for (std::size_t k = 0; k < 3; ++k) {
             const Node a = nodes[k];
@@ -201,9 +122,9 @@ std::string colour_bar(double left, double top, double height) {
                            colour((i + 0.5) / steps));
     }
     for (const double value : {0.0, 0.5, 1.0}) {
-        svg += text_at(left + 19.0, top + height * (1.0 - value) + 4.0, fmt::format("{:g}", value));
+        svg += svg_text(left + 19.0, top + height * (1.0 - value) + 4.0, fmt::format("{:g}", value));
     }
-    return svg + text_at(left - 4.0, top - 14.0, "U/U_max");
+    return svg + svg_text(left - 4.0, top - 14.0, "U/U_max");
 }
 
 }  // namespace
@@ -219,24 +140,18 @@ std::string section_figure(const Case& c, const SectionResult& r, const std::str
     constexpr const char* curve = R"(stroke="#1f5fa8" stroke-width="2")";
     constexpr const char* dashed = R"(stroke="#555" stroke-dasharray="5 4")";
 
-    std::string svg = fmt::format(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" "
-        "height=\"{1:.0f}\" font-family=\"sans-serif\" font-size=\"13\" fill=\"#222\">\n"
-        "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n",
-        figure_width, height);
-    svg += text_at(map_left, 26.0, c.title.empty() ? "Cross-section twin" : c.title,
-                   "font-size=\"17\" font-weight=\"bold\"");
-    svg += text_at(map_left, 46.0, subtitle, "fill=\"#555\"");
+    std::string svg =
+        svg_begin(figure_width, height, map_left, c.title.empty() ? "Cross-section twin" : c.title, subtitle);
 
-    const Panel map{map_left, map_top, map_width, map_height, 0.0, 1e3 * width, 0.0, 1e3 * depth};
+    const SvgPanel map{map_left, map_top, map_width, map_height, 0.0, 1e3 * width, 0.0, 1e3 * depth};
     const EvenMap values(r, width, depth);
     svg += values.picture(map);
     for (int i = 1; i < 10; ++i) svg += values.isoline(map, 0.1 * i);
-    svg += line(map.left, map.y(1e3 * c.crest()), map.left + map.width, map.y(1e3 * c.crest()),
-                "stroke=\"#fff\" stroke-dasharray=\"2 4\"");
-    svg += text_at(map.left + map.width, map.top - 14.0, "isolines every 0.1",
-                   "fill=\"#555\" text-anchor=\"end\"");
-    svg += axes(map, "distance from the side wall y [mm]", "height z [mm]");
+    svg += svg_line(map.left, map.y(1e3 * c.crest()), map.left + map.width, map.y(1e3 * c.crest()),
+                    "stroke=\"#fff\" stroke-dasharray=\"2 4\"");
+    svg += svg_text(map.left + map.width, map.top - 14.0, "isolines every 0.1",
+                    "fill=\"#555\" text-anchor=\"end\"");
+    svg += svg_axes(map, "distance from the side wall y [mm]", "height z [mm]");
     svg += colour_bar(map_left + map_width + 20.0, map_top, map_height);
 
     // Profile at the centreline.
@@ -247,25 +162,26 @@ std::string section_figure(const Case& c, const SectionResult& r, const std::str
         u.push_back(r.velocity_at(c.channel.centreline(), 1e-3 * z.back()));
     }
     const double top = 1.05 * std::max(r.maximum_velocity, c.measured.depth_mean_velocity.value_or(0.0));
-    const Panel profile{map_left, lower, 300.0, lower_height, 0.0, top, 0.0, 1e3 * depth};
-    svg += line(profile.left, profile.y(1e3 * c.crest()), profile.left + profile.width,
-                profile.y(1e3 * c.crest()), dashed);
-    svg += text_at(profile.left + 6.0, profile.y(1e3 * c.crest()) - 5.0, "crest", "fill=\"#555\"");
-    svg += path(u, z, profile, curve);
-    svg += axes(profile, "U at the centreline [m/s]", "height z [mm]");
+    const SvgPanel profile{map_left, lower, 300.0, lower_height, 0.0, top, 0.0, 1e3 * depth};
+    svg += svg_line(profile.left, profile.y(1e3 * c.crest()), profile.left + profile.width,
+                    profile.y(1e3 * c.crest()), dashed);
+    svg += svg_text(profile.left + 6.0, profile.y(1e3 * c.crest()) - 5.0, "crest", "fill=\"#555\"");
+    svg += svg_path(u, z, profile, curve);
+    svg += svg_axes(profile, "U at the centreline [m/s]", "height z [mm]");
 
     // Depth mean across.
     const std::vector<double> mean = r.depth_means(c.datum(), depth);
     std::vector<double> y;
     for (const double place : r.y) y.push_back(1e3 * place);
-    const Panel across{map_left + 400.0, lower, map_width - 400.0, lower_height, 0.0, 1e3 * width, 0.0, top};
+    const SvgPanel across{
+        map_left + 400.0, lower, map_width - 400.0, lower_height, 0.0, 1e3 * width, 0.0, top};
     if (c.measured.depth_mean_velocity) {
         const double at = across.y(*c.measured.depth_mean_velocity);
-        svg += line(across.left, at, across.left + across.width, at, dashed);
-        svg += text_at(across.left + 6.0, at - 5.0, "measured at the centreline", "fill=\"#555\"");
+        svg += svg_line(across.left, at, across.left + across.width, at, dashed);
+        svg += svg_text(across.left + 6.0, at - 5.0, "measured at the centreline", "fill=\"#555\"");
     }
-    svg += path(y, mean, across, curve);
-    svg += axes(across, "distance from the side wall y [mm]", "depth mean of U [m/s]");
+    svg += svg_path(y, mean, across, curve);
+    svg += svg_axes(across, "distance from the side wall y [mm]", "depth mean of U [m/s]");
     return svg + "</svg>\n";
 }
 

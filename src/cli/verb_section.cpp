@@ -18,10 +18,9 @@
 #include "cli/positive_number.hpp"
 #include "cli/printed_number.hpp"
 #include "cli/section_figure.hpp"
+#include "cli/text_output.hpp"
 #include "cli/verbs.hpp"
 #include "column/section.hpp"
-#include "output/atomic_file.hpp"
-#include "output/replaced_file.hpp"
 
 namespace riffle {
 
@@ -220,23 +219,12 @@ std::string to_csv(const SectionResult& r) {
     return text;
 }
 
-/// "-" stands for the standard output.
-void write_text(const std::string& file, const std::string& text) {
-    if (file == "-") {
-        fmt::print("{}", text);
-        return;
-    }
-    write_text_atomically(file, text);
-}
-
 void run_section(const SectionArguments& a) {
     bool to_terminal = true;
     for (const std::string& file : {a.json, a.csv, a.figure}) {
         if (file == "-") to_terminal = false;
-        if (!file.empty() && file != "-" && !a.force) {
-            refuse_to_replace(file);
-        }
     }
+    refuse_to_replace_any({a.json, a.csv, a.figure}, a.force);
     const Case c = a.argument.read();
     const SectionResult steady = solve_section(c);
     std::optional<Transient> t;

@@ -12,6 +12,7 @@ void add_verb_new(CLI::App& app);
 void add_verb_check(CLI::App& app);
 void add_verb_column(CLI::App& app);
 void add_verb_section(CLI::App& app);
+void add_verb_backwater(CLI::App& app);
 void add_verb_calibrate(CLI::App& app);
 void add_verb_run(CLI::App& app);
 void add_verb_resume(CLI::App& app);

@@ -1,15 +1,14 @@
 #include "hydraulics/law_fits.hpp"
 
 #include <algorithm>
-#include <boost/math/tools/roots.hpp>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <numbers>
 #include <string>
 #include <utility>
 
 #include "base/error.hpp"
+#include "statistics/root.hpp"
 #include "statistics/separable_fit.hpp"
 
 namespace riffle {
@@ -116,11 +115,7 @@ FittedValue zero_of_log_wake(const Shape& shape, double wake) {
     const double lowest = -60.0;
     const double highest = std::log(dip > 0.0 ? 1.0 / (1.0 + dip) : 0.999);
     if (!(law(lowest) < 0.0) || !(law(highest) > 0.0)) return {};
-    constexpr int bits = 45;
-    std::uintmax_t iterations = 100;
-    const auto bracket = boost::math::tools::toms748_solve(
-        law, lowest, highest, boost::math::tools::eps_tolerance<double>(bits), iterations);
-    const double xi = std::exp(0.5 * (bracket.first + bracket.second));
+    const double xi = std::exp(root_between(law, lowest, highest));
     // law(ln xi; offset/steepness, bend/steepness) = 0 differentiated by the coefficients.
     const double slope = (1.0 - dip * xi / (1.0 - xi)) * (1.0 + pi * wake * xi * std::sin(pi * xi));
     const double steepness = shape.steepness.value;

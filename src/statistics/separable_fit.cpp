@@ -3,14 +3,13 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
-#include <boost/math/tools/roots.hpp>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <utility>
 
 #include "base/error.hpp"
+#include "statistics/root.hpp"
 
 namespace riffle {
 
@@ -75,12 +74,8 @@ double SeparableFit::crossing(double inside, double outside) const {
     };
     if (!(excess(outside) > 0.0)) return outside;
     if (!(excess(inside) < 0.0)) return inside;
-    constexpr int bits = 30;
-    std::uintmax_t iterations = 60;
-    const auto [low, high] =
-        boost::math::tools::toms748_solve(excess, std::min(inside, outside), std::max(inside, outside),
-                                          boost::math::tools::eps_tolerance<double>(bits), iterations);
-    return 0.5 * (low + high);
+    constexpr unsigned bits = 30;
+    return root_between(excess, inside, outside, bits);
 }
 
 void SeparableFit::bound_parameter() {

@@ -13,7 +13,7 @@ import xml.etree.ElementTree
 
 from riffle_cli import CASE, RIFFLE, SMALL, SOURCE, CommandLineTest, every, main, until
 
-VERBS = ["new", "check", "column", "section", "calibrate", "run", "resume", "sweep", "report", "analyse", "watch", "bench",
+VERBS = ["new", "check", "column", "section", "backwater", "calibrate", "run", "resume", "sweep", "report", "analyse", "watch", "bench",
          "schema", "version", "help"]
 
 
@@ -192,6 +192,33 @@ class CommandLine(CommandLineTest):
         lines = self.succeed("column", CASE, "--csv").stdout.splitlines()
         self.assertEqual(len(lines) - 1, len(twin["profile"]["z"]))
         self.assertIn("Reynolds", self.succeed("column", CASE).stdout)
+
+    def test_backwater_prints_draws_and_writes_a_jump(self):
+        jump = ["backwater", CASE, "--discharge", "20l/s", "--upstream", "20mm", "--downstream", "critical", "--length", "4"]
+        files = {kind: self.folder / f"backwater.{kind}" for kind in ("json", "csv", "svg")}
+        printed = self.succeed(*jump, "--json", files["json"], "--csv", files["csv"], "--figure", files["svg"]).stdout
+        self.assertIn("hydraulic jump", printed)
+        self.assertLessEqual(max(map(len, printed.splitlines())), 80)
+        told = json.loads(files["json"].read_text())
+        self.assertEqual([profile["name"] for profile in told["profiles"]], ["M3", "M2"])
+        self.assertEqual(told["stations"]["x"][0], 0.0)
+        self.assertEqual(told["stations"]["x"][-1], 4.0)
+        self.assertEqual(told["stations"]["x"].count(told["jump"]["place"]), 2)
+        self.assertAlmostEqual(told["stations"]["depth"][-1], told["critical_depth"], delta=1e-12)
+        self.assertEqual(len(files["csv"].read_text().splitlines()) - 1, len(told["stations"]["x"]))
+        xml.etree.ElementTree.parse(files["svg"])
+        self.fail_with(2, *jump, "--csv", files["csv"], says=["exists"])
+        self.assertEqual(len(self.succeed(*jump, "--csv", "-", "--stations", "5").stdout.splitlines()), 1 + 5 + 2)
+
+    def test_backwater_says_what_cannot_be(self):
+        for options, told in ((["--downstream", "10mm"], "below the critical depth"),
+                              (["--upstream", "80mm"], "above the critical depth"),
+                              (["--slope", "0"], "--length"), (["--discharge", "3kg"], "--discharge must be"),
+                              (["--downstream", "deep"], "--downstream must be"),
+                              (["--length", "5", "--slope", "-0.001"], "downstream")):
+            with self.subTest(options=options):
+                self.fail_with(2, "backwater", CASE, *options, says=[told])
+        self.fail_with(2, "backwater", SOURCE / "cases/checks/poiseuille.toml", says=["no free surface"])
 
     CHANNEL = ["--set", "channel.dimensions=3", "--set", "channel.sides=half", "--set",
                "turbulence.closure=czernuszenko-rylov"]

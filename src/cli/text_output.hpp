@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace riffle {
+
+/// Refuse to replace files that exist, unless that is asked for; names that are empty or "-" are none. Throws
+/// InputError.
+void refuse_to_replace_any(const std::vector<std::string>& files, bool force);
+
+/// Write a text to a file in one step, or to the terminal where the name is "-".
+void write_text(const std::string& file, const std::string& text);
+
+}  // namespace riffle

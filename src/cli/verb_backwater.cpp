@@ -1,0 +1,398 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/error.hpp"
+#include "base/wrapped_text.hpp"
+#include "case/case.hpp"
+#include "cli/backwater_figure.hpp"
+#include "cli/case_argument.hpp"
+#include "cli/positive_number.hpp"
+#include "cli/printed_number.hpp"
+#include "cli/quantity_argument.hpp"
+#include "cli/text_output.hpp"
+#include "cli/verbs.hpp"
+#include "column/twin_channel.hpp"
+#include "hydraulics/varied_flow.hpp"
+
+namespace riffle {
+
+namespace {
+
+struct BackwaterArguments {
+    CaseArgument argument;
+    std::string discharge;
+    std::string downstream;
+    std::string upstream;
+    std::string length;
+    std::optional<double> slope;
+    std::optional<double> manning;
+    std::string equivalent_roughness;
+    int stations = 0;
+    std::string json;
+    std::string csv;
+    std::string figure;
+    bool force = false;
+};
+
+/// How many places a table has where the user does not say: a screen of them, or enough for a plot.
+constexpr int stations_on_screen = 13;
+constexpr int stations_in_files = 201;
+
+/// How near to the normal depth a channel reaches whose length is not given.
+constexpr double approach = 0.01;
+
+/// Everything that the outputs tell.
+struct Backwater {
+    std::string friction;  ///< "column twin" ...
+    double discharge = 0.0;
+    double length = 0.0;
+    bool chosen_length = false;
+    SteadyChannel channel;
+    VariedFlow flow;
+    std::vector<std::string> notes;
+};
+
+std::optional<double> equivalent_roughness(const BackwaterArguments& a) {
+    if (a.equivalent_roughness.empty()) return std::nullopt;
+    return quantity_argument("--equivalent-roughness", a.equivalent_roughness, Dimension::length);
+}
+
+/// Unit discharge, as given (m3/s of the whole width, or m2/s) or that of the case's uniform flow.
+double unit_discharge(const BackwaterArguments& a, const Case& c) {
+    if (!a.discharge.empty()) {
+        const std::optional<Quantity> quantity = split_quantity(a.discharge);
+        const bool of_unit_width =
+            quantity && dimension_of_unit(quantity->unit) == Dimension::kinematic_viscosity;
+        return of_unit_width
+                   ? quantity_argument("--discharge", a.discharge, Dimension::kinematic_viscosity)
+                   : quantity_argument("--discharge", a.discharge, Dimension::discharge) / c.channel.width;
+    }
+    if (!(c.channel.slope > 0.0)) {
+        throw InputError(
+            "a bed that does not fall has no uniform flow whose discharge could be taken: give --discharge");
+    }
+    if (a.manning) return manning_unit_discharge(c.channel.slope, c.channel.depth, *a.manning);
+    if (const auto k = equivalent_roughness(a)) {
+        return rough_unit_discharge(c.channel.slope, c.fluid.gravity, c.channel.depth, *k);
+    }
+    return uniform_unit_discharge(c);
+}
+
+SteadyChannel channel_of(const BackwaterArguments& a, const Case& c, double q) {
+    if (a.manning) return manning_channel(c.channel.slope, c.fluid.gravity, q, *a.manning);
+    if (const auto k = equivalent_roughness(a)) return rough_channel(c.channel.slope, c.fluid.gravity, q, *k);
+    return twin_channel(c, q);
+}
+
+std::string friction_of(const BackwaterArguments& a) {
+    if (a.manning) return fmt::format("Manning n {} s/m^(1/3)", printed_number(*a.manning));
+    if (const auto k = equivalent_roughness(a))
+        return fmt::format("rough log law, k_s {} m", printed_number(*k));
+    return "column twin";
+}
+
+/// A depth given as a length, or by one of the words for the channel's own depths.
+std::optional<double> control(const std::string& option, const std::string& text,
+                              const SteadyChannel& channel) {
+    if (text.empty()) return std::nullopt;
+    if (text == "critical") return critical_depth(channel);
+    if (text == "normal") {
+        const std::optional<double> depth = normal_depth(channel);
+        if (!depth)
+            throw InputError(option + " normal: a bed that does not fall has no normal depth; give a length");
+        return depth;
+    }
+    const double depth = quantity_argument(option, text, Dimension::length);
+    if (depth < channel.least_depth) {
+        throw InputError(fmt::format("{} {}: the friction of the bed is known from a depth of {} on", option,
+                                     text, shown_length(channel.least_depth)));
+    }
+    return depth;
+}
+
+void choose_length(const BackwaterArguments& a, Backwater& b, ChannelControls& controls) {
+    if (!a.length.empty()) {
+        controls.length = quantity_argument("--length", a.length, Dimension::length);
+        return;
+    }
+    const std::optional<double> length = approach_length(b.channel, controls, approach);
+    if (!length && !(b.channel.slope > 0.0)) {
+        throw InputError(
+            "a bed that does not fall has no uniform flow that the surface could approach: give --length");
+    }
+    if (!length) {
+        throw InputError(
+            "the place of the flow between both ends depends on how far apart they are: give --length");
+    }
+    constexpr double depths_of_uniform_flow = 100.0;
+    controls.length = *length > 0.0 ? *length : depths_of_uniform_flow * *normal_depth(b.channel);
+    b.chosen_length = true;
+}
+
+Backwater solve(const BackwaterArguments& a, Case c) {
+    if (c.channel.top != Top::free_surface) {
+        throw InputError(
+            "the case has no free surface (channel.top) that could vary: backwater is for open channels");
+    }
+    Backwater b;
+    b.friction = friction_of(a);
+    const double q = unit_discharge(a, c);
+    if (a.slope) c.channel.slope = *a.slope;
+    b.channel = channel_of(a, c, q);
+    b.discharge = q * c.channel.width;
+    ChannelControls controls;
+    controls.upstream_depth = control("--upstream", a.upstream, b.channel);
+    controls.downstream_depth = control("--downstream", a.downstream, b.channel);
+    choose_length(a, b, controls);
+    b.length = controls.length;
+    b.flow = solve_varied_flow(b.channel, controls);
+    if (b.chosen_length) {
+        b.notes.push_back(
+            b.flow.profiles.front().name == "uniform" && b.flow.profiles.size() == 1
+                ? "The flow is uniform; a hundred depths of it are shown."
+                : fmt::format(
+                      "The channel is as long as the depth needs to come within {:.0f} % of the normal depth.",
+                      100.0 * approach));
+    }
+    if (c.has_side_walls()) {
+        b.notes.emplace_back(
+            "The friction of the side walls takes no part: the channel is as good as endlessly wide.");
+    }
+    return b;
+}
+
+BackwaterStation station(const Backwater& b, const SurfaceProfile& part, double x) {
+    const double angle = std::atan(b.channel.slope);
+    BackwaterStation s;
+    s.x = x;
+    s.bed = (b.length - x) * std::sin(angle);
+    s.depth = part.curve.depth_at(x);
+    s.surface = s.bed + s.depth * std::cos(angle);
+    s.energy_grade = s.bed + b.channel.energy_head(s.depth);
+    const SectionState state = b.channel.state(s.depth);
+    s.velocity = state.mean_velocity;
+    s.friction_slope = state.friction_slope;
+    s.froude = b.channel.froude_number(s.depth);
+    s.manning = b.channel.manning(s.depth);
+    s.profile = part.name;
+    return s;
+}
+
+/// Places along the whole channel, and both sides of a jump: even ones, or for a figure dense at the ends of
+/// each curve, where the surface may stand upright.
+enum class Places { even, dense_at_ends };
+std::vector<BackwaterStation> stations_of(const Backwater& b, int count, Places places = Places::even) {
+    std::vector<BackwaterStation> result;
+    for (const SurfaceProfile& part : b.flow.profiles) {
+        const bool first = part.from == 0.0;
+        const bool last = part.to == b.length;
+        if (places == Places::dense_at_ends) {
+            for (int i = 0; i < count; ++i) {
+                const double share = 0.5 - 0.5 * std::cos(std::numbers::pi * i / (count - 1));
+                result.push_back(station(b, part, part.from + share * (part.to - part.from)));
+            }
+            continue;
+        }
+        if (!first) result.push_back(station(b, part, part.from));
+        for (int i = 0; i < count; ++i) {
+            const double x = b.length * i / (count - 1);
+            if (x > part.from - (first ? 1.0 : 0.0) && (x < part.to || (last && i == count - 1))) {
+                result.push_back(station(b, part, x));
+            }
+        }
+        if (!last) result.push_back(station(b, part, part.to));
+    }
+    return result;
+}
+
+const char* slope_word(SlopeClass slope) {
+    switch (slope) {
+        case SlopeClass::mild:
+            return "mild";
+        case SlopeClass::critical:
+            return "critical";
+        case SlopeClass::steep:
+            return "steep";
+        case SlopeClass::horizontal:
+            return "horizontal";
+        case SlopeClass::adverse:
+            return "adverse";
+    }
+    return "";
+}
+
+void print_fact(const char* name, const std::string& value) { fmt::print("  {:<28} {}\n", name, value); }
+
+void print_summary(const Case& c, const Backwater& b, const std::vector<BackwaterStation>& stations) {
+    const auto metres = [](double value) { return printed_number(value) + " m"; };
+    fmt::print("{}\n", c.title.empty() ? "Steady varied flow over the bed of the case" : c.title);
+    fmt::print("friction: {}; {} slope {}, {} m long\n\n", b.friction, slope_word(b.flow.slope),
+               printed_number(b.channel.slope), printed_number(b.length));
+    print_fact("discharge",
+               fmt::format("{} m3/s over {} m: {} m2/s", printed_number(b.discharge),
+                           printed_number(c.channel.width), printed_number(b.channel.unit_discharge)));
+    print_fact("normal depth", b.flow.normal_depth ? metres(*b.flow.normal_depth) : "none");
+    print_fact("critical depth", metres(b.flow.critical_depth));
+    for (const SurfaceProfile& part : b.flow.profiles) {
+        print_fact(&part == b.flow.profiles.data() ? "surface" : "",
+                   fmt::format("{} from {} at {} to {} at {}", part.name, metres(part.depth_from),
+                               metres(part.from), metres(part.depth_to), metres(part.to)));
+    }
+    if (b.flow.jump) {
+        const HydraulicJump& jump = *b.flow.jump;
+        print_fact("hydraulic jump", fmt::format("at {}: {} to {}", metres(jump.place),
+                                                 metres(jump.depth_before), metres(jump.depth_after)));
+        print_fact("", fmt::format("Fr {} before it, head loss {}", printed_number(jump.froude_before),
+                                   metres(jump.head_loss)));
+    }
+    fmt::print("\n{:>8} {:>9} {:>9} {:>9} {:>9} {:>8} {:>8}  {}\n", "x", "depth", "surface", "energy", "U",
+               "Fr", "n", "profile");
+    fmt::print("{:>8} {:>9} {:>9} {:>9} {:>9} {:>8} {:>8}\n", "m", "m", "m", "m", "m/s", "", "s/m^1/3");
+    for (const BackwaterStation& s : stations) {
+        fmt::print("{:>8} {:>9} {:>9} {:>9} {:>9} {:>8} {:>8}  {}\n", printed_number(s.x),
+                   printed_number(s.depth), printed_number(s.surface), printed_number(s.energy_grade),
+                   printed_number(s.velocity), printed_number(s.froude), printed_number(s.manning),
+                   s.profile);
+    }
+    fmt::print(
+        "\nElevations over the bed at the downstream end. Wide channel: the hydraulic\nradius is the depth.\n");
+    for (const auto* sentences : {&b.flow.events, &b.notes}) {
+        for (const std::string& sentence : *sentences) fmt::print("{}\n", wrapped_text(sentence, 0));
+    }
+}
+
+struct Quantity1D {
+    const char* key;
+    const char* heading;
+    double BackwaterStation::*value;
+};
+constexpr Quantity1D quantities[] = {
+    {"x", "x [m]", &BackwaterStation::x},
+    {"bed", "bed [m]", &BackwaterStation::bed},
+    {"depth", "depth [m]", &BackwaterStation::depth},
+    {"surface", "surface [m]", &BackwaterStation::surface},
+    {"energy_grade", "energy grade [m]", &BackwaterStation::energy_grade},
+    {"velocity", "U [m/s]", &BackwaterStation::velocity},
+    {"froude", "Fr", &BackwaterStation::froude},
+    {"manning", "n [s/m^(1/3)]", &BackwaterStation::manning},
+    {"friction_slope", "S_f", &BackwaterStation::friction_slope},
+};
+
+std::string to_csv(const std::vector<BackwaterStation>& stations) {
+    std::string text;
+    for (const Quantity1D& quantity : quantities) text += std::string(quantity.heading) + ",";
+    text += "profile\n";
+    for (const BackwaterStation& s : stations) {
+        for (const Quantity1D& quantity : quantities) text += fmt::format("{:.9g},", s.*quantity.value);
+        text += s.profile + "\n";
+    }
+    return text;
+}
+
+nlohmann::ordered_json to_json(const Case& c, const Backwater& b,
+                               const std::vector<BackwaterStation>& stations) {
+    using nlohmann::ordered_json;
+    ordered_json result;
+    result["title"] = c.title;
+    result["friction"] = b.friction;
+    result["discharge"] = b.discharge;
+    result["unit_discharge"] = b.channel.unit_discharge;
+    result["slope"] = b.channel.slope;
+    result["slope_class"] = slope_word(b.flow.slope);
+    result["length"] = b.length;
+    result["normal_depth"] = optional_number(b.flow.normal_depth);
+    result["critical_depth"] = b.flow.critical_depth;
+    result["profiles"] = ordered_json::array();
+    for (const SurfaceProfile& part : b.flow.profiles) {
+        result["profiles"].push_back({{"name", part.name},
+                                      {"from", part.from},
+                                      {"to", part.to},
+                                      {"depth_from", part.depth_from},
+                                      {"depth_to", part.depth_to}});
+    }
+    result["jump"] = nullptr;
+    if (b.flow.jump) {
+        const HydraulicJump& jump = *b.flow.jump;
+        result["jump"] = {{"place", jump.place},
+                          {"depth_before", jump.depth_before},
+                          {"depth_after", jump.depth_after},
+                          {"froude_before", jump.froude_before},
+                          {"head_loss", jump.head_loss}};
+    }
+    result["events"] = b.flow.events;
+    for (const Quantity1D& quantity : quantities) {
+        for (const BackwaterStation& s : stations)
+            result["stations"][quantity.key].push_back(s.*quantity.value);
+    }
+    for (const BackwaterStation& s : stations) result["stations"]["profile"].push_back(s.profile);
+    return result;
+}
+
+void run_backwater(const BackwaterArguments& a) {
+    refuse_to_replace_any({a.json, a.csv, a.figure}, a.force);
+    const Case c = a.argument.read();
+    const Backwater b = solve(a, c);
+    const bool to_terminal = a.json != "-" && a.csv != "-" && a.figure != "-";
+    if (to_terminal) print_summary(c, b, stations_of(b, a.stations > 0 ? a.stations : stations_on_screen));
+    const auto stations = stations_of(b, a.stations > 0 ? a.stations : stations_in_files);
+    if (!a.json.empty()) write_text(a.json, to_json(c, b, stations).dump(1) + "\n");
+    if (!a.csv.empty()) write_text(a.csv, to_csv(stations));
+    if (!a.figure.empty()) {
+        write_text(a.figure, backwater_figure(c.title.empty() ? "Steady varied flow" : c.title,
+                                              fmt::format("discharge {} m2/s, slope {}, friction: {}",
+                                                          printed_number(b.channel.unit_discharge),
+                                                          printed_number(b.channel.slope), b.friction),
+                                              b.channel, b.flow,
+                                              stations_of(b, stations_in_files, Places::dense_at_ends)));
+    }
+}
+
+}  // namespace
+
+void add_verb_backwater(CLI::App& app) {
+    auto* const verb = app.add_subcommand(
+        "backwater",
+        "Solve the steady gradually varied flow along a channel: surface, energy, hydraulic jump");
+    const auto a = std::make_shared<BackwaterArguments>();
+    a->argument.add_to(*verb);
+    verb->add_option(
+        "--discharge", a->discharge,
+        "Of the whole width (\"8 l/s\"; m3/s) or of a unit of it (\"0.02 m2/s\"); default: of the "
+        "uniform flow of the case");
+    verb->add_option("--downstream", a->downstream,
+                     "Depth at the downstream end, or: normal, critical; default: normal");
+    verb->add_option("--upstream", a->upstream,
+                     "Depth at the upstream end where the flow is supercritical there, or: normal, critical");
+    verb->add_option("--length", a->length, "Of the channel; default: until the flow is uniform within 1 %");
+    verb->add_option("--slope", a->slope, "Of the bed instead of the case's; below 0: adverse");
+    auto* const manning = verb->add_option("--manning", a->manning,
+                                           "Friction by Manning's n, s/m^(1/3), instead of the column twin")
+                              ->check(positive_number());
+    verb->add_option("--equivalent-roughness", a->equivalent_roughness,
+                     "Friction by k_s and the rough log law instead")
+        ->excludes(manning);
+    verb->add_option("--stations", a->stations, "Places of the tables; default: 13, in files 201")
+        ->check(CLI::Range(2, 1000000));
+    verb->add_option("--json", a->json, "Write everything to this file, SI units; - for the terminal");
+    verb->add_option("--csv", a->csv, "Write the table to this file, SI units; - likewise");
+    verb->add_option("--figure", a->figure, "Draw the long profile in this SVG file");
+    verb->add_flag("--force", a->force, "Overwrite existing files");
+    verb->footer(
+        "Examples:\n"
+        "  riffle backwater my-flume.toml --downstream 80mm\n"
+        "  riffle backwater my-flume.toml --downstream critical --figure m2.svg\n"
+        "  riffle backwater my-flume.toml --discharge 20l/s --upstream 25mm --length 6\n"
+        "  riffle backwater my-flume.toml --manning 0.02 --csv - > profile.csv");
+    verb->callback([a] { run_backwater(*a); });
+}
+
+}  // namespace riffle

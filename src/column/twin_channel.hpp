@@ -1,0 +1,22 @@
+#pragma once
+
+#include <optional>
+
+#include "case/case.hpp"
+#include "hydraulics/steady_channel.hpp"
+
+namespace riffle {
+
+/// Discharge per unit of width of the uniform flow of a case, over the whole depth from the bed level, m2/s.
+/// Throws InputError where the case has no column twin.
+[[nodiscard]] double uniform_unit_discharge(const Case& c);
+
+/// A channel over the bed of a case, with the friction and the coefficients of momentum and energy of its
+/// column twin at each depth: S_f is the weight along the bed, over g, with which the twin of that depth
+/// carries the discharge. The slope of the channel is that of the case. The states are found at depths 10 %
+/// apart when they are first asked for and interpolated between them in ln h (five-degree polynomials, to
+/// about 1e-6). Known from where the water covers the crests. Throws InputError where the case has no column
+/// twin for another reason than its slope.
+[[nodiscard]] SteadyChannel twin_channel(const Case& c, double unit_discharge);
+
+}  // namespace riffle

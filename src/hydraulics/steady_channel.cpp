@@ -1,0 +1,149 @@
+#include "hydraulics/steady_channel.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.hpp"
+#include "hydraulics/channel_laws.hpp"
+#include "statistics/root.hpp"
+
+namespace riffle {
+
+namespace {
+
+double square(double x) { return x * x; }
+
+/// Where a rising function of the depth is zero. Throws InputError where it is positive at the least depth.
+template <class Function>
+double depth_of_zero(const SteadyChannel& channel, Function rising, const char* name) {
+    const double guess =
+        std::max(channel.least_depth, std::cbrt(square(channel.unit_discharge) / channel.normal_gravity()));
+    constexpr int most_doublings = 100;
+    double low = guess;
+    for (int i = 0; i < most_doublings && low > channel.least_depth && rising(low) > 0.0; ++i) {
+        low = std::max(0.5 * low, channel.least_depth);
+    }
+    if (rising(low) > 0.0) {
+        throw InputError(fmt::format(
+            "the {} depth of this discharge, {:.4g} m2/s, is less than {:.3g} m, below which the friction of the "
+            "bed is not known: give a larger discharge, or a smaller roughness",
+            name, channel.unit_discharge, channel.least_depth));
+    }
+    double high = std::max(2.0 * low, guess);
+    for (int i = 0; rising(high) < 0.0; ++i) {
+        if (i == most_doublings) {
+            throw InputError(
+                fmt::format("this channel has no {} depth: its friction does not fall with depth", name));
+        }
+        high *= 2.0;
+    }
+    return root_between(rising, low, high);
+}
+
+}  // namespace
+
+double SteadyChannel::normal_gravity() const { return gravity * std::cos(std::atan(slope)); }
+
+double SteadyChannel::momentum(double depth) const {
+    const double total = total_depth(depth);
+    return state(depth).momentum_coefficient * square(unit_discharge) / total +
+           0.5 * normal_gravity() * square(total);
+}
+
+double SteadyChannel::momentum_gradient(double depth) const {
+    // beta changes little: central differences of it are exact enough, and its share of the flux stays exact.
+    constexpr double step = 1e-3;
+    const double below = std::max(depth * (1.0 - step), least_depth);
+    const double above = depth * (1.0 + step);
+    const double beta_gradient =
+        (state(above).momentum_coefficient - state(below).momentum_coefficient) / (above - below);
+    const double total = total_depth(depth);
+    return square(unit_discharge) / total * (beta_gradient - state(depth).momentum_coefficient / total) +
+           normal_gravity() * total;
+}
+
+double SteadyChannel::froude_number(double depth) const {
+    return std::sqrt(std::max(0.0, 1.0 - momentum_gradient(depth) / (normal_gravity() * total_depth(depth))));
+}
+
+double SteadyChannel::energy_head(double depth) const {
+    const double velocity = unit_discharge / total_depth(depth);
+    return depth * std::cos(std::atan(slope)) +
+           state(depth).energy_coefficient * square(velocity) / (2.0 * gravity);
+}
+
+double SteadyChannel::surplus_slope(double depth) const {
+    return std::sin(std::atan(slope)) - state(depth).friction_slope;
+}
+
+double SteadyChannel::manning(double depth) const {
+    const SectionState now = state(depth);
+    return manning_coefficient(now.friction_slope, depth, now.mean_velocity);
+}
+
+double critical_depth(const SteadyChannel& channel) {
+    return depth_of_zero(
+        channel, [&](double h) { return channel.momentum_gradient(h); }, "critical");
+}
+
+std::optional<double> normal_depth(const SteadyChannel& channel) {
+    if (channel.slope <= 0.0) return std::nullopt;
+    return depth_of_zero(
+        channel, [&](double h) { return channel.surplus_slope(h); }, "normal");
+}
+
+std::optional<double> sequent_depth(const SteadyChannel& channel, double depth, double critical_depth) {
+    const double momentum = channel.momentum(depth);
+    const auto surplus = [&](double h) { return channel.momentum(h) - momentum; };
+    if (depth < critical_depth) {
+        double high = 2.0 * critical_depth;
+        while (surplus(high) < 0.0) high *= 2.0;
+        return root_between(surplus, critical_depth, high);
+    }
+    double low = critical_depth;
+    while (surplus(low) <= 0.0) {
+        if (low <= channel.least_depth) return std::nullopt;
+        low = std::max(0.5 * low, channel.least_depth);
+    }
+    return root_between(surplus, low, critical_depth);
+}
+
+SteadyChannel manning_channel(double slope, double gravity, double unit_discharge, double n) {
+    SteadyChannel channel{.slope = slope, .gravity = gravity, .unit_discharge = unit_discharge, .state = {}};
+    channel.state = [=](double depth) {
+        const double velocity = unit_discharge / depth;
+        return SectionState{.friction_slope = square(n * velocity) / std::pow(depth, 4.0 / 3.0),
+                            .mean_velocity = velocity};
+    };
+    return channel;
+}
+
+SteadyChannel rough_channel(double slope, double gravity, double unit_discharge,
+                            double equivalent_roughness) {
+    SteadyChannel channel{.slope = slope,
+                          .gravity = gravity,
+                          .unit_discharge = unit_discharge,
+                          .least_depth = equivalent_roughness,
+                          .state = {}};
+    channel.state = [=](double depth) {
+        const double velocity = unit_discharge / depth;
+        const double friction_velocity =
+            velocity / rough_log_law_depth_mean(depth, 1.0, equivalent_roughness);
+        return SectionState{.friction_slope = square(friction_velocity) / (gravity * depth),
+                            .mean_velocity = velocity};
+    };
+    return channel;
+}
+
+double manning_unit_discharge(double slope, double depth, double n) {
+    return std::pow(depth, 5.0 / 3.0) * std::sqrt(std::sin(std::atan(slope))) / n;
+}
+
+double rough_unit_discharge(double slope, double gravity, double depth, double equivalent_roughness) {
+    const double friction_velocity = std::sqrt(gravity * std::sin(std::atan(slope)) * depth);
+    return depth * rough_log_law_depth_mean(depth, friction_velocity, equivalent_roughness);
+}
+
+}  // namespace riffle

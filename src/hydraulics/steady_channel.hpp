@@ -1,0 +1,75 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+
+namespace riffle {
+
+/// What one discharge does in a channel at one depth.
+struct SectionState {
+    double friction_slope =
+        0.0;  ///< S_f = tau_0/(rho g H): sine of the angle at which this depth is uniform flow's
+    double mean_velocity = 0.0;         ///< U over the datum, m/s
+    double momentum_coefficient = 1.0;  ///< beta, mean of u^2 over the square of the mean
+    double energy_coefficient = 1.0;    ///< alpha, mean of u^3 over the cube of the mean
+};
+
+/// A wide channel of one slope that carries one discharge, per unit of width. Depths h are over the datum of
+/// the bed and normal to it; below the datum the water may go on for `depth_below_datum` (among the spheres
+/// of a rough bed), which carries discharge and pressure like the rest: H = h + depth_below_datum.
+struct SteadyChannel {
+    double slope = 0.0;              ///< S0, tangent of the angle of the bed; 0: horizontal, below 0: adverse
+    double gravity = 9.81;           ///< m/s2
+    double unit_discharge = 0.0;     ///< q, m2/s
+    double depth_below_datum = 0.0;  ///< m
+    double least_depth = 0.0;        ///< h from which on the state is known, m
+    std::function<SectionState(double depth)> state;
+
+    /// H, m.
+    [[nodiscard]] double total_depth(double depth) const { return depth + depth_below_datum; }
+    /// g cos(theta), m/s2.
+    [[nodiscard]] double normal_gravity() const;
+    /// Momentum function (specific force) beta q^2/H + g cos(theta) H^2/2, m3/s2.
+    [[nodiscard]] double momentum(double depth) const;
+    /// Its derivative by the depth, m2/s2: zero at the critical depth.
+    [[nodiscard]] double momentum_gradient(double depth) const;
+    /// Froude number by which the momentum balance is singular at 1: 1 - (dM/dh)/(g cos(theta) H) is its
+    /// square, q^2/(g H^3) where beta = 1.
+    [[nodiscard]] double froude_number(double depth) const;
+    /// Height of the energy grade line over the datum of the bed, H cos(theta) + alpha (q/H)^2/(2 g), m; the
+    /// surface stands at h cos(theta).
+    [[nodiscard]] double energy_head(double depth) const;
+    /// Driving minus friction: sin(theta) - S_f.
+    [[nodiscard]] double surplus_slope(double depth) const;
+    /// Manning's n of the state at a depth, with the hydraulic radius of a wide channel, s/m^(1/3).
+    [[nodiscard]] double manning(double depth) const;
+};
+
+/// Depth of the least momentum function, m. Throws InputError where it is below the least depth.
+[[nodiscard]] double critical_depth(const SteadyChannel& channel);
+
+/// Depth of uniform flow, m; none on horizontal and adverse beds. Throws InputError where it is below the
+/// least depth.
+[[nodiscard]] std::optional<double> normal_depth(const SteadyChannel& channel);
+
+/// The other depth of the same momentum function, m: behind a hydraulic jump for a supercritical depth,
+/// before it for a subcritical one; none where that would be below the least depth.
+[[nodiscard]] std::optional<double> sequent_depth(const SteadyChannel& channel, double depth,
+                                                  double critical_depth);
+
+/// A channel with Manning's n (s/m^(1/3)): S_f = n^2 U^2/h^(4/3), a wide channel.
+[[nodiscard]] SteadyChannel manning_channel(double slope, double gravity, double unit_discharge, double n);
+
+/// A channel with an equivalent roughness k_s (m): the rough log law's mean over the depth (2.3) gives u_*,
+/// and S_f = u_*^2/(g h). Known from h = k_s on.
+[[nodiscard]] SteadyChannel rough_channel(double slope, double gravity, double unit_discharge,
+                                          double equivalent_roughness);
+
+/// Unit discharge of uniform flow with Manning's n, h^(5/3) sin(theta)^(1/2)/n, m2/s.
+[[nodiscard]] double manning_unit_discharge(double slope, double depth, double n);
+
+/// Unit discharge of uniform flow over an equivalent roughness, by the rough log law, m2/s.
+[[nodiscard]] double rough_unit_discharge(double slope, double gravity, double depth,
+                                          double equivalent_roughness);
+
+}  // namespace riffle

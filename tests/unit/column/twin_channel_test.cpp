@@ -1,0 +1,83 @@
+#include "column/twin_channel.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "base/error.hpp"
+#include "column/column.hpp"
+
+namespace riffle {
+namespace {
+
+Case condition_2() {
+    return read_case(std::string(RIFFLE_SOURCE_DIR) + "/cases/rough-bed-2d/condition-2.toml");
+}
+
+// The normal depth of the discharge of uniform flow is its depth, and the state there that of the twin.
+TEST(TwinChannel, CarriesTheUniformFlowOfTheCase) {
+    for (const double depth : {0.03, 0.05, 0.1}) {
+        Case c = condition_2();
+        c.channel.depth = depth;
+        const SteadyChannel channel = twin_channel(c, uniform_unit_discharge(c));
+        EXPECT_NEAR(*normal_depth(channel), depth, 1e-6 * depth);
+        const ColumnResult twin = solve_column(c);
+        const SectionState state = channel.state(depth);
+        EXPECT_NEAR(state.friction_slope, std::sin(std::atan(c.channel.slope)), 1e-6 * c.channel.slope);
+        EXPECT_NEAR(state.mean_velocity, twin.depth_mean_velocity, 1e-6 * twin.depth_mean_velocity);
+        EXPECT_NEAR(channel.manning(depth), twin.manning, 1e-5 * twin.manning);
+        EXPECT_NEAR(channel.unit_discharge, twin.total_mean_velocity * c.total_depth(),
+                    1e-9 * channel.unit_discharge);
+        EXPECT_GT(state.momentum_coefficient, 1.0);
+        EXPECT_GT(state.energy_coefficient, state.momentum_coefficient);
+    }
+}
+
+// Between the depths at which the twin is solved the states are interpolated.
+TEST(TwinChannel, InterpolatesWhatTheTwinSays) {
+    const Case c = condition_2();
+    const SteadyChannel channel = twin_channel(c, 0.0174);
+    for (const double depth : {0.0213, 0.0377, 0.0619, 0.1204}) {
+        Case other = c;
+        other.channel.depth = depth;
+        other.channel.slope = std::tan(std::asin(channel.state(depth).friction_slope));
+        EXPECT_NEAR(uniform_unit_discharge(other), 0.0174, 2e-6 * 0.0174) << depth;
+    }
+}
+
+// A parabola over a smooth bed: beta = 6/5, alpha = 54/35, S_f = 3 nu q/(g h^3).
+TEST(TwinChannel, IsExactForLaminarFlow) {
+    const Case c = read_case(std::string(RIFFLE_SOURCE_DIR) + "/cases/checks/laminar-re10.toml");
+    const double q = uniform_unit_discharge(c);
+    const SteadyChannel channel = twin_channel(c, q);
+    for (const double share : {0.8, 1.0, 1.37}) {
+        const double h = share * c.channel.depth;
+        const SectionState state = channel.state(h);
+        EXPECT_NEAR(state.momentum_coefficient, 1.2, 1e-4);
+        EXPECT_NEAR(state.energy_coefficient, 54.0 / 35.0, 1e-4);
+        EXPECT_NEAR(state.friction_slope,
+                    3.0 * c.fluid.kinematic_viscosity * q / (c.fluid.gravity * h * h * h),
+                    1e-4 * state.friction_slope);
+    }
+}
+
+// Shooting water over a rough bed is braked faster than it would fall.
+TEST(TwinChannel, KnowsFrictionBeyondGravity) {
+    const SteadyChannel channel = twin_channel(condition_2(), 0.06);
+    EXPECT_GT(channel.state(0.012).friction_slope, 1.0);
+}
+
+TEST(TwinChannel, NeedsAColumn) {
+    const Case c = read_case(std::string(RIFFLE_SOURCE_DIR) + "/cases/checks/flow-over-step.toml");
+    try {
+        static_cast<void>(twin_channel(c, 0.01).state(0.05));
+        FAIL() << "no error";
+    } catch (const InputError& e) {
+        EXPECT_THAT(e.what(), testing::HasSubstr("no column twin"));
+    }
+}
+
+}  // namespace
+}  // namespace riffle
