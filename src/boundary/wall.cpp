@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "boundary/solid_fill.hpp"
 #include "boundary/wall_particle.hpp"
@@ -210,10 +211,15 @@ WallParticles<3> wall_particles<3>(const Case& c) {
     const int beyond = ends ? layers : 0;
     const int top = end_wall_rows(c, lattice);
     // Layers of dynamic particles stand half a spacing apart, every other one shifted by half a spacing along
-    // both of its directions (thesis; SPHysics); dummy particles on the continuation of the lattice.
-    const auto shifted_x = [&](int column, int layer) {
-        const double x = (column + 0.5 + (layer % 2 == 1 ? 0.5 : 0.0)) * lattice.dx;
-        return std::fmod(x, length);
+    // both of its directions (thesis; SPHysics); dummy particles on the continuation of the lattice. Between
+    // two walls a shifted layer has one place less than the others, and is its own mirror image.
+    const auto along = [](int i, int places, double spacing, double extent, bool walled,
+                          bool shifted) -> std::optional<double> {
+        if (walled && shifted && i == places - 1) {
+            return std::nullopt;
+        }
+        const double at = (i + (shifted ? 1.0 : 0.5)) * spacing;
+        return walled ? at : std::fmod(at, extent);
     };
     // A layer below the bed or above the lid.
     const auto add_level = [&](int column, int file, int layer, const std::array<int, 3>& faces) {
@@ -225,15 +231,15 @@ WallParticles<3> wall_particles<3>(const Case& c) {
             return;
         }
         const bool shifted = layer % 2 == 1;
-        // A shifted layer has a particle below each side wall, and as many beyond the one as the other.
-        if (sides && shifted && file == lattice.files + beside - 1) return;
+        const auto x = along(column, lattice.columns + beyond, lattice.dx, length, ends, shifted);
+        const auto y = along(file, lattice.files + beside, lattice.dy, width, sides, shifted);
         const double behind = 0.5 * (layer + 1) * lattice.dz;
-        const double y = (file + (shifted ? 1.0 : 0.5)) * lattice.dy;
-        add({shifted_x(column, layer), sides ? y : std::fmod(y, width), below ? -behind : depth + behind},
-            faces, behind);
+        if (x && y) {
+            add({*x, *y, below ? -behind : depth + behind}, faces, behind);
+        }
     };
+    // A layer behind an end or a side, or where both meet.
     const auto add_beside = [&](int column, int file, int row, const std::array<int, 3>& faces) {
-        const bool left = file < 0;
         if (!dynamic) {
             const double x = lattice.x(column, row);
             const double y = lattice.y(file, row);
@@ -242,10 +248,20 @@ WallParticles<3> wall_particles<3>(const Case& c) {
             add({x, y, lattice.z(row)}, faces, std::max(behind_end, behind_side));
             return;
         }
-        const int layer = left ? -1 - file : file - lattice.files;
-        const double behind = 0.5 * (layer + 1) * lattice.dy;
-        const double z = lattice.z(row) + (layer % 2 == 1 ? 0.5 * lattice.dz : 0.0);
-        add({shifted_x(column, layer), left ? -behind : width + behind, z}, faces, behind);
+        const auto layer_behind = [](int i, int places) { return i < 0 ? -1 - i : i - places; };
+        const int end_layer = faces[0] == 0 ? 0 : layer_behind(column, lattice.columns);
+        const int side_layer = faces[1] == 0 ? 0 : layer_behind(file, lattice.files);
+        const bool shifted = std::max(end_layer, side_layer) % 2 == 1;
+        const double behind_end = faces[0] == 0 ? 0.0 : 0.5 * (end_layer + 1) * lattice.dx;
+        const double behind_side = faces[1] == 0 ? 0.0 : 0.5 * (side_layer + 1) * lattice.dy;
+        const auto x = faces[0] == 0 ? along(column, lattice.columns, lattice.dx, length, ends, shifted)
+                                     : std::optional(faces[0] > 0 ? -behind_end : length + behind_end);
+        const auto y = faces[1] == 0 ? along(file, lattice.files, lattice.dy, width, sides, shifted)
+                                     : std::optional(faces[1] > 0 ? -behind_side : width + behind_side);
+        if (x && y) {
+            add({*x, *y, lattice.z(row) + (shifted ? 0.5 * lattice.dz : 0.0)}, faces,
+                std::max(behind_end, behind_side));
+        }
     };
     for (int column = -beyond; column < lattice.columns + beyond; ++column) {
         const int end = column < 0 ? 1 : column >= lattice.columns ? -1 : 0;

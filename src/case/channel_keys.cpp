@@ -112,6 +112,7 @@ SectionKeys side_walls() {
     SectionKeys s{"side_walls", "The walls beside the water, in three dimensions.", {}};
     s.keys.push_back(make_key("side_walls", "drag_form", &Case::side_walls, &SideWalls::drag_form,
                               "How the drag of the walls is found.")
+                         .with_default_note("consistent over spheres; none over smooth beds")
                          .applies_with("channel.sides", {"walls", "half"}, true));
     s.keys.push_back(make_key("side_walls", "layer", &Case::side_walls, &SideWalls::layer,
                               "Thickness of the layer of water in which the drag of a wall acts.")

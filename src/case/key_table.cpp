@@ -68,7 +68,6 @@ SectionKeys numerics() {
                                                               "czernuszenko-rylov", "wale", "vreman"}));
     s.keys.push_back(
         key("drag_sampling", &Numerics::drag_sampling, "Where a particle takes the drag of the bed.")
-            .with_default_note("row; in three dimensions point")
             .applies_with("bed.kind", {"spheres"}));
     s.keys.push_back(
         key("artificial_viscosity", &Numerics::artificial_viscosity, "alpha of the artificial viscosity.")

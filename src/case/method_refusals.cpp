@@ -117,13 +117,6 @@ CheckList method_refusals() {
          "repulsive walls have no particles that complete the kernel, and the correction would take them for a free surface",
          R"(choose pressure_form = "symmetric" or "riemann", or wall = "dummy")",
          [](const Case& c) { return repels(c) && c.numerics.pressure_form == PressureForm::corrected; }},
-        {{"numerics.wall", "channel.ends"},
-         "`wall = \"dynamic\"` with end walls in three dimensions",
-         "the staggered layers are there below the bed and behind side walls",
-         R"(choose wall = "dummy", or [channel] ends = "periodic")",
-         [](const Case& c) {
-             return c.numerics.wall == WallKind::dynamic && in_space(c) && c.channel.ends == Ends::walls;
-         }},
         {{"numerics.wall", "channel.sides"},
          R"(`wall = "repulsive"` or `"dynamic"` with `channel.sides = "half"`)",
          "a plane of symmetry must mirror the water and neither push nor hold it",

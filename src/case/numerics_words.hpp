@@ -46,7 +46,7 @@ struct Words<DragSampling> {
     static constexpr std::array<Word, 2> list{{
         {"row",
          "its mean over the height of the particle's row: the rows meet the whole drag wherever they stand",
-         "theory 8", "in two dimensions; in three its flows have not been measured"},
+         "theory 8", "all channels over spheres"},
         {"point", "its value at the height of the particle's centre", "thesis (4.3)",
          "to repeat the thesis; the flow depends on where the rows stand"},
     }};

@@ -49,7 +49,9 @@ Numerics paper_numerics(int dimensions) {
     return n;
 }
 
-Numerics numerics_of(Preset preset, int dimensions) {
+}  // namespace
+
+Numerics preset_numerics(Preset preset, int dimensions) {
     switch (preset) {
         case Preset::riffle:
             return {};
@@ -61,16 +63,6 @@ Numerics numerics_of(Preset preset, int dimensions) {
             return paper_numerics(dimensions);
     }
     return {};
-}
-
-}  // namespace
-
-Numerics preset_numerics(Preset preset, int dimensions) {
-    Numerics n = numerics_of(preset, dimensions);
-    if (dimensions == 3) {
-        n.drag_sampling = DragSampling::point;
-    }
-    return n;
 }
 
 void choose_resolution(Case& c, const GivenResolution& given) {

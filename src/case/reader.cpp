@@ -245,21 +245,18 @@ void require_keys(const Case& c, const Document& document, const Places& places,
 
 /// Defaults that follow from other keys.
 void set_dependent_defaults(Case& c, const Values& values) {
-    const auto dimensions = values.find({find_key("channel.dimensions"), 0});
-    if (dimensions != values.end()) {
-        dimensions->first.first->set(c, dimensions->second);
-    }
-    const auto preset = values.find({find_key("numerics.preset"), 0});
-    if (preset != values.end()) {
-        preset->first.first->set(c, preset->second);
+    for (const char* id : {"channel.dimensions", "channel.sides", "numerics.preset", "bed.kind"}) {
+        const auto given = values.find({find_key(id), 0});
+        if (given != values.end()) {
+            given->first.first->set(c, given->second);
+        }
     }
     c.numerics = preset_numerics(c.numerics.preset, c.channel.dimensions);
-    const auto kind = values.find({find_key("bed.kind"), 0});
-    if (kind != values.end()) {
-        kind->first.first->set(c, kind->second);
-        if (c.bed.kind != BedKind::spheres) {
-            c.bed.roughness_height = 0.0;
-            c.bed.datum_below_crest = 0.0;
+    if (c.bed.kind != BedKind::spheres) {
+        c.bed.roughness_height = 0.0;
+        c.bed.datum_below_crest = 0.0;
+        if (c.has_side_walls()) {
+            c.side_walls.drag_form = SideDragForm::none;
         }
     }
 }

@@ -85,13 +85,6 @@ CheckList space_refusals() {
                 "bed.drag_form", "`drag_form = \"paper\"` in three dimensions", "it knows no single spheres",
                 R"(choose "consistent", "slice" or "thesis")",
                 [](const Case& c) { return over_spheres(c) && c.bed.drag_form == DragForm::paper; }),
-            in_a_plane_alone("start.lattice", "`lattice = \"hexagonal\"` in three dimensions",
-                             "it is an arrangement in a plane", R"(choose "square" or "body-centred")",
-                             [](const Case& c) { return c.start.lattice == StartLattice::hexagonal; }),
-            in_a_plane_alone(
-                "start.kind", R"(`kind = "standing-wave"` in three dimensions)", "it is a flow in a plane",
-                R"(choose "column", "section", "uniform", "power-law", "taylor-green" or "rest")",
-                [](const Case& c) { return c.start.kind == StartKind::standing_wave; }),
             in_a_plane_alone(
                 "numerics.viscosity",
                 R"(a `viscosity` other than `"morris"` in three dimensions with `turbulence.closure = "czernuszenko-rylov"`, `spanwise_ratio` other than 1 and `eddy_stress = "two-point"`)",

@@ -141,8 +141,10 @@ struct Words<StartLattice> {
     static constexpr std::array<Word, 3> list{{
         {"square", "rows and columns; the layers slide in a shear flow", "theory 12",
          "sheared flow; unstable in still water"},
-        {"hexagonal", "rows shifted against each other, the arrangement that stays at rest in still water",
-         "theory 12", "still water and quiet flows, with h of 1.8 or 2.1 dx"},
+        {"hexagonal",
+         "rows shifted against each other, the arrangement that stays at rest in still water; in space the same in "
+         "each file",
+         "theory 12", "still water and quiet flows in two dimensions, with h of 1.8 or 2.1 dx"},
         {"body-centred", "3D: body-centred cubic, rows 2^(-2/3) dx apart",
          "two particles in a cell of (2^(1/3) dx)^3 (SPHysics)",
          "water at rest in space; not for shear flow, where it has no layers to slide (theory 12)"},

@@ -11,13 +11,15 @@ namespace riffle {
 
 namespace {
 
-void start_standing_wave(const Case& c, Particles<2>& particles) {
-    // Linear wave: the lattice is displaced by the wave's potential, which keeps the volumes to first order.
+/// A wave along x, the same across the channel: the lattice is displaced by the linear wave's potential,
+/// which keeps the volumes to first order.
+template <int D>
+void start_standing_wave(const Case& c, Particles<D>& particles) {
     const double depth = c.total_depth();
     const double k = 2.0 * std::numbers::pi / c.channel.length;
     for (std::size_t i = 0; i < particles.size(); ++i) {
         double& x = particles.position[0][i];
-        double& z = particles.position[1][i];
+        double& z = particles.position[D - 1][i];
         const double scale = c.start.amplitude / std::sinh(k * depth);
         const double dx = -scale * std::cosh(k * z) * std::sin(k * x);
         const double dz = scale * std::sinh(k * z) * std::cos(k * x);
@@ -99,15 +101,13 @@ Particles<D> initial_particles(const Case& c, const Scheme& scheme, const Column
     const std::size_t n = particles.size();
     std::vector<double> extra_pressure(n, 0.0);
     std::vector<double> still_height = particles.position[vertical];
-    if constexpr (D == 2) {
-        if (c.start.kind == StartKind::standing_wave) {
-            for (std::size_t i = 0; i < n; ++i) {
-                extra_pressure[i] = wave_pressure(c, scheme, particles.position[0][i], still_height[i]);
-            }
-            start_standing_wave(c, particles);
-            // A particle displaced from still_height carries the pressure of its new height and of the wave.
-            still_height = particles.position[1];
+    if (c.start.kind == StartKind::standing_wave) {
+        for (std::size_t i = 0; i < n; ++i) {
+            extra_pressure[i] = wave_pressure(c, scheme, particles.position[0][i], still_height[i]);
         }
+        start_standing_wave(c, particles);
+        // A particle displaced from still_height carries the pressure of its new height and of the wave.
+        still_height = particles.position[vertical];
     }
     if (c.start.kind == StartKind::taylor_green) {
         start_taylor_green(c, scheme, particles, extra_pressure);

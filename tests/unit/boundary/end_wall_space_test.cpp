@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -144,6 +145,36 @@ TEST(ClosedTank, HasTheOutlineOfTheWaterAcrossItsWidth) {
     c.start.water_x.clear();
     c.start.water_z.clear();
     EXPECT_LT(domain_of<3>(c).upper[2], 0.05 + 3.0 * 0.04);
+}
+
+// Staggered layers, too, look the same from either end and either side.
+TEST(ClosedTank, DynamicWallsAreTheirOwnMirrorImages) {
+    Case c = tank();
+    c.numerics.wall = WallKind::dynamic;
+    const WallParticles<3> wall = wall_particles<3>(c);
+    const auto places = [&](bool mirror_x, bool mirror_y) {
+        std::map<std::array<long, 3>, int> count;
+        for (std::size_t i = 0; i < wall.size(); ++i) {
+            const double x = mirror_x ? c.channel.length - wall.position[0][i] : wall.position[0][i];
+            const double y = mirror_y ? c.channel.width - wall.position[1][i] : wall.position[1][i];
+            constexpr double micrometre = 1e-6;
+            ++count[{std::lround(x / micrometre), std::lround(y / micrometre),
+                     std::lround(wall.position[2][i] / micrometre)}];
+        }
+        return count;
+    };
+    const auto as_built = places(false, false);
+    EXPECT_EQ(as_built.size(), wall.size()) << "two particles stand at one place";
+    EXPECT_EQ(places(true, false), as_built);
+    EXPECT_EQ(places(false, true), as_built);
+    // Behind each end as far as behind each side.
+    const double reach = 0.5 * c.numerics.wall_layers * c.numerics.spacing;
+    for (const std::size_t axis : {0U, 1U}) {
+        const auto [least, most] =
+            std::minmax_element(wall.position[axis].begin(), wall.position[axis].end());
+        EXPECT_LE(*least, -reach + 1e-12);
+        EXPECT_GE(*most, (axis == 0 ? c.channel.length : c.channel.width) + reach - 1e-12);
+    }
 }
 
 }  // namespace

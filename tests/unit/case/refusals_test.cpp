@@ -59,8 +59,6 @@ std::vector<Wrong> wrong_geometry() {
         {flume(), "start.kind = section"},
         {periodic_box(), "channel.dimensions = 3; channel.width = 50 mm; channel.sides = walls"},
         {cell(), "bed.drag_form = paper"},
-        {cell(), "start.lattice = hexagonal"},
-        {cell(), "start.kind = standing-wave"},
         {cell(),
          "turbulence.closure = czernuszenko-rylov; turbulence.spanwise_ratio = 0.5; numerics.viscosity = lo-shao"},
         {cell(), "turbulence.stress_terms = shear"},
@@ -99,7 +97,6 @@ std::vector<Wrong> wrong_methods() {
         {flume(), "numerics.wall = repulsive"},
         {plates(), "numerics.wall = repulsive; numerics.pressure_form = symmetric; bed.kind = slip"},
         {tank(), "numerics.wall = repulsive; numerics.pressure_form = symmetric; bed.kind = no-slip"},
-        {cell(), "numerics.wall = dynamic; channel.ends = walls; start.kind = rest; run.until = 1"},
         {between_side_walls(), "numerics.wall = dynamic; channel.sides = half"},
     };
 }

@@ -87,10 +87,29 @@ TEST(Space, WhatExistsInThreeDimensionsAloneIsRefusedInAPlane) {
                 HasSubstr("positions across the channel go with [channel] dimensions = 3"));
 }
 
+// The drag of side walls follows from that of the bed's spheres; beside a smooth bed there is none to ask
+// for.
+TEST(Space, SideWallsOfSmoothBedsHaveNoDragByDefault) {
+    const auto tank = [](const std::string& bed, const std::string& more) {
+        return parse_case(
+            "[channel]\nslope = 0\ndepth = \"100 mm\"\nlength = \"200 mm\"\nwidth = \"100 mm\"\n"
+            "dimensions = 3\nends = \"walls\"\nsides = \"walls\"\n[bed]\n" +
+                bed +
+                "\n[turbulence]\nclosure = \"none\"\n[numerics]\nspacing = \"5 mm\"\n[start]\n"
+                "kind = \"rest\"\n[run]\nuntil = \"1 s\"\n" +
+                more,
+            "tank.toml");
+    };
+    EXPECT_EQ(tank("kind = \"slip\"", "").side_walls.drag_form, SideDragForm::none);
+    EXPECT_EQ(tank("kind = \"no-slip\"", "").side_walls.drag_form, SideDragForm::none);
+    EXPECT_EQ(tank("roughness_height = \"10 mm\"", "").side_walls.drag_form, SideDragForm::consistent);
+    EXPECT_THROW(static_cast<void>(tank("kind = \"slip\"", "[side_walls]\ndrag_form = \"consistent\"\n")),
+                 InputError);
+}
+
 TEST(Space, LatticesBelongToTheirDimensions) {
     EXPECT_EQ(error_of(channel + "\n[start]\nlattice = \"body-centred\"\n"), "");
-    EXPECT_THAT(error_of(channel + "\n[start]\nlattice = \"hexagonal\"\n"),
-                HasSubstr("choose \"square\" or \"body-centred\""));
+    EXPECT_EQ(error_of(channel + "\n[start]\nlattice = \"hexagonal\"\n"), "");
     EXPECT_THAT(error_of(with("dimensions = 3", "\n[start]\nlattice = \"body-centred\"")),
                 HasSubstr("\"body-centred\" is an arrangement in space"));
 }

@@ -10,6 +10,7 @@
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
+#include "particles/lattice.hpp"
 #include "saved_state.hpp"
 #include "small_case.hpp"
 
@@ -27,6 +28,34 @@ Case disordered_channel() {
     Case c = small_channel(3);
     c.start.jitter = 0.2;
     return c;
+}
+
+// A standing wave and a hexagonal lattice start in space as they do in a plane, the same in each file.
+TEST(Space, StartsFlowsOfThePlaneInEachFile) {
+    for (const StartLattice lattice : {StartLattice::square, StartLattice::hexagonal}) {
+        Case c = test::still_water(2);
+        c.start.kind = StartKind::standing_wave;
+        c.start.amplitude = 0.002;
+        c.start.lattice = lattice;
+        const Particles<2> plane = initial_particles<2>(c, make_scheme(c, nullptr), nullptr);
+        c.channel.dimensions = 3;
+        c.channel.width = 0.028;
+        const Particles<3> space = initial_particles<3>(c, make_scheme(c, nullptr), nullptr);
+        const Lattice places = lattice_of(c);
+        const auto files = static_cast<std::size_t>(places.files);
+        const auto rows = static_cast<std::size_t>(places.rows);
+        ASSERT_EQ(space.size(), files * plane.size());
+        double wave = 0.0;
+        for (std::size_t i = 0; i < space.size(); ++i) {
+            // Column by column, in each file by file, in each row by row.
+            const std::size_t same = i / (files * rows) * rows + i % rows;
+            ASSERT_EQ(space.position[0][i], plane.position[0][same]);
+            ASSERT_EQ(space.position[2][i], plane.position[1][same]);
+            ASSERT_EQ(space.density_deviation[i], plane.density_deviation[same]);
+            wave = std::max(wave, space.position[2][i]);
+        }
+        EXPECT_GT(wave, c.total_depth() - 0.5 * places.dz + 0.0015);
+    }
 }
 
 TEST(Space, GivesTheSameBitsForAnyNumberOfThreads) {
