@@ -13,6 +13,10 @@ double quantity_argument(const std::string& option, const std::string& text, Dim
         const std::optional<double> value =
             quantity->unit.empty() ? std::optional(quantity->value) : to_si(*quantity, dimension);
         if (value && std::isfinite(*value) && *value > 0.0) {
+            const std::optional<QuantityLimits> limits = quantity_limits(dimension);
+            if (limits && (*value < limits->least || *value > limits->most)) {
+                throw InputError(fmt::format("{} {} cannot be meant: {}", option, text, limits->reason));
+            }
             return *value;
         }
     }

@@ -15,7 +15,6 @@
 #include "case/case.hpp"
 #include "cli/backwater_figure.hpp"
 #include "cli/case_argument.hpp"
-#include "cli/positive_number.hpp"
 #include "cli/printed_number.hpp"
 #include "cli/quantity_argument.hpp"
 #include "cli/text_output.hpp"
@@ -50,12 +49,16 @@ constexpr int stations_in_files = 201;
 /// How near to the normal depth a channel reaches whose length is not given.
 constexpr double approach = 0.01;
 
+/// What Manning's n may be, s/m^(1/3): glass has 0.009, a flood plain of brush 0.15.
+constexpr double least_manning = 0.001;
+constexpr double most_manning = 1.0;
+
 /// Everything that the outputs tell.
 struct Backwater {
     std::string friction;  ///< "column twin" ...
     double discharge = 0.0;
     double length = 0.0;
-    bool chosen_length = false;
+    std::string length_note;  ///< how the length was chosen, where it was not given
     SteadyChannel channel;
     VariedFlow flow;
     std::vector<std::string> notes;
@@ -72,16 +75,30 @@ double unit_discharge(const BackwaterArguments& a, const Case& c) {
         const std::optional<Quantity> quantity = split_quantity(a.discharge);
         const bool of_unit_width =
             quantity && dimension_of_unit(quantity->unit) == Dimension::kinematic_viscosity;
+        if (!quantity || !(quantity->value > 0.0) ||
+            !(of_unit_width || quantity->unit.empty() || to_si(*quantity, Dimension::discharge))) {
+            throw InputError(fmt::format(
+                "--discharge must be a discharge greater than 0, of the whole width (m3/s, l/s; m3/s where no unit is "
+                "given) or of a unit of it (m2/s), but is \"{}\"",
+                a.discharge));
+        }
         return of_unit_width
                    ? quantity_argument("--discharge", a.discharge, Dimension::kinematic_viscosity)
                    : quantity_argument("--discharge", a.discharge, Dimension::discharge) / c.channel.width;
     }
     if (!(c.channel.slope > 0.0)) {
         throw InputError(
-            "a bed that does not fall has no uniform flow whose discharge could be taken: give --discharge");
+            "the bed of the case does not fall (channel.slope = 0), so that it has no uniform flow whose discharge could "
+            "be taken: give --discharge");
     }
     if (a.manning) return manning_unit_discharge(c.channel.slope, c.channel.depth, *a.manning);
     if (const auto k = equivalent_roughness(a)) {
+        if (c.channel.depth < *k) {
+            throw InputError(fmt::format(
+                "the depth of the case, {}, is less than the equivalent roughness: give --discharge, or a smaller "
+                "--equivalent-roughness",
+                shown_length(c.channel.depth)));
+        }
         return rough_unit_discharge(c.channel.slope, c.fluid.gravity, c.channel.depth, *k);
     }
     return uniform_unit_discharge(c);
@@ -133,15 +150,26 @@ void choose_length(const BackwaterArguments& a, Backwater& b, ChannelControls& c
         throw InputError(
             "the place of the flow between both ends depends on how far apart they are: give --length");
     }
-    constexpr double depths_of_uniform_flow = 100.0;
-    controls.length = *length > 0.0 ? *length : depths_of_uniform_flow * *normal_depth(b.channel);
-    b.chosen_length = true;
+    constexpr double depths_shown = 100.0;
+    controls.length = *length > 0.0 ? *length : depths_shown * *normal_depth(b.channel);
+    b.length_note =
+        *length > 0.0
+            ? fmt::format(
+                  "The channel is as long as the depth needs to come within {:.0f} % of the normal depth.",
+                  100.0 * approach)
+            : fmt::format(
+                  "The depth is within {:.0f} % of the normal depth all along; a hundred depths of it are shown.",
+                  100.0 * approach);
 }
 
 Backwater solve(const BackwaterArguments& a, Case c) {
     if (c.channel.top != Top::free_surface) {
         throw InputError(
             "the case has no free surface (channel.top) that could vary: backwater is for open channels");
+    }
+    constexpr double steepest = 1.0;  // as in a case
+    if (a.slope && !(std::abs(*a.slope) <= steepest)) {
+        throw InputError(fmt::format("--slope must be a number from -1 to 1, but is {}", *a.slope));
     }
     Backwater b;
     b.friction = friction_of(a);
@@ -155,13 +183,8 @@ Backwater solve(const BackwaterArguments& a, Case c) {
     choose_length(a, b, controls);
     b.length = controls.length;
     b.flow = solve_varied_flow(b.channel, controls);
-    if (b.chosen_length) {
-        b.notes.push_back(
-            b.flow.profiles.front().name == "uniform" && b.flow.profiles.size() == 1
-                ? "The flow is uniform; a hundred depths of it are shown."
-                : fmt::format(
-                      "The channel is as long as the depth needs to come within {:.0f} % of the normal depth.",
-                      100.0 * approach));
+    if (!b.length_note.empty()) {
+        b.notes.push_back(b.length_note);
     }
     if (c.has_side_walls()) {
         b.notes.emplace_back(
@@ -204,7 +227,7 @@ std::vector<BackwaterStation> stations_of(const Backwater& b, int count, Places 
         }
         if (!first) result.push_back(station(b, part, part.from));
         for (int i = 0; i < count; ++i) {
-            const double x = b.length * i / (count - 1);
+            const double x = i == count - 1 ? b.length : b.length * i / (count - 1);
             if (x > part.from - (first ? 1.0 : 0.0) && (x < part.to || (last && i == count - 1))) {
                 result.push_back(station(b, part, x));
             }
@@ -329,6 +352,7 @@ nlohmann::ordered_json to_json(const Case& c, const Backwater& b,
                           {"head_loss", jump.head_loss}};
     }
     result["events"] = b.flow.events;
+    result["notes"] = b.notes;
     for (const Quantity1D& quantity : quantities) {
         for (const BackwaterStation& s : stations)
             result["stations"][quantity.key].push_back(s.*quantity.value);
@@ -367,16 +391,17 @@ void add_verb_backwater(CLI::App& app) {
     verb->add_option(
         "--discharge", a->discharge,
         "Of the whole width (\"8 l/s\"; m3/s) or of a unit of it (\"0.02 m2/s\"); default: of the "
-        "uniform flow of the case");
-    verb->add_option("--downstream", a->downstream,
-                     "Depth at the downstream end, or: normal, critical; default: normal");
+        "uniform flow of the case, at the slope of the case");
+    verb->add_option(
+        "--downstream", a->downstream,
+        "Depth at the downstream end, or: normal, critical; default: normal, on a steep bed none");
     verb->add_option("--upstream", a->upstream,
                      "Depth at the upstream end where the flow is supercritical there, or: normal, critical");
     verb->add_option("--length", a->length, "Of the channel; default: until the flow is uniform within 1 %");
     verb->add_option("--slope", a->slope, "Of the bed instead of the case's; below 0: adverse");
     auto* const manning = verb->add_option("--manning", a->manning,
                                            "Friction by Manning's n, s/m^(1/3), instead of the column twin")
-                              ->check(positive_number());
+                              ->check(CLI::Range(least_manning, most_manning));
     verb->add_option("--equivalent-roughness", a->equivalent_roughness,
                      "Friction by k_s and the rough log law instead")
         ->excludes(manning);

@@ -44,11 +44,12 @@ ProfileMeans means_of(const ColumnProfile& profile) {
 /// What the twin says at some depths of one discharge; found when first asked for.
 class TwinStates {
   public:
-    TwinStates(Case c, double unit_discharge) : case_(std::move(c)), unit_discharge_(unit_discharge) {}
+    TwinStates(Case c, double unit_discharge, double least_depth)
+        : case_(std::move(c)), unit_discharge_(unit_discharge), least_depth_(least_depth) {}
 
     [[nodiscard]] SectionState at(double depth) {
-        const double place = std::log(depth) / step;
-        const double first = std::floor(place) - 2.0;
+        const double place = std::log(std::max(depth, least_depth_) / least_depth_) / step;
+        const double first = std::max(0.0, std::floor(place) - 2.0);  // no node among the crests
         SectionState state{0.0, 0.0, 0.0, 0.0};
         double log_slope = 0.0;
         for (int k = 0; k < points; ++k) {
@@ -72,8 +73,9 @@ class TwinStates {
 
     [[nodiscard]] const SectionState& node_at(int i) {
         const auto found = nodes_.find(i);
-        return found != nodes_.end() ? found->second
-                                     : nodes_.emplace(i, solve(std::exp(step * i))).first->second;
+        return found != nodes_.end()
+                   ? found->second
+                   : nodes_.emplace(i, solve(least_depth_ * std::exp(step * i))).first->second;
     }
 
     /// The weight along the bed with which the twin of a depth carries the discharge, by secants between the
@@ -119,6 +121,7 @@ class TwinStates {
 
     Case case_;
     double unit_discharge_;
+    double least_depth_;
     std::map<int, SectionState> nodes_;
 };
 
@@ -127,13 +130,15 @@ class TwinStates {
 double uniform_unit_discharge(const Case& c) { return means_of(solve_column(c).profile).unit_discharge; }
 
 SteadyChannel twin_channel(const Case& c, double unit_discharge) {
+    constexpr double least_share = 1e-3;  // of the case's depth, over a smooth bed
+    const double least_depth = std::max(c.crest() - c.datum(), least_share * c.channel.depth);
     SteadyChannel channel{.slope = c.channel.slope,
                           .gravity = c.fluid.gravity,
                           .unit_discharge = unit_discharge,
                           .depth_below_datum = c.datum(),
-                          .least_depth = c.crest() - c.datum(),
+                          .least_depth = least_depth,
                           .state = {}};
-    const auto states = std::make_shared<TwinStates>(c, unit_discharge);
+    const auto states = std::make_shared<TwinStates>(c, unit_discharge, least_depth);
     channel.state = [states](double depth) { return states->at(depth); };
     return channel;
 }

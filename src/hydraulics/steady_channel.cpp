@@ -15,28 +15,25 @@ namespace {
 
 double square(double x) { return x * x; }
 
-/// Where a rising function of the depth is zero. Throws InputError where it is positive at the least depth.
+/// Where a rising function of the depth is zero, sought from the critical depth of even flow; none where it
+/// is positive down to `least`.
 template <class Function>
-double depth_of_zero(const SteadyChannel& channel, Function rising, const char* name) {
-    const double guess =
-        std::max(channel.least_depth, std::cbrt(square(channel.unit_discharge) / channel.normal_gravity()));
-    constexpr int most_doublings = 100;
-    double low = guess;
-    for (int i = 0; i < most_doublings && low > channel.least_depth && rising(low) > 0.0; ++i) {
-        low = std::max(0.5 * low, channel.least_depth);
-    }
-    if (rising(low) > 0.0) {
-        throw InputError(fmt::format(
-            "the {} depth of this discharge, {:.4g} m2/s, is less than {:.3g} m, below which the friction of the "
-            "bed is not known: give a larger discharge, or a smaller roughness",
-            name, channel.unit_discharge, channel.least_depth));
-    }
-    double high = std::max(2.0 * low, guess);
-    for (int i = 0; rising(high) < 0.0; ++i) {
-        if (i == most_doublings) {
-            throw InputError(
-                fmt::format("this channel has no {} depth: its friction does not fall with depth", name));
+std::optional<double> depth_of_zero(const SteadyChannel& channel, Function rising, double least) {
+    double low = std::max(least, std::cbrt(square(channel.unit_discharge) / channel.normal_gravity()));
+    double high = low;
+    constexpr double most = 1e12;  // beyond all that is called a depth, m
+    while (rising(low) > 0.0) {
+        if (low <= least) {
+            return std::nullopt;
         }
+        high = low;
+        low = std::max(0.5 * low, least);
+    }
+    while (!(rising(high) > 0.0)) {
+        if (high > most) {
+            return std::nullopt;
+        }
+        low = high;
         high *= 2.0;
     }
     return root_between(rising, low, high);
@@ -46,21 +43,24 @@ double depth_of_zero(const SteadyChannel& channel, Function rising, const char* 
 
 double SteadyChannel::normal_gravity() const { return gravity * std::cos(std::atan(slope)); }
 
+double SteadyChannel::momentum_coefficient(double depth) const {
+    return state(std::max(depth, least_depth)).momentum_coefficient;
+}
+
 double SteadyChannel::momentum(double depth) const {
     const double total = total_depth(depth);
-    return state(depth).momentum_coefficient * square(unit_discharge) / total +
+    return momentum_coefficient(depth) * square(unit_discharge) / total +
            0.5 * normal_gravity() * square(total);
 }
 
 double SteadyChannel::momentum_gradient(double depth) const {
     // beta changes little: central differences of it are exact enough, and its share of the flux stays exact.
     constexpr double step = 1e-3;
-    const double below = std::max(depth * (1.0 - step), least_depth);
-    const double above = depth * (1.0 + step);
     const double beta_gradient =
-        (state(above).momentum_coefficient - state(below).momentum_coefficient) / (above - below);
+        (momentum_coefficient(depth * (1.0 + step)) - momentum_coefficient(depth * (1.0 - step))) /
+        (2.0 * step * depth);
     const double total = total_depth(depth);
-    return square(unit_discharge) / total * (beta_gradient - state(depth).momentum_coefficient / total) +
+    return square(unit_discharge) / total * (beta_gradient - momentum_coefficient(depth) / total) +
            normal_gravity() * total;
 }
 
@@ -84,14 +84,24 @@ double SteadyChannel::manning(double depth) const {
 }
 
 double critical_depth(const SteadyChannel& channel) {
+    // Water that stands among the spheres alone may be deep enough: then no depth over the datum is critical.
+    const double least = 1e-9 * std::cbrt(square(channel.unit_discharge) / channel.normal_gravity());
     return depth_of_zero(
-        channel, [&](double h) { return channel.momentum_gradient(h); }, "critical");
+               channel, [&](double h) { return channel.momentum_gradient(h); }, least)
+        .value_or(0.0);
 }
 
 std::optional<double> normal_depth(const SteadyChannel& channel) {
     if (channel.slope <= 0.0) return std::nullopt;
-    return depth_of_zero(
-        channel, [&](double h) { return channel.surplus_slope(h); }, "normal");
+    const auto depth = depth_of_zero(
+        channel, [&](double h) { return channel.surplus_slope(h); }, channel.least_depth);
+    if (!depth) {
+        throw InputError(fmt::format(
+            "the normal depth of {:.4g} m2/s on a slope of {:.4g} is less than {:.3g} m, below which the friction of the "
+            "bed is not known: give a larger discharge, or another friction",
+            channel.unit_discharge, channel.slope, channel.least_depth));
+    }
+    return depth;
 }
 
 std::optional<double> sequent_depth(const SteadyChannel& channel, double depth, double critical_depth) {
@@ -103,9 +113,10 @@ std::optional<double> sequent_depth(const SteadyChannel& channel, double depth, 
         return root_between(surplus, critical_depth, high);
     }
     double low = critical_depth;
+    constexpr double least = 1e-9;
     while (surplus(low) <= 0.0) {
-        if (low <= channel.least_depth) return std::nullopt;
-        low = std::max(0.5 * low, channel.least_depth);
+        if (low < least * depth) return std::nullopt;
+        low *= 0.5;
     }
     return root_between(surplus, low, critical_depth);
 }

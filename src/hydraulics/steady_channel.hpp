@@ -29,15 +29,16 @@ struct SteadyChannel {
     [[nodiscard]] double total_depth(double depth) const { return depth + depth_below_datum; }
     /// g cos(theta), m/s2.
     [[nodiscard]] double normal_gravity() const;
+    /// beta; below the least depth that of the least depth.
+    [[nodiscard]] double momentum_coefficient(double depth) const;
     /// Momentum function (specific force) beta q^2/H + g cos(theta) H^2/2, m3/s2.
     [[nodiscard]] double momentum(double depth) const;
     /// Its derivative by the depth, m2/s2: zero at the critical depth.
     [[nodiscard]] double momentum_gradient(double depth) const;
     /// Froude number by which the momentum balance is singular at 1: 1 - (dM/dh)/(g cos(theta) H) is its
-    /// square, q^2/(g H^3) where beta = 1.
+    /// square, q^2/(g cos(theta) H^3) where beta = 1.
     [[nodiscard]] double froude_number(double depth) const;
-    /// Height of the energy grade line over the datum of the bed, H cos(theta) + alpha (q/H)^2/(2 g), m; the
-    /// surface stands at h cos(theta).
+    /// Height of the energy grade line over the datum of the bed, h cos(theta) + alpha (q/H)^2/(2 g), m.
     [[nodiscard]] double energy_head(double depth) const;
     /// Driving minus friction: sin(theta) - S_f.
     [[nodiscard]] double surplus_slope(double depth) const;
@@ -45,7 +46,8 @@ struct SteadyChannel {
     [[nodiscard]] double manning(double depth) const;
 };
 
-/// Depth of the least momentum function, m. Throws InputError where it is below the least depth.
+/// Depth of the least momentum function, m; 0 where the water below the datum alone is deep enough for
+/// subcritical flow.
 [[nodiscard]] double critical_depth(const SteadyChannel& channel);
 
 /// Depth of uniform flow, m; none on horizontal and adverse beds. Throws InputError where it is below the

@@ -1,5 +1,7 @@
 #include "hydraulics/surface_curve.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
@@ -7,6 +9,7 @@
 #include <limits>
 #include <utility>
 
+#include "base/error.hpp"
 #include "statistics/root.hpp"
 
 namespace riffle {
@@ -17,6 +20,7 @@ SurfaceCurve::SurfaceCurve(SteadyChannel channel, double place, double control, 
     constexpr double same = 1e-9;  // of the depth
     depth_.push_back(control);
     distance_.push_back(0.0);
+    check_depth(control);
     if (normal_depth && std::abs(control - *normal_depth) <= same * *normal_depth) {
         uniform_ = true;
         length_ = reach;
@@ -26,13 +30,15 @@ SurfaceCurve::SurfaceCurve(SteadyChannel channel, double place, double control, 
     // Downstream of the control the flow is supercritical, upstream of it subcritical; each comes to rest at
     // the normal depth of its own kind, else ends where it is critical.
     const bool supercritical = direction > 0;
-    const bool approaches = normal_depth && (*normal_depth < critical_depth) == supercritical;
+    const bool critical_slope = normal_depth && *normal_depth == critical_depth;
+    const bool approaches =
+        normal_depth && !critical_slope && (*normal_depth < critical_depth) == supercritical;
     const bool rises_for_ever = !normal_depth && !supercritical;
     far_depth_ = approaches       ? *normal_depth
                  : rises_for_ever ? std::numeric_limits<double>::infinity()
                                   : critical_depth;
-    // The integrand has its pole at the normal depth: nodes in a geometric row towards it, and away from zero
-    // where there is none.
+    // The integrand has its poles at the normal depth and, of the friction, at zero: nodes in a geometric row
+    // towards the one and away from the other.
     constexpr double ratio = 0.85;
     constexpr double panels_to_critical = 40.0;
     const double panel = (critical_depth - control) / panels_to_critical;
@@ -43,27 +49,44 @@ SurfaceCurve::SurfaceCurve(SteadyChannel channel, double place, double control, 
             return;
         }
         double to = 0.0;
-        if (normal_depth) {
+        if (normal_depth && !critical_slope) {
             to = *normal_depth + ratio * (from - *normal_depth);
         } else if (rises_for_ever) {
             to = from / ratio;
         } else {
             to = from + panel;
         }
+        to = std::clamp(to, ratio * from, from / ratio);
         const bool last =
             std::isfinite(far_depth_) && !approaches &&
             (to - far_depth_) * (control - far_depth_) <= same * far_depth_ * std::abs(control - far_depth_);
         if (last) {
             to = far_depth_;
         }
+        check_depth(to);
         depth_.push_back(to);
         distance_.push_back(distance_.back() + distance_between(from, to));
+        if (!std::isfinite(distance_.back())) {
+            throw InputError(fmt::format(
+                "the surface cannot be followed beyond a depth of {:.4g} m: discharge, friction or length are beyond "
+                "all measure",
+                from));
+        }
         if (last) {
             ends_critical_ = distance_.back() <= reach;
             break;
         }
     }
     length_ = std::min(distance_.back(), reach);
+}
+
+void SurfaceCurve::check_depth(double depth) const {
+    if (depth < channel_.least_depth * (1.0 - 1e-9)) {
+        throw InputError(fmt::format(
+            "the water would be {:.4g} m deep over the datum, and the friction of the bed is known from {:.4g} m on: "
+            "give another depth at the ends, a larger discharge, or another friction",
+            depth, channel_.least_depth));
+    }
 }
 
 double SurfaceCurve::distance_between(double from, double to) const {

@@ -16,7 +16,8 @@ namespace riffle {
 class SurfaceCurve {
   public:
     /// From the depth `control` at `place` on, towards `direction` (1: downstream, -1: upstream), as far as
-    /// the flow goes in this state or `reach` m. A control at the normal depth gives uniform flow.
+    /// the flow goes in this state or `reach` m. A control at the normal depth gives uniform flow. Throws
+    /// InputError where the depth falls below the least depth of the channel.
     SurfaceCurve(SteadyChannel channel, double place, double control, int direction, double reach,
                  double critical_depth, std::optional<double> normal_depth);
 
@@ -32,6 +33,7 @@ class SurfaceCurve {
     [[nodiscard]] double distance_within(double share) const;
 
   private:
+    void check_depth(double depth) const;
     [[nodiscard]] double distance_between(double from, double to) const;
 
     SteadyChannel channel_;

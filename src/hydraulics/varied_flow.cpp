@@ -16,9 +16,11 @@ namespace {
 /// Within this share two depths are one: critical slopes, uniform flow.
 constexpr double same_depth = 1e-4;
 
+bool same(double depth, double other) { return std::abs(depth - other) <= same_depth * other; }
+
 SlopeClass slope_class(const SteadyChannel& channel, double critical, std::optional<double> normal) {
     if (!normal) return channel.slope < 0.0 ? SlopeClass::adverse : SlopeClass::horizontal;
-    if (std::abs(*normal - critical) <= same_depth * critical) return SlopeClass::critical;
+    if (same(*normal, critical)) return SlopeClass::critical;
     return *normal > critical ? SlopeClass::mild : SlopeClass::steep;
 }
 
@@ -61,11 +63,10 @@ Curves curves_of(const SteadyChannel& channel, VariedFlow& flow, const ChannelCo
     if (downstream && (!steep || *downstream > critical * (1.0 + same_depth))) {
         curves.subcritical.emplace(channel, controls.length, std::max(*downstream, critical), -1,
                                    controls.length, critical, flow.normal_depth);
-    } else if (downstream && *downstream < critical * (1.0 - same_depth) &&
-               std::abs(*downstream - *flow.normal_depth) > same_depth * *downstream) {
+    } else if (downstream && !same(*downstream, *flow.normal_depth)) {
         flow.events.push_back(fmt::format(
-            "The downstream depth of {:.4g} m is below the critical depth: supercritical flow does not feel it.",
-            *downstream));
+            "The downstream depth of {:.4g} m is not above the critical depth of {:.4g} m: supercritical flow does not feel it.",
+            *downstream, critical));
     }
     const bool filled =
         curves.subcritical || (curves.supercritical && !curves.supercritical->ends_critical());
@@ -85,8 +86,15 @@ double place_of_jump(const SteadyChannel& channel, const Curves& curves, VariedF
         return channel.momentum(curves.supercritical->depth_at(x)) -
                channel.momentum(curves.subcritical->depth_at(x));
     };
+    const double inflow = curves.supercritical->depth_at(0.0);
+    if (surplus(from) <= 0.0 && same(inflow, flow.critical_depth)) {
+        flow.events.push_back(fmt::format(
+            "The depth given upstream is critical, and the downstream end backs up to {:.4g} m there: the flow is "
+            "subcritical throughout.",
+            curves.subcritical->depth_at(0.0)));
+        return 0.0;
+    }
     if (surplus(from) <= 0.0) {
-        const double inflow = curves.supercritical->depth_at(0.0);
         flow.events.push_back(fmt::format(
             "The jump is drowned at the upstream end: the sequent depth of {:.4g} m is {:.4g} m, less than the "
             "{:.4g} m that the downstream end backs up to there. The flow is subcritical throughout.",
@@ -127,7 +135,7 @@ const SurfaceProfile& VariedFlow::profile_at(double x) const {
 
 std::string profile_name(double depth, double critical_depth, std::optional<double> normal_depth,
                          SlopeClass slope) {
-    if (normal_depth && std::abs(depth - *normal_depth) <= same_depth * *normal_depth) return "uniform";
+    if (normal_depth && same(depth, *normal_depth)) return "uniform";
     const bool above = depth > critical_depth;
     switch (slope) {
         case SlopeClass::mild:
@@ -144,14 +152,48 @@ std::string profile_name(double depth, double critical_depth, std::optional<doub
     return {};
 }
 
-VariedFlow solve_varied_flow(const SteadyChannel& channel, const ChannelControls& controls) {
+namespace {
+
+/// Classify the channel. On a critical slope the slope is changed by the hair that makes normal and critical
+/// depth one, so that neither curve has a pole beside its end.
+VariedFlow classify(SteadyChannel& channel, const ChannelControls& controls) {
     VariedFlow flow;
     flow.critical_depth = critical_depth(channel);
     flow.normal_depth = normal_depth(channel);
     flow.slope = slope_class(channel, flow.critical_depth, flow.normal_depth);
+    if (flow.slope == SlopeClass::critical) {
+        channel.slope = std::tan(std::asin(channel.state(flow.critical_depth).friction_slope));
+        flow.critical_depth = critical_depth(channel);
+        flow.normal_depth = flow.critical_depth;
+    }
     check_controls(flow, controls);
+    return flow;
+}
+
+/// On a critical slope both curves may end at the critical depth, with uniform flow between them.
+bool meet_at_critical(const VariedFlow& flow, const Curves& curves) {
+    if (flow.slope != SlopeClass::critical) return false;
+    return !curves.supercritical || !curves.subcritical ||
+           curves.supercritical->end() <= curves.subcritical->end();
+}
+
+}  // namespace
+
+VariedFlow solve_varied_flow(const SteadyChannel& given, const ChannelControls& controls) {
+    SteadyChannel channel = given;
+    VariedFlow flow = classify(channel, controls);
     const Curves curves = curves_of(channel, flow, controls);
     const double length = controls.length;
+    if (meet_at_critical(flow, curves)) {
+        const double from = curves.supercritical ? curves.supercritical->end() : 0.0;
+        const double to = curves.subcritical ? curves.subcritical->end() : length;
+        const SurfaceCurve uniform(channel, 0.0, flow.critical_depth, 1, length, flow.critical_depth,
+                                   flow.critical_depth);
+        if (curves.supercritical) add_profile(flow, *curves.supercritical, 0.0, from);
+        add_profile(flow, uniform, from, to);
+        if (curves.subcritical) add_profile(flow, *curves.subcritical, to, length);
+        return flow;
+    }
     if (!curves.supercritical || !curves.subcritical) {
         add_profile(flow, curves.subcritical ? *curves.subcritical : *curves.supercritical, 0.0, length);
         return flow;
@@ -168,13 +210,10 @@ VariedFlow solve_varied_flow(const SteadyChannel& channel, const ChannelControls
     return flow;
 }
 
-std::optional<double> approach_length(const SteadyChannel& channel, const ChannelControls& controls,
+std::optional<double> approach_length(const SteadyChannel& given, const ChannelControls& controls,
                                       double share) {
-    VariedFlow flow;
-    flow.critical_depth = critical_depth(channel);
-    flow.normal_depth = normal_depth(channel);
-    flow.slope = slope_class(channel, flow.critical_depth, flow.normal_depth);
-    check_controls(flow, controls);
+    SteadyChannel channel = given;
+    VariedFlow flow = classify(channel, controls);
     const bool steep = flow.slope == SlopeClass::steep;
     const bool ruled_downstream =
         controls.downstream_depth && *controls.downstream_depth > flow.critical_depth;

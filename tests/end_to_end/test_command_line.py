@@ -215,7 +215,8 @@ class CommandLine(CommandLineTest):
                               (["--upstream", "80mm"], "above the critical depth"),
                               (["--slope", "0"], "--length"), (["--discharge", "3kg"], "--discharge must be"),
                               (["--downstream", "deep"], "--downstream must be"),
-                              (["--length", "5", "--slope", "-0.001"], "downstream")):
+                              (["--length", "5", "--slope", "-0.001"], "downstream"), (["--slope", "nan"], "from -1 to 1"),
+                              (["--json", "-", "--csv", "-"], "same place")):
             with self.subTest(options=options):
                 self.fail_with(2, "backwater", CASE, *options, says=[told])
         self.fail_with(2, "backwater", SOURCE / "cases/checks/poiseuille.toml", says=["no free surface"])

@@ -39,11 +39,15 @@ TEST(TwinChannel, CarriesTheUniformFlowOfTheCase) {
 TEST(TwinChannel, InterpolatesWhatTheTwinSays) {
     const Case c = condition_2();
     const SteadyChannel channel = twin_channel(c, 0.0174);
-    for (const double depth : {0.0213, 0.0377, 0.0619, 0.1204}) {
+    for (const double depth : {0.00405, 0.0043, 0.0213, 0.0377, 0.0619, 0.1204}) {
         Case other = c;
         other.channel.depth = depth;
-        other.channel.slope = std::tan(std::asin(channel.state(depth).friction_slope));
-        EXPECT_NEAR(uniform_unit_discharge(other), 0.0174, 2e-6 * 0.0174) << depth;
+        // The friction may be more than gravity: the column knows only the product of gravity and slope.
+        other.channel.slope = 1e-3;
+        other.fluid.gravity *= channel.state(depth).friction_slope / std::sin(std::atan(1e-3));
+        // Just over the crests the depths that it interpolates between lie on one side.
+        const double bar = depth < 0.005 ? 5e-6 : 2e-6;
+        EXPECT_NEAR(uniform_unit_discharge(other), 0.0174, bar * 0.0174) << depth;
     }
 }
 

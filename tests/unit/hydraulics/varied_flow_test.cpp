@@ -231,6 +231,41 @@ TEST(VariedFlow, TellsOfJumpsWithoutPlace) {
     EXPECT_GT(drowned.depth_at(0.0), critical_depth(channel));
 }
 
+// At the slope of critical uniform flow, and a hair beside it, both curves end at the critical depth.
+TEST(VariedFlow, CriticalSlopesKeepBothDepths) {
+    const double q = 0.05;
+    const double critical = std::cbrt(q * q / gravity);
+    const double slope = 0.02 * 0.02 * q * q / std::pow(critical, 10.0 / 3.0);
+    for (const double factor : {1.0 - 2e-5, 1.0, 1.0 + 2e-5}) {
+        const SteadyChannel channel = manning_channel(factor * slope, gravity, q, 0.02);
+        const VariedFlow flow = solve_varied_flow(
+            channel, {.length = 20.0, .upstream_depth = 0.5 * critical, .downstream_depth = 1.3 * critical});
+        EXPECT_EQ(flow.slope, SlopeClass::critical);
+        EXPECT_FALSE(flow.jump);
+        EXPECT_TRUE(flow.events.empty());
+        ASSERT_EQ(flow.profiles.size(), 3U);
+        EXPECT_EQ(flow.profiles[0].name, "C3");
+        EXPECT_EQ(flow.profiles[1].name, "uniform");
+        EXPECT_EQ(flow.profiles[2].name, "C1");
+        EXPECT_NEAR(flow.depth_at(0.0), 0.5 * critical, 1e-12);
+        EXPECT_NEAR(flow.depth_at(20.0), 1.3 * critical, 1e-12);
+        EXPECT_NEAR(flow.depth_at(10.0), critical, 1e-3 * critical);
+    }
+}
+
+// A thin flow that nowhere comes near its critical depth needs no friction there.
+TEST(VariedFlow, KnowsFlowsWhoseCriticalDepthIsBelowTheRoughness) {
+    const SteadyChannel channel = rough_channel(0.004, gravity, 0.0145, 0.035);
+    EXPECT_LT(critical_depth(channel), 0.035);
+    const VariedFlow flow =
+        solve_varied_flow(channel, {.length = 20.0, .upstream_depth = {}, .downstream_depth = 0.08});
+    EXPECT_EQ(flow.profiles.front().name, "M1");
+    EXPECT_THROW(
+        static_cast<void>(solve_varied_flow(
+            channel, {.length = 20.0, .upstream_depth = {}, .downstream_depth = critical_depth(channel)})),
+        InputError);
+}
+
 TEST(VariedFlow, AdverseBedsRiseUpstream) {
     const SteadyChannel channel = manning_channel(-0.002, gravity, 0.3, 0.02);
     const VariedFlow flow =
