@@ -2,18 +2,15 @@
 
 #include <CLI/CLI.hpp>
 #include <cmath>
-#include <cstddef>
 #include <memory>
-#include <nlohmann/json.hpp>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "base/error.hpp"
-#include "base/wrapped_text.hpp"
 #include "case/case.hpp"
 #include "cli/backwater_figure.hpp"
+#include "cli/backwater_output.hpp"
 #include "cli/case_argument.hpp"
 #include "cli/printed_number.hpp"
 #include "cli/quantity_argument.hpp"
@@ -52,17 +49,6 @@ constexpr double approach = 0.01;
 /// What Manning's n may be, s/m^(1/3): glass has 0.009, a flood plain of brush 0.15.
 constexpr double least_manning = 0.001;
 constexpr double most_manning = 1.0;
-
-/// Everything that the outputs tell.
-struct Backwater {
-    std::string friction;  ///< "column twin" ...
-    double discharge = 0.0;
-    double length = 0.0;
-    std::string length_note;  ///< how the length was chosen, where it was not given
-    SteadyChannel channel;
-    VariedFlow flow;
-    std::vector<std::string> notes;
-};
 
 std::optional<double> equivalent_roughness(const BackwaterArguments& a) {
     if (a.equivalent_roughness.empty()) return std::nullopt;
@@ -193,190 +179,24 @@ Backwater solve(const BackwaterArguments& a, Case c) {
     return b;
 }
 
-BackwaterStation station(const Backwater& b, const SurfaceProfile& part, double x) {
-    const double angle = std::atan(b.channel.slope);
-    BackwaterStation s;
-    s.x = x;
-    s.bed = (b.length - x) * std::sin(angle);
-    s.depth = part.curve.depth_at(x);
-    s.surface = s.bed + s.depth * std::cos(angle);
-    s.energy_grade = s.bed + b.channel.energy_head(s.depth);
-    const SectionState state = b.channel.state(s.depth);
-    s.velocity = state.mean_velocity;
-    s.friction_slope = state.friction_slope;
-    s.froude = b.channel.froude_number(s.depth);
-    s.manning = b.channel.manning(s.depth);
-    s.profile = part.name;
-    return s;
-}
-
-/// Places along the whole channel, and both sides of a jump: even ones, or for a figure dense at the ends of
-/// each curve, where the surface may stand upright.
-enum class Places { even, dense_at_ends };
-std::vector<BackwaterStation> stations_of(const Backwater& b, int count, Places places = Places::even) {
-    std::vector<BackwaterStation> result;
-    for (const SurfaceProfile& part : b.flow.profiles) {
-        const bool first = part.from == 0.0;
-        const bool last = part.to == b.length;
-        if (places == Places::dense_at_ends) {
-            for (int i = 0; i < count; ++i) {
-                const double share = 0.5 - 0.5 * std::cos(std::numbers::pi * i / (count - 1));
-                result.push_back(station(b, part, part.from + share * (part.to - part.from)));
-            }
-            continue;
-        }
-        if (!first) result.push_back(station(b, part, part.from));
-        for (int i = 0; i < count; ++i) {
-            const double x = i == count - 1 ? b.length : b.length * i / (count - 1);
-            if (x > part.from - (first ? 1.0 : 0.0) && (x < part.to || (last && i == count - 1))) {
-                result.push_back(station(b, part, x));
-            }
-        }
-        if (!last) result.push_back(station(b, part, part.to));
-    }
-    return result;
-}
-
-const char* slope_word(SlopeClass slope) {
-    switch (slope) {
-        case SlopeClass::mild:
-            return "mild";
-        case SlopeClass::critical:
-            return "critical";
-        case SlopeClass::steep:
-            return "steep";
-        case SlopeClass::horizontal:
-            return "horizontal";
-        case SlopeClass::adverse:
-            return "adverse";
-    }
-    return "";
-}
-
-void print_fact(const char* name, const std::string& value) { fmt::print("  {:<28} {}\n", name, value); }
-
-void print_summary(const Case& c, const Backwater& b, const std::vector<BackwaterStation>& stations) {
-    const auto metres = [](double value) { return printed_number(value) + " m"; };
-    fmt::print("{}\n", c.title.empty() ? "Steady varied flow over the bed of the case" : c.title);
-    fmt::print("friction: {}; {} slope {}, {} m long\n\n", b.friction, slope_word(b.flow.slope),
-               printed_number(b.channel.slope), printed_number(b.length));
-    print_fact("discharge",
-               fmt::format("{} m3/s over {} m: {} m2/s", printed_number(b.discharge),
-                           printed_number(c.channel.width), printed_number(b.channel.unit_discharge)));
-    print_fact("normal depth", b.flow.normal_depth ? metres(*b.flow.normal_depth) : "none");
-    print_fact("critical depth", metres(b.flow.critical_depth));
-    for (const SurfaceProfile& part : b.flow.profiles) {
-        print_fact(&part == b.flow.profiles.data() ? "surface" : "",
-                   fmt::format("{} from {} at {} to {} at {}", part.name, metres(part.depth_from),
-                               metres(part.from), metres(part.depth_to), metres(part.to)));
-    }
-    if (b.flow.jump) {
-        const HydraulicJump& jump = *b.flow.jump;
-        print_fact("hydraulic jump", fmt::format("at {}: {} to {}", metres(jump.place),
-                                                 metres(jump.depth_before), metres(jump.depth_after)));
-        print_fact("", fmt::format("Fr {} before it, head loss {}", printed_number(jump.froude_before),
-                                   metres(jump.head_loss)));
-    }
-    fmt::print("\n{:>8} {:>9} {:>9} {:>9} {:>9} {:>8} {:>8}  {}\n", "x", "depth", "surface", "energy", "U",
-               "Fr", "n", "profile");
-    fmt::print("{:>8} {:>9} {:>9} {:>9} {:>9} {:>8} {:>8}\n", "m", "m", "m", "m", "m/s", "", "s/m^1/3");
-    for (const BackwaterStation& s : stations) {
-        fmt::print("{:>8} {:>9} {:>9} {:>9} {:>9} {:>8} {:>8}  {}\n", printed_number(s.x),
-                   printed_number(s.depth), printed_number(s.surface), printed_number(s.energy_grade),
-                   printed_number(s.velocity), printed_number(s.froude), printed_number(s.manning),
-                   s.profile);
-    }
-    fmt::print(
-        "\nElevations over the bed at the downstream end. Wide channel: the hydraulic\nradius is the depth.\n");
-    for (const auto* sentences : {&b.flow.events, &b.notes}) {
-        for (const std::string& sentence : *sentences) fmt::print("{}\n", wrapped_text(sentence, 0));
-    }
-}
-
-struct Quantity1D {
-    const char* key;
-    const char* heading;
-    double BackwaterStation::*value;
-};
-constexpr Quantity1D quantities[] = {
-    {"x", "x [m]", &BackwaterStation::x},
-    {"bed", "bed [m]", &BackwaterStation::bed},
-    {"depth", "depth [m]", &BackwaterStation::depth},
-    {"surface", "surface [m]", &BackwaterStation::surface},
-    {"energy_grade", "energy grade [m]", &BackwaterStation::energy_grade},
-    {"velocity", "U [m/s]", &BackwaterStation::velocity},
-    {"froude", "Fr", &BackwaterStation::froude},
-    {"manning", "n [s/m^(1/3)]", &BackwaterStation::manning},
-    {"friction_slope", "S_f", &BackwaterStation::friction_slope},
-};
-
-std::string to_csv(const std::vector<BackwaterStation>& stations) {
-    std::string text;
-    for (const Quantity1D& quantity : quantities) text += std::string(quantity.heading) + ",";
-    text += "profile\n";
-    for (const BackwaterStation& s : stations) {
-        for (const Quantity1D& quantity : quantities) text += fmt::format("{:.9g},", s.*quantity.value);
-        text += s.profile + "\n";
-    }
-    return text;
-}
-
-nlohmann::ordered_json to_json(const Case& c, const Backwater& b,
-                               const std::vector<BackwaterStation>& stations) {
-    using nlohmann::ordered_json;
-    ordered_json result;
-    result["title"] = c.title;
-    result["friction"] = b.friction;
-    result["discharge"] = b.discharge;
-    result["unit_discharge"] = b.channel.unit_discharge;
-    result["slope"] = b.channel.slope;
-    result["slope_class"] = slope_word(b.flow.slope);
-    result["length"] = b.length;
-    result["normal_depth"] = optional_number(b.flow.normal_depth);
-    result["critical_depth"] = b.flow.critical_depth;
-    result["profiles"] = ordered_json::array();
-    for (const SurfaceProfile& part : b.flow.profiles) {
-        result["profiles"].push_back({{"name", part.name},
-                                      {"from", part.from},
-                                      {"to", part.to},
-                                      {"depth_from", part.depth_from},
-                                      {"depth_to", part.depth_to}});
-    }
-    result["jump"] = nullptr;
-    if (b.flow.jump) {
-        const HydraulicJump& jump = *b.flow.jump;
-        result["jump"] = {{"place", jump.place},
-                          {"depth_before", jump.depth_before},
-                          {"depth_after", jump.depth_after},
-                          {"froude_before", jump.froude_before},
-                          {"head_loss", jump.head_loss}};
-    }
-    result["events"] = b.flow.events;
-    result["notes"] = b.notes;
-    for (const Quantity1D& quantity : quantities) {
-        for (const BackwaterStation& s : stations)
-            result["stations"][quantity.key].push_back(s.*quantity.value);
-    }
-    for (const BackwaterStation& s : stations) result["stations"]["profile"].push_back(s.profile);
-    return result;
-}
-
 void run_backwater(const BackwaterArguments& a) {
     refuse_to_replace_any({a.json, a.csv, a.figure}, a.force);
     const Case c = a.argument.read();
     const Backwater b = solve(a, c);
     const bool to_terminal = a.json != "-" && a.csv != "-" && a.figure != "-";
-    if (to_terminal) print_summary(c, b, stations_of(b, a.stations > 0 ? a.stations : stations_on_screen));
-    const auto stations = stations_of(b, a.stations > 0 ? a.stations : stations_in_files);
-    if (!a.json.empty()) write_text(a.json, to_json(c, b, stations).dump(1) + "\n");
-    if (!a.csv.empty()) write_text(a.csv, to_csv(stations));
+    if (to_terminal)
+        print_backwater(c, b, backwater_stations(b, a.stations > 0 ? a.stations : stations_on_screen));
+    const auto stations = backwater_stations(b, a.stations > 0 ? a.stations : stations_in_files);
+    if (!a.json.empty()) write_text(a.json, backwater_json(c, b, stations).dump(1) + "\n");
+    if (!a.csv.empty()) write_text(a.csv, backwater_csv(stations));
     if (!a.figure.empty()) {
-        write_text(a.figure, backwater_figure(c.title.empty() ? "Steady varied flow" : c.title,
-                                              fmt::format("discharge {} m2/s, slope {}, friction: {}",
-                                                          printed_number(b.channel.unit_discharge),
-                                                          printed_number(b.channel.slope), b.friction),
-                                              b.channel, b.flow,
-                                              stations_of(b, stations_in_files, Places::dense_at_ends)));
+        write_text(a.figure,
+                   backwater_figure(c.title.empty() ? "Steady varied flow" : c.title,
+                                    fmt::format("discharge {} m2/s, slope {}, friction: {}",
+                                                printed_number(b.channel.unit_discharge),
+                                                printed_number(b.channel.slope), b.friction),
+                                    b.channel, b.flow,
+                                    backwater_stations(b, stations_in_files, Places::dense_at_ends)));
     }
 }
 
