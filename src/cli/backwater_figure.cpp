@@ -80,7 +80,7 @@ std::string backwater_figure(const std::string& title, const std::string& subtit
     const std::vector<double> bed = column_of(stations, &BackwaterStation::bed);
     const std::vector<double> surface = column_of(stations, &BackwaterStation::surface);
     const std::vector<double> energy = column_of(stations, &BackwaterStation::energy_grade);
-    const double upright = std::cos(std::atan(channel.slope));
+    const double upright = channel.cosine();
     const auto over_bed = [&](double depth) {
         std::vector<double> line = bed;
         for (double& z : line) z += depth * upright;
@@ -118,8 +118,7 @@ std::string backwater_figure(const std::string& title, const std::string& subtit
     svg += svg_path(x, bed, panel, bed_style);
     for (const SurfaceProfile& part : flow.profiles) {
         const double middle = 0.5 * (part.from + part.to);
-        const double z =
-            part.curve.depth_at(middle) * upright + (x.back() - middle) * std::sin(std::atan(channel.slope));
+        const double z = part.curve.depth_at(middle) * upright + (x.back() - middle) * channel.sine();
         svg += svg_text(panel.x(middle),
                         0.5 * (panel.y(z) + panel.y(z - part.curve.depth_at(middle) * upright)) + 5.0,
                         part.name, R"(text-anchor="middle" fill="#1f3f68" font-weight="bold")");

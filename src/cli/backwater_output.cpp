@@ -13,12 +13,11 @@ namespace riffle {
 namespace {
 
 BackwaterStation station(const Backwater& b, const SurfaceProfile& part, double x) {
-    const double angle = std::atan(b.channel.slope);
     BackwaterStation s;
     s.x = x;
-    s.bed = (b.length - x) * std::sin(angle);
+    s.bed = (b.length - x) * b.channel.sine();
     s.depth = part.curve.depth_at(x);
-    s.surface = s.bed + s.depth * std::cos(angle);
+    s.surface = s.bed + s.depth * b.channel.cosine();
     s.energy_grade = s.bed + b.channel.energy_head(s.depth);
     const SectionState state = b.channel.state(s.depth);
     s.velocity = state.mean_velocity;

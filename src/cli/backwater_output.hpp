@@ -14,7 +14,6 @@ struct Backwater {
     std::string friction;  ///< "column twin" ...
     double discharge = 0.0;
     double length = 0.0;
-    std::string length_note;  ///< how the length was chosen, where it was not given
     SteadyChannel channel;
     VariedFlow flow;
     std::vector<std::string> notes;

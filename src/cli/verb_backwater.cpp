@@ -50,15 +50,25 @@ constexpr double approach = 0.01;
 constexpr double least_manning = 0.001;
 constexpr double most_manning = 1.0;
 
-std::optional<double> equivalent_roughness(const BackwaterArguments& a) {
-    if (a.equivalent_roughness.empty()) return std::nullopt;
-    return quantity_argument("--equivalent-roughness", a.equivalent_roughness, Dimension::length);
+/// What takes the place of the column twin's friction; at most one of them.
+struct GivenFriction {
+    std::optional<double> manning;               ///< n, s/m^(1/3)
+    std::optional<double> equivalent_roughness;  ///< k_s, m
+};
+
+GivenFriction friction_of(const BackwaterArguments& a) {
+    GivenFriction friction{a.manning, std::nullopt};
+    if (!a.equivalent_roughness.empty()) {
+        friction.equivalent_roughness =
+            quantity_argument("--equivalent-roughness", a.equivalent_roughness, Dimension::length);
+    }
+    return friction;
 }
 
 /// Unit discharge, as given (m3/s of the whole width, or m2/s) or that of the case's uniform flow.
-double unit_discharge(const BackwaterArguments& a, const Case& c) {
-    if (!a.discharge.empty()) {
-        const std::optional<Quantity> quantity = split_quantity(a.discharge);
+double unit_discharge(const std::string& given, const GivenFriction& friction, const Case& c) {
+    if (!given.empty()) {
+        const std::optional<Quantity> quantity = split_quantity(given);
         const bool of_unit_width =
             quantity && dimension_of_unit(quantity->unit) == Dimension::kinematic_viscosity;
         if (!quantity || !(quantity->value > 0.0) ||
@@ -66,19 +76,19 @@ double unit_discharge(const BackwaterArguments& a, const Case& c) {
             throw InputError(fmt::format(
                 "--discharge must be a discharge greater than 0, of the whole width (m3/s, l/s; m3/s where no unit is "
                 "given) or of a unit of it (m2/s), but is \"{}\"",
-                a.discharge));
+                given));
         }
         return of_unit_width
-                   ? quantity_argument("--discharge", a.discharge, Dimension::kinematic_viscosity)
-                   : quantity_argument("--discharge", a.discharge, Dimension::discharge) / c.channel.width;
+                   ? quantity_argument("--discharge", given, Dimension::kinematic_viscosity)
+                   : quantity_argument("--discharge", given, Dimension::discharge) / c.channel.width;
     }
     if (!(c.channel.slope > 0.0)) {
         throw InputError(
             "the bed of the case does not fall (channel.slope = 0), so that it has no uniform flow whose discharge could "
             "be taken: give --discharge");
     }
-    if (a.manning) return manning_unit_discharge(c.channel.slope, c.channel.depth, *a.manning);
-    if (const auto k = equivalent_roughness(a)) {
+    if (friction.manning) return manning_unit_discharge(c.channel.slope, c.channel.depth, *friction.manning);
+    if (const auto& k = friction.equivalent_roughness) {
         if (c.channel.depth < *k) {
             throw InputError(fmt::format(
                 "the depth of the case, {}, is less than the equivalent roughness: give --discharge, or a smaller "
@@ -90,15 +100,16 @@ double unit_discharge(const BackwaterArguments& a, const Case& c) {
     return uniform_unit_discharge(c);
 }
 
-SteadyChannel channel_of(const BackwaterArguments& a, const Case& c, double q) {
-    if (a.manning) return manning_channel(c.channel.slope, c.fluid.gravity, q, *a.manning);
-    if (const auto k = equivalent_roughness(a)) return rough_channel(c.channel.slope, c.fluid.gravity, q, *k);
+SteadyChannel channel_of(const GivenFriction& friction, const Case& c, double q) {
+    if (friction.manning) return manning_channel(c.channel.slope, c.fluid.gravity, q, *friction.manning);
+    if (const auto& k = friction.equivalent_roughness)
+        return rough_channel(c.channel.slope, c.fluid.gravity, q, *k);
     return twin_channel(c, q);
 }
 
-std::string friction_of(const BackwaterArguments& a) {
-    if (a.manning) return fmt::format("Manning n {} s/m^(1/3)", printed_number(*a.manning));
-    if (const auto k = equivalent_roughness(a))
+std::string friction_text(const GivenFriction& friction) {
+    if (friction.manning) return fmt::format("Manning n {} s/m^(1/3)", printed_number(*friction.manning));
+    if (const auto& k = friction.equivalent_roughness)
         return fmt::format("rough log law, k_s {} m", printed_number(*k));
     return "column twin";
 }
@@ -138,14 +149,14 @@ void choose_length(const BackwaterArguments& a, Backwater& b, ChannelControls& c
     }
     constexpr double depths_shown = 100.0;
     controls.length = *length > 0.0 ? *length : depths_shown * *normal_depth(b.channel);
-    b.length_note =
+    b.notes.push_back(
         *length > 0.0
             ? fmt::format(
                   "The channel is as long as the depth needs to come within {:.0f} % of the normal depth.",
                   100.0 * approach)
             : fmt::format(
                   "The depth is within {:.0f} % of the normal depth all along; a hundred depths of it are shown.",
-                  100.0 * approach);
+                  100.0 * approach));
 }
 
 Backwater solve(const BackwaterArguments& a, Case c) {
@@ -158,10 +169,11 @@ Backwater solve(const BackwaterArguments& a, Case c) {
         throw InputError(fmt::format("--slope must be a number from -1 to 1, but is {}", *a.slope));
     }
     Backwater b;
-    b.friction = friction_of(a);
-    const double q = unit_discharge(a, c);
+    const GivenFriction friction = friction_of(a);
+    b.friction = friction_text(friction);
+    const double q = unit_discharge(a.discharge, friction, c);
     if (a.slope) c.channel.slope = *a.slope;
-    b.channel = channel_of(a, c, q);
+    b.channel = channel_of(friction, c, q);
     b.discharge = q * c.channel.width;
     ChannelControls controls;
     controls.upstream_depth = control("--upstream", a.upstream, b.channel);
@@ -169,9 +181,6 @@ Backwater solve(const BackwaterArguments& a, Case c) {
     choose_length(a, b, controls);
     b.length = controls.length;
     b.flow = solve_varied_flow(b.channel, controls);
-    if (!b.length_note.empty()) {
-        b.notes.push_back(b.length_note);
-    }
     if (c.has_side_walls()) {
         b.notes.emplace_back(
             "The friction of the side walls takes no part: the channel is as good as endlessly wide.");

@@ -41,7 +41,9 @@ std::optional<double> depth_of_zero(const SteadyChannel& channel, Function risin
 
 }  // namespace
 
-double SteadyChannel::normal_gravity() const { return gravity * std::cos(std::atan(slope)); }
+double SteadyChannel::sine() const { return std::sin(std::atan(slope)); }
+
+double SteadyChannel::cosine() const { return std::cos(std::atan(slope)); }
 
 double SteadyChannel::momentum_coefficient(double depth) const {
     return state(std::max(depth, least_depth)).momentum_coefficient;
@@ -70,13 +72,10 @@ double SteadyChannel::froude_number(double depth) const {
 
 double SteadyChannel::energy_head(double depth) const {
     const double velocity = unit_discharge / total_depth(depth);
-    return depth * std::cos(std::atan(slope)) +
-           state(depth).energy_coefficient * square(velocity) / (2.0 * gravity);
+    return depth * cosine() + state(depth).energy_coefficient * square(velocity) / (2.0 * gravity);
 }
 
-double SteadyChannel::surplus_slope(double depth) const {
-    return std::sin(std::atan(slope)) - state(depth).friction_slope;
-}
+double SteadyChannel::surplus_slope(double depth) const { return sine() - state(depth).friction_slope; }
 
 double SteadyChannel::manning(double depth) const {
     const SectionState now = state(depth);

@@ -27,8 +27,11 @@ struct SteadyChannel {
 
     /// H, m.
     [[nodiscard]] double total_depth(double depth) const { return depth + depth_below_datum; }
+    /// sin(theta) and cos(theta) of the bed.
+    [[nodiscard]] double sine() const;
+    [[nodiscard]] double cosine() const;
     /// g cos(theta), m/s2.
-    [[nodiscard]] double normal_gravity() const;
+    [[nodiscard]] double normal_gravity() const { return gravity * cosine(); }
     /// beta; below the least depth that of the least depth.
     [[nodiscard]] double momentum_coefficient(double depth) const;
     /// Momentum function (specific force) beta q^2/H + g cos(theta) H^2/2, m3/s2.
