@@ -13,10 +13,9 @@ namespace riffle {
 
 std::span<const Chapter> analysis_chapters() {
     const auto uniform = [](FlowKind kind) { return kind == FlowKind::uniform_channel; };
-    const auto bodies = [](FlowKind kind) { return kind == FlowKind::channel_with_bodies; };
     static const std::array chapters = {
         Chapter{chapters::course, "Course of the flow", analyse_course, is_undriven},
-        Chapter{chapters::along, "Along the channel", analyse_along, bodies},
+        Chapter{chapters::along, "Along the channel", analyse_along, varies_along},
         Chapter{chapters::statistics, "Statistics of the velocity", analyse_statistics, is_channel},
         Chapter{chapters::profiles, "Profiles", analyse_profiles},
         Chapter{chapters::fits, "Laws fitted to the velocity profile", analyse_fits, uniform},

@@ -7,6 +7,7 @@
 #include "boundary/solid_fill.hpp"
 #include "boundary/wall_particle.hpp"
 #include "case/solid_mesh.hpp"
+#include "particles/end_buffers.hpp"
 #include "particles/lattice.hpp"
 
 namespace riffle {
@@ -33,6 +34,19 @@ int end_wall_rows(const Case& c, const Lattice& lattice) {
     }
     return c.channel.wall_height ? static_cast<int>(std::ceil(*c.channel.wall_height / lattice.dz - 1e-9))
                                  : lattice.rows + lattice.rows / 2;
+}
+
+/// Columns of wall particles beyond either end: the layers of its wall, or what stands below a buffer.
+int columns_beyond(const Case& c, const Lattice& lattice) {
+    switch (c.channel.ends) {
+        case Ends::walls:
+            return c.numerics.wall_layers;
+        case Ends::open:
+            return static_cast<int>(std::ceil(buffer_length(c) / lattice.dx)) + c.numerics.wall_layers;
+        case Ends::periodic:
+            break;
+    }
+    return 0;
 }
 
 /// Wall particles at places in a solid, as deep as there are layers. Each takes the normal and the depth of
@@ -123,7 +137,7 @@ WallParticles<2> wall_particles<2>(const Case& c) {
     const double volume = lattice.dx * lattice.dz;
     const double depth = c.total_depth();
     const bool closed = c.channel.ends == Ends::walls;
-    const int beyond = closed ? layers : 0;
+    const int beyond = columns_beyond(c, lattice);
 
     // Dummy particles stand on the continuation of the lattice; dynamic ones in staggered layers half a
     // spacing apart (thesis; SPHysics).
@@ -140,8 +154,9 @@ WallParticles<2> wall_particles<2>(const Case& c) {
     for (int layer = 0; layer < layers; ++layer) {
         const double behind = layer_depth(layer, lattice.dz);
         for (int column = -beyond; column < lattice.columns + beyond; ++column) {
-            const bool corner = column < 0 || column >= lattice.columns;
-            const auto wrapped = [&](double x) { return closed ? x : std::fmod(x, c.channel.length); };
+            const bool corner = closed && (column < 0 || column >= lattice.columns);
+            const bool periodic = c.channel.ends == Ends::periodic;
+            const auto wrapped = [&](double x) { return periodic ? std::fmod(x, c.channel.length) : x; };
             add(wrapped(x_of(column, -1 - layer, layer)), -behind, corner ? Vec<2>{} : Vec<2>{0.0, 1.0},
                 behind);
             if (c.channel.top == Top::wall) {
@@ -208,7 +223,7 @@ WallParticles<3> wall_particles<3>(const Case& c) {
         wall.body.push_back(walls == 1 && faces[2] < 0 ? lid_body : resting_body);
     };
     const int beside = sides ? layers : 0;
-    const int beyond = ends ? layers : 0;
+    const int beyond = columns_beyond(c, lattice);
     const int top = end_wall_rows(c, lattice);
     // Layers of dynamic particles stand half a spacing apart, every other one shifted by half a spacing along
     // both of its directions (thesis; SPHysics); dummy particles on the continuation of the lattice. Between
@@ -264,7 +279,7 @@ WallParticles<3> wall_particles<3>(const Case& c) {
         }
     };
     for (int column = -beyond; column < lattice.columns + beyond; ++column) {
-        const int end = column < 0 ? 1 : column >= lattice.columns ? -1 : 0;
+        const int end = !ends ? 0 : column < 0 ? 1 : column >= lattice.columns ? -1 : 0;
         for (int file = -beside; file < lattice.files + beside; ++file) {
             const int side = file < 0 ? 1 : file >= lattice.files ? -1 : 0;
             for (int layer = 0; layer < layers_below; ++layer) {

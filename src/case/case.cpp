@@ -8,6 +8,10 @@ double Case::streamwise_gravity() const { return fluid.gravity * std::sin(std::a
 
 double Case::normal_gravity() const { return fluid.gravity * std::cos(std::atan(channel.slope)); }
 
+std::optional<double> Case::inflow_unit_discharge() const {
+    return inflow.discharge ? std::optional(*inflow.discharge / channel.width) : inflow.unit_discharge;
+}
+
 double usual_surface_threshold(SurfaceDetection detection, int dimensions) {
     switch (detection) {
         case SurfaceDetection::volume_fraction:
@@ -23,7 +27,7 @@ double usual_surface_threshold(SurfaceDetection detection, int dimensions) {
 }
 
 bool Case::same_parameters(const Case& other) const {
-    return title == other.title && description == other.description && channel == other.channel &&
+    return title == other.title && description == other.description && channel == other.channel && inflow == other.inflow && outflow == other.outflow &&
            bed == other.bed && side_walls == other.side_walls && turbulence == other.turbulence &&
            fluid == other.fluid && numerics == other.numerics && start == other.start &&
            stirring == other.stirring && run == other.run && output == other.output &&

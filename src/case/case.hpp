@@ -37,6 +37,38 @@ struct Channel {
     bool operator==(const Channel&) const = default;
 };
 
+/// [inflow]: what enters a channel with open ends at x = 0. One of the discharges, the depth, or in
+/// supercritical flow both.
+struct Inflow {
+    std::optional<double> discharge;       ///< of the whole width, m3/s
+    std::optional<double> unit_discharge;  ///< of a unit of the width, m2/s
+    std::optional<double> depth;           ///< over the zero datum, m
+    std::filesystem::path discharge_file;  ///< CSV with the columns time, and discharge or unit_discharge
+    std::filesystem::path depth_file;      ///< CSV with the columns time, depth
+    InflowProfile profile = InflowProfile::column;
+    double exponent = 7.0;             ///< m of the power law u = U_max (z/H)^(1/m)
+    double equivalent_roughness = 0.0;  ///< k_s of the log law, m
+    std::filesystem::path profile_file;  ///< CSV with the columns z, u; z above the datum
+
+    [[nodiscard]] bool gives_discharge() const { return discharge || unit_discharge || !discharge_file.empty(); }
+    [[nodiscard]] bool gives_depth() const { return depth || !depth_file.empty(); }
+
+    bool operator==(const Inflow&) const = default;
+};
+
+/// [outflow]: what rules the water at the other end of a channel with open ends, x = L.
+struct Outflow {
+    OutflowKind kind = OutflowKind::normal_depth;
+    std::optional<double> depth;       ///< over the zero datum, m
+    std::filesystem::path depth_file;  ///< CSV with the columns time, depth
+    double weir_height = 0.0;          ///< of the crest over the zero datum, m
+    double weir_coefficient = 0.62;    ///< C_d of q = (2/3) C_d sqrt(2 g) head^(3/2)
+    std::filesystem::path rating_file;  ///< CSV with the columns depth, and discharge or unit_discharge
+    std::optional<double> relaxation_time;  ///< in which the depth goes to what rules it, s
+
+    bool operator==(const Outflow&) const = default;
+};
+
 /// [bed]
 struct Bed {
     BedKind kind = BedKind::spheres;
@@ -268,6 +300,8 @@ struct Case {
     std::string title;
     std::string description;
     Channel channel;
+    Inflow inflow;
+    Outflow outflow;
     Bed bed;
     SideWalls side_walls;
     Turbulence turbulence;
@@ -314,6 +348,9 @@ struct Case {
     [[nodiscard]] bool has_side_walls() const {
         return channel.dimensions == 3 && channel.sides != Sides::periodic;
     }
+    /// Discharge of a unit of the width that the case gives at the inflow, m2/s; none where a file does, or
+    /// the depth.
+    [[nodiscard]] std::optional<double> inflow_unit_discharge() const;
     /// Component of gravity down the bed, g sin(theta), m/s2.
     [[nodiscard]] double streamwise_gravity() const;
     /// Component of gravity normal to the bed, g cos(theta), m/s2.

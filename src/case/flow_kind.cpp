@@ -8,7 +8,8 @@ namespace {
 
 bool is_driven(const Case& c) { return c.streamwise_gravity() > 0.0 || c.channel.lid_velocity != 0.0; }
 
-/// Whether the bed holds the water back.
+}  // namespace
+
 bool bed_resists(const Bed& bed) {
     switch (bed.kind) {
         case BedKind::spheres:
@@ -21,11 +22,10 @@ bool bed_resists(const Bed& bed) {
     return false;
 }
 
-}  // namespace
-
 FlowKind flow_kind(const Case& c) {
     if (c.channel.top == Top::periodic) return FlowKind::periodic_box;
     if (c.start.kind == StartKind::standing_wave) return FlowKind::standing_wave;
+    if (c.channel.ends == Ends::open) return FlowKind::open_channel;
     if (c.channel.ends != Ends::periodic || !is_driven(c)) return FlowKind::tank;
     if (!c.solids.empty()) return FlowKind::channel_with_bodies;
     return c.start.water_x.empty() ? FlowKind::uniform_channel : FlowKind::tank;
@@ -37,6 +37,8 @@ const char* flow_kind_word(FlowKind kind) {
             return "uniform-channel";
         case FlowKind::channel_with_bodies:
             return "channel-with-bodies";
+        case FlowKind::open_channel:
+            return "open-channel";
         case FlowKind::tank:
             return "tank";
         case FlowKind::standing_wave:
@@ -53,6 +55,8 @@ const char* flow_kind_name(FlowKind kind) {
             return "uniform channel";
         case FlowKind::channel_with_bodies:
             return "channel with bodies";
+        case FlowKind::open_channel:
+            return "channel with open ends";
         case FlowKind::tank:
             return "closed tank or transient flow";
         case FlowKind::standing_wave:
@@ -71,6 +75,11 @@ std::optional<std::string> why_no_column(const Case& c) {
     if (c.channel.top == Top::periodic) {
         return "the box repeats itself over its height too (channel.top = \"periodic\"): it has neither a "
                "bed nor a surface between which a flow could be uniform";
+    }
+    if (c.channel.ends == Ends::open) {
+        return "water enters and leaves at its ends (channel.ends = \"open\"), so depth and velocity follow from "
+               "[inflow] and [outflow] and not from the slope alone: `riffle backwater` is what to compare with, "
+               "and the uniform flow of the bed is that of the case with channel.ends = \"periodic\"";
     }
     if (c.channel.ends == Ends::walls) {
         return "walls close the channel at its ends (channel.ends = \"walls\"), so no steady flow runs "

@@ -12,6 +12,7 @@ namespace riffle {
 enum class FlowKind {
     uniform_channel,      ///< driven along a channel, the same everywhere along it
     channel_with_bodies,  ///< driven along a channel and around bodies that stand in it
+    open_channel,   ///< water enters at one end and leaves at the other, around bodies or not
     tank,           ///< nothing drives a steady flow along it: dam breaks, gates, sloshing, paddles, cavities
     standing_wave,  ///< a wave that stands over a periodic reach
     periodic_box    ///< periodic in all directions, without bed and surface
@@ -25,13 +26,21 @@ enum class FlowKind {
 /// The name for readers, e.g. "channel with bodies".
 [[nodiscard]] const char* flow_kind_name(FlowKind kind);
 
+/// Whether the flow is driven along a channel and changes along it.
+[[nodiscard]] inline bool varies_along(FlowKind kind) {
+    return kind == FlowKind::channel_with_bodies || kind == FlowKind::open_channel;
+}
+
 /// Whether the flow is driven along a channel, so that it can come to a steady mean.
 [[nodiscard]] inline bool is_channel(FlowKind kind) {
-    return kind == FlowKind::uniform_channel || kind == FlowKind::channel_with_bodies;
+    return kind == FlowKind::uniform_channel || varies_along(kind);
 }
 
 /// Whether the water keeps within closed ends or repeats itself, and nothing drives it steadily.
 [[nodiscard]] inline bool is_undriven(FlowKind kind) { return !is_channel(kind); }
+
+/// Whether a bed holds the water back.
+[[nodiscard]] bool bed_resists(const Bed& bed);
 
 /// Whether the particles carry the eddies, and the closure only what is smaller: the mean flow is then a mean
 /// over time and plan, and no model of the mean flow is its limit.

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "case/channel_keys.hpp"
+#include "case/open_end_keys.hpp"
 #include "case/probe_keys.hpp"
 #include "case/solid_keys.hpp"
 #include "case/units.hpp"
@@ -371,7 +372,7 @@ SectionKeys measured() {
 
 std::vector<SectionKeys> make_table() {
     std::vector<SectionKeys> table = channel_keys();
-    for (auto* const section : {numerics, start, stirring, run, output, measured, solid_keys, probe_keys}) {
+    for (auto* const section : {inflow_keys, outflow_keys, numerics, start, stirring, run, output, measured, solid_keys, probe_keys}) {
         table.push_back(section());
     }
     return table;

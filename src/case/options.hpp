@@ -7,7 +7,9 @@ namespace riffle {
 // key.
 
 enum class Preset { riffle, violent, thesis, paper };
-enum class Ends { periodic, walls };
+enum class Ends { periodic, walls, open };
+enum class InflowProfile { column, uniform, power_law, log_law, file };
+enum class OutflowKind { depth, normal_depth, critical_depth, weir, rating_curve, free };
 enum class Top { free_surface, wall, periodic };
 enum class Sides { periodic, walls, half };
 enum class SideDragForm { consistent, thesis, none };
@@ -38,7 +40,17 @@ enum class Stepping { semi_implicit_euler, leapfrog, predictor_corrector, verlet
 enum class StepRule { acoustic, monaghan_kos };
 enum class WallKind { dummy, dynamic, modified_dynamic, repulsive };
 enum class Precision { single_precision, double_precision };
-enum class StartKind { column, uniform, rest, power_law, results, standing_wave, taylor_green, section };
+enum class StartKind {
+    column,
+    uniform,
+    rest,
+    power_law,
+    results,
+    standing_wave,
+    taylor_green,
+    section,
+    backwater
+};
 enum class StartLattice { square, hexagonal, body_centred };
 enum class SurfaceDetection { volume_fraction, position_divergence, density_ratio, depth_sum };
 enum class SolidSurface { no_slip, slip };

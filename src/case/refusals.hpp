@@ -28,6 +28,8 @@ void refuse_to_run(const Case& c);
 
 [[nodiscard]] CheckList bed_refusals();
 [[nodiscard]] CheckList channel_refusals();
+[[nodiscard]] CheckList open_end_refusals();    ///< open ends
+[[nodiscard]] CheckList closed_end_refusals();  ///< any others
 [[nodiscard]] CheckList plane_refusals();   ///< two dimensions
 [[nodiscard]] CheckList space_refusals();   ///< three dimensions
 [[nodiscard]] CheckList sphere_refusals();  ///< spheres in three dimensions
@@ -51,6 +53,9 @@ inline bool has_free_surface(const Case& c) { return c.channel.top == Top::free_
 
 /// Reach of the kernel, 2 h, m.
 inline double kernel_support(const Case& c) { return 2.0 * c.numerics.smoothing_ratio * c.numerics.spacing; }
+
+/// Stretch beside each open end over which the water is watched, and which solids must leave free, m.
+inline double open_end_clearance(const Case& c) { return 2.0 * kernel_support(c); }
 
 /// Thickness of the layers of wall particles, m.
 inline double wall_thickness(const Case& c) { return c.numerics.wall_layers * c.numerics.spacing; }

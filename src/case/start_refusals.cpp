@@ -43,7 +43,7 @@ CheckList start_refusals() {
          R"(or choose kind = "rest" or "uniform")",
          [](const Case& c) {
              const auto reason = why_no_column(c);
-             return found_if(starts_as(c, StartKind::column) && reason,
+             return found_if(starts_as(c, StartKind::column) && c.channel.ends != Ends::open && reason,
                              "kind = \"column\" starts from the column twin, and the case has none: {}",
                              reason.value_or(""));
          }},
@@ -54,7 +54,7 @@ CheckList start_refusals() {
          [](const Case& c) {
              const auto reason = why_no_column(c);
              const bool asked = starts_as(c, StartKind::uniform) || starts_as(c, StartKind::power_law);
-             return found_if(asked && !c.start.velocity && reason,
+             return found_if(asked && c.channel.ends != Ends::open && !c.start.velocity && reason,
                              "velocity is missing, and the case has no column twin to take it from: {}",
                              reason.value_or(""));
          }},

@@ -78,45 +78,11 @@ class TwinStates {
                    : nodes_.emplace(i, solve(least_depth_ * std::exp(step * i))).first->second;
     }
 
-    /// The weight along the bed with which the twin of a depth carries the discharge, by secants between the
-    /// logarithms: over rough beds the discharge goes with the root of the weight, in laminar flow with the
-    /// weight. It may be more than g, where the water is braked faster than it would fall; the column knows
-    /// of gravity and slope only their product, so that the slope stays small and gravity is changed.
     [[nodiscard]] SectionState solve(double depth) {
-        Case c = case_;
-        c.channel.depth = depth;
-        c.channel.slope = 1e-3;
-        const double sine = std::sin(std::atan(c.channel.slope));
-        const double water = c.total_depth();
-        const double wanted = std::log(unit_discharge_);
-        // From a friction factor of 0.1.
-        double log_weight = std::log(0.0125 * unit_discharge_ * unit_discharge_ / (water * water * water));
-        double exponent = 0.5;
-        double last_weight = 0.0;
-        double last_excess = 0.0;
-        constexpr int most_iterations = 50;
-        constexpr double close = 1e-9;
-        for (int i = 0; i < most_iterations; ++i) {
-            c.fluid.gravity = std::exp(log_weight) / sine;
-            const ColumnResult column = solve_column(c);
-            const ProfileMeans means = means_of(column.profile);
-            const double excess = std::log(means.unit_discharge) - wanted;
-            if (std::abs(excess) < close) {
-                return {std::exp(log_weight) / case_.fluid.gravity, column.depth_mean_velocity,
-                        means.momentum_coefficient, means.energy_coefficient};
-            }
-            if (i > 0) {
-                constexpr double least = 0.3;
-                constexpr double most = 1.5;
-                exponent = std::clamp((excess - last_excess) / (log_weight - last_weight), least, most);
-            }
-            last_weight = log_weight;
-            last_excess = excess;
-            log_weight -= excess / exponent;
-        }
-        throw InputError(
-            fmt::format("the column twin of a depth of {:.4g} m was not found for a discharge of {:.4g} m2/s",
-                        depth, unit_discharge_));
+        const CarryingColumn carrying = carrying_column(case_, depth, unit_discharge_);
+        const ProfileMeans means = means_of(carrying.column.profile);
+        return {carrying.weight / case_.fluid.gravity, carrying.column.depth_mean_velocity,
+                means.momentum_coefficient, means.energy_coefficient};
     }
 
     Case case_;
@@ -127,7 +93,58 @@ class TwinStates {
 
 }  // namespace
 
-double uniform_unit_discharge(const Case& c) { return means_of(solve_column(c).profile).unit_discharge; }
+Case uniform_reach(const Case& c) {
+    Case reach = c;
+    reach.channel.ends = Ends::periodic;
+    reach.inflow = {};
+    reach.outflow = {};
+    reach.solids.clear();
+    reach.probes.clear();
+    return reach;
+}
+
+// By secants between the logarithms: over rough beds the discharge goes with the root of the weight, in
+// laminar flow with the weight. It may be more than g, where the water is braked faster than it would fall;
+// the column knows of gravity and slope only their product, so that the slope stays small and gravity is
+// changed.
+CarryingColumn carrying_column(const Case& of, double depth, double unit_discharge) {
+    Case c = uniform_reach(of);
+    c.channel.depth = depth;
+    c.channel.slope = 1e-3;
+    const double sine = std::sin(std::atan(c.channel.slope));
+    const double water = c.total_depth();
+    const double wanted = std::log(unit_discharge);
+    // From a friction factor of 0.1.
+    double log_weight = std::log(0.0125 * unit_discharge * unit_discharge / (water * water * water));
+    double exponent = 0.5;
+    double last_weight = 0.0;
+    double last_excess = 0.0;
+    constexpr int most_iterations = 50;
+    constexpr double close = 1e-9;
+    for (int i = 0; i < most_iterations; ++i) {
+        c.fluid.gravity = std::exp(log_weight) / sine;
+        ColumnResult column = solve_column(c);
+        const double excess = std::log(means_of(column.profile).unit_discharge) - wanted;
+        if (std::abs(excess) < close) {
+            return {std::exp(log_weight), std::move(column)};
+        }
+        if (i > 0) {
+            constexpr double least = 0.3;
+            constexpr double most = 1.5;
+            exponent = std::clamp((excess - last_excess) / (log_weight - last_weight), least, most);
+        }
+        last_weight = log_weight;
+        last_excess = excess;
+        log_weight -= excess / exponent;
+    }
+    throw InputError(
+        fmt::format("the column twin of a depth of {:.4g} m was not found for a discharge of {:.4g} m2/s",
+                    depth, unit_discharge));
+}
+
+double uniform_unit_discharge(const Case& c) {
+    return means_of(solve_column(uniform_reach(c)).profile).unit_discharge;
+}
 
 SteadyChannel twin_channel(const Case& c, double unit_discharge) {
     constexpr double least_share = 1e-3;  // of the case's depth, over a smooth bed

@@ -3,9 +3,24 @@
 #include <optional>
 
 #include "case/case.hpp"
+#include "column/column.hpp"
 #include "hydraulics/steady_channel.hpp"
 
 namespace riffle {
+
+/// The reach of a channel far from its ends and from all bodies: the case with periodic ends and without
+/// solids, whose uniform flow is that of the bed.
+[[nodiscard]] Case uniform_reach(const Case& c);
+
+/// A column twin and the weight along the bed that drives it, m/s2.
+struct CarryingColumn {
+    double weight = 0.0;
+    ColumnResult column;
+};
+
+/// The column twin over the bed of a case that carries a discharge (m2/s over the whole depth) at a depth over
+/// the datum (m), whatever the slope of the case. Throws InputError where there is none.
+[[nodiscard]] CarryingColumn carrying_column(const Case& c, double depth, double unit_discharge);
 
 /// Discharge per unit of width of the uniform flow of a case, over the whole depth from the bed level, m2/s.
 /// Throws InputError where the case has no column twin.

@@ -9,6 +9,7 @@
 #include "components/energy_budget.hpp"
 #include "components/further_pair_sums.hpp"
 #include "components/mixing_lengths.hpp"
+#include "components/open_ends.hpp"
 #include "components/repulsion.hpp"
 #include "components/solid_forces.hpp"
 #include "components/stirring_force.hpp"
@@ -40,6 +41,7 @@ ComponentList<D, Real> make_components(FlowOf<D, Real>& flow, double celerity) {
     add(components, make_bed_drag_force(flow));
     add(components, make_stirring(flow, celerity));
     add(components, make_repulsion(flow));
+    add(components, make_open_ends(flow));     // after all that adds forces, which buffers do not feel
     add(components, make_energy_budget(flow));  // after all that adds forces, before what changes velocities
     add(components, make_contact(flow));
     return components;

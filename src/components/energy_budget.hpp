@@ -261,7 +261,8 @@ class EnergyBudget final : public Component<D, Real> {
 
 template <int D, class Real>
 std::unique_ptr<Component<D, Real>> make_energy_budget(FlowOf<D, Real>& flow) {
-    return std::make_unique<EnergyBudget<D, Real>>(flow);
+    // What the water brings in and takes out at open ends is no rate of the pair sums.
+    return flow.c.channel.ends != Ends::open ? std::make_unique<EnergyBudget<D, Real>>(flow) : nullptr;
 }
 
 }  // namespace riffle

@@ -9,6 +9,7 @@
 #include "base/parallel.hpp"
 #include "boundary/wall_motion.hpp"
 #include "case/case.hpp"
+#include "ends/open_ends_state.hpp"
 #include "engine/particle_fields.hpp"
 #include "engine/scheme.hpp"
 #include "particles/clusters.hpp"
@@ -34,6 +35,7 @@ struct SimulationClock {
     double displacement_bound = 0.0;          ///< bound of the relative motion since the last list build, m
     double side_wall_drag_coefficient = 0.0;  ///< beta of the side walls' layers in the next step, 1/m
     double listed_time = 0.0;                 ///< of the last list build, where solids move, s
+    OpenEndsState open_ends;
 };
 
 /// A simulated flow, whatever the arithmetic of its pairs: its case, the state of water and walls, and what

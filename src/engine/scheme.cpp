@@ -6,6 +6,7 @@
 
 #include "boundary/wall_motion.hpp"
 #include "case/flow_kind.hpp"
+#include "ends/end_input.hpp"
 #include "particles/lattice.hpp"
 
 namespace riffle {
@@ -23,12 +24,20 @@ double expected_velocity(const Case& c, const ColumnResult* column) {
         const double high = *std::max_element(c.start.water_z.begin(), c.start.water_z.end());
         velocity = std::max(velocity, std::sqrt(c.fluid.gravity * high));
     }
+    if (c.channel.ends == Ends::open) {
+        velocity = std::max(velocity, end_extremes(c, read_end_input(c)).velocity);
+    }
     if (column != nullptr) {
         for (const double u : column->profile.velocity) {
             velocity = std::max(velocity, std::abs(u));
         }
     }
     return velocity;
+}
+
+/// Of the water that the case gives, m.
+double largest_depth(const Case& c) {
+    return c.channel.ends == Ends::open ? end_extremes(c, read_end_input(c)).depth : c.total_depth();
 }
 
 }  // namespace
@@ -50,7 +59,7 @@ Scheme make_scheme(const Case& c, const ColumnResult* column) {
     scheme.maximum_velocity = expected_velocity(c, column);
     scheme.state.kind = c.numerics.equation_of_state;
     scheme.state.sound_speed = c.numerics.sound_speed.value_or(
-        std::max(20.0 * scheme.maximum_velocity, 10.0 * std::sqrt(scheme.normal_gravity * scheme.depth)));
+        std::max(20.0 * scheme.maximum_velocity, 10.0 * std::sqrt(scheme.normal_gravity * largest_depth(c))));
     scheme.acoustic_step = c.numerics.courant_number * scheme.smoothing_length / scheme.state.sound_speed;
     // Explicit diffusion of momentum: of a laminar case or, over hundreds of rows, of a mixing length, with
     // twice the twin's eddy viscosity, for the water shears itself more here and there than its mean flow.

@@ -40,6 +40,9 @@ class StandardSet {
             if (flow) {
                 add(ProbeKind::flow_rate, "flow_rate").x = {0.5 * c_.channel.length};
             }
+            if (c_.channel.ends == Ends::open) {
+                add(ProbeKind::flow_rate, "flow_rate").x = along({0.25, 0.5, 0.75});
+            }
             add(ProbeKind::force, "force");
         }
         return std::move(set_);
@@ -53,6 +56,14 @@ class StandardSet {
         probe.sampling_frequency = frequency_;
         set_.probes.push_back(std::move(probe));
         return set_.probes.back();
+    }
+
+    /// Places at shares of the length.
+    [[nodiscard]] std::vector<double> along(std::vector<double> shares) const {
+        for (double& share : shares) {
+            share *= c_.channel.length;
+        }
+        return shares;
     }
 
     /// At mid-channel from the crests, on a smooth bed from a twentieth of the depth, to 0.95 of the depth;
@@ -72,8 +83,10 @@ class StandardSet {
     void wave_probes(bool flow) {
         const double length = c_.channel.length;
         std::vector<double> x;
-        if (!flow) {
-            x = {0.0, 0.25 * length, 0.5 * length};
+        if (c_.channel.ends == Ends::open) {
+            x = along({0.0, 0.25, 0.5, 0.75, 1.0});
+        } else if (!flow) {
+            x = along({0.0, 0.25, 0.5});
             if (c_.channel.ends == Ends::walls) {
                 x.push_back(length);
             }

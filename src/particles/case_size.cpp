@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "case/outline.hpp"
 #include "case/units.hpp"
+#include "particles/end_buffers.hpp"
 #include "particles/lattice.hpp"
 
 namespace riffle {
@@ -75,7 +76,7 @@ double mean_cells(const Case& c) {
 CaseSize estimate_size(const Case& c) {
     const bool space = c.channel.dimensions == 3;
     const double dx = c.numerics.spacing;
-    const double columns = std::max(1.0, c.channel.length / dx);
+    const double columns = std::max(1.0, (c.channel.length + 2.0 * buffer_length(c)) / dx);
     const double files = space ? std::max(1.0, c.channel.simulated_width() / dx) : 1.0;
     double top = c.total_depth();
     for (const double z : c.start.water_z) {

@@ -9,6 +9,7 @@
 #include "base/notice.hpp"
 #include "case/outline.hpp"
 #include "case/solid_mesh.hpp"
+#include "particles/end_buffers.hpp"
 
 namespace riffle {
 
@@ -131,6 +132,8 @@ Domain<D> domain_of(const Case& c) {
         domain.upper[axis] = extent + (periodic ? 0.0 : margin);
     };
     set(0, c.channel.ends == Ends::periodic, c.channel.length);
+    domain.lower[0] -= buffer_length(c);
+    domain.upper[0] += buffer_length(c);
     if constexpr (D == 3) {
         set(1, c.channel.sides == Sides::periodic, c.channel.simulated_width());
     }
@@ -142,7 +145,7 @@ Domain<D> domain_of(const Case& c) {
 }
 
 template <int D>
-Particles<D> lattice_particles(const Case& c) {
+Particles<D> lattice_particles(const Case& c, const std::function<double(double)>& surface) {
     const Lattice lattice = lattice_of(c);
     const int files = D == 3 ? lattice.files : 1;
     // An outline of the water may rise above the depth that the spacing is cut from.
@@ -150,9 +153,20 @@ Particles<D> lattice_particles(const Case& c) {
     for (const double z : c.start.water_z) {
         rows = std::max(rows, static_cast<int>(std::ceil(z / lattice.dz)));
     }
-    const bool everywhere = c.start.water_x.empty() && c.solids.empty();
+    // Water beyond an open end; what enters at the other one is made by the flow.
+    const int columns =
+        lattice.columns + (c.channel.ends == Ends::open ? static_cast<int>(end_support(c) / lattice.dx) : 0);
+    if (surface) {
+        for (int column = 0; column < columns; ++column) {
+            rows = std::max(rows, static_cast<int>(std::ceil(surface(lattice.x(column, 0)) / lattice.dz)));
+        }
+    }
+    const bool everywhere = c.start.water_x.empty() && c.solids.empty() && !surface;
     const WetPlaces wet(c);
     const auto is_wet = [&](int column, int file, int row) {
+        if (surface && lattice.z(row) >= surface(lattice.x(column, row))) {
+            return false;
+        }
         if constexpr (D == 2) {
             return wet.contain(lattice.x(column, row), lattice.z(row));
         } else {
@@ -160,12 +174,12 @@ Particles<D> lattice_particles(const Case& c) {
         }
     };
     constexpr double takes_a_while = 2e6;
-    const double places = 1.0 * lattice.columns * files * rows;
+    const double places = 1.0 * columns * files * rows;
     if (places > takes_a_while) {
         notice(fmt::format("placing {:.3g} particles", places));
     }
     Particles<D> particles;
-    particles.resize(static_cast<std::size_t>(lattice.columns) * static_cast<std::size_t>(files) *
+    particles.resize(static_cast<std::size_t>(columns) * static_cast<std::size_t>(files) *
                      static_cast<std::size_t>(rows));
     std::mt19937_64 generator(static_cast<std::uint64_t>(c.start.seed));
     const auto displacement = [&](double spacing) {
@@ -174,7 +188,7 @@ Particles<D> lattice_particles(const Case& c) {
         return c.start.jitter * spacing * (2.0 * unit - 1.0);
     };
     std::size_t i = 0;
-    for (int column = 0; column < lattice.columns; ++column) {
+    for (int column = 0; column < columns; ++column) {
         for (int file = 0; file < files; ++file) {
             for (int row = 0; row < rows; ++row) {
                 if (!everywhere && !is_wet(column, file, row)) {
@@ -203,7 +217,7 @@ Particles<D> lattice_particles(const Case& c) {
 
 template Domain<2> domain_of<2>(const Case&);
 template Domain<3> domain_of<3>(const Case&);
-template Particles<2> lattice_particles<2>(const Case&);
-template Particles<3> lattice_particles<3>(const Case&);
+template Particles<2> lattice_particles<2>(const Case&, const std::function<double(double)>&);
+template Particles<3> lattice_particles<3>(const Case&, const std::function<double(double)>&);
 
 }  // namespace riffle

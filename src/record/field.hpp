@@ -52,6 +52,7 @@ enum Condition : unsigned {
     where_fitted = 1U << 14U,     ///< where the law can be fitted
     verlet_stepping = 1U << 15U,  ///< numerics.stepping
     beeman_stepping = 1U << 16U,  ///< so
+    with_open_ends = 1U << 17U,   ///< channel.ends
 };
 
 /// Who reads a field.

@@ -38,6 +38,7 @@ constexpr ConditionWords condition_words[] = {
     {where_fitted, "fitted", "where the law can be fitted"},
     {verlet_stepping, "verlet", "with `numerics.stepping` = \"verlet\""},
     {beeman_stepping, "beeman", "with `numerics.stepping` = \"beeman\""},
+    {with_open_ends, "open_ends", "with open ends"},
 };
 
 const char* word(Averaging averaging) {

@@ -298,7 +298,7 @@ std::vector<SummaryRow> summarize(const ReportData& data, const Analysis& analys
     }
     const Sources mean = depth_mean_velocity(data);
     add_velocities(table, data, mean);
-    if (kind == FlowKind::channel_with_bodies) {
+    if (varies_along(kind)) {
         add_findings(table, analysis,
                      {{"unit_discharge", "<i>q</i>"},
                       {"highest_level", ""},

@@ -122,6 +122,7 @@ Json chapters_json(FlowKind kind) {
             return lists({"profiles", "statistics"}, {"section", "secondary", "bed", "fits", "surface",
                                                       "subsurface", "forces", "energy"});
         case FlowKind::channel_with_bodies:
+        case FlowKind::open_channel:
             return lists({"along", "forces", "energy"},
                          {"statistics", "profiles", "section", "secondary", "surface", "subsurface"});
         case FlowKind::tank:
@@ -139,7 +140,7 @@ std::string summary_note(const ReportData& data) {
                "the flow.";
     }
     std::string note;
-    if (kind == FlowKind::channel_with_bodies) {
+    if (varies_along(kind)) {
         note =
             "Levels are time means above the bed level along the channel; forces are shares of the "
             "component of the water's weight down the slope. ";

@@ -232,6 +232,7 @@ Verdict judge_flow(const ReportData& data, const std::vector<SummaryRow>& quanti
             judge_uniform(data, quantities, verdict);
             break;
         case FlowKind::channel_with_bodies:
+        case FlowKind::open_channel:
             judge_bodies(data, quantities, verdict);
             break;
         case FlowKind::tank:

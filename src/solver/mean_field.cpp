@@ -66,6 +66,7 @@ MeanField::MeanField(const Case& c) {
         return;
     }
     interval_ = c.output.mean_field_interval;
+    open_ends_ = c.channel.ends == Ends::open;
     const Lattice lattice = lattice_of(c);
     const double spacing = c.output.mean_field_spacing.value_or(c.numerics.spacing);
     const double extent[] = {c.channel.length, c.channel.simulated_width()};
@@ -117,14 +118,22 @@ void MeanField::sample(const SimulationIn<3>& simulation) {
     // Sorted by slices across the channel, each of which has its own cells: the slices can be summed in
     // parallel, and each sum has its order from that of the particles.
     std::vector<std::size_t> begin_of(count_[0] + 1, 0);
+    const auto counts = [&](std::size_t i) {
+        return !open_ends_ || (p.position[0][i] >= 0.0 &&
+                               p.position[0][i] < edge_[0] * static_cast<double>(count_[0]));
+    };
     for (std::size_t i = 0; i < n; ++i) {
-        ++begin_of[cell_of(p, i)[0] + 1];
+        if (counts(i)) {
+            ++begin_of[cell_of(p, i)[0] + 1];
+        }
     }
     std::partial_sum(begin_of.begin(), begin_of.end(), begin_of.begin());
     order_.resize(n);
     std::vector<std::size_t> next(begin_of.begin(), begin_of.end() - 1);
     for (std::size_t i = 0; i < n; ++i) {
-        order_[next[cell_of(p, i)[0]]++] = static_cast<std::uint32_t>(i);
+        if (counts(i)) {
+            order_[next[cell_of(p, i)[0]]++] = static_cast<std::uint32_t>(i);
+        }
     }
     parallel_blocks(count_[0], 1, [&](std::size_t slice, std::size_t) {
         for (std::size_t k = begin_of[slice]; k < begin_of[slice + 1]; ++k) {

@@ -8,6 +8,7 @@
 #include "base/due_times.hpp"
 #include "base/interpolation.hpp"
 #include "base/parallel.hpp"
+#include "particles/end_buffers.hpp"
 #include "particles/lattice.hpp"
 #include "statistics/confidence.hpp"
 
@@ -95,6 +96,9 @@ void ProfileSampler::add_particles(const SimulationIn<D>& simulation, std::size_
         return column_ != nullptr ? column_->velocity_at(z) : 0.0;
     };
     for (std::size_t i = begin; i < end; ++i) {
+        if (!in_channel(case_, p.position[0][i])) {
+            continue;
+        }
         const double z = p.position[D - 1][i];
         const double u = p.velocity[0][i];
         const double w = p.velocity[D - 1][i];

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "base/parallel.hpp"
+#include "particles/end_buffers.hpp"
 #include "particles/lattice.hpp"
 #include "record/flow_fields.hpp"
 #include "solver/furthest.hpp"
@@ -35,6 +36,7 @@ struct Totals {
     double side_wall = 0.0, centre = 0.0, centre_mass = 0.0, secondary = 0.0;
     double potential = 0.0, elastic = 0.0, volume = 0.0;
     double fastest = 0.0;
+    std::int64_t particles = 0;
     Furthest upstream;  ///< of -x
     Furthest downstream;
     double s_low = std::numeric_limits<double>::infinity();
@@ -50,6 +52,7 @@ struct Totals {
             this->*sum += other.*sum;
         }
         fastest = std::max(fastest, other.fastest);
+        particles += other.particles;
         upstream.add(other.upstream);
         downstream.add(other.downstream);
         s_low = std::min(s_low, other.s_low);
@@ -82,6 +85,9 @@ Totals sums_over(const SimulationIn<D>& simulation, const Case& c, std::size_t b
     Totals sum;
     sum.layers.resize(static_cast<std::size_t>(lattice.rows));
     for (std::size_t i = begin; i < end; ++i) {
+        if (!in_channel(c, p.position[0][i])) {
+            continue;
+        }
         const double mass = p.mass[i];
         const double z = p.position[D - 1][i];
         const double u = p.velocity[0][i];
@@ -123,6 +129,7 @@ Totals sums_over(const SimulationIn<D>& simulation, const Case& c, std::size_t b
         layer.w += w;
         layer.uu += u * u;
         layer.ww += w * w;
+        ++sum.particles;
         const double phase = 2.0 * std::numbers::pi * z / lattice.dz;
         layer.cosine += std::cos(phase);
         layer.sine += std::sin(phase);
@@ -154,7 +161,8 @@ Totals all_sums(const SimulationIn<D>& simulation, const Case& c) {
 
 TimeSeries::TimeSeries(const Case& c) : case_(c) {
     for (const Field& field : fields_of(fields::time_series)) {
-        if (field.written == every_run || c.channel.dimensions == 3) {
+        const bool written = (field.written & three_dimensions) == 0 || c.channel.dimensions == 3;
+        if (written && ((field.written & with_open_ends) == 0 || c.channel.ends == Ends::open)) {
             columns_.push_back({.field = field, .values = {}});
         }
     }
@@ -179,6 +187,35 @@ double TimeSeries::last(const Field& field) const {
 }
 
 template <int D>
+void TimeSeries::sample_ends(const SimulationIn<D>& simulation) {
+    const OpenEndsState& ends = simulation.clock().open_ends;
+    const Particles<D>& p = simulation.particles();
+    double mass = 0.0;
+    double momentum = 0.0;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        mass += p.mass[i];
+        momentum += p.mass[i] * p.velocity[0][i];
+    }
+    const double width = D == 3 ? case_.channel.simulated_width() : 1.0;
+    const auto add = [&](const Field& field, double value) { values_of(field).push_back(value); };
+    const auto& series = fields::time_series;
+    add(series.inflow_discharge, width * ends.upstream.depth * ends.upstream.velocity);
+    add(series.inflow_depth, ends.upstream.depth);
+    add(series.outflow_discharge, width * ends.downstream.depth * ends.downstream.velocity);
+    add(series.outflow_depth, ends.downstream.depth);
+    add(series.particles_stored, static_cast<double>(p.size()));
+    add(series.particles_entered, static_cast<double>(ends.ledger.entered));
+    add(series.particles_left, static_cast<double>(ends.ledger.left));
+    add(series.particles_lost, static_cast<double>(p.lost.size()));
+    add(series.mass_stored, mass);
+    add(series.mass_entered, ends.ledger.mass_entered);
+    add(series.mass_left, ends.ledger.mass_left);
+    add(series.momentum_stored, momentum);
+    add(series.momentum_entered, ends.ledger.momentum_entered);
+    add(series.momentum_left, ends.ledger.momentum_left);
+}
+
+template <int D>
 void TimeSeries::sample(const SimulationIn<D>& simulation, double mean_level) {
     const Totals sum = all_sums(simulation, case_);
     double fluctuation = 0.0;
@@ -192,7 +229,7 @@ void TimeSeries::sample(const SimulationIn<D>& simulation, double mean_level) {
             order += std::hypot(l.cosine, l.sine);
         }
     }
-    const auto n = static_cast<double>(simulation.particles().size());
+    const auto n = static_cast<double>(sum.particles);
     const double weight = sum.mass * simulation.scheme().streamwise_gravity;
     const auto over_weight = [&](double force) { return weight > 0.0 ? force / weight : 0.0; };
     const auto add = [&](const Field& field, double value) { values_of(field).push_back(value); };
@@ -227,6 +264,9 @@ void TimeSeries::sample(const SimulationIn<D>& simulation, double mean_level) {
     add(series.pressure_power, rates.pressure);
     add(series.further_power, rates.further_forces);
     add(series.solids_power, rates.solids);
+    if (case_.channel.ends == Ends::open) {
+        sample_ends(simulation);
+    }
     if constexpr (D == 3) {
         add(series.side_wall_power, rates.side_drag);
         add(series.side_wall_over_gravity, over_weight(sum.side_wall));

@@ -35,6 +35,9 @@ class TimeSeries {
 
   private:
     [[nodiscard]] std::vector<double>& values_of(const Field& field);
+    /// The account of the open ends.
+    template <int D>
+    void sample_ends(const SimulationIn<D>& simulation);
 
     Case case_;
     std::vector<SeriesColumn> columns_;

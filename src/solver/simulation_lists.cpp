@@ -22,6 +22,9 @@ void SimulationOf<D, Real>::build_lists(bool sort) {
     flow_.data.stress = {};
     flow_.data.pressure = {};
     if (sort) {
+        for (const auto& component : components_) {
+            component->before_lists(flow_);
+        }
         particles.permute(spatial_order<D>(flow_.domain, position_view<D>(particles.position),
                                            flow_.column_width, 0.5 * spacing));
         ++flow_.clock.list_builds;
@@ -52,6 +55,9 @@ void SimulationOf<D, Real>::build_lists(bool sort) {
     loose_ = has_loose_particles();
     flow_.clusters.release_boxes();
     unlisted_ = false;
+    for (const auto& component : components_) {
+        component->lists_built(flow_);
+    }
     allocate();
     flow_.repack();
 }
@@ -143,7 +149,8 @@ bool SimulationOf<D, Real>::displacements_due() const {
 // water, which it does not know either.
 template <int D, class Real>
 bool SimulationOf<D, Real>::lists_valid(double fraction) {
-    if (unlisted_) {
+    if (unlisted_ || std::any_of(components_.begin(), components_.end(),
+                                 [&](const auto& component) { return component->lists_expired(flow_); })) {
         return false;
     }
     const double limit = fraction * displacement_limit();

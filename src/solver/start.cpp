@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "base/error.hpp"
+#include "ends/end_input.hpp"
 #include "particles/lattice.hpp"
 #include "solver/start_perturbation.hpp"
 
@@ -85,6 +86,39 @@ double start_velocity(const Case& c, const Scheme& scheme, const ColumnResult* c
     }
 }
 
+/// The start of a channel with open ends.
+class OpenStart {
+  public:
+    explicit OpenStart(const Case& c)
+        : c_(c), input_(read_end_input(c)), unit_discharge_(start_unit_discharge(c, input_)), depth(start_depths(c, input_)) {}
+
+    [[nodiscard]] double velocity(double x, double z) const {
+        const double water = depth(x);
+        const double mean = c_.start.velocity.value_or(unit_discharge_ / water);
+        switch (c_.start.kind) {
+            case StartKind::rest:
+                return 0.0;
+            case StartKind::uniform:
+                return mean;
+            case StartKind::power_law: {
+                const double m = c_.start.exponent;
+                const double top = c_.start.velocity.value_or(unit_discharge_ / water * (m + 1.0) / m);
+                return top * std::pow(std::max(0.0, z / water), 1.0 / m);
+            }
+            default:
+                return unit_discharge_ / water * input_.shape.at(z / water);
+        }
+    }
+
+  private:
+    const Case& c_;
+    EndInput input_;
+    double unit_discharge_;
+
+  public:
+    std::function<double(double x)> depth;  ///< of all the water, m
+};
+
 }  // namespace
 
 template <int D>
@@ -96,7 +130,9 @@ Particles<D> initial_particles(const Case& c, const Scheme& scheme, const Column
             "[start] kind = \"section\" needs the steady flow over the cross-section, which this case does "
             "not have; choose \"column\", \"rest\" or \"uniform\"");
     }
-    Particles<D> particles = lattice_particles<D>(c);
+    const std::optional<OpenStart> open =
+        c.channel.ends == Ends::open ? std::optional<OpenStart>(c) : std::nullopt;
+    Particles<D> particles = lattice_particles<D>(c, open ? open->depth : std::function<double(double)>());
     const Lattice lattice = lattice_of(c);
     const std::size_t n = particles.size();
     std::vector<double> extra_pressure(n, 0.0);
@@ -119,7 +155,8 @@ Particles<D> initial_particles(const Case& c, const Scheme& scheme, const Column
     }
     const Domain<D> domain = domain_of<D>(c);
     for (std::size_t i = 0; i < n; ++i) {
-        const double surface = still_surface(c, particles.position[0][i], still_height[i]);
+        const double surface = open ? open->depth(particles.position[0][i])
+                                    : still_surface(c, particles.position[0][i], still_height[i]);
         const double hydrostatic = scheme.normal_gravity * (surface - still_height[i]);
         const double s = scheme.state.deviation(hydrostatic + extra_pressure[i]);
         particles.density_deviation[i] = s;
@@ -128,6 +165,8 @@ Particles<D> initial_particles(const Case& c, const Scheme& scheme, const Column
             if constexpr (D == 3) {
                 particles.velocity[0][i] = section(particles.position[1][i], particles.position[2][i]);
             }
+        } else if (open) {
+            particles.velocity[0][i] = open->velocity(particles.position[0][i], particles.position[vertical][i]);
         } else if (c.start.kind != StartKind::taylor_green) {
             particles.velocity[0][i] = start_velocity(c, scheme, column, particles.position[vertical][i]);
         }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <stdexcept>
 #include <type_traits>
 #include <utility>
 
@@ -143,6 +144,9 @@ void add_clock(Content& content, const SimulationIn<D>& simulation) {
     add_field(content, of.time_step, clock.time_step);
     add_field(content, of.largest_acceleration, clock.largest_acceleration);
     add_field(content, of.displacement_bound, clock.displacement_bound);
+    if (clock.open_ends.begun) {
+        add_field(content, fields::state.open_ends, D, clock.open_ends.numbers());
+    }
     if (clock.listed_time > 0.0) {
         add_field(content, of.listed_time, clock.listed_time);
     }
@@ -197,6 +201,13 @@ void restore_state(const CheckpointReader& checkpoint, SimulationIn<D>& simulati
     clock.time_step = number(of.time_step);
     clock.largest_acceleration = number(of.largest_acceleration);
     clock.displacement_bound = number(of.displacement_bound);
+    if (simulation.clock().open_ends.begun) {
+        try {
+            clock.open_ends = OpenEndsState::from(checkpoint.read_doubles(state.open_ends.path()));
+        } catch (const std::invalid_argument& wrong) {
+            throw FileError(fmt::format("the checkpoint's {}: {}", state.open_ends.path(), wrong.what()));
+        }
+    }
     clock.listed_time = present(of.listed_time) ? number(of.listed_time) : 0.0;
     if (D == 3) {
         clock.side_wall_drag_coefficient = number(of.side_wall_drag_coefficient);

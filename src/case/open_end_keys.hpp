@@ -1,0 +1,11 @@
+#pragma once
+
+#include "case/key_table.hpp"
+
+namespace riffle {
+
+/// The keys of [inflow] and of [outflow].
+[[nodiscard]] SectionKeys inflow_keys();
+[[nodiscard]] SectionKeys outflow_keys();
+
+}  // namespace riffle

@@ -1,0 +1,359 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "ends/end_input.hpp"
+#include "ends/inflow_streams.hpp"
+#include "ends/section_state.hpp"
+#include "engine/component.hpp"
+#include "particles/end_buffers.hpp"
+#include "particles/lattice.hpp"
+
+namespace riffle {
+
+/// The open ends of a channel (docs/theory.md 20). Beyond each stands a buffer of ordinary particles, whose
+/// motion and density are those of a section: its depth and velocity follow from what the case gives and from
+/// the characteristics that come out of the channel. Particles are made and taken out when lists are built.
+template <int D, class Real>
+class OpenEnds final : public Component<D, Real> {
+  public:
+    using typename Component<D, Real>::Flow;
+    using typename Component<D, Real>::Task;
+
+    explicit OpenEnds(Flow& flow)
+        : input_(read_end_input(flow.c)),
+          lattice_(lattice_of(flow.c)),
+          length_(flow.c.channel.length),
+          gravity_(flow.scheme.normal_gravity),
+          travel_(end_travel(flow.c)),
+          support_(end_support(flow.c)),
+          watch_(std::ceil(2.0 * flow.c.numerics.smoothing_ratio - 1e-9) * lattice_.dx),
+          streams_(D == 3 ? lattice_.files : 1, lattice_.dx * lattice_.dz, lattice_.dz, -(support_ + travel_)) {
+        flow.inputs.acceleration = true;
+        begin(flow);
+    }
+
+    /// Particles that have left are taken out, those that enter are made.
+    void before_lists(Flow& flow) override {
+        OpenEndsState& state = flow.clock.open_ends;
+        state.travel = 0.0;
+        take_out(flow);
+        streams_.rearrange(state, state.upstream.depth);
+        make(flow);
+    }
+
+    [[nodiscard]] bool lists_expired(const Flow& flow) const override {
+        return flow.clock.open_ends.travel > travel_;
+    }
+
+    /// Which clusters and particles stand at the ends until the next build.
+    void lists_built(const Flow& flow) override {
+        const auto& slots = flow.clusters.slot_position[0];
+        const double upstream = 2.0 * watch_ + 2.0 * travel_;
+        near_end_.assign(flow.clusters.size(), 0);
+        watched_ = {};
+        for (std::size_t cluster = 0; cluster < flow.clusters.size(); ++cluster) {
+            const auto first = static_cast<std::size_t>(flow.clusters.begin[cluster]);
+            const auto count = static_cast<std::size_t>(flow.clusters.count(cluster));
+            for (std::size_t n = 0; n < count; ++n) {
+                const double x = flow.fixed_point.decode(slots[cluster * cluster_size + n], 0);
+                const bool at_start = x < upstream;
+                const bool at_end = x > length_ - upstream;
+                near_end_[cluster] |= static_cast<std::uint8_t>(at_start || at_end);
+                if (at_start) {
+                    watched_[0].push_back(first + n);
+                }
+                if (at_end) {
+                    watched_[1].push_back(first + n);
+                }
+            }
+        }
+    }
+
+    void begin_step(Flow& flow, double dt) override {
+        OpenEndsState& state = flow.clock.open_ends;
+        step_ = dt;
+        const double smoothing = std::min(1.0, dt / (2.0 * watch_ / wave_speed(gravity_, flow.scheme.depth)));
+        const Watched start = watch(flow, 0);
+        const Watched end = watch(flow, 1);
+        const auto smooth = [&](EndState& state_of, const Watched& now, double share) {
+            state_of.watched_depth += share * (now.depth - state_of.watched_depth);
+            state_of.watched_velocity += share * (now.velocity - state_of.watched_velocity);
+        };
+        smooth(state.upstream, start, smoothing);
+        smooth(state.downstream, end, smoothing);
+        follow_upstream(state.upstream, flow.clock.time, dt);
+        follow_downstream(state.downstream, flow.clock.time, dt);
+        shift_ = end.beyond > 0.0 ? state.downstream.velocity - end.velocity_beyond : 0.0;
+        shape_mean_ = input_.shape.mean_of_rows(state.rows);
+        fastest_ = std::max(start.fastest, end.fastest);
+    }
+
+    void begin_evaluation(Flow& /*flow*/, const Stage& stage) override {
+        kick_ = stage.kick < 0.0 ? stage.motion : stage.kick;
+    }
+
+    void complete_gradients(Flow& flow, Task& task, std::size_t begin, std::size_t end) override {
+        for_buffers(flow, begin, end, [&](std::size_t i, std::size_t lane, bool entering) {
+            const double z = flow.particles.position[Flow::vertical][i];
+            const double depth =
+                entering ? flow.clock.open_ends.upstream.depth : flow.clock.open_ends.downstream.depth;
+            flow.particles.density_deviation[i] =
+                flow.scheme.state.deviation(gravity_ * std::max(0.0, depth - z));
+            task.sums.gradient.density_rate[lane] = Real(0);
+            task.sums.gradient.diffusion[lane] = Real(0);
+            task.sums.gradient.regularity[lane] = Real(1);
+        });
+    }
+
+    void add_forces(Flow& flow, Task& task, std::size_t begin, std::size_t end) override {
+        const auto first = static_cast<std::size_t>(flow.clusters.begin[begin]);
+        for_buffers(flow, begin, end, [&](std::size_t i, std::size_t lane, bool entering) {
+            const Vec<D> wanted = entering ? entering_velocity(flow, i) : leaving_velocity(flow, i);
+            for (std::size_t k = 0; k < Flow::axes; ++k) {
+                task.sums.force.tensor[k][lane] = Real(0);
+                task.sums.force.viscous[k][lane] = Real(0);
+                task.particles.acceleration[k][lane] =
+                    (wanted[k] - flow.particles.velocity[k][i]) / kick_ - flow.particle_data.gravity[k];
+            }
+            task.particles.drag[i - first] = 0.0;
+        });
+    }
+
+    void end_step(Flow& flow) override {
+        OpenEndsState& state = flow.clock.open_ends;
+        const EndState& end = state.upstream;
+        streams_.advance(state, step_, [&](int row) { return velocity_of_row(state, row, end); });
+        state.travel += step_ * std::max(fastest_, std::abs(end.velocity) * input_.shape.largest());
+    }
+
+    [[nodiscard]] std::size_t bytes() const override {
+        return near_end_.capacity() + (watched_[0].capacity() + watched_[1].capacity()) * sizeof(std::size_t);
+    }
+
+  private:
+    /// Sums over the water at one end.
+    struct Watched {
+        double depth = 0.0;     ///< within a hat inside of the channel
+        double velocity = 0.0;  ///< so
+        double beyond = 0.0;    ///< volume beyond the end
+        double velocity_beyond = 0.0;
+        double fastest = 0.0;
+    };
+
+    void begin(Flow& flow) {
+        OpenEndsState& state = flow.clock.open_ends;
+        if (state.begun) {
+            return;
+        }
+        state.begun = true;
+        const auto depth = start_depths(flow.c, input_);
+        const double q = flow.c.start.kind == StartKind::rest ? 0.0 : start_unit_discharge(flow.c, input_);
+        const auto at = [&](double x) {
+            EndState end;
+            end.depth = depth(x);
+            end.velocity = q / end.depth;
+            end.watched_depth = end.depth;
+            end.watched_velocity = end.velocity;
+            end.coming = end.velocity - 2.0 * wave_speed(gravity_, end.depth);
+            return end;
+        };
+        state.upstream = at(0.0);
+        state.downstream = at(length_);
+        streams_.begin(state, streams_.rows_for(state.upstream.depth), 0.5 * lattice_.dx);
+    }
+
+    void follow_upstream(EndState& end, double time, double dt) {
+        const double before = end.depth;
+        end.coming = end.watched_velocity - 2.0 * wave_speed(gravity_, end.watched_depth);
+        Section section;
+        if (input_.inflow_depth && input_.unit_discharge) {
+            section.depth = input_.inflow_depth->at(time);
+            section.velocity = input_.unit_discharge->at(time) / section.depth;
+        } else if (input_.inflow_depth) {
+            section = inflow_by_depth(gravity_, input_.inflow_depth->at(time), end.coming);
+        } else {
+            section = inflow_by_discharge(gravity_, input_.unit_discharge->at(time), end.coming);
+        }
+        end.depth = section.depth;
+        end.velocity = section.velocity;
+        end.depth_rate = (end.depth - before) / dt;
+    }
+
+    void follow_downstream(EndState& end, double time, double dt) {
+        const double before = end.depth;
+        const double c = wave_speed(gravity_, end.watched_depth);
+        const double going = end.watched_velocity + 2.0 * c;
+        // Where the flow is supercritical, nothing comes up from outside.
+        if (!input_.outflow_depth || end.watched_velocity >= c) {
+            end.coming = end.watched_velocity - 2.0 * c;
+        }
+        Section section = outflow_between(gravity_, going, end.coming);
+        if (input_.outflow_depth && end.watched_velocity < c) {
+            const double q = end.watched_velocity * end.watched_depth;
+            end.coming += relaxation(gravity_, section, input_.outflow_depth(q, time), input_.relaxation_time, dt);
+            section = outflow_between(gravity_, going, end.coming);
+        }
+        end.depth = section.depth;
+        end.velocity = section.velocity;
+        end.depth_rate = (end.depth - before) / dt;
+    }
+
+    [[nodiscard]] double velocity_of_row(const OpenEndsState& state, int row, const EndState& end) const {
+        return end.velocity * input_.shape.at((row + 0.5) / state.rows) / shape_mean_;
+    }
+
+    [[nodiscard]] Vec<D> entering_velocity(const Flow& flow, std::size_t i) const {
+        const EndState& end = flow.clock.open_ends.upstream;
+        const double place = flow.particles.position[Flow::vertical][i] / end.depth;
+        Vec<D> u{};
+        u[0] = end.velocity * input_.shape.at(place) / shape_mean_;
+        u[Flow::vertical] = place * end.depth_rate;
+        return u;
+    }
+
+    /// What leaves keeps the shape that it has, with the mean of its section; it comes to rest across.
+    [[nodiscard]] Vec<D> leaving_velocity(const Flow& flow, std::size_t i) const {
+        const EndState& end = flow.clock.open_ends.downstream;
+        const double still = std::exp(-step_ * wave_speed(gravity_, end.depth) / watch_);
+        Vec<D> u = vector_of(flow.particles.velocity, i);
+        u[0] += shift_;
+        const double rising = flow.particles.position[Flow::vertical][i] / end.depth * end.depth_rate;
+        for (std::size_t k = 1; k < Flow::axes; ++k) {
+            const double wanted = k == Flow::vertical ? rising : 0.0;
+            u[k] = wanted + still * (u[k] - wanted);
+        }
+        return u;
+    }
+
+    /// f(particle, lane, whether it enters) for the particles of a block that stand in a buffer.
+    template <class F>
+    void for_buffers(const Flow& flow, std::size_t begin, std::size_t end, const F& f) const {
+        for (std::size_t cluster = begin; cluster < end; ++cluster) {
+            if (near_end_[cluster] == 0) {
+                continue;
+            }
+            flow.for_clusters(cluster, cluster + 1, [&](std::size_t first, std::size_t last, std::size_t) {
+                for (std::size_t i = first; i < last; ++i) {
+                    const double x = flow.particles.position[0][i];
+                    if (x < 0.0 || x >= length_) {
+                        f(i, (cluster - begin) * cluster_size + (i - first), x < 0.0);
+                    }
+                }
+            });
+        }
+    }
+
+    /// Depth and velocity within a hat of 2 watch_ beside an end: a row of evenly spaced particles counts alike
+    /// wherever it stands under it.
+    [[nodiscard]] Watched watch(const Flow& flow, std::size_t end) const {
+        const Particles<D>& p = flow.particles;
+        const double breadth = flow.scheme.density * watch_ * (D == 3 ? flow.c.channel.simulated_width() : 1.0);
+        Watched sums;
+        for (const std::size_t i : watched_[end]) {
+            const double x = end == 0 ? p.position[0][i] : length_ - p.position[0][i];
+            const double u = p.velocity[0][i];
+            const double volume = p.mass[i] / (1.0 + p.density_deviation[i]);
+            sums.fastest = std::max(sums.fastest, std::abs(u));
+            if (x <= 0.0) {
+                sums.beyond += volume;
+                sums.velocity_beyond += volume * u;
+            } else if (x < 2.0 * watch_) {
+                const double hat = volume * (1.0 - std::abs(x - watch_) / watch_);
+                sums.depth += hat;
+                sums.velocity += hat * u;
+            }
+        }
+        sums.velocity /= sums.depth > 0.0 ? sums.depth : 1.0;
+        sums.velocity_beyond /= sums.beyond > 0.0 ? sums.beyond : 1.0;
+        sums.depth /= breadth;
+        return sums;
+    }
+
+    void take_out(Flow& flow) {
+        Particles<D>& p = flow.particles;
+        EndsLedger& ledger = flow.clock.open_ends.ledger;
+        const double from = -(support_ + travel_) - 2.0 * lattice_.dx;
+        const double to = length_ + support_;
+        std::vector<std::int32_t> kept;
+        kept.reserve(p.size());
+        for (std::size_t i = 0; i < p.size(); ++i) {
+            if (p.position[0][i] >= from && p.position[0][i] <= to) {
+                kept.push_back(static_cast<std::int32_t>(i));
+                continue;
+            }
+            ++ledger.left;
+            ledger.mass_left += p.mass[i];
+            ledger.momentum_left += p.mass[i] * p.velocity[0][i];
+        }
+        if (kept.size() < p.size()) {
+            p.permute(kept);
+        }
+    }
+
+    void make(Flow& flow) {
+        Particles<D>& p = flow.particles;
+        OpenEndsState& state = flow.clock.open_ends;
+        const EndState& end = state.upstream;
+        shape_mean_ = input_.shape.mean_of_rows(state.rows);
+        std::vector<Vec<D>> places;
+        streams_.fill(state, end.depth, [&](int row, int file, double x) {
+            Vec<D> place{};
+            place[0] = x;
+            if constexpr (D == 3) {
+                place[1] = lattice_.y(file, row);
+            }
+            place[Flow::vertical] = streams_.height_of(row, state.rows, end.depth);
+            places.push_back(place);
+        });
+        if (places.empty()) {
+            return;
+        }
+        const std::size_t first = p.append(places.size());
+        for (std::size_t n = 0; n < places.size(); ++n) {
+            const std::size_t i = first + n;
+            for (std::size_t k = 0; k < Flow::axes; ++k) {
+                p.position[k][i] = places[n][k];
+            }
+            const double z = places[n][Flow::vertical];
+            const double s = flow.scheme.state.deviation(gravity_ * std::max(0.0, end.depth - z));
+            p.density_deviation[i] = s;
+            p.mass[i] = flow.scheme.density * (1.0 + s) * lattice_.volume<D>();
+            const Vec<D> u = entering_velocity(flow, i);
+            for (std::size_t k = 0; k < Flow::axes; ++k) {
+                p.velocity[k][i] = u[k];
+            }
+            ++state.ledger.entered;
+            state.ledger.mass_entered += p.mass[i];
+            state.ledger.momentum_entered += p.mass[i] * u[0];
+        }
+    }
+
+    EndInput input_;
+    Lattice lattice_;
+    double length_, gravity_;
+    double travel_;   ///< of water at an end from list build to list build, m
+    double support_;  ///< water that must stand beyond an end, m
+    double watch_;    ///< half of the stretch beside an end that is watched: whole spacings, m
+    InflowStreams streams_;
+    std::vector<std::uint8_t> near_end_;                ///< by cluster
+    std::array<std::vector<std::size_t>, 2> watched_;  ///< particles at either end
+    // Of the step in progress.
+    double step_ = 0.0;
+    double kick_ = 0.0;        ///< dt of the velocities
+    double shift_ = 0.0;       ///< what the water beyond the outflow is faster than its section, m/s
+    double shape_mean_ = 1.0;  ///< of the profile over the rows
+    double fastest_ = 0.0;     ///< at the ends, m/s
+};
+
+template <int D, class Real>
+std::unique_ptr<Component<D, Real>> make_open_ends(FlowOf<D, Real>& flow) {
+    return flow.c.channel.ends == Ends::open ? std::make_unique<OpenEnds<D, Real>>(flow) : nullptr;
+}
+
+}  // namespace riffle

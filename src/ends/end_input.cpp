@@ -1,0 +1,207 @@
+#include "ends/end_input.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "base/error.hpp"
+#include "base/interpolation.hpp"
+#include "case/flow_kind.hpp"
+#include "case/units.hpp"
+#include "column/twin_channel.hpp"
+#include "ends/section_state.hpp"
+#include "hydraulics/varied_flow.hpp"
+#include "laboratory/profile_record.hpp"
+
+namespace riffle {
+
+namespace {
+
+/// The columns that a discharge may have in a file; both give m2/s.
+std::vector<TableColumn> discharge_columns(const Case& c) {
+    return {{"discharge", "m3/s", 1.0 / c.channel.width}, {"unit_discharge", "m2/s"}};
+}
+
+TimeTable depth_table(const Case& c, const std::optional<double>& depth, const std::filesystem::path& file) {
+    if (depth) {
+        return TimeTable(*depth + c.datum());
+    }
+    constexpr double least = 1e-6;
+    return read_time_table(file, {{"depth", "m", 1.0, c.datum()}}, least);
+}
+
+VelocityShape profile_from_file(const Case& c) {
+    const ProfileRecord record = read_profile_record(c.inflow.profile_file);
+    const ProfileColumn* const velocity = record.find(ProfileQuantity::velocity);
+    if (velocity == nullptr) {
+        throw FileError(fmt::format("{}: there is no column u", c.inflow.profile_file.string()));
+    }
+    std::vector<double> height;
+    double mean = 0.0;
+    for (std::size_t i = 0; i < record.z.size(); ++i) {
+        if (!std::isfinite(velocity->values[i])) {
+            throw FileError(fmt::format("{}: u has no value here; fill the hole or leave the row out",
+                                        record.place(i)));
+        }
+        height.push_back(record.z[i] + c.datum());
+        mean += velocity->values[i];
+    }
+    if (!(mean > 0.0)) {
+        throw FileError(fmt::format("{}: the mean of u is {:g}; it must be above 0",
+                                    c.inflow.profile_file.string(), mean / static_cast<double>(height.size())));
+    }
+    return {height, velocity->values, c.total_depth()};
+}
+
+VelocityShape shape_of(const Case& c, const std::optional<TimeTable>& unit_discharge) {
+    const double depth = c.total_depth();
+    constexpr int points = 400;
+    const auto from_law = [&](const auto& law) {
+        std::vector<double> height;
+        std::vector<double> velocity;
+        for (int i = 0; i < points; ++i) {
+            height.push_back(depth * (i + 0.5) / points);
+            velocity.push_back(law(height.back()));
+        }
+        return VelocityShape(height, velocity, depth);
+    };
+    switch (c.inflow.profile) {
+        case InflowProfile::column: {
+            const double q = unit_discharge && unit_discharge->at(0.0) > 0.0 ? unit_discharge->at(0.0)
+                             : c.streamwise_gravity() > 0.0                  ? uniform_unit_discharge(c)
+                                                                             : 0.1 * depth;
+            const CarryingColumn twin = carrying_column(c, c.channel.depth, q);
+            return {twin.column.profile.z, twin.column.profile.velocity, depth};
+        }
+        case InflowProfile::power_law:
+            return from_law([&](double z) { return std::pow(z / depth, 1.0 / c.inflow.exponent); });
+        case InflowProfile::log_law:
+            return from_law([&](double z) {
+                const double over_datum = std::max(0.0, z - c.datum());
+                return std::log(1.0 + 30.0 * over_datum / c.inflow.equivalent_roughness);
+            });
+        case InflowProfile::file:
+            return profile_from_file(c);
+        case InflowProfile::uniform:
+            break;
+    }
+    return {};
+}
+
+std::function<double(double, double)> outflow_rule(const Case& c) {
+    const Outflow& outflow = c.outflow;
+    const double g = c.normal_gravity();
+    const double datum = c.datum();
+    switch (outflow.kind) {
+        case OutflowKind::depth:
+            return [table = depth_table(c, outflow.depth, outflow.depth_file)](double, double time) {
+                return table.at(time);
+            };
+        case OutflowKind::normal_depth: {
+            const auto depth = normal_depth(twin_channel(c, c.inflow_unit_discharge().value_or(0.0)));
+            return [total = depth.value_or(c.channel.depth) + datum](double, double) { return total; };
+        }
+        case OutflowKind::critical_depth:
+            return [g](double q, double) { return critical_depth_of(g, q); };
+        case OutflowKind::weir:
+            return [g, crest = outflow.weir_height + datum, cd = outflow.weir_coefficient](double q, double) {
+                return crest + std::pow(std::max(0.0, q) * 1.5 / (cd * std::sqrt(2.0 * g)), 2.0 / 3.0);
+            };
+        case OutflowKind::rating_curve: {
+            TwoColumns rating = read_two_columns(outflow.rating_file, {"depth", "m"}, discharge_columns(c), 0.0);
+            if (!std::is_sorted(rating.second.begin(), rating.second.end())) {
+                throw FileError(fmt::format("{}: the discharge does not rise with the depth",
+                                            outflow.rating_file.string()));
+            }
+            return [rating = std::move(rating), datum](double q, double) {
+                return place_in(rating.second, q).in(rating.first) + datum;
+            };
+        }
+        case OutflowKind::free:
+            break;
+    }
+    return {};
+}
+
+double default_relaxation_time(const Case& c) {
+    constexpr double times = 60.0;
+    const double depth = c.total_depth();
+    return std::max(times * std::sqrt(depth / c.normal_gravity()),
+                    c.channel.length / wave_speed(c.normal_gravity(), depth));
+}
+
+}  // namespace
+
+EndInput read_end_input(const Case& c) {
+    EndInput input;
+    if (!c.inflow.discharge_file.empty()) {
+        input.unit_discharge = read_time_table(c.inflow.discharge_file, discharge_columns(c), 0.0);
+    } else if (const auto q = c.inflow_unit_discharge()) {
+        input.unit_discharge = TimeTable(*q);
+    }
+    if (c.inflow.gives_depth()) {
+        input.inflow_depth = depth_table(c, c.inflow.depth, c.inflow.depth_file);
+    }
+    input.shape = shape_of(c, input.unit_discharge);
+    input.outflow_depth = outflow_rule(c);
+    input.relaxation_time = c.outflow.relaxation_time.value_or(default_relaxation_time(c));
+    return input;
+}
+
+double start_unit_discharge(const Case& c, const EndInput& input) {
+    if (input.unit_discharge) {
+        return input.unit_discharge->at(0.0);
+    }
+    return c.streamwise_gravity() > 0.0 && bed_resists(c.bed) ? uniform_unit_discharge(c) : 0.0;
+}
+
+EndExtremes end_extremes(const Case& c, const EndInput& input) {
+    const double g = c.normal_gravity();
+    const double q = input.unit_discharge ? input.unit_discharge->largest() : start_unit_discharge(c, input);
+    EndExtremes extremes{.depth = c.total_depth(), .velocity = 0.0};
+    double least_depth = c.total_depth();
+    if (input.inflow_depth) {
+        extremes.depth = std::max(extremes.depth, input.inflow_depth->largest());
+        least_depth = std::min(least_depth, input.inflow_depth->smallest());
+    }
+    if (c.outflow.kind == OutflowKind::depth) {
+        extremes.depth = std::max(extremes.depth, input.outflow_depth(q, 0.0));
+    } else if (input.outflow_depth) {
+        const double depth = input.outflow_depth(q, 0.0);
+        extremes.depth = std::max(extremes.depth, depth);
+        least_depth = std::min(least_depth, depth);
+    }
+    // Water that rises to carry a flood moves no faster than critical flow, unless it comes in so.
+    const double critical = critical_depth_of(g, q);
+    extremes.depth = std::max(extremes.depth, critical);
+    const double shallow = input.inflow_depth ? least_depth : std::max(least_depth, critical);
+    extremes.velocity = std::max(shallow > 0.0 ? input.shape.largest() * q / shallow : 0.0,
+                                 c.start.velocity.value_or(0.0));
+    return extremes;
+}
+
+std::function<double(double)> start_depths(const Case& c, const EndInput& input) {
+    if (c.start.kind != StartKind::backwater) {
+        return [depth = c.total_depth()](double) { return depth; };
+    }
+    const double q = start_unit_discharge(c, input);
+    const SteadyChannel channel = twin_channel(c, q);
+    ChannelControls controls{.length = c.channel.length, .upstream_depth = {}, .downstream_depth = {}};
+    if (input.inflow_depth) {
+        controls.upstream_depth = input.inflow_depth->at(0.0) - c.datum();
+    }
+    if (input.outflow_depth) {
+        const double critical = critical_depth(channel);
+        controls.downstream_depth = std::max(critical, input.outflow_depth(q, 0.0) - c.datum());
+    }
+    return [flow = std::make_shared<const VariedFlow>(solve_varied_flow(channel, controls)),
+            length = c.channel.length, datum = c.datum()](double x) {
+        return flow->depth_at(std::clamp(x, 0.0, length)) + datum;
+    };
+}
+
+}  // namespace riffle

@@ -1,0 +1,72 @@
+#include "ends/inflow_streams.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace riffle {
+
+int InflowStreams::rows_for(double depth) const {
+    return std::max(1, static_cast<int>(std::lround(depth / row_height_)));
+}
+
+void InflowStreams::begin(OpenEndsState& state, int rows, double front) const {
+    state.rows = rows;
+    state.front.assign(static_cast<std::size_t>(rows) * static_cast<std::size_t>(files_), front);
+}
+
+void InflowStreams::advance(OpenEndsState& state, double dt,
+                            const std::function<double(int)>& velocity) const {
+    for (int row = 0; row < state.rows; ++row) {
+        const double way = dt * velocity(row);
+        for (int file = 0; file < files_; ++file) {
+            front(state, row, file) += way;
+        }
+    }
+}
+
+void InflowStreams::rearrange(OpenEndsState& state, double depth) const {
+    constexpr double most = 0.7;  // of a row: a depth that wavers about a half does not change it again and again
+    if (std::abs(depth / row_height_ - state.rows) <= most) {
+        return;
+    }
+    const int rows = rows_for(depth);
+    OpenEndsState next = state;
+    begin(next, rows, 0.0);
+    // The water ends half a particle behind the last one; the mean of that edge over the height of each new row.
+    const double before = 0.5 * length(state.rows, depth);
+    const double after = 0.5 * length(rows, depth);
+    for (int row = 0; row < rows; ++row) {
+        for (int old = 0; old < state.rows; ++old) {
+            const double from = std::max(row * 1.0 / rows, old * 1.0 / state.rows);
+            const double to = std::min((row + 1.0) / rows, (old + 1.0) / state.rows);
+            if (to > from) {
+                for (int file = 0; file < files_; ++file) {
+                    front(next, row, file) += (to - from) * rows * (front(state, old, file) - before);
+                }
+            }
+        }
+        for (int file = 0; file < files_; ++file) {
+            front(next, row, file) += after;
+        }
+    }
+    state = next;
+}
+
+void InflowStreams::fill(OpenEndsState& state, double depth,
+                         const std::function<void(int, int, double)>& add) const {
+    const double step = length(state.rows, depth);
+    for (int row = 0; row < state.rows; ++row) {
+        for (int file = 0; file < files_; ++file) {
+            double& last = front(state, row, file);
+            while (last < upstream_edge_ - step) {
+                last += step;
+            }
+            while (last > upstream_edge_) {
+                last -= step;
+                add(row, file, last);
+            }
+        }
+    }
+}
+
+}  // namespace riffle

@@ -1,0 +1,81 @@
+#include "ends/open_ends_state.hpp"
+
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+namespace riffle {
+
+namespace {
+
+/// f(number) for each number of an end.
+template <class End, class F>
+void for_each_number(End& end, const F& f) {
+    for (auto* const number : {&end.watched_depth, &end.watched_velocity, &end.depth, &end.velocity,
+                               &end.depth_rate, &end.coming}) {
+        f(*number);
+    }
+}
+
+template <class Ledger, class F>
+void for_each_amount(Ledger& ledger, const F& f) {
+    for (auto* const amount :
+         {&ledger.mass_entered, &ledger.mass_left, &ledger.momentum_entered, &ledger.momentum_left}) {
+        f(*amount);
+    }
+}
+
+constexpr std::size_t fixed_numbers = 20;
+
+}  // namespace
+
+std::vector<double> OpenEndsState::numbers() const {
+    std::vector<double> all;
+    if (!begun) {
+        return all;
+    }
+    const auto add = [&all](double number) { all.push_back(number); };
+    add(travel);
+    add(rows);
+    add(static_cast<double>(ledger.entered));
+    add(static_cast<double>(ledger.left));
+    for_each_amount(ledger, add);
+    for_each_number(upstream, add);
+    for_each_number(downstream, add);
+    all.insert(all.end(), front.begin(), front.end());
+    return all;
+}
+
+OpenEndsState OpenEndsState::from(const std::vector<double>& numbers) {
+    OpenEndsState state;
+    if (numbers.empty()) {
+        return state;
+    }
+    if (numbers.size() < fixed_numbers) {
+        throw std::invalid_argument("too few numbers for the state of open ends");
+    }
+    std::size_t next = 0;
+    const auto take = [&](double& number) { number = numbers[next++]; };
+    std::array<double, 3> whole{};
+    take(state.travel);
+    for (double& number : whole) {
+        take(number);
+        if (!(number >= 0.0 && number < 9e15 && number == std::floor(number))) {
+            throw std::invalid_argument("a count of the open ends is no whole number");
+        }
+    }
+    state.rows = static_cast<int>(whole[0]);
+    state.ledger.entered = static_cast<std::int64_t>(whole[1]);
+    state.ledger.left = static_cast<std::int64_t>(whole[2]);
+    for_each_amount(state.ledger, take);
+    for_each_number(state.upstream, take);
+    for_each_number(state.downstream, take);
+    state.front.assign(numbers.begin() + static_cast<std::ptrdiff_t>(next), numbers.end());
+    if (state.rows == 0 || state.front.size() % static_cast<std::size_t>(state.rows) != 0) {
+        throw std::invalid_argument("the streams of the inflow do not fill its rows");
+    }
+    state.begun = true;
+    return state;
+}
+
+}  // namespace riffle

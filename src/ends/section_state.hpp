@@ -1,0 +1,36 @@
+#pragma once
+
+namespace riffle {
+
+// The state of the water over a section at an open end, from the characteristics of shallow water: along
+// dx/dt = U + c goes U + 2 c, along dx/dt = U - c goes U - 2 c, c = sqrt(g h) (Henderson 1966, chapter 8).
+
+/// Depth (m, of the whole water) and depth-mean velocity (m/s) of a section.
+struct Section {
+    double depth = 0.0;
+    double velocity = 0.0;
+};
+
+/// Speed of long waves, m/s.
+[[nodiscard]] double wave_speed(double gravity, double depth);
+
+/// Depth of critical flow with a discharge, m: (q^2/g)^(1/3).
+[[nodiscard]] double critical_depth_of(double gravity, double unit_discharge);
+
+/// Subcritical section at the upstream end with a discharge (m2/s), where the invariant U - 2 c = `coming`
+/// comes up the channel. Not shallower than critical flow: below that nothing comes up.
+[[nodiscard]] Section inflow_by_discharge(double gravity, double unit_discharge, double coming);
+
+/// The same with a depth.
+[[nodiscard]] Section inflow_by_depth(double gravity, double depth, double coming);
+
+/// Section at the downstream end between the invariants `going` = U + 2 c, which comes down the channel, and
+/// `coming` = U - 2 c, which enters there.
+[[nodiscard]] Section outflow_between(double gravity, double going, double coming);
+
+/// Change of the invariant `coming` in dt (s) that brings the depth of the outflow to `depth` within the
+/// relaxation time (s): dR/dt = 2 sqrt(g/h) (h - depth)/time. Of a wave of the period T it throws back
+/// 1/sqrt(1 + (2 pi time/T)^2) of its height.
+[[nodiscard]] double relaxation(double gravity, const Section& now, double depth, double time, double dt);
+
+}  // namespace riffle

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "case/case.hpp"
+
+namespace riffle {
+
+// The water beyond the ends of an open channel: buffers of ordinary particles whose motion the ends prescribe.
+
+/// Way that water may go at an end from one list build to the next, m: particles are made and taken out at list
+/// builds.
+[[nodiscard]] inline double end_travel(const Case& c) { return 2.0 * c.numerics.spacing; }
+
+/// Water that must stand beyond an end, m: what the kernels of the channel reach, with all that these particles'
+/// own sums need.
+[[nodiscard]] inline double end_support(const Case& c) {
+    return 4.0 * c.numerics.smoothing_ratio * c.numerics.spacing;
+}
+
+/// Longest that a buffer becomes, m; 0 where the ends are not open.
+[[nodiscard]] inline double buffer_length(const Case& c) {
+    return c.channel.ends == Ends::open ? end_support(c) + end_travel(c) + c.numerics.spacing : 0.0;
+}
+
+/// Whether a place along the channel is in it: what stands beyond an open end counts in no mean.
+[[nodiscard]] inline bool in_channel(const Case& c, double x) {
+    return c.channel.ends != Ends::open || (x >= 0.0 && x < c.channel.length);
+}
+
+}  // namespace riffle

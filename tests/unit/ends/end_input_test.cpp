@@ -1,0 +1,131 @@
+#include "ends/end_input.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <string>
+
+#include "base/error.hpp"
+#include "ends/section_state.hpp"
+#include "temporary_folder.hpp"
+
+namespace riffle {
+namespace {
+
+const std::string channel = R"(
+[channel]
+slope = 0.004
+depth = "50 mm"
+length = "600 mm"
+ends = "open"
+[bed]
+kind = "spheres"
+roughness_height = "0.4 D"
+[run]
+until = "10 s"
+)";
+
+Case open_case(const std::string& ends) { return parse_case(channel + ends, "test"); }
+
+std::string message_of(const Case& c) {
+    try {
+        (void)read_end_input(c);
+    } catch (const std::exception& error) {
+        return error.what();
+    }
+    return "";
+}
+
+class EndFiles : public ::testing::Test {
+  protected:
+    std::filesystem::path write(const std::string& name, const std::string& text) {
+        const std::filesystem::path path = folder_.path() / name;
+        std::ofstream(path) << text;
+        return path;
+    }
+    test::TemporaryFolder folder_;
+};
+
+TEST(EndInput, TheTwinsProfileHasTheDischarge) {
+    const EndInput input = read_end_input(open_case("[inflow]\nunit_discharge = \"0.0174 m2/s\"\n"));
+    EXPECT_NEAR(input.shape.mean_of_rows(1000), 1.0, 1e-4);
+    EXPECT_LT(input.shape.at(0.05), 0.2);   // among the spheres
+    EXPECT_GT(input.shape.at(0.95), 1.25);  // and at the surface
+}
+
+TEST(EndInput, TheNormalDepthIsThatOfTheUniformFlow) {
+    const Case c = open_case("[inflow]\ndischarge = \"7.992 l/s\"\n");
+    EXPECT_NEAR(*c.inflow_unit_discharge(), 0.007992 / 0.459, 1e-12);
+    // riffle backwater: the normal depth of this discharge is that of the case, 50 mm over the datum.
+    EXPECT_NEAR(read_end_input(c).outflow_depth(0.0, 0.0), c.total_depth(), 1e-5);
+}
+
+TEST(EndInput, EachKindOfOutflowHasItsDepth) {
+    const auto depth = [](const std::string& outflow, double q) {
+        return read_end_input(open_case("[inflow]\nunit_discharge = \"0.02 m2/s\"\n[outflow]\n" + outflow))
+            .outflow_depth(q, 3.0);
+    };
+    const double g = open_case("[inflow]\nunit_discharge = \"0.02 m2/s\"\n").normal_gravity();
+    EXPECT_NEAR(depth("kind = \"depth\"\ndepth = \"80 mm\"\n", 0.02), 0.086, 1e-12);
+    EXPECT_NEAR(depth("kind = \"critical-depth\"\n", 0.02), std::cbrt(0.0004 / g), 1e-12);
+    // The head over the crest: q = (2/3) C_d sqrt(2 g) head^1.5.
+    const double head = depth("kind = \"weir\"\nweir_height = \"40 mm\"\nweir_coefficient = 0.6\n", 0.02) - 0.046;
+    EXPECT_NEAR(2.0 / 3.0 * 0.6 * std::sqrt(2.0 * g) * std::pow(head, 1.5), 0.02, 1e-12);
+    EXPECT_FALSE(read_end_input(open_case("[inflow]\nunit_discharge = \"0.02 m2/s\"\n[outflow]\nkind = \"free\"\n"))
+                     .outflow_depth);
+}
+
+TEST_F(EndFiles, AHydrographIsReadInItsUnits) {
+    Case c = open_case("[inflow]\nunit_discharge = \"0.02 m2/s\"\n[outflow]\nkind = \"free\"\n");
+    c.inflow.unit_discharge.reset();
+    c.inflow.discharge_file = write("flood.csv", "time [s],discharge [l/s]\n0,4.59\n10,9.18\n");
+    const EndInput input = read_end_input(c);
+    EXPECT_NEAR(input.unit_discharge->at(0.0), 0.01, 1e-12);
+    EXPECT_NEAR(input.unit_discharge->at(5.0), 0.015, 1e-12);
+    EXPECT_NEAR(input.unit_discharge->at(50.0), 0.02, 1e-12);
+}
+
+TEST_F(EndFiles, WrongFilesAreToldWithTheirPlace) {
+    Case c = open_case("[inflow]\nunit_discharge = \"0.02 m2/s\"\n[outflow]\nkind = \"free\"\n");
+    c.inflow.unit_discharge.reset();
+    c.inflow.discharge_file = write("late.csv", "time,unit_discharge\n2,0.01\n3,0.01\n");
+    EXPECT_THAT(message_of(c), ::testing::HasSubstr("begins at 2 s"));
+    c.inflow.discharge_file = write("back.csv", "time,unit_discharge\n0,0.01\n3,0.01\n3,0.02\n");
+    EXPECT_THAT(message_of(c), ::testing::HasSubstr("back.csv:4"));
+    c.inflow.discharge_file = write("names.csv", "time,flow\n0,0.01\n");
+    EXPECT_THAT(message_of(c), ::testing::HasSubstr("no column discharge or unit_discharge"));
+    c.inflow.discharge_file = write("below.csv", "time,unit_discharge\n0,0.01\n3,-0.01\n");
+    EXPECT_THAT(message_of(c), ::testing::HasSubstr("below.csv:3"));
+    c.inflow.discharge_file = write("hole.csv", "time,unit_discharge\n0,0.01\n3,\n");
+    EXPECT_THAT(message_of(c), ::testing::HasSubstr("hole.csv:3"));
+    Case other = open_case("[inflow]\nunit_discharge = \"0.02 m2/s\"\n[outflow]\nkind = \"free\"\n");
+    other.inflow.profile = InflowProfile::file;
+    other.inflow.profile_file = write("profile.csv", "z,u\n0.01,0.1\n0.02,\n0.03,0.3\n");
+    EXPECT_THAT(message_of(other), ::testing::HasSubstr("profile.csv:3"));
+}
+
+TEST_F(EndFiles, ARatingCurveGivesTheDepth) {
+    Case c = open_case("[inflow]\nunit_discharge = \"0.02 m2/s\"\n[outflow]\nkind = \"free\"\n");
+    c.outflow.kind = OutflowKind::rating_curve;
+    c.outflow.rating_file = write("rating.csv", "depth [mm],unit_discharge\n20,0\n60,0.02\n");
+    EXPECT_NEAR(read_end_input(c).outflow_depth(0.01, 0.0), 0.046, 1e-12);
+    c.outflow.rating_file = write("falls.csv", "depth [mm],unit_discharge\n20,0.02\n60,0.01\n");
+    EXPECT_THAT(message_of(c), ::testing::HasSubstr("does not rise"));
+}
+
+// Varied flow at the start: deep where the outflow is dammed, near the normal depth far from it.
+TEST(EndInput, ABackwaterStartsOnItsCurve) {
+    const Case c = open_case(
+        "[inflow]\nunit_discharge = \"0.017411 m2/s\"\n[outflow]\nkind = \"depth\"\ndepth = \"60 mm\"\n"
+        "[start]\nkind = \"backwater\"\n");
+    const auto depth = start_depths(c, read_end_input(c));
+    EXPECT_NEAR(depth(0.6), 0.066, 1e-9);
+    // The surface is nearly level: the bed falls by 2.4 mm, the depth by nearly as much less.
+    EXPECT_LT(depth(0.0), 0.0653);
+    EXPECT_GT(depth(0.0), 0.0636);
+}
+
+}  // namespace
+}  // namespace riffle

@@ -1,0 +1,98 @@
+#include "ends/section_state.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace riffle {
+namespace {
+
+constexpr double gravity = 9.81;
+
+double coming(const Section& section) {
+    return section.velocity - 2.0 * wave_speed(gravity, section.depth);
+}
+double going(const Section& section) { return section.velocity + 2.0 * wave_speed(gravity, section.depth); }
+
+// Where the channel already carries the discharge, an end changes nothing: whatever the depth.
+TEST(SectionState, UniformFlowStaysAsItIs) {
+    for (const double froude : {0.05, 0.3, 0.6, 0.95}) {
+        for (const double depth : {0.01, 0.056, 2.0}) {
+            const Section channel{depth, froude * wave_speed(gravity, depth)};
+            const Section inflow =
+                inflow_by_discharge(gravity, channel.depth * channel.velocity, coming(channel));
+            EXPECT_NEAR(inflow.depth / depth, 1.0, 1e-10) << froude;
+            EXPECT_NEAR(inflow.velocity / channel.velocity, 1.0, 1e-10);
+            const Section outflow = outflow_between(gravity, going(channel), coming(channel));
+            EXPECT_NEAR(outflow.depth / depth, 1.0, 1e-12);
+            EXPECT_NEAR(outflow.velocity / channel.velocity, 1.0, 1e-12);
+            EXPECT_NEAR(inflow_by_depth(gravity, depth, coming(channel)).velocity / channel.velocity, 1.0, 1e-12);
+        }
+    }
+}
+
+TEST(SectionState, InflowCarriesItsDischargeWhateverComesUpTheChannel) {
+    const double q = 0.02;
+    for (const double invariant : {-3.0, -2.0, -1.5, -1.0, -0.5, 0.0, 1.0}) {
+        const Section section = inflow_by_discharge(gravity, q, invariant);
+        EXPECT_NEAR(section.depth * section.velocity / q, 1.0, 1e-12) << invariant;
+        EXPECT_GE(section.depth, critical_depth_of(gravity, q) * (1.0 - 1e-12)) << invariant;
+    }
+}
+
+TEST(SectionState, WaterAtRestFlowsInNowhere) {
+    const double depth = 0.1;
+    const Section rest{depth, 0.0};
+    const Section section = inflow_by_discharge(gravity, 0.0, coming(rest));
+    EXPECT_NEAR(section.depth, depth, 1e-12);
+    EXPECT_EQ(section.velocity, 0.0);
+}
+
+TEST(SectionState, CriticalFlowHasTheSpeedOfItsWaves) {
+    const double q = 0.0435;
+    const double depth = critical_depth_of(gravity, q);
+    EXPECT_NEAR(q / depth, wave_speed(gravity, depth), 1e-12);
+}
+
+// The depth goes to what rules it, by e in each relaxation time.
+TEST(SectionState, RelaxationBringsTheDepthHome) {
+    const double wanted = 0.05;
+    const double time = 2.0;
+    Section now{0.055, 0.3};
+    const double going_down = going(now);
+    double invariant = coming(now);
+    const double dt = 1e-3;
+    for (double t = 0.0; t < time - 0.5 * dt; t += dt) {
+        invariant += relaxation(gravity, now, wanted, time, dt);
+        now = outflow_between(gravity, going_down, invariant);
+    }
+    // To the share by which the wave's speed changes with the depth.
+    EXPECT_NEAR((now.depth - wanted) / 0.005, std::exp(-1.0), 0.02);
+}
+
+// What a wave of the period T throws back: 1/sqrt(1 + (2 pi time/T)^2).
+TEST(SectionState, ALongerRelaxationThrowsLessOfAWaveBack) {
+    const double depth = 0.056;
+    const double time = 4.0;
+    for (const double period : {0.5, 1.0, 4.0}) {
+        Section now{depth, 0.0};
+        const double still = coming(now);
+        double invariant = still;
+        double most = 0.0;
+        const double dt = 1e-4 * period;
+        const double amplitude = 1e-4;
+        for (int i = 0; i < 200000; ++i) {
+            const double wave = amplitude * std::sin(2.0 * M_PI * i * dt / period);
+            invariant += relaxation(gravity, now, depth, time, dt);
+            now = outflow_between(gravity, 2.0 * wave_speed(gravity, depth) + wave, invariant);
+            if (i > 190000) {
+                most = std::max(most, std::abs(invariant - still));
+            }
+        }
+        const double expected = 1.0 / std::sqrt(1.0 + std::pow(2.0 * M_PI * time / period, 2));
+        EXPECT_NEAR(most / amplitude / expected, 1.0, 0.05) << period;
+    }
+}
+
+}  // namespace
+}  // namespace riffle
