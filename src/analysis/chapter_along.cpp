@@ -9,7 +9,11 @@
 #include "analysis/bodies.hpp"
 #include "analysis/chapters.hpp"
 #include "analysis/figure_tools.hpp"
+#include "base/error.hpp"
 #include "base/not_a_number.hpp"
+#include "case/flow_kind.hpp"
+#include "ends/end_input.hpp"
+#include "record/flow_fields.hpp"
 #include "statistics/confidence.hpp"
 
 namespace riffle {
@@ -124,6 +128,65 @@ void add_velocity(const LongProfile& profile, const Heads& heads, Analysis& anal
                                              "largest Froude number along the channel", "1", most));
 }
 
+/// The curve of steady varied flow between what the ends give, beside the levels, and how far off they are.
+void compare_with_varied_flow(const FlowRecord& record, const LongProfile& profile, Figure& figure,
+                              Analysis& analysis) {
+    const Case& c = *record.flow();
+    if (!c.solids.empty() || !bed_resists(c.bed) || !c.inflow_unit_discharge()) return;
+    std::vector<double> depth;
+    try {
+        const auto varied = varied_depths(c, read_end_input(c));
+        for (const double x : profile.x) depth.push_back(varied(x));
+    } catch (const Error& error) {
+        analysis.warnings.push_back(std::string("no steady varied flow to compare with: ") + error.what());
+        return;
+    }
+    figure.curves.push_back(
+        make_curve("steady varied flow (riffle backwater)", Origin::theory, Mark::line, profile.x, depth, 2));
+    double most = 0.0;
+    double at = 0.0;
+    for (std::size_t i = 0; i < depth.size(); ++i) {
+        const double share = (profile.level[i] - depth[i]) / depth[i];
+        if (std::isfinite(share) && std::abs(share) > std::abs(most)) {
+            most = share;
+            at = profile.x[i];
+        }
+    }
+    Finding finding = make_finding(chapters::along, "backwater_departure",
+                                   "largest departure of the mean level from steady varied flow, over its depth",
+                                   "1", most);
+    finding.remark = fmt::format("at x = {:.4g} mm", 1000.0 * at);
+    analysis.findings.push_back(std::move(finding));
+}
+
+/// What crosses the ends, and how deep the water is there.
+void add_ends(const FlowRecord& record, Analysis& analysis) {
+    const SeriesTable& series = record.series();
+    const auto& of = fields::time_series;
+    if (!series.has(of.inflow_discharge)) return;
+    constexpr std::size_t most = 3000;
+    const std::vector<double> time = thinned(series[of.time], most);
+    const bool space = record.flow()->channel.dimensions == 3;
+    Figure discharge = make_figure(chapters::along, "end_discharges", "Discharge at the ends",
+                                   "What enters the channel, and what the section at the outflow carries.", "",
+                                   make_axis("time t", "s"),
+                                   space ? make_axis("discharge", "m3/s")
+                                         : make_axis("discharge per unit width", "m2/s"));
+    Figure depth = make_figure(chapters::along, "end_depths", "Depth at the ends",
+                               "Height of the water over the bed level of the sections that rule the ends.", "",
+                               make_axis("time t", "s"), make_axis("depth", "m"));
+    const auto add = [&](Figure& figure, const char* label, const Field& field, int variant) {
+        figure.curves.push_back(make_curve(label, Origin::simulated, Mark::line, time,
+                                           thinned(series[field], most), variant));
+    };
+    add(discharge, "inflow", of.inflow_discharge, 0);
+    add(discharge, "outflow", of.outflow_discharge, 1);
+    add(depth, "inflow", of.inflow_depth, 0);
+    add(depth, "outflow", of.outflow_depth, 1);
+    analysis.figures.push_back(std::move(discharge));
+    analysis.figures.push_back(std::move(depth));
+}
+
 }  // namespace
 
 void analyse_along(const FlowRecord& record, Analysis& analysis) {
@@ -162,6 +225,8 @@ void analyse_along(const FlowRecord& record, Analysis& analysis) {
     figure.curves.push_back(
         make_curve("highest level", Origin::reference, Mark::line, profile.x, profile.highest, 2));
 
+    if (c.channel.ends == Ends::open) compare_with_varied_flow(record, profile, figure, analysis);
+
     const std::optional<MeanEstimate> discharge = unit_discharge(record);
     std::optional<Heads> heads;
     if (discharge) {
@@ -182,6 +247,7 @@ void analyse_along(const FlowRecord& record, Analysis& analysis) {
     add_extreme(profile, true, analysis);
     add_extreme(profile, false, analysis);
     if (heads) add_velocity(profile, *heads, analysis);
+    if (c.channel.ends == Ends::open) add_ends(record, analysis);
 }
 
 }  // namespace riffle

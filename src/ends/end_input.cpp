@@ -188,6 +188,10 @@ std::function<double(double)> start_depths(const Case& c, const EndInput& input)
     if (c.start.kind != StartKind::backwater) {
         return [depth = c.total_depth()](double) { return depth; };
     }
+    return varied_depths(c, input);
+}
+
+std::function<double(double)> varied_depths(const Case& c, const EndInput& input) {
     const double q = start_unit_discharge(c, input);
     const SteadyChannel channel = twin_channel(c, q);
     ChannelControls controls{.length = c.channel.length, .upstream_depth = {}, .downstream_depth = {}};

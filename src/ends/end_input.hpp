@@ -34,6 +34,10 @@ struct EndExtremes {
 };
 [[nodiscard]] EndExtremes end_extremes(const Case& c, const EndInput& input);
 
+/// Total depth of the steady varied flow between the ends as they are at t = 0 (riffle backwater), m. Throws
+/// InputError where there is none.
+[[nodiscard]] std::function<double(double x)> varied_depths(const Case& c, const EndInput& input);
+
 /// Total depth of the start along a channel with open ends.
 [[nodiscard]] std::function<double(double x)> start_depths(const Case& c, const EndInput& input);
 

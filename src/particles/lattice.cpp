@@ -34,6 +34,11 @@ Lattice lattice_of(const Case& c) {
     return lattice;
 }
 
+RowsBelow rows_below(const Lattice& lattice, double surface) {
+    const int rows = std::max(1, static_cast<int>(std::lround(surface / lattice.dz)));
+    return {rows, surface / rows};
+}
+
 double still_surface(const Case& c, double x, double z) {
     return c.start.water_x.empty() ? c.total_depth()
                                    : ceiling_above({c.start.water_x, c.start.water_z}, x, z);
@@ -156,21 +161,21 @@ Particles<D> lattice_particles(const Case& c, const std::function<double(double)
     // Water beyond an open end; what enters at the other one is made by the flow.
     const int columns =
         lattice.columns + (c.channel.ends == Ends::open ? static_cast<int>(end_support(c) / lattice.dx) : 0);
-    if (surface) {
-        for (int column = 0; column < columns; ++column) {
-            rows = std::max(rows, static_cast<int>(std::ceil(surface(lattice.x(column, 0)) / lattice.dz)));
-        }
+    std::vector<RowsBelow> below;  // by column
+    for (int column = 0; surface && column < columns; ++column) {
+        below.push_back(rows_below(lattice, surface(lattice.x(column, 0))));
+        rows = std::max(rows, below.back().rows);
     }
-    const bool everywhere = c.start.water_x.empty() && c.solids.empty() && !surface;
+    const auto height = [&](int column, int row) {
+        return surface ? (row + 0.5) * below[static_cast<std::size_t>(column)].height : lattice.z(row);
+    };
+    const bool everywhere = c.start.water_x.empty() && c.solids.empty();
     const WetPlaces wet(c);
     const auto is_wet = [&](int column, int file, int row) {
-        if (surface && lattice.z(row) >= surface(lattice.x(column, row))) {
-            return false;
-        }
         if constexpr (D == 2) {
-            return wet.contain(lattice.x(column, row), lattice.z(row));
+            return wet.contain(lattice.x(column, row), height(column, row));
         } else {
-            return wet.contain(Point3{lattice.x(column, row), lattice.y(file, row), lattice.z(row)});
+            return wet.contain(Point3{lattice.x(column, row), lattice.y(file, row), height(column, row)});
         }
     };
     constexpr double takes_a_while = 2e6;
@@ -190,7 +195,8 @@ Particles<D> lattice_particles(const Case& c, const std::function<double(double)
     std::size_t i = 0;
     for (int column = 0; column < columns; ++column) {
         for (int file = 0; file < files; ++file) {
-            for (int row = 0; row < rows; ++row) {
+            const int rows_here = surface ? below[static_cast<std::size_t>(column)].rows : rows;
+            for (int row = 0; row < rows_here; ++row) {
                 if (!everywhere && !is_wet(column, file, row)) {
                     continue;
                 }
@@ -198,7 +204,7 @@ Particles<D> lattice_particles(const Case& c, const std::function<double(double)
                 if constexpr (D == 3) {
                     particles.position[1][i] = lattice.y(file, row);
                 }
-                particles.position[D - 1][i] = lattice.z(row);
+                particles.position[D - 1][i] = height(column, row);
                 if (c.start.jitter > 0.0) {
                     particles.position[0][i] += displacement(lattice.dx);
                     if constexpr (D == 3) {

@@ -47,6 +47,14 @@ struct Lattice {
 };
 [[nodiscard]] Lattice lattice_of(const Case& c);
 
+/// Rows of the lattice below a surface that stands at another height than its own: as many as fit best, drawn
+/// out or together to end at it.
+struct RowsBelow {
+    int rows = 0;
+    double height = 0.0;  ///< of each, m
+};
+[[nodiscard]] RowsBelow rows_below(const Lattice& lattice, double surface);
+
 /// Domain of a case: periodic axes as the case says, margins for the walls and for the moving surface.
 template <int D = 2>
 [[nodiscard]] Domain<D> domain_of(const Case& c);
@@ -59,7 +67,7 @@ template <int D = 2>
 /// density deviation and mass are left at zero. In two dimensions those inside of the outline of the water,
 /// where the start gives one, and not in or closer than a quarter of the spacing to a solid. In three
 /// dimensions those in a solid are the wall particles' places (boundary/wall.hpp). `surface`: height of the
-/// water along the channel, m; not given, the depth of the case. Behind an open end at x = L there is water as
+/// water along the channel, m, to which the rows of each column reach (rows_below); not given, the depth of the case. Behind an open end at x = L there is water as
 /// well, as far as the kernels of the channel see.
 template <int D = 2>
 [[nodiscard]] Particles<D> lattice_particles(const Case& c, const std::function<double(double x)>& surface = {});

@@ -23,7 +23,8 @@ class ChannelRows : public DiagnosticRows {
         : DiagnosticRows(data, analysis),
           stirred_(data.flow.stirring.acceleration > 0),
           space_(data.flow.channel.dimensions == 3),
-          bodies_(!data.flow.solids.empty()) {}
+          bodies_(!data.flow.solids.empty()),
+          open_(data.flow.channel.ends == Ends::open) {}
 
     void interval() {
         const auto mean = value(fields::summary.depth_mean_velocity);
@@ -94,7 +95,8 @@ class ChannelRows : public DiagnosticRows {
 
     void budget() {
         const auto drag = value(fields::summary.drag_over_gravity);
-        if (!drag || data_.flow.channel.slope <= 0) return;
+        // At open ends the water on either side pushes too.
+        if (!drag || data_.flow.channel.slope <= 0 || open_) return;
         const double wall = value(fields::summary.wall_over_gravity).value_or(0.0);
         const double share = *drag + wall + value(fields::summary.side_wall_over_gravity).value_or(0.0);
         add({"force_budget",
@@ -125,7 +127,7 @@ class ChannelRows : public DiagnosticRows {
 
     void spurious_stress() {
         const auto share = value(fields::summary.spurious_stress_rms);
-        if (!share) return;
+        if (!share || open_) return;
         const double bar = space_ ? 0.01 : stirred_ ? 0.015 : 0.005;
         add({"spurious_stress",
              bodies_ ? "Spurious shear stress of the pressure, above the bodies"
@@ -140,7 +142,7 @@ class ChannelRows : public DiagnosticRows {
 
     void stress_error() {
         const auto share = value(fields::summary.stress_error_rms);
-        if (!share || bodies_) return;
+        if (!share || bodies_ || open_) return;
         const double bar = space_ ? 0.035 : 0.015;
         add({"stress_error", "Total shear stress against the analytic line",
              percent(*share) + " of the stress at the crests", "at most " + percent(bar, 1),
@@ -193,9 +195,49 @@ class ChannelRows : public DiagnosticRows {
              fmt::format("{:+.3f} ± {:.3f} mm per minute", 1000 * trend.slope * minute,
                          1000 * trend.half_width * minute),
              fmt::format("at most {:.2f} mm per minute, 0.5 % of the depth", 1000 * bar * depth),
-             "Water is neither lost nor added, so the level must stay. A drift means that the particles' "
-             "volume changes.",
-             mark_of(std::abs(trend.slope) * minute / depth, bar, trend.half_width * minute / depth)});
+             open_ ? "Where as much water enters as leaves, the level stays. A drift means that the flow is still on "
+                     "its way, or that what enters or rules the outflow changes."
+                   : "Water is neither lost nor added, so the level must stay. A drift means that the particles' "
+                     "volume changes.",
+             changes_in_time() ? Health::none : mark_of(std::abs(trend.slope) * minute / depth, bar, trend.half_width * minute / depth)});
+    }
+
+    /// Particles that are stored, have entered, left or been lost: the account must close to each of them.
+    void account() {
+        const auto& of = fields::time_series;
+        if (!open_ || !data_.series.has(of.particles_stored)) return;
+        const auto& stored = data_.series[of.particles_stored];
+        const auto& entered = data_.series[of.particles_entered];
+        const auto& left = data_.series[of.particles_left];
+        const auto& lost = data_.series[of.particles_lost];
+        if (stored.empty()) return;
+        double worst = 0.0;
+        const auto of_row = [&](std::size_t i) { return stored[i] - entered[i] + left[i] + lost[i]; };
+        for (std::size_t i = 0; i < stored.size(); ++i) worst = std::max(worst, std::abs(of_row(i) - of_row(0)));
+        add({"account", "Account of the particles",
+             fmt::format("{:.0f} entered, {:.0f} left, {:.0f} lost, {:.0f} stored; error {:.0f}", entered.back(),
+                         left.back(), lost.back(), stored.back(), worst),
+             "error 0",
+             "Each particle that is stored has been there from the start or has entered and not left: the account "
+             "of the open ends closes to the particle.",
+             worst == 0.0 ? Health::good : Health::bad});
+    }
+
+    /// What goes out against what comes in.
+    void throughput() {
+        const auto& of = fields::time_series;
+        if (!open_ || !data_.series.has(of.inflow_discharge)) return;
+        const auto in = in_window(of.inflow_discharge);
+        const auto out = in_window(of.outflow_discharge);
+        constexpr std::size_t fewest = 20;
+        if (in.size() < fewest || mean_of(in) == 0.0) return;
+        const MeanEstimate leaving = mean_with_confidence(out);
+        const double change = leaving.mean / mean_of(in) - 1.0;
+        const double half = std::isfinite(leaving.half_width) ? leaving.half_width / std::abs(mean_of(in)) : 0.0;
+        constexpr double bar = 0.01;
+        add({"throughput", "Discharge that leaves against that which enters", signed_percent(change), "within ± 1 %",
+             "Means over the window. In steady flow they are the same; the rest fills or empties the channel.",
+             changes_in_time() ? Health::none : mark_of(std::abs(change), bar, half)});
     }
 
     /// What the pair sums add to the motion or take from it beside the physics: it tells eddies from noise.
@@ -229,6 +271,12 @@ class ChannelRows : public DiagnosticRows {
     }
 
   private:
+    /// Whether what the case gives at open ends changes in time.
+    [[nodiscard]] bool changes_in_time() const {
+        const Case& c = data_.flow;
+        return open_ && !(c.inflow.discharge_file.empty() && c.inflow.depth_file.empty() && c.outflow.depth_file.empty());
+    }
+
     /// A drift counts as bad only where it stands out of its own uncertainty.
     void velocity_error(const std::string& part, const Field& rms_field, const Field& maximum_field,
                         double rms_bar, double maximum_bar) {
@@ -248,6 +296,7 @@ class ChannelRows : public DiagnosticRows {
     bool stirred_;
     bool space_;
     bool bodies_;
+    bool open_;  ///< ends
 };
 
 }  // namespace
@@ -265,6 +314,8 @@ std::vector<Diagnostic> diagnose_channel(const ReportData& data, const Analysis&
     rows.velocity_errors();
     rows.depth_drift();
     rows.volume();
+    rows.account();
+    rows.throughput();
     rows.energy();
     rows.density();
     rows.particles_lost();

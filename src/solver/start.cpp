@@ -160,7 +160,8 @@ Particles<D> initial_particles(const Case& c, const Scheme& scheme, const Column
         const double hydrostatic = scheme.normal_gravity * (surface - still_height[i]);
         const double s = scheme.state.deviation(hydrostatic + extra_pressure[i]);
         particles.density_deviation[i] = s;
-        particles.mass[i] = scheme.density * (1.0 + s) * lattice.volume<D>();
+        const double row_share = open ? rows_below(lattice, surface).height / lattice.dz : 1.0;
+        particles.mass[i] = scheme.density * (1.0 + s) * (row_share * lattice.volume<D>());
         if (c.start.kind == StartKind::section) {
             if constexpr (D == 3) {
                 particles.velocity[0][i] = section(particles.position[1][i], particles.position[2][i]);

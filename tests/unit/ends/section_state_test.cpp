@@ -14,19 +14,19 @@ double coming(const Section& section) {
 }
 double going(const Section& section) { return section.velocity + 2.0 * wave_speed(gravity, section.depth); }
 
-// Where the channel already carries the discharge, an end changes nothing: whatever the depth.
+// Where the reach already carries the discharge, an end changes nothing: whatever the depth.
 TEST(SectionState, UniformFlowStaysAsItIs) {
     for (const double froude : {0.05, 0.3, 0.6, 0.95}) {
         for (const double depth : {0.01, 0.056, 2.0}) {
-            const Section channel{depth, froude * wave_speed(gravity, depth)};
+            const Section reach{depth, froude * wave_speed(gravity, depth)};
             const Section inflow =
-                inflow_by_discharge(gravity, channel.depth * channel.velocity, coming(channel));
+                inflow_by_discharge(gravity, reach.depth * reach.velocity, coming(reach));
             EXPECT_NEAR(inflow.depth / depth, 1.0, 1e-10) << froude;
-            EXPECT_NEAR(inflow.velocity / channel.velocity, 1.0, 1e-10);
-            const Section outflow = outflow_between(gravity, going(channel), coming(channel));
+            EXPECT_NEAR(inflow.velocity / reach.velocity, 1.0, 1e-10);
+            const Section outflow = outflow_between(gravity, going(reach), coming(reach));
             EXPECT_NEAR(outflow.depth / depth, 1.0, 1e-12);
-            EXPECT_NEAR(outflow.velocity / channel.velocity, 1.0, 1e-12);
-            EXPECT_NEAR(inflow_by_depth(gravity, depth, coming(channel)).velocity / channel.velocity, 1.0, 1e-12);
+            EXPECT_NEAR(outflow.velocity / reach.velocity, 1.0, 1e-12);
+            EXPECT_NEAR(inflow_by_depth(gravity, depth, coming(reach)).velocity / reach.velocity, 1.0, 1e-12);
         }
     }
 }
