@@ -152,9 +152,9 @@ void compare_with_varied_flow(const FlowRecord& record, const LongProfile& profi
             at = profile.x[i];
         }
     }
-    Finding finding = make_finding(chapters::along, "backwater_departure",
-                                   "largest departure of the mean level from steady varied flow, over its depth",
-                                   "1", most);
+    Finding finding = make_finding(
+        chapters::along, "backwater_departure",
+        "largest departure of the mean level from steady varied flow, over its depth", "1", most);
     finding.remark = fmt::format("at x = {:.4g} mm", 1000.0 * at);
     analysis.findings.push_back(std::move(finding));
 }
@@ -167,17 +167,16 @@ void add_ends(const FlowRecord& record, Analysis& analysis) {
     constexpr std::size_t most = 3000;
     const std::vector<double> time = thinned(series[of.time], most);
     const bool space = record.flow()->channel.dimensions == 3;
-    Figure discharge = make_figure(chapters::along, "end_discharges", "Discharge at the ends",
-                                   "What enters the channel, and what the section at the outflow carries.", "",
-                                   make_axis("time t", "s"),
-                                   space ? make_axis("discharge", "m3/s")
-                                         : make_axis("discharge per unit width", "m2/s"));
+    Figure discharge = make_figure(
+        chapters::along, "end_discharges", "Discharge at the ends",
+        "What enters the channel, and what the section at the outflow carries.", "", make_axis("time t", "s"),
+        space ? make_axis("discharge", "m3/s") : make_axis("discharge per unit width", "m2/s"));
     Figure depth = make_figure(chapters::along, "end_depths", "Depth at the ends",
-                               "Height of the water over the bed level of the sections that rule the ends.", "",
-                               make_axis("time t", "s"), make_axis("depth", "m"));
+                               "Height of the water over the bed level of the sections that rule the ends.",
+                               "", make_axis("time t", "s"), make_axis("depth", "m"));
     const auto add = [&](Figure& figure, const char* label, const Field& field, int variant) {
-        figure.curves.push_back(make_curve(label, Origin::simulated, Mark::line, time,
-                                           thinned(series[field], most), variant));
+        figure.curves.push_back(
+            make_curve(label, Origin::simulated, Mark::line, time, thinned(series[field], most), variant));
     };
     add(discharge, "inflow", of.inflow_discharge, 0);
     add(discharge, "outflow", of.outflow_discharge, 1);

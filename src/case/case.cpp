@@ -27,11 +27,12 @@ double usual_surface_threshold(SurfaceDetection detection, int dimensions) {
 }
 
 bool Case::same_parameters(const Case& other) const {
-    return title == other.title && description == other.description && channel == other.channel && inflow == other.inflow && outflow == other.outflow &&
-           bed == other.bed && side_walls == other.side_walls && turbulence == other.turbulence &&
-           fluid == other.fluid && numerics == other.numerics && start == other.start &&
-           stirring == other.stirring && run == other.run && output == other.output &&
-           measured == other.measured && probes == other.probes && solids == other.solids;
+    return title == other.title && description == other.description && channel == other.channel &&
+           inflow == other.inflow && outflow == other.outflow && bed == other.bed &&
+           side_walls == other.side_walls && turbulence == other.turbulence && fluid == other.fluid &&
+           numerics == other.numerics && start == other.start && stirring == other.stirring &&
+           run == other.run && output == other.output && measured == other.measured &&
+           probes == other.probes && solids == other.solids;
 }
 
 }  // namespace riffle

@@ -46,11 +46,13 @@ struct Inflow {
     std::filesystem::path discharge_file;  ///< CSV with the columns time, and discharge or unit_discharge
     std::filesystem::path depth_file;      ///< CSV with the columns time, depth
     InflowProfile profile = InflowProfile::column;
-    double exponent = 7.0;             ///< m of the power law u = U_max (z/H)^(1/m)
-    double equivalent_roughness = 0.0;  ///< k_s of the log law, m
+    double exponent = 7.0;               ///< m of the power law u = U_max (z/H)^(1/m)
+    double equivalent_roughness = 0.0;   ///< k_s of the log law, m
     std::filesystem::path profile_file;  ///< CSV with the columns z, u; z above the datum
 
-    [[nodiscard]] bool gives_discharge() const { return discharge || unit_discharge || !discharge_file.empty(); }
+    [[nodiscard]] bool gives_discharge() const {
+        return discharge || unit_discharge || !discharge_file.empty();
+    }
     [[nodiscard]] bool gives_depth() const { return depth || !depth_file.empty(); }
 
     bool operator==(const Inflow&) const = default;
@@ -59,11 +61,11 @@ struct Inflow {
 /// [outflow]: what rules the water at the other end of a channel with open ends, x = L.
 struct Outflow {
     OutflowKind kind = OutflowKind::normal_depth;
-    std::optional<double> depth;       ///< over the zero datum, m
-    std::filesystem::path depth_file;  ///< CSV with the columns time, depth
-    double weir_height = 0.0;          ///< of the crest over the zero datum, m
-    double weir_coefficient = 0.62;    ///< C_d of q = (2/3) C_d sqrt(2 g) head^(3/2)
-    std::filesystem::path rating_file;  ///< CSV with the columns depth, and discharge or unit_discharge
+    std::optional<double> depth;            ///< over the zero datum, m
+    std::filesystem::path depth_file;       ///< CSV with the columns time, depth
+    double weir_height = 0.0;               ///< of the crest over the zero datum, m
+    double weir_coefficient = 0.62;         ///< C_d of q = (2/3) C_d sqrt(2 g) head^(3/2)
+    std::filesystem::path rating_file;      ///< CSV with the columns depth, and discharge or unit_discharge
     std::optional<double> relaxation_time;  ///< in which the depth goes to what rules it, s
 
     bool operator==(const Outflow&) const = default;

@@ -12,7 +12,7 @@ namespace riffle {
 enum class FlowKind {
     uniform_channel,      ///< driven along a channel, the same everywhere along it
     channel_with_bodies,  ///< driven along a channel and around bodies that stand in it
-    open_channel,   ///< water enters at one end and leaves at the other, around bodies or not
+    open_channel,         ///< water enters at one end and leaves at the other, around bodies or not
     tank,           ///< nothing drives a steady flow along it: dam breaks, gates, sloshing, paddles, cavities
     standing_wave,  ///< a wave that stands over a periodic reach
     periodic_box    ///< periodic in all directions, without bed and surface

@@ -372,7 +372,8 @@ SectionKeys measured() {
 
 std::vector<SectionKeys> make_table() {
     std::vector<SectionKeys> table = channel_keys();
-    for (auto* const section : {inflow_keys, outflow_keys, numerics, start, stirring, run, output, measured, solid_keys, probe_keys}) {
+    for (auto* const section : {inflow_keys, outflow_keys, numerics, start, stirring, run, output, measured,
+                                solid_keys, probe_keys}) {
         table.push_back(section());
     }
     return table;

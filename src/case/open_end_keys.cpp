@@ -15,10 +15,11 @@ Key with_open_ends(Key key) { return std::move(key).applies_with("channel.ends",
 }  // namespace
 
 SectionKeys inflow_keys() {
-    SectionKeys s{"inflow",
-                  "What enters a channel with open ends at x = 0: a discharge, or a depth; both where the flow is "
-                  "supercritical.",
-                  {}};
+    SectionKeys s{
+        "inflow",
+        "What enters a channel with open ends at x = 0: a discharge, or a depth; both where the flow is "
+        "supercritical.",
+        {}};
     const auto key = [](const char* name, auto member, const char* meaning) {
         return with_open_ends(make_key("inflow", name, &Case::inflow, member, meaning));
     };
@@ -33,14 +34,16 @@ SectionKeys inflow_keys() {
                          .unset_by("none", by_others)
                          .with_example("\"0.02 m2/s\""));
     s.keys.push_back(
-        key("depth", &Inflow::depth, "Depth that is held at the inflow, over the zero datum like channel.depth.")
+        key("depth", &Inflow::depth,
+            "Depth that is held at the inflow, over the zero datum like channel.depth.")
             .measured_in(length)
             .greater_than(0)
             .unset_by("none", "it follows from the discharge and from what comes up the channel"));
-    s.keys.push_back(key("discharge_file", &Inflow::discharge_file,
-                         "CSV file of a hydrograph: the columns time, and discharge or unit_discharge; straight "
-                         "lines between its rows, the last value behind them.")
-                         .with_example("\"flood.csv\""));
+    s.keys.push_back(
+        key("discharge_file", &Inflow::discharge_file,
+            "CSV file of a hydrograph: the columns time, and discharge or unit_discharge; straight "
+            "lines between its rows, the last value behind them.")
+            .with_example("\"flood.csv\""));
     s.keys.push_back(key("depth_file", &Inflow::depth_file, "CSV file with the columns time, depth.")
                          .with_example("\"stage.csv\""));
     s.keys.push_back(key("profile", &Inflow::profile, "Profile of the velocity that enters."));
@@ -62,7 +65,8 @@ SectionKeys inflow_keys() {
 }
 
 SectionKeys outflow_keys() {
-    SectionKeys s{"outflow", "What rules the water where it leaves a channel with open ends, at x = length.", {}};
+    SectionKeys s{
+        "outflow", "What rules the water where it leaves a channel with open ends, at x = length.", {}};
     const auto key = [](const char* name, auto member, const char* meaning) {
         return make_key("outflow", name, &Case::outflow, member, meaning);
     };
@@ -76,10 +80,11 @@ SectionKeys outflow_keys() {
     s.keys.push_back(key("depth_file", &Outflow::depth_file, "CSV file with the columns time, depth.")
                          .with_example("\"tide.csv\"")
                          .applies_with(kind, {"depth"}));
-    s.keys.push_back(key("weir_height", &Outflow::weir_height, "Height of the weir's crest over the zero datum.")
-                         .measured_in(length)
-                         .at_least(0)
-                         .applies_with(kind, {"weir"}));
+    s.keys.push_back(
+        key("weir_height", &Outflow::weir_height, "Height of the weir's crest over the zero datum.")
+            .measured_in(length)
+            .at_least(0)
+            .applies_with(kind, {"weir"}));
     s.keys.push_back(key("weir_coefficient", &Outflow::weir_coefficient,
                          "C_d of q = (2/3) C_d sqrt(2 g) head^(3/2); the head is that over the crest.")
                          .at_least(0.2)

@@ -30,7 +30,8 @@ double critical_depth(const Case& c, double unit_discharge) {
 }
 
 int ways_to_give_discharge(const Inflow& inflow) {
-    return (inflow.discharge ? 1 : 0) + (inflow.unit_discharge ? 1 : 0) + (inflow.discharge_file.empty() ? 0 : 1);
+    return (inflow.discharge ? 1 : 0) + (inflow.unit_discharge ? 1 : 0) +
+           (inflow.discharge_file.empty() ? 0 : 1);
 }
 
 /// Whether something of a solid stands within a distance of either end.
@@ -104,17 +105,15 @@ CheckList open_end_refusals() {
              "`profile = \"column\"` over a bed without friction",
              "no profile is the twin's own there",
              "choose profile = \"uniform\", or another",
-             [](const Case& c) {
-                 return c.inflow.profile == InflowProfile::column && !bed_resists(c.bed);
-             }},
+             [](const Case& c) { return c.inflow.profile == InflowProfile::column && !bed_resists(c.bed); }},
             {{"outflow.depth", "outflow.kind"},
              "`kind = \"depth\"` without a depth",
              "",
              "give [outflow] depth or depth_file, or another kind",
              [](const Case& c) {
-                 return found_if(c.outflow.kind == OutflowKind::depth && !c.outflow.depth &&
-                                     c.outflow.depth_file.empty(),
-                                 "depth is missing");
+                 return found_if(
+                     c.outflow.kind == OutflowKind::depth && !c.outflow.depth && c.outflow.depth_file.empty(),
+                     "depth is missing");
              }},
             {{"outflow.depth", "outflow.depth_file"},
              "the depth at the outflow given twice",

@@ -30,9 +30,9 @@ void refuse_to_run(const Case& c);
 [[nodiscard]] CheckList channel_refusals();
 [[nodiscard]] CheckList open_end_refusals();    ///< open ends
 [[nodiscard]] CheckList closed_end_refusals();  ///< any others
-[[nodiscard]] CheckList plane_refusals();   ///< two dimensions
-[[nodiscard]] CheckList space_refusals();   ///< three dimensions
-[[nodiscard]] CheckList sphere_refusals();  ///< spheres in three dimensions
+[[nodiscard]] CheckList plane_refusals();       ///< two dimensions
+[[nodiscard]] CheckList space_refusals();       ///< three dimensions
+[[nodiscard]] CheckList sphere_refusals();      ///< spheres in three dimensions
 [[nodiscard]] CheckList side_wall_refusals();
 [[nodiscard]] CheckList method_refusals();
 [[nodiscard]] CheckList start_refusals();

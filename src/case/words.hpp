@@ -21,10 +21,11 @@ struct Words<Ends> {
 template <>
 struct Words<InflowProfile> {
     static constexpr std::array<Word, 5> list{{
-        {"column", "that of the column twin which carries the discharge at the depth of the case", "theory 20",
-         "wherever the bed has friction"},
+        {"column", "that of the column twin which carries the discharge at the depth of the case",
+         "theory 20", "wherever the bed has friction"},
         {"uniform", "one velocity over the depth", "", "over slip beds, below gates"},
-        {"power-law", "u = U_max (z / H)^(1 / m)", "thesis (5.8)", "where no more is known of the flow upstream"},
+        {"power-law", "u = U_max (z / H)^(1 / m)", "thesis (5.8)",
+         "where no more is known of the flow upstream"},
         {"log-law", "u = u_* / kappa ln(1 + 30 z / k_s), z above the datum", "Nikuradse (1933)",
          "a developed flow over another bed than that of the case"},
         {"file", "measured or computed velocities from a CSV file with the columns z, u", "",
@@ -37,8 +38,10 @@ struct Words<OutflowKind> {
     static constexpr std::array<Word, 6> list{{
         {"depth", "the depth that `depth` or `depth_file` gives"},
         {"normal-depth", "the depth of uniform flow with the discharge of the inflow, found once"},
-        {"critical-depth", "the depth (q^2 / g)^(1/3) of the discharge that leaves: what a drop or overfall does"},
-        {"weir", "the head over a sharp crest with the discharge that leaves, by `weir_height` and `weir_coefficient`"},
+        {"critical-depth",
+         "the depth (q^2 / g)^(1/3) of the discharge that leaves: what a drop or overfall does"},
+        {"weir",
+         "the head over a sharp crest with the discharge that leaves, by `weir_height` and `weir_coefficient`"},
         {"rating-curve", "the depth that goes with the discharge that leaves, from `rating_file`"},
         {"free", "nothing: supercritical flow leaves as it comes"},
     }};
@@ -189,7 +192,8 @@ struct Words<StartKind> {
         {"standing-wave", "a standing gravity wave, one wave length over the channel length"},
         {"taylor-green", "Taylor-Green vortices (periodic in all directions)"},
         {"section", "3D: the steady velocity of the cross-section twin"},
-        {"backwater", "open ends: the depths of steady varied flow along the channel, as `riffle backwater` finds them"},
+        {"backwater",
+         "open ends: the depths of steady varied flow along the channel, as `riffle backwater` finds them"},
     }};
 };
 

@@ -18,8 +18,8 @@ struct CarryingColumn {
     ColumnResult column;
 };
 
-/// The column twin over the bed of a case that carries a discharge (m2/s over the whole depth) at a depth over
-/// the datum (m), whatever the slope of the case. Throws InputError where there is none.
+/// The column twin over the bed of a case that carries a discharge (m2/s over the whole depth) at a depth
+/// over the datum (m), whatever the slope of the case. Throws InputError where there is none.
 [[nodiscard]] CarryingColumn carrying_column(const Case& c, double depth, double unit_discharge);
 
 /// Discharge per unit of width of the uniform flow of a case, over the whole depth from the bed level, m2/s.

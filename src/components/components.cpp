@@ -41,7 +41,7 @@ ComponentList<D, Real> make_components(FlowOf<D, Real>& flow, double celerity) {
     add(components, make_bed_drag_force(flow));
     add(components, make_stirring(flow, celerity));
     add(components, make_repulsion(flow));
-    add(components, make_open_ends(flow));     // after all that adds forces, which buffers do not feel
+    add(components, make_open_ends(flow));      // after all that adds forces, which buffers do not feel
     add(components, make_energy_budget(flow));  // after all that adds forces, before what changes velocities
     add(components, make_contact(flow));
     return components;

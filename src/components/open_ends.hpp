@@ -33,7 +33,8 @@ class OpenEnds final : public Component<D, Real> {
           travel_(end_travel(flow.c)),
           support_(end_support(flow.c)),
           watch_(std::ceil(2.0 * flow.c.numerics.smoothing_ratio - 1e-9) * lattice_.dx),
-          streams_(D == 3 ? lattice_.files : 1, lattice_.dx * lattice_.dz, lattice_.dz, -(support_ + travel_)) {
+          streams_(D == 3 ? lattice_.files : 1, lattice_.dx * lattice_.dz, lattice_.dz,
+                   -(support_ + travel_)) {
         flow.inputs.acceleration = true;
         begin(flow);
     }
@@ -89,7 +90,7 @@ class OpenEnds final : public Component<D, Real> {
         smooth(state.downstream, end, smoothing);
         follow_upstream(state.upstream, flow.clock.time, dt);
         follow_downstream(state.downstream, flow.clock.time, dt);
-        shift_ = end.beyond > 0.0 ? state.downstream.velocity - end.velocity_beyond : 0.0;
+        watch_profile(flow, state, dt);
         shape_mean_ = input_.shape.mean_of_rows(state.rows);
         fastest_ = std::max(start.fastest, end.fastest);
     }
@@ -141,8 +142,6 @@ class OpenEnds final : public Component<D, Real> {
     struct Watched {
         double depth = 0.0;     ///< within a hat inside of the channel
         double velocity = 0.0;  ///< so
-        double beyond = 0.0;    ///< volume beyond the end
-        double velocity_beyond = 0.0;
         double fastest = 0.0;
     };
 
@@ -165,6 +164,10 @@ class OpenEnds final : public Component<D, Real> {
         };
         state.upstream = at(0.0);
         state.downstream = at(length_);
+        const int bins = std::max(4, lattice_.rows / 2);
+        for (int bin = 0; bin < bins; ++bin) {
+            state.leaving.push_back(state.downstream.velocity * input_.shape.at((bin + 0.5) / bins));
+        }
         streams_.begin(state, streams_.rows_for(state.upstream.depth), 0.5 * lattice_.dx);
     }
 
@@ -196,7 +199,8 @@ class OpenEnds final : public Component<D, Real> {
         Section section = outflow_between(gravity_, going, end.coming);
         if (input_.outflow_depth && end.watched_velocity < c) {
             const double q = end.watched_velocity * end.watched_depth;
-            end.coming += relaxation(gravity_, section, input_.outflow_depth(q, time), input_.relaxation_time, dt);
+            end.coming +=
+                relaxation(gravity_, section, input_.outflow_depth(q, time), input_.relaxation_time, dt);
             section = outflow_between(gravity_, going, end.coming);
         }
         end.depth = section.depth;
@@ -217,18 +221,29 @@ class OpenEnds final : public Component<D, Real> {
         return u;
     }
 
-    /// What leaves keeps the shape that it has, with the mean of its section; it comes to rest across.
+    /// What leaves goes over to the profile of its section, and to rest across.
     [[nodiscard]] Vec<D> leaving_velocity(const Flow& flow, std::size_t i) const {
         const EndState& end = flow.clock.open_ends.downstream;
-        const double still = std::exp(-step_ * wave_speed(gravity_, end.depth) / watch_);
+        const double place = flow.particles.position[Flow::vertical][i] / end.depth;
+        Vec<D> wanted{};
+        wanted[0] = leaving_factor_ * leaving_at(flow.clock.open_ends, place) + leaving_shift_;
+        wanted[Flow::vertical] = place * end.depth_rate;
+        const double kept = std::exp(-step_ * wave_speed(gravity_, end.depth) / watch_);
         Vec<D> u = vector_of(flow.particles.velocity, i);
-        u[0] += shift_;
-        const double rising = flow.particles.position[Flow::vertical][i] / end.depth * end.depth_rate;
-        for (std::size_t k = 1; k < Flow::axes; ++k) {
-            const double wanted = k == Flow::vertical ? rising : 0.0;
-            u[k] = wanted + still * (u[k] - wanted);
+        for (std::size_t k = 0; k < Flow::axes; ++k) {
+            u[k] = wanted[k] + kept * (u[k] - wanted[k]);
         }
         return u;
+    }
+
+    /// The profile of what leaves at z/h, straight lines between the middles of its bins.
+    [[nodiscard]] static double leaving_at(const OpenEndsState& state, double place) {
+        const double last = static_cast<double>(state.leaving.size()) - 1.0;
+        const double at = std::clamp(place * (last + 1.0) - 0.5, 0.0, last);
+        const auto low = static_cast<std::size_t>(at);
+        const std::size_t high = std::min(low + 1, state.leaving.size() - 1);
+        return state.leaving[low] +
+               (at - static_cast<double>(low)) * (state.leaving[high] - state.leaving[low]);
     }
 
     /// f(particle, lane, whether it enters) for the particles of a block that stand in a buffer.
@@ -249,30 +264,64 @@ class OpenEnds final : public Component<D, Real> {
         }
     }
 
-    /// Depth and velocity within a hat of 2 watch_ beside an end: a row of evenly spaced particles counts alike
-    /// wherever it stands under it.
+    /// Depth and velocity within a hat of 2 watch_ beside an end: a row of evenly spaced particles counts
+    /// alike wherever it stands under it.
     [[nodiscard]] Watched watch(const Flow& flow, std::size_t end) const {
         const Particles<D>& p = flow.particles;
-        const double breadth = flow.scheme.density * watch_ * (D == 3 ? flow.c.channel.simulated_width() : 1.0);
+        const double breadth =
+            flow.scheme.density * watch_ * (D == 3 ? flow.c.channel.simulated_width() : 1.0);
         Watched sums;
         for (const std::size_t i : watched_[end]) {
             const double x = end == 0 ? p.position[0][i] : length_ - p.position[0][i];
             const double u = p.velocity[0][i];
             const double volume = p.mass[i] / (1.0 + p.density_deviation[i]);
             sums.fastest = std::max(sums.fastest, std::abs(u));
-            if (x <= 0.0) {
-                sums.beyond += volume;
-                sums.velocity_beyond += volume * u;
-            } else if (x < 2.0 * watch_) {
-                const double hat = volume * (1.0 - std::abs(x - watch_) / watch_);
-                sums.depth += hat;
-                sums.velocity += hat * u;
-            }
+            const double hat = volume * hat_at(x);
+            sums.depth += hat;
+            sums.velocity += hat * u;
         }
         sums.velocity /= sums.depth > 0.0 ? sums.depth : 1.0;
-        sums.velocity_beyond /= sums.beyond > 0.0 ? sums.beyond : 1.0;
         sums.depth /= breadth;
         return sums;
+    }
+
+    /// Weight of the water at a distance from an end inside of the channel.
+    [[nodiscard]] double hat_at(double x) const { return std::max(0.0, 1.0 - std::abs(x - watch_) / watch_); }
+
+    /// What leaves has the profile of the water before the end, smoothed over the time that a wave takes
+    /// along one depth. (Were it to keep its own velocity, slow water at the bed could come to rest beyond
+    /// the end and dam the channel.)
+    void watch_profile(const Flow& flow, OpenEndsState& state, double dt) {
+        const Particles<D>& p = flow.particles;
+        const double depth = state.downstream.watched_depth;
+        volume_.assign(state.leaving.size(), 0.0);
+        flux_.assign(state.leaving.size(), 0.0);
+        for (const std::size_t i : watched_[1]) {
+            const double hat = hat_at(length_ - p.position[0][i]);
+            if (hat > 0.0) {
+                const std::size_t bin = bin_of(state, p.position[Flow::vertical][i] / depth);
+                volume_[bin] += hat * p.mass[i];
+                flux_[bin] += hat * p.mass[i] * p.velocity[0][i];
+            }
+        }
+        const double share = std::min(1.0, dt * wave_speed(gravity_, depth) / depth);
+        double mean = 0.0;
+        for (std::size_t bin = 0; bin < state.leaving.size(); ++bin) {
+            if (volume_[bin] > 0.0) {
+                state.leaving[bin] += share * (flux_[bin] / volume_[bin] - state.leaving[bin]);
+            }
+            mean += state.leaving[bin] / static_cast<double>(state.leaving.size());
+        }
+        // The mean is that of the section: by a factor, so that slow water stays slow, unless the flow turns.
+        const double wanted = state.downstream.velocity;
+        const bool turns = mean * wanted <= 0.0 || std::abs(wanted) > 2.0 * std::abs(mean);
+        leaving_factor_ = turns ? 1.0 : wanted / mean;
+        leaving_shift_ = turns ? wanted - mean : 0.0;
+    }
+
+    [[nodiscard]] static std::size_t bin_of(const OpenEndsState& state, double place) {
+        const double bins = static_cast<double>(state.leaving.size());
+        return static_cast<std::size_t>(std::clamp(place * bins, 0.0, bins - 0.5));
     }
 
     void take_out(Flow& flow) {
@@ -341,14 +390,16 @@ class OpenEnds final : public Component<D, Real> {
     double support_;  ///< water that must stand beyond an end, m
     double watch_;    ///< half of the stretch beside an end that is watched: whole spacings, m
     InflowStreams streams_;
-    std::vector<std::uint8_t> near_end_;                ///< by cluster
+    std::vector<std::uint8_t> near_end_;               ///< by cluster
     std::array<std::vector<std::size_t>, 2> watched_;  ///< particles at either end
     // Of the step in progress.
     double step_ = 0.0;
-    double kick_ = 0.0;        ///< dt of the velocities
-    double shift_ = 0.0;       ///< what the water beyond the outflow is faster than its section, m/s
-    double shape_mean_ = 1.0;  ///< of the profile over the rows
-    double fastest_ = 0.0;     ///< at the ends, m/s
+    double kick_ = 0.0;                  ///< dt of the velocities
+    double leaving_factor_ = 1.0;        ///< from the profile of what leaves to that of its section
+    double leaving_shift_ = 0.0;         ///< so, m/s
+    std::vector<double> volume_, flux_;  ///< by bin of the profile
+    double shape_mean_ = 1.0;            ///< of the profile over the rows
+    double fastest_ = 0.0;               ///< at the ends, m/s
 };
 
 template <int D, class Real>

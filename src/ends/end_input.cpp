@@ -44,15 +44,16 @@ VelocityShape profile_from_file(const Case& c) {
     double mean = 0.0;
     for (std::size_t i = 0; i < record.z.size(); ++i) {
         if (!std::isfinite(velocity->values[i])) {
-            throw FileError(fmt::format("{}: u has no value here; fill the hole or leave the row out",
-                                        record.place(i)));
+            throw FileError(
+                fmt::format("{}: u has no value here; fill the hole or leave the row out", record.place(i)));
         }
         height.push_back(record.z[i] + c.datum());
         mean += velocity->values[i];
     }
     if (!(mean > 0.0)) {
         throw FileError(fmt::format("{}: the mean of u is {:g}; it must be above 0",
-                                    c.inflow.profile_file.string(), mean / static_cast<double>(height.size())));
+                                    c.inflow.profile_file.string(),
+                                    mean / static_cast<double>(height.size())));
     }
     return {height, velocity->values, c.total_depth()};
 }
@@ -112,7 +113,8 @@ std::function<double(double, double)> outflow_rule(const Case& c) {
                 return crest + std::pow(std::max(0.0, q) * 1.5 / (cd * std::sqrt(2.0 * g)), 2.0 / 3.0);
             };
         case OutflowKind::rating_curve: {
-            TwoColumns rating = read_two_columns(outflow.rating_file, {"depth", "m"}, discharge_columns(c), 0.0);
+            TwoColumns rating =
+                read_two_columns(outflow.rating_file, {"depth", "m"}, discharge_columns(c), 0.0);
             if (!std::is_sorted(rating.second.begin(), rating.second.end())) {
                 throw FileError(fmt::format("{}: the discharge does not rise with the depth",
                                             outflow.rating_file.string()));
@@ -179,8 +181,8 @@ EndExtremes end_extremes(const Case& c, const EndInput& input) {
     const double critical = critical_depth_of(g, q);
     extremes.depth = std::max(extremes.depth, critical);
     const double shallow = input.inflow_depth ? least_depth : std::max(least_depth, critical);
-    extremes.velocity = std::max(shallow > 0.0 ? input.shape.largest() * q / shallow : 0.0,
-                                 c.start.velocity.value_or(0.0));
+    extremes.velocity =
+        std::max(shallow > 0.0 ? input.shape.largest() * q / shallow : 0.0, c.start.velocity.value_or(0.0));
     return extremes;
 }
 
@@ -203,9 +205,8 @@ std::function<double(double)> varied_depths(const Case& c, const EndInput& input
         controls.downstream_depth = std::max(critical, input.outflow_depth(q, 0.0) - c.datum());
     }
     return [flow = std::make_shared<const VariedFlow>(solve_varied_flow(channel, controls)),
-            length = c.channel.length, datum = c.datum()](double x) {
-        return flow->depth_at(std::clamp(x, 0.0, length)) + datum;
-    };
+            length = c.channel.length,
+            datum = c.datum()](double x) { return flow->depth_at(std::clamp(x, 0.0, length)) + datum; };
 }
 
 }  // namespace riffle

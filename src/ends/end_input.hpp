@@ -14,8 +14,8 @@ struct EndInput {
     std::optional<TimeTable> unit_discharge;  ///< q at the inflow, m2/s
     std::optional<TimeTable> inflow_depth;
     VelocityShape shape;  ///< of the velocity that enters
-    /// Depth that rules the outflow, from the discharge that leaves (m2/s) and the time (s); none where nothing
-    /// does.
+    /// Depth that rules the outflow, from the discharge that leaves (m2/s) and the time (s); none where
+    /// nothing does.
     std::function<double(double unit_discharge, double time)> outflow_depth;
     double relaxation_time = 0.0;  ///< s
 };
@@ -23,8 +23,8 @@ struct EndInput {
 /// Read it. Throws FileError or InputError that name file, line or key where something does not hold.
 [[nodiscard]] EndInput read_end_input(const Case& c);
 
-/// Depth-mean velocity of the start, m/s, in water of the total depth H: that of the discharge of the inflow, or
-/// where the case gives none of the uniform flow of its bed; 0 where that is not known either.
+/// Depth-mean velocity of the start, m/s, in water of the total depth H: that of the discharge of the inflow,
+/// or where the case gives none of the uniform flow of its bed; 0 where that is not known either.
 [[nodiscard]] double start_unit_discharge(const Case& c, const EndInput& input);
 
 /// Largest total depth and largest velocity that the case gives at its ends or its start.

@@ -25,14 +25,16 @@ void InflowStreams::advance(OpenEndsState& state, double dt,
 }
 
 void InflowStreams::rearrange(OpenEndsState& state, double depth) const {
-    constexpr double most = 0.7;  // of a row: a depth that wavers about a half does not change it again and again
+    constexpr double most =
+        0.7;  // of a row: a depth that wavers about a half does not change it again and again
     if (std::abs(depth / row_height_ - state.rows) <= most) {
         return;
     }
     const int rows = rows_for(depth);
     OpenEndsState next = state;
     begin(next, rows, 0.0);
-    // The water ends half a particle behind the last one; the mean of that edge over the height of each new row.
+    // The water ends half a particle behind the last one; the mean of that edge over the height of each new
+    // row.
     const double before = 0.5 * length(state.rows, depth);
     const double after = 0.5 * length(rows, depth);
     for (int row = 0; row < rows; ++row) {

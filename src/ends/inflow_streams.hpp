@@ -7,9 +7,9 @@
 namespace riffle {
 
 /// The streams in which water enters a channel: rows over each other, in three dimensions files beside each
-/// other, each a line of particles that moves at one velocity. A row is as high as the depth over their number,
-/// and a particle as long in it as its volume demands, so that the area that the streams bring in is the integral
-/// of their velocities, to rounding: the discharge is exact, whatever the particles.
+/// other, each a line of particles that moves at one velocity. A row is as high as the depth over their
+/// number, and a particle as long in it as its volume demands, so that the area that the streams bring in is
+/// the integral of their velocities, to rounding: the discharge is exact, whatever the particles.
 class InflowStreams {
   public:
     /// `area`: of a particle in the vertical plane of its file, m2; `row_height`: that of the lattice, m;
@@ -21,7 +21,9 @@ class InflowStreams {
     [[nodiscard]] int rows_for(double depth) const;
     /// Length of a particle in its stream, m.
     [[nodiscard]] double length(int rows, double depth) const { return area_ * rows / depth; }
-    [[nodiscard]] double height_of(int row, int rows, double depth) const { return (row + 0.5) * depth / rows; }
+    [[nodiscard]] double height_of(int row, int rows, double depth) const {
+        return (row + 0.5) * depth / rows;
+    }
 
     /// Streams of so many rows whose last particles stand at x = `front`.
     void begin(OpenEndsState& state, int rows, double front) const;
@@ -29,8 +31,8 @@ class InflowStreams {
     void advance(OpenEndsState& state, double dt, const std::function<double(int row)>& velocity) const;
     /// Take another number of rows where the depth has changed by more than most of a row; the area stays.
     void rearrange(OpenEndsState& state, double depth) const;
-    /// Fill the streams up to their edge: add(row, file, x) for each new particle, in a fixed order; streams that
-    /// have gone back beyond it give theirs up.
+    /// Fill the streams up to their edge: add(row, file, x) for each new particle, in a fixed order; streams
+    /// that have gone back beyond it give theirs up.
     void fill(OpenEndsState& state, double depth,
               const std::function<void(int row, int file, double x)>& add) const;
 

@@ -25,7 +25,7 @@ void for_each_amount(Ledger& ledger, const F& f) {
     }
 }
 
-constexpr std::size_t fixed_numbers = 20;
+constexpr std::size_t fixed_numbers = 21;
 
 }  // namespace
 
@@ -39,9 +39,11 @@ std::vector<double> OpenEndsState::numbers() const {
     add(rows);
     add(static_cast<double>(ledger.entered));
     add(static_cast<double>(ledger.left));
+    add(static_cast<double>(leaving.size()));
     for_each_amount(ledger, add);
     for_each_number(upstream, add);
     for_each_number(downstream, add);
+    all.insert(all.end(), leaving.begin(), leaving.end());
     all.insert(all.end(), front.begin(), front.end());
     return all;
 }
@@ -56,7 +58,7 @@ OpenEndsState OpenEndsState::from(const std::vector<double>& numbers) {
     }
     std::size_t next = 0;
     const auto take = [&](double& number) { number = numbers[next++]; };
-    std::array<double, 3> whole{};
+    std::array<double, 4> whole{};
     take(state.travel);
     for (double& number : whole) {
         take(number);
@@ -70,7 +72,13 @@ OpenEndsState OpenEndsState::from(const std::vector<double>& numbers) {
     for_each_amount(state.ledger, take);
     for_each_number(state.upstream, take);
     for_each_number(state.downstream, take);
-    state.front.assign(numbers.begin() + static_cast<std::ptrdiff_t>(next), numbers.end());
+    const auto bins = static_cast<std::size_t>(whole[3]);
+    if (bins > numbers.size() - next) {
+        throw std::invalid_argument("the profile of the water that leaves is cut off");
+    }
+    const auto streams = numbers.begin() + static_cast<std::ptrdiff_t>(next + bins);
+    state.leaving.assign(numbers.begin() + static_cast<std::ptrdiff_t>(next), streams);
+    state.front.assign(streams, numbers.end());
     if (state.rows == 0 || state.front.size() % static_cast<std::size_t>(state.rows) != 0) {
         throw std::invalid_argument("the streams of the inflow do not fill its rows");
     }

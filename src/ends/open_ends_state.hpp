@@ -7,8 +7,8 @@ namespace riffle {
 
 /// What crosses the ends of the simulated water, all in all: an account of each particle.
 struct EndsLedger {
-    std::int64_t entered = 0;  ///< particles made
-    std::int64_t left = 0;     ///< particles taken out
+    std::int64_t entered = 0;   ///< particles made
+    std::int64_t left = 0;      ///< particles taken out
     double mass_entered = 0.0;  ///< kg; in two dimensions per width, kg/m
     double mass_left = 0.0;
     double momentum_entered = 0.0;  ///< along the channel, kg m/s (per m)
@@ -38,7 +38,10 @@ struct OpenEndsState {
     EndState downstream;
     double travel = 0.0;  ///< largest way of water at an end since the last list build, m
     int rows = 0;         ///< streams over each other at the inflow
-    std::vector<double> front;  ///< place of the last particle of each stream, m: by rows, within them by files
+    std::vector<double>
+        leaving;  ///< velocity of the water that leaves, smoothed in time, in bins over its depth, m/s
+    std::vector<double>
+        front;  ///< place of the last particle of each stream, m: by rows, within them by files
     EndsLedger ledger;
 
     /// All of it as numbers, for a checkpoint; empty where there are no open ends.

@@ -12,8 +12,8 @@ double critical_depth_of(double gravity, double unit_discharge) {
 }
 
 Section inflow_by_discharge(double gravity, double unit_discharge, double coming) {
-    // g q/c^2 - 2 c = coming has one root: the left side falls and is convex, so that Newton's steps rise to it
-    // from the second one on.
+    // g q/c^2 - 2 c = coming has one root: the left side falls and is convex, so that Newton's steps rise to
+    // it from the second one on.
     const double critical = wave_speed(gravity, critical_depth_of(gravity, unit_discharge));
     double c = std::max({critical, -coming, 1e-6});
     constexpr int most_iterations = 50;

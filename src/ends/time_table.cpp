@@ -55,9 +55,9 @@ TwoColumns read_two_columns(const std::filesystem::path& path, const TableColumn
     const FoundColumn second = find_column(table, others);
     for (std::size_t row = 0; row < columns.first.size(); ++row) {
         if (row > 0 && !(columns.first[row] > columns.first[row - 1])) {
-            throw FileError(fmt::format("{}: {} is {:g}, not above that of the row before, {:g}; sort the rows by it",
-                                        table.place(row), first.name, columns.first[row],
-                                        columns.first[row - 1]));
+            throw FileError(
+                fmt::format("{}: {} is {:g}, not above that of the row before, {:g}; sort the rows by it",
+                            table.place(row), first.name, columns.first[row], columns.first[row - 1]));
         }
         if (!(second.values[row] >= least)) {
             throw FileError(fmt::format("{}: {} is {:g}; expected {:g} or more", table.place(row),

@@ -31,10 +31,9 @@ struct TableColumn {
     double offset = 0.0;
 };
 
-/// Two columns of a CSV file: one named `first`, rising, and one of `others`, in SI times its factor and with its
-/// offset. Throws
-/// FileError with file and line where a column is missing, a value in SI is not a number or below `least`, or the
-/// first column does not rise.
+/// Two columns of a CSV file: one named `first`, rising, and one of `others`, in SI times its factor and with
+/// its offset. Throws FileError with file and line where a column is missing, a value in SI is not a number
+/// or below `least`, or the first column does not rise.
 struct TwoColumns {
     std::vector<double> first;
     std::vector<double> second;
@@ -42,8 +41,8 @@ struct TwoColumns {
 [[nodiscard]] TwoColumns read_two_columns(const std::filesystem::path& path, const TableColumn& first,
                                           const std::vector<TableColumn>& others, double least);
 
-/// A table in time from a file. Throws FileError as read_two_columns, and where it begins after t = 0: what is
-/// before its first row is not known.
+/// A table in time from a file. Throws FileError as read_two_columns, and where it begins after t = 0: what
+/// is before its first row is not known.
 [[nodiscard]] TimeTable read_time_table(const std::filesystem::path& path,
                                         const std::vector<TableColumn>& columns, double least);
 

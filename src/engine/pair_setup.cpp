@@ -125,7 +125,8 @@ PairConstants<D, Real> pair_constants(const Case& c, const Scheme& scheme, const
         static_cast<Real>(diffusion == DensityDiffusion::molteni ? 0.0 : scheme.normal_gravity / (c0 * c0));
     constants.correct_pressure = by_gradient && c.numerics.pressure_form == PressureForm::corrected;
     constants.correct_gradient = by_gradient && c.numerics.velocity_gradient == VelocityGradient::corrected;
-    constants.correct_along = !c.solids.empty() || c.channel.ends == Ends::open || (D == 3 && c.channel.ends == Ends::walls);
+    constants.correct_along =
+        !c.solids.empty() || c.channel.ends == Ends::open || (D == 3 && c.channel.ends == Ends::walls);
     if (has_directional_viscosity(c)) {
         const auto weights = pair_direction_weights(static_cast<Real>(spanwise_ratio(c)));
         constants.directional = {.slope = weights.slope,

@@ -23,7 +23,8 @@ constexpr std::array symbols{
     Symbol{"g", {1, 1000, {0, 0, 0, 1}}, true},  Symbol{"N", {1, 1, {1, -2, 0, 1}}, true},
     Symbol{"Pa", {1, 1, {-1, -2, 0, 1}}, true},  Symbol{"min", {60, 1, {0, 1, 0, 0}}, false},
     Symbol{"h", {3600, 1, {0, 1, 0, 0}}, false}, Symbol{"%", {1, 100, {0, 0, 0, 0}}, false},
-    Symbol{"1", {1, 1, {0, 0, 0, 0}}, false},
+    Symbol{"1", {1, 1, {0, 0, 0, 0}}, false},    Symbol{"l", {1, 1000, {3, 0, 0, 0}}, true},
+    Symbol{"L", {1, 1000, {3, 0, 0, 0}}, true},
 };
 
 struct Prefix {

@@ -4,14 +4,15 @@
 
 namespace riffle {
 
-// The water beyond the ends of an open channel: buffers of ordinary particles whose motion the ends prescribe.
+// The water beyond the ends of an open channel: buffers of ordinary particles whose motion the ends
+// prescribe.
 
-/// Way that water may go at an end from one list build to the next, m: particles are made and taken out at list
-/// builds.
+/// Way that water may go at an end from one list build to the next, m: particles are made and taken out at
+/// list builds.
 [[nodiscard]] inline double end_travel(const Case& c) { return 2.0 * c.numerics.spacing; }
 
-/// Water that must stand beyond an end, m: what the kernels of the channel reach, with all that these particles'
-/// own sums need.
+/// Water that must stand beyond an end, m: what the kernels of the channel reach, with all that these
+/// particles' own sums need.
 [[nodiscard]] inline double end_support(const Case& c) {
     return 4.0 * c.numerics.smoothing_ratio * c.numerics.spacing;
 }

@@ -31,7 +31,8 @@ inline constexpr Group mean_field{
 consteval Field series(const char* name, Wording unit, Wording meaning, const FieldRule& rule = {}) {
     return make_field(groups::time_series, name, unit, meaning, rule, "time", Averaging::over_rows);
 }
-consteval Field end_series(const char* name, Wording unit, Wording meaning, Reader reader = Reader::analysis) {
+consteval Field end_series(const char* name, Wording unit, Wording meaning,
+                           Reader reader = Reader::analysis) {
     return series(name, unit, meaning, {.written = with_open_ends, .reader = reader});
 }
 struct TimeSeries {
@@ -95,10 +96,11 @@ struct TimeSeries {
     Field solids_power = series("solids_power", {"W/m", "W"}, "work of moving solids on the water");
     Field inflow_discharge = end_series("inflow_discharge", {"m2/s", "m3/s"},
                                         {"discharge that enters, per unit width", "discharge that enters"});
-    Field inflow_depth = end_series("inflow_depth", "m", "depth of the water that enters, from the bed level");
-    Field outflow_discharge = end_series(
-        "outflow_discharge", {"m2/s", "m3/s"},
-        {"discharge of the section at the outflow, per unit width", "discharge of the section at the outflow"});
+    Field inflow_depth =
+        end_series("inflow_depth", "m", "depth of the water that enters, from the bed level");
+    Field outflow_discharge = end_series("outflow_discharge", {"m2/s", "m3/s"},
+                                         {"discharge of the section at the outflow, per unit width",
+                                          "discharge of the section at the outflow"});
     Field outflow_depth =
         end_series("outflow_depth", "m", "depth of the section at the outflow, from the bed level");
     Field particles_stored = end_series("particles_stored", "1", "particles, those beyond the ends included");
@@ -106,17 +108,17 @@ struct TimeSeries {
     Field particles_left = end_series("particles_left", "1", "particles that have left by the ends so far");
     Field particles_lost =
         end_series("particles_lost", "1", "particles that have left the domain otherwise so far");
-    Field mass_stored = end_series("mass_stored", {"kg/m", "kg"},
-                                   {"mass of these particles per unit width", "mass of these particles"},
-                                   Reader::users);
+    Field mass_stored =
+        end_series("mass_stored", {"kg/m", "kg"},
+                   {"mass of these particles per unit width", "mass of these particles"}, Reader::users);
     Field mass_entered =
         end_series("mass_entered", {"kg/m", "kg"},
                    {"mass that has entered per unit width", "mass that has entered"}, Reader::users);
     Field mass_left = end_series("mass_left", {"kg/m", "kg"},
                                  {"mass that has left per unit width", "mass that has left"}, Reader::users);
-    Field momentum_stored = end_series("momentum_stored", {"kg/s", "kg m/s"},
-                                       {"momentum along the channel per unit width", "momentum along the channel"},
-                                       Reader::users);
+    Field momentum_stored = end_series(
+        "momentum_stored", {"kg/s", "kg m/s"},
+        {"momentum along the channel per unit width", "momentum along the channel"}, Reader::users);
     Field momentum_entered =
         end_series("momentum_entered", {"kg/s", "kg m/s"},
                    {"momentum that has entered per unit width", "momentum that has entered"}, Reader::users);

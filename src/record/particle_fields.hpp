@@ -158,10 +158,11 @@ struct State {
     Field mass = of_state("mass", {"kg/m", "kg"}, {"mass per unit width", "mass"});
     Field wall_density_deviation =
         of_state("wall_density_deviation", "1", "rho/rho0 - 1 of the wall particles", at_the_end, "wall");
-    Field open_ends = of_state("open_ends", "1",
-                               "state of the open ends: the sections, the streams that enter and the account of "
-                               "what has crossed them, in SI units",
-                               at_the_end | with_open_ends, "number");
+    Field open_ends =
+        of_state("open_ends", "1",
+                 "state of the open ends: the sections, the streams that enter and the account of "
+                 "what has crossed them, in SI units",
+                 at_the_end | with_open_ends, "number");
     Field id = of_state("id", "1", "particle number");
 };
 inline constexpr State state;

@@ -195,11 +195,14 @@ class ChannelRows : public DiagnosticRows {
              fmt::format("{:+.3f} ± {:.3f} mm per minute", 1000 * trend.slope * minute,
                          1000 * trend.half_width * minute),
              fmt::format("at most {:.2f} mm per minute, 0.5 % of the depth", 1000 * bar * depth),
-             open_ ? "Where as much water enters as leaves, the level stays. A drift means that the flow is still on "
-                     "its way, or that what enters or rules the outflow changes."
-                   : "Water is neither lost nor added, so the level must stay. A drift means that the particles' "
-                     "volume changes.",
-             changes_in_time() ? Health::none : mark_of(std::abs(trend.slope) * minute / depth, bar, trend.half_width * minute / depth)});
+             open_
+                 ? "Where as much water enters as leaves, the level stays. A drift means that the flow is still on "
+                   "its way, or that what enters or rules the outflow changes."
+                 : "Water is neither lost nor added, so the level must stay. A drift means that the particles' "
+                   "volume changes.",
+             changes_in_time()
+                 ? Health::none
+                 : mark_of(std::abs(trend.slope) * minute / depth, bar, trend.half_width * minute / depth)});
     }
 
     /// Particles that are stored, have entered, left or been lost: the account must close to each of them.
@@ -213,10 +216,11 @@ class ChannelRows : public DiagnosticRows {
         if (stored.empty()) return;
         double worst = 0.0;
         const auto of_row = [&](std::size_t i) { return stored[i] - entered[i] + left[i] + lost[i]; };
-        for (std::size_t i = 0; i < stored.size(); ++i) worst = std::max(worst, std::abs(of_row(i) - of_row(0)));
+        for (std::size_t i = 0; i < stored.size(); ++i)
+            worst = std::max(worst, std::abs(of_row(i) - of_row(0)));
         add({"account", "Account of the particles",
-             fmt::format("{:.0f} entered, {:.0f} left, {:.0f} lost, {:.0f} stored; error {:.0f}", entered.back(),
-                         left.back(), lost.back(), stored.back(), worst),
+             fmt::format("{:.0f} entered, {:.0f} left, {:.0f} lost, {:.0f} stored; error {:.0f}",
+                         entered.back(), left.back(), lost.back(), stored.back(), worst),
              "error 0",
              "Each particle that is stored has been there from the start or has entered and not left: the account "
              "of the open ends closes to the particle.",
@@ -233,9 +237,11 @@ class ChannelRows : public DiagnosticRows {
         if (in.size() < fewest || mean_of(in) == 0.0) return;
         const MeanEstimate leaving = mean_with_confidence(out);
         const double change = leaving.mean / mean_of(in) - 1.0;
-        const double half = std::isfinite(leaving.half_width) ? leaving.half_width / std::abs(mean_of(in)) : 0.0;
+        const double half =
+            std::isfinite(leaving.half_width) ? leaving.half_width / std::abs(mean_of(in)) : 0.0;
         constexpr double bar = 0.01;
-        add({"throughput", "Discharge that leaves against that which enters", signed_percent(change), "within ± 1 %",
+        add({"throughput", "Discharge that leaves against that which enters", signed_percent(change),
+             "within ± 1 %",
              "Means over the window. In steady flow they are the same; the rest fills or empties the channel.",
              changes_in_time() ? Health::none : mark_of(std::abs(change), bar, half)});
     }
@@ -274,7 +280,8 @@ class ChannelRows : public DiagnosticRows {
     /// Whether what the case gives at open ends changes in time.
     [[nodiscard]] bool changes_in_time() const {
         const Case& c = data_.flow;
-        return open_ && !(c.inflow.discharge_file.empty() && c.inflow.depth_file.empty() && c.outflow.depth_file.empty());
+        return open_ && !(c.inflow.discharge_file.empty() && c.inflow.depth_file.empty() &&
+                          c.outflow.depth_file.empty());
     }
 
     /// A drift counts as bad only where it stands out of its own uncertainty.

@@ -119,8 +119,8 @@ void MeanField::sample(const SimulationIn<3>& simulation) {
     // parallel, and each sum has its order from that of the particles.
     std::vector<std::size_t> begin_of(count_[0] + 1, 0);
     const auto counts = [&](std::size_t i) {
-        return !open_ends_ || (p.position[0][i] >= 0.0 &&
-                               p.position[0][i] < edge_[0] * static_cast<double>(count_[0]));
+        return !open_ends_ ||
+               (p.position[0][i] >= 0.0 && p.position[0][i] < edge_[0] * static_cast<double>(count_[0]));
     };
     for (std::size_t i = 0; i < n; ++i) {
         if (counts(i)) {

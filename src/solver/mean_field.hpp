@@ -70,7 +70,7 @@ class MeanField {
     [[nodiscard]] double window_after(double time) const;
 
     double interval_ = 0.0;
-    bool open_ends_ = false;  ///< water beyond them counts in no cell
+    bool open_ends_ = false;        ///< water beyond them counts in no cell
     CellPlace count_{};             ///< cells along each axis
     std::array<double, 3> edge_{};  ///< of a cell, m
     CellSums sums_;

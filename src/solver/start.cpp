@@ -90,7 +90,10 @@ double start_velocity(const Case& c, const Scheme& scheme, const ColumnResult* c
 class OpenStart {
   public:
     explicit OpenStart(const Case& c)
-        : c_(c), input_(read_end_input(c)), unit_discharge_(start_unit_discharge(c, input_)), depth(start_depths(c, input_)) {}
+        : c_(c),
+          input_(read_end_input(c)),
+          unit_discharge_(start_unit_discharge(c, input_)),
+          depth(start_depths(c, input_)) {}
 
     [[nodiscard]] double velocity(double x, double z) const {
         const double water = depth(x);
@@ -167,7 +170,8 @@ Particles<D> initial_particles(const Case& c, const Scheme& scheme, const Column
                 particles.velocity[0][i] = section(particles.position[1][i], particles.position[2][i]);
             }
         } else if (open) {
-            particles.velocity[0][i] = open->velocity(particles.position[0][i], particles.position[vertical][i]);
+            particles.velocity[0][i] =
+                open->velocity(particles.position[0][i], particles.position[vertical][i]);
         } else if (c.start.kind != StartKind::taylor_green) {
             particles.velocity[0][i] = start_velocity(c, scheme, column, particles.position[vertical][i]);
         }

@@ -32,6 +32,27 @@ inline Case tank() {
     return c;
 }
 
+inline Case open_channel() {
+    Case c = flume();
+    c.channel.ends = Ends::open;
+    c.channel.length = 0.3;
+    c.inflow.unit_discharge = 0.0174;
+    c.run.until = RunUntil::time;
+    c.run.time = 5.0;
+    return c;
+}
+
+inline Case open_channel_with_solid() {
+    Case c = open_channel();
+    c.outflow.kind = OutflowKind::critical_depth;
+    Solid weir;
+    weir.name = "weir";
+    weir.x = {0.13, 0.17, 0.17, 0.13};
+    weir.z = {0.0, 0.0, 0.03, 0.03};
+    c.solids.push_back(weir);
+    return c;
+}
+
 inline Case periodic_box() {
     Case c = tank();
     c.channel.ends = Ends::periodic;
@@ -128,6 +149,13 @@ inline Case with_probe(ProbeKind kind) {
 }
 
 /// A case with other values of keys: "channel.depth = 5 mm; solid[1].start = 5".
+/// One whose files are looked for.
+inline Case open_channel_in_file() {
+    Case c = open_channel();
+    c.path = with_mesh().path;
+    return c;
+}
+
 inline Case with_keys(Case c, const std::string& keys) {
     const std::regex setting(R"(([a-z_]+)(\[(\d)\])?\.([a-z_]+) = ([^;]+))");
     for (std::sregex_iterator it(keys.begin(), keys.end(), setting); it != std::sregex_iterator(); ++it) {

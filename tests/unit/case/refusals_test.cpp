@@ -17,6 +17,9 @@ namespace {
 using test::between_side_walls;
 using test::cell;
 using test::flume;
+using test::open_channel;
+using test::open_channel_in_file;
+using test::open_channel_with_solid;
 using test::periodic_box;
 using test::plates;
 using test::tank;
@@ -73,6 +76,44 @@ std::vector<Wrong> wrong_geometry() {
         {between_side_walls(), "side_walls.layer = 1 mm"},
         {between_side_walls(), "side_walls.layer = 30 mm; turbulence.closure = czernuszenko-rylov"},
         {between_side_walls(), "side_walls.layer = 60 mm"},
+    };
+}
+
+std::vector<Wrong> wrong_open_ends() {
+    return {
+        {open_channel(), "inflow.unit_discharge = none"},
+        {open_channel(), "inflow.discharge = 8 l/s"},
+        {open_channel(), "inflow.depth = 20 mm; inflow.depth_file = stage.csv"},
+        {open_channel(), "inflow.depth = 50 mm"},
+        {open_channel(), "inflow.profile = log-law"},
+        {open_channel(), "inflow.profile = file"},
+        {open_channel(), "bed.drag_coefficient = 0; outflow.kind = critical-depth"},
+        {open_channel(), "outflow.kind = depth"},
+        {open_channel(), "outflow.kind = depth; outflow.depth = 60 mm; outflow.depth_file = tide.csv"},
+        {open_channel(), "outflow.kind = depth; outflow.depth = 10 mm"},
+        {open_channel(), "channel.slope = 0"},
+        {open_channel(), "inflow.unit_discharge = none; inflow.depth = 50 mm"},
+        {open_channel(), "outflow.kind = rating-curve"},
+        {open_channel(), "outflow.kind = weir"},
+        {open_channel_in_file(),
+         "inflow.unit_discharge = none; inflow.discharge_file = /nowhere/q.csv; outflow.kind = free"},
+        {open_channel_in_file(), "inflow.depth_file = /nowhere/h.csv"},
+        {open_channel_in_file(), "inflow.profile = file; inflow.profile_file = /nowhere/u.csv"},
+        {open_channel_in_file(), "outflow.kind = depth; outflow.depth_file = /nowhere/h.csv"},
+        {open_channel_in_file(), "outflow.kind = rating-curve; outflow.rating_file = /nowhere/q.csv"},
+        {open_channel(), "channel.length = 20 mm"},
+        {open_channel(), "channel.top = wall; bed.kind = no-slip"},
+        {open_channel(), "numerics.stepping = verlet; numerics.courant_number = 0.1"},
+        {open_channel(), "numerics.wall = dynamic; numerics.pressure_form = symmetric"},
+        {open_channel(), "numerics.xsph = 0.1; numerics.stepping = semi-implicit-euler"},
+        {open_channel(), "start.lattice = hexagonal"},
+        {open_channel(), "start.kind = standing-wave; start.amplitude = 1 mm"},
+        {open_channel(),
+         "inflow.unit_discharge = none; inflow.depth = 50 mm; outflow.kind = free; start.kind = backwater"},
+        {open_channel(),
+         "start.kind = rest; start.water_x = [0, 0.1, 0.1, 0]; start.water_z = [0, 0, 0.04, 0.04]"},
+        {open_channel_with_solid(), "solid[0].x = [0.005, 0.045, 0.045, 0.005]"},
+        {flume(), "start.kind = backwater"},
     };
 }
 
@@ -199,8 +240,8 @@ std::vector<Wrong> wrong_probes() {
 
 std::vector<Wrong> all_wrongs() {
     std::vector<Wrong> all;
-    for (auto* const wrongs :
-         {wrong_geometry, wrong_methods, wrong_starts_and_runs, wrong_solids, wrong_probes}) {
+    for (auto* const wrongs : {wrong_geometry, wrong_open_ends, wrong_methods, wrong_starts_and_runs,
+                               wrong_solids, wrong_probes}) {
         for (Wrong& wrong : wrongs()) {
             all.push_back(std::move(wrong));
         }

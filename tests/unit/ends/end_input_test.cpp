@@ -8,6 +8,7 @@
 #include <string>
 
 #include "base/error.hpp"
+#include "column/column.hpp"
 #include "ends/section_state.hpp"
 #include "temporary_folder.hpp"
 
@@ -51,8 +52,17 @@ class EndFiles : public ::testing::Test {
 TEST(EndInput, TheTwinsProfileHasTheDischarge) {
     const EndInput input = read_end_input(open_case("[inflow]\nunit_discharge = \"0.0174 m2/s\"\n"));
     EXPECT_NEAR(input.shape.mean_of_rows(1000), 1.0, 1e-4);
-    EXPECT_LT(input.shape.at(0.05), 0.2);   // among the spheres
-    EXPECT_GT(input.shape.at(0.95), 1.25);  // and at the surface
+    // The velocities of the uniform flow of the same bed over its mean.
+    const Case uniform = parse_case(
+        "[channel]\nslope = 0.004\ndepth = \"50 mm\"\n[bed]\nkind = \"spheres\"\nroughness_height = \"0.4 D\"\n",
+        "test");
+    const ColumnResult twin = solve_column(uniform);
+    for (const double place : {0.05, 0.2, 0.5, 0.95}) {
+        EXPECT_NEAR(input.shape.at(place) * twin.total_mean_velocity /
+                        twin.velocity_at(place * uniform.total_depth()),
+                    1.0, 2e-3)
+            << place;
+    }
 }
 
 TEST(EndInput, TheNormalDepthIsThatOfTheUniformFlow) {
@@ -71,10 +81,12 @@ TEST(EndInput, EachKindOfOutflowHasItsDepth) {
     EXPECT_NEAR(depth("kind = \"depth\"\ndepth = \"80 mm\"\n", 0.02), 0.086, 1e-12);
     EXPECT_NEAR(depth("kind = \"critical-depth\"\n", 0.02), std::cbrt(0.0004 / g), 1e-12);
     // The head over the crest: q = (2/3) C_d sqrt(2 g) head^1.5.
-    const double head = depth("kind = \"weir\"\nweir_height = \"40 mm\"\nweir_coefficient = 0.6\n", 0.02) - 0.046;
+    const double head =
+        depth("kind = \"weir\"\nweir_height = \"40 mm\"\nweir_coefficient = 0.6\n", 0.02) - 0.046;
     EXPECT_NEAR(2.0 / 3.0 * 0.6 * std::sqrt(2.0 * g) * std::pow(head, 1.5), 0.02, 1e-12);
-    EXPECT_FALSE(read_end_input(open_case("[inflow]\nunit_discharge = \"0.02 m2/s\"\n[outflow]\nkind = \"free\"\n"))
-                     .outflow_depth);
+    EXPECT_FALSE(
+        read_end_input(open_case("[inflow]\nunit_discharge = \"0.02 m2/s\"\n[outflow]\nkind = \"free\"\n"))
+            .outflow_depth);
 }
 
 TEST_F(EndFiles, AHydrographIsReadInItsUnits) {
@@ -109,9 +121,9 @@ TEST_F(EndFiles, WrongFilesAreToldWithTheirPlace) {
 TEST_F(EndFiles, ARatingCurveGivesTheDepth) {
     Case c = open_case("[inflow]\nunit_discharge = \"0.02 m2/s\"\n[outflow]\nkind = \"free\"\n");
     c.outflow.kind = OutflowKind::rating_curve;
-    c.outflow.rating_file = write("rating.csv", "depth [mm],unit_discharge\n20,0\n60,0.02\n");
+    c.outflow.rating_file = write("rating.csv", "depth [mm],unit_discharge [m2/s]\n20,0\n60,0.02\n");
     EXPECT_NEAR(read_end_input(c).outflow_depth(0.01, 0.0), 0.046, 1e-12);
-    c.outflow.rating_file = write("falls.csv", "depth [mm],unit_discharge\n20,0.02\n60,0.01\n");
+    c.outflow.rating_file = write("falls.csv", "depth [mm],unit_discharge [m2/s]\n20,0.02\n60,0.01\n");
     EXPECT_THAT(message_of(c), ::testing::HasSubstr("does not rise"));
 }
 

@@ -69,8 +69,10 @@ TEST(InflowStreams, AChangeOfTheRowsKeepsTheArea) {
         inflow.streams.rearrange(inflow.state, inflow.depth);
         EXPECT_EQ(inflow.state.rows, rows + 1);
         // The water stands higher; its mean edge stays where it was.
-        EXPECT_NEAR(inflow.waiting() / inflow.depth, before / shallow,
-                    0.5 * std::abs(inflow.streams.length(rows, shallow) - inflow.streams.length(rows, inflow.depth)) + 1e-12);
+        EXPECT_NEAR(
+            inflow.waiting() / inflow.depth, before / shallow,
+            0.5 * std::abs(inflow.streams.length(rows, shallow) - inflow.streams.length(rows, inflow.depth)) +
+                1e-12);
         EXPECT_EQ(inflow.state.front.size(), static_cast<std::size_t>(files * (rows + 1)));
     }
 }
@@ -97,6 +99,7 @@ TEST(InflowStreams, WaterThatGoesBackIsGivenUp) {
 TEST(InflowStreams, AStateIsTheSameAfterItsNumbers) {
     Inflow inflow(0.03, 2);
     inflow.state.begun = true;
+    inflow.state.leaving = {0.1, 0.2, 0.3};
     inflow.state.ledger = {.entered = 17, .left = 4, .mass_entered = 0.3, .momentum_left = -2.0};
     inflow.state.downstream.coming = -1.5;
     inflow.state.travel = 1e-3;

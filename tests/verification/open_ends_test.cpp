@@ -1,0 +1,183 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <set>
+#include <vector>
+
+#include "base/parallel.hpp"
+#include "ends/end_input.hpp"
+#include "solver/simulation.hpp"
+#include "solver/start.hpp"
+
+// Channels with open ends, small enough for seconds. Laminar: U(z) is the parabola of the discharge.
+
+namespace riffle {
+namespace {
+
+constexpr double depth = 0.02;
+constexpr double viscosity = 1e-4;
+constexpr double slope = 0.002;
+
+std::string laminar_channel(const std::string& more, int dimensions = 2, double spacing = 0.002) {
+    return "[channel]\nslope = " + std::to_string(slope) + "\ndepth = " + std::to_string(depth) +
+           "\nlength = 0.1\nends = \"open\"\ndimensions = " + std::to_string(dimensions) +
+           "\nwidth = 0.016\n"
+           "[bed]\nkind = \"no-slip\"\n[turbulence]\nclosure = \"none\"\n[fluid]\nkinematic_viscosity = " +
+           std::to_string(viscosity) + "\n[numerics]\nspacing = " + std::to_string(spacing) +
+           "\n[run]\nuntil = \"1 s\"\n" + more;
+}
+
+/// g S0 H^3/(3 nu).
+double laminar_discharge() {
+    return 9.81 * std::sin(std::atan(slope)) * depth * depth * depth / (3.0 * viscosity);
+}
+
+template <int D>
+struct OpenRun {
+    Case c;
+    std::unique_ptr<SimulationIn<D>> simulation;
+
+    explicit OpenRun(const std::string& text) : c(parse_case(text, "open ends")) {
+        simulation =
+            make_simulation<D>(c, nullptr, initial_particles<D>(c, make_scheme(c, nullptr), nullptr));
+    }
+    void advance_to(double time) {
+        while (simulation->clock().time < time) {
+            simulation->step();
+        }
+    }
+    [[nodiscard]] const OpenEndsState& ends() const { return simulation->clock().open_ends; }
+};
+
+std::string inflow(double unit_discharge) {
+    return "[inflow]\nunit_discharge = " + std::to_string(unit_discharge) + "\n";
+}
+
+/// Particles at the start and those made and taken out since are those that are there: each by its number.
+template <int D>
+void expect_account_closes(const OpenRun<D>& run, std::size_t at_start) {
+    const auto& particles = run.simulation->particles();
+    const EndsLedger& ledger = run.ends().ledger;
+    EXPECT_EQ(static_cast<std::int64_t>(particles.size() + particles.lost.size()),
+              static_cast<std::int64_t>(at_start) + ledger.entered - ledger.left);
+    EXPECT_TRUE(particles.lost.empty());
+    const std::set<std::int32_t> numbers(particles.id.begin(), particles.id.end());
+    EXPECT_EQ(numbers.size(), particles.size());  // each once
+    EXPECT_LT(*numbers.rbegin(), particles.created);
+}
+
+// U(z) within 1 % rms of its mean, the level within 0.5 % of H.
+TEST(OpenEnds, UniformFlowStaysUniform) {
+    OpenRun<2> run(
+        laminar_channel(inflow(laminar_discharge()) + "[outflow]\nkind = \"normal-depth\"\n", 2, 0.00125));
+    const std::size_t at_start = initial_particles<2>(run.c, run.simulation->scheme(), nullptr).size();
+    const double mean = laminar_discharge() / depth;
+    constexpr std::size_t layers = 16;
+    std::array<double, layers> count{};
+    std::array<double, layers> departure{};
+    double level = 0.0;
+    double samples = 0.0;
+    for (double time = 1.0; time < 3.0; time += 0.05) {  // the slow water at the bed is renewed within 3 s
+        run.advance_to(time);
+        const auto& p = run.simulation->particles();
+        for (std::size_t i = 0; i < p.size(); ++i) {
+            const double x = p.position[0][i];
+            if (x < 0.0 || x >= 0.1) {
+                continue;
+            }
+            level += p.mass[i] / (1000.0 * (1.0 + p.density_deviation[i])) / 0.1;
+            const double place = p.position[1][i] / depth;
+            const auto layer = static_cast<std::size_t>(std::clamp(place * layers, 0.0, layers - 0.5));
+            count[layer] += 1.0;
+            departure[layer] += p.velocity[0][i] - 1.5 * mean * place * (2.0 - place);
+        }
+        samples += 1.0;
+    }
+    double squares = 0.0;
+    for (std::size_t layer = 0; layer < layers; ++layer) {
+        squares += std::pow(departure[layer] / count[layer], 2) / layers;
+    }
+    EXPECT_LT(std::sqrt(squares) / mean, 0.01);
+    EXPECT_NEAR(level / samples / depth, 1.0, 0.005);
+    expect_account_closes(run, at_start);
+}
+
+TEST(OpenEnds, TheDischargeIsThatOfTheCase) {
+    const double q = 1.3 * laminar_discharge();
+    OpenRun<2> run(laminar_channel(inflow(q) + "[outflow]\nkind = \"depth\"\ndepth = 0.02\n"));
+    run.advance_to(0.2);
+    const double before = run.ends().ledger.mass_entered;
+    const double from = run.simulation->clock().time;
+    run.advance_to(2.2);
+    // Water is made particle by particle, ten streams of them.
+    const double particle = 1000.0 * 0.002 * 0.002;
+    EXPECT_NEAR(run.ends().ledger.mass_entered - before, 1000.0 * q * (run.simulation->clock().time - from),
+                15 * particle);
+}
+
+TEST(OpenEnds, SupercriticalFlowPasses) {
+    const double h = 0.02;
+    const double q = 2.0 * std::sqrt(9.81 * h) * h;  // Fr = 2
+    const std::string text =
+        laminar_channel("[inflow]\nunit_discharge = " + std::to_string(q) +
+                        "\ndepth = 0.02\nprofile = \"uniform\"\n[outflow]\nkind = \"free\"\n");
+    std::string slip = text;
+    slip.replace(slip.find("no-slip"), 7, "slip");
+    OpenRun<2> run(slip);
+    const std::size_t at_start = initial_particles<2>(run.c, run.simulation->scheme(), nullptr).size();
+    run.advance_to(0.5);  // the water passes four times
+    expect_account_closes(run, at_start);
+    EXPECT_NEAR(run.ends().downstream.depth, h, 0.01 * h);
+    EXPECT_NEAR(run.ends().downstream.velocity, q / h, 0.02 * q / h);  // the slope adds 1 %
+}
+
+TEST(OpenEnds, TheSameBitsForAnyNumberOfThreadsAndAfterARestore) {
+    const std::string text =
+        laminar_channel(inflow(1.2 * laminar_discharge()) + "[outflow]\nkind = \"critical-depth\"\n");
+    const int threads = thread_count();
+    set_thread_count(1);
+    OpenRun<2> one(text);
+    one.advance_to(0.3);
+    set_thread_count(2);
+    OpenRun<2> two(text);
+    two.advance_to(0.15);
+    // A state in the middle, as a checkpoint keeps it.
+    OpenRun<2> resumed(text);
+    Particles<2> saved = two.simulation->particles();
+    for (std::size_t k = 0; k < 2 && !two.simulation->lists_out_of_date(); ++k) {
+        saved.listed_position[k].resize(saved.size());
+        two.simulation->listed_positions(k, 0, saved.listed_position[k]);
+    }
+    SimulationClock clock = two.simulation->clock();
+    clock.open_ends = OpenEndsState::from(clock.open_ends.numbers());
+    resumed.simulation->restore(saved, clock, two.simulation->wall_density_deviation());
+    two.advance_to(0.3);
+    resumed.advance_to(0.3);
+    set_thread_count(threads);
+    for (const OpenRun<2>* const other : {&two, &resumed}) {
+        EXPECT_EQ(one.ends(), other->ends());
+        EXPECT_EQ(one.simulation->particles().position, other->simulation->particles().position);
+        EXPECT_EQ(one.simulation->particles().velocity, other->simulation->particles().velocity);
+        EXPECT_EQ(one.simulation->particles().density_deviation,
+                  other->simulation->particles().density_deviation);
+        EXPECT_EQ(one.simulation->particles().id, other->simulation->particles().id);
+    }
+}
+
+TEST(OpenEnds, SpaceIsLikeAPlane) {
+    OpenRun<3> run(laminar_channel(inflow(laminar_discharge()) + "[outflow]\nkind = \"normal-depth\"\n", 3));
+    const std::size_t at_start = initial_particles<3>(run.c, run.simulation->scheme(), nullptr).size();
+    run.advance_to(0.5);
+    expect_account_closes(run, at_start);
+    const double mean = laminar_discharge() / depth;
+    EXPECT_NEAR(run.ends().upstream.depth / depth, 1.0, 0.01);
+    EXPECT_NEAR(run.ends().downstream.depth / depth, 1.0, 0.01);
+    EXPECT_NEAR(run.ends().downstream.velocity / mean, 1.0, 0.02);
+}
+
+}  // namespace
+}  // namespace riffle
