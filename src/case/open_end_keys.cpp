@@ -52,15 +52,15 @@ SectionKeys inflow_keys() {
                          .at_least(1)
                          .at_most(100)
                          .because("measured: 3 to 10")
-                         .applies_with(profile, {"power-law"}));
+                         .applies_with(profile, {"power-law"}, true));
     s.keys.push_back(make_key("inflow", "equivalent_roughness", &Case::inflow, &Inflow::equivalent_roughness,
                               "k_s of the log law.")
                          .measured_in(length)
                          .at_least(0)
-                         .applies_with(profile, {"log-law"}));
+                         .applies_with(profile, {"log-law"}, true));
     s.keys.push_back(make_key("inflow", "profile_file", &Case::inflow, &Inflow::profile_file,
                               "CSV file of the profile, the columns z, u; z above the zero datum.")
-                         .applies_with(profile, {"file"}));
+                         .applies_with(profile, {"file"}, true));
     return s;
 }
 
@@ -76,33 +76,33 @@ SectionKeys outflow_keys() {
                          .measured_in(length)
                          .greater_than(0)
                          .unset_by("none", "`depth_file` gives it")
-                         .applies_with(kind, {"depth"}));
+                         .applies_with(kind, {"depth"}, true));
     s.keys.push_back(key("depth_file", &Outflow::depth_file, "CSV file with the columns time, depth.")
                          .with_example("\"tide.csv\"")
-                         .applies_with(kind, {"depth"}));
+                         .applies_with(kind, {"depth"}, true));
     s.keys.push_back(
         key("weir_height", &Outflow::weir_height, "Height of the weir's crest over the zero datum.")
             .measured_in(length)
             .at_least(0)
-            .applies_with(kind, {"weir"}));
+            .applies_with(kind, {"weir"}, true));
     s.keys.push_back(key("weir_coefficient", &Outflow::weir_coefficient,
                          "C_d of q = (2/3) C_d sqrt(2 g) head^(3/2); the head is that over the crest.")
                          .at_least(0.2)
                          .at_most(2)
                          .because("measured: 0.55 to 1.2")
-                         .applies_with(kind, {"weir"}));
+                         .applies_with(kind, {"weir"}, true));
     s.keys.push_back(
         key("rating_file", &Outflow::rating_file,
             "CSV file of the rating curve, the columns depth, and discharge or unit_discharge, both rising.")
             .with_example("\"rating.csv\"")
-            .applies_with(kind, {"rating-curve"}));
+            .applies_with(kind, {"rating-curve"}, true));
     s.keys.push_back(
         key("relaxation_time", &Outflow::relaxation_time,
             "Time in which the depth goes to what rules it: the longer, the less of a wave is thrown back.")
             .measured_in(time)
             .greater_than(0)
             .unset_by("auto", "60 sqrt(H / g), at least the time that a wave takes along the channel")
-            .applies_with(kind, {"depth", "normal-depth", "critical-depth", "weir", "rating-curve"}));
+            .applies_with(kind, {"depth", "normal-depth", "critical-depth", "weir", "rating-curve"}, true));
     return s;
 }
 
