@@ -27,6 +27,7 @@ void refuse_to_run(const Case& c);
 // The lists, by subject.
 
 [[nodiscard]] CheckList bed_refusals();
+[[nodiscard]] CheckList wall_law_refusals();  ///< beds by roughness and smooth ones
 [[nodiscard]] CheckList channel_refusals();
 [[nodiscard]] CheckList plane_refusals();   ///< two dimensions
 [[nodiscard]] CheckList space_refusals();   ///< three dimensions

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "engine/component.hpp"
+#include "particles/lattice.hpp"
 #include "turbulence/closure.hpp"
 
 namespace riffle {
@@ -35,7 +36,7 @@ class MixingLengths final : public Component<D, Real> {
 
 template <int D, class Real>
 std::unique_ptr<Component<D, Real>> make_mixing_lengths(FlowOf<D, Real>& flow) {
-    auto closure = make_closure(flow.c);
+    auto closure = make_particle_closure(flow.c, lattice_of(flow.c).dz);
     return closure ? std::make_unique<MixingLengths<D, Real>>(std::move(closure)) : nullptr;
 }
 
