@@ -28,8 +28,8 @@ Findings zone_of_smooth_bed(const Case& c) {
 /// Largest k_s over the depth: the log law needs water above the elements.
 constexpr double most_roughness = 0.5;
 
-/// Rows of particles over the depth of which the three of the wall layer (docs/theory.md, section 8) are few.
-constexpr double fewest_rows = 8.0;
+/// Rows of particles over the depth of which the four of the wall layer (docs/theory.md, section 8) are few.
+constexpr double fewest_rows = 10.0;
 
 bool by_roughness(const Case& c) { return c.bed.kind == BedKind::roughness; }
 
@@ -129,8 +129,8 @@ CheckList wall_law_refusals() {
              "set [channel] sides = \"periodic\", or take spheres",
              [](const Case& c) { return c.has_side_walls(); }},
             {{"numerics.spacing", "channel.depth"},
-             "fewer than 8 rows of particles over a bed by a wall law",
-             "the friction acts over three rows, which must be a small part of the depth",
+             "fewer than 10 rows of particles over a bed by a wall law",
+             "the friction acts over four rows, which must be a small part of the depth",
              "make the spacing smaller",
              [](const Case& c) {
                  const double rows = c.total_depth() / c.numerics.spacing;

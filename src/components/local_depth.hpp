@@ -81,6 +81,31 @@ class LocalDepth {
         return index;
     }
 
+    /// The cells along an axis that a particle's width reaches into, and the share of it in the second.
+    struct Overlap {
+        std::array<std::size_t, 2> cell{};
+        std::array<double, 2> share{1.0, 0.0};
+    };
+    [[nodiscard]] Overlap overlap(const Particles<D>& particles, std::size_t i, std::size_t axis) const {
+        const std::size_t own = cell_along(particles, i, axis);
+        const double half = half_row_ / length_[axis] * static_cast<double>(count_[axis]);
+        const double offset = place(particles, i, axis) - static_cast<double>(own);
+        const double behind = std::max(0.0, 0.5 * (offset + half - 1.0) / half);
+        const double before = std::max(0.0, 0.5 * (half - offset) / half);
+        return {{own, beside(own, axis, behind > 0.0)}, {1.0 - behind - before, behind + before}};
+    }
+    /// Give a particle's part of the depth to the cells that it reaches into: a lattice of particles then
+    /// fills cells of any width evenly.
+    void spread(const Particles<D>& particles, std::size_t i, double part, std::vector<double>& cells) const {
+        const Overlap along = overlap(particles, i, 0);
+        const Overlap across = D == 3 ? overlap(particles, i, 1) : Overlap{};
+        for (std::size_t b = 0; b < (D == 3 ? 2 : 1); ++b) {
+            for (std::size_t a = 0; a < 2; ++a) {
+                cells[along.cell[a] + count_[0] * across.cell[b]] += part * along.share[a] * across.share[b];
+            }
+        }
+    }
+
     /// Depth in each cell, m; 0 where it is dry.
     [[nodiscard]] std::vector<double> levels(const Flow& flow) const {
         const Particles<D>& particles = flow.particles;
@@ -92,11 +117,12 @@ class LocalDepth {
             [&](std::size_t begin, std::size_t end) {
                 std::vector<double> part(cells, 0.0);
                 for (std::size_t i = begin; i < end; ++i) {
-                    double& level = part[cell(particles, i)];
                     if (with_bodies_) {
+                        double& level = part[cell(particles, i)];
                         level = std::max(level, particles.position[Flow::vertical][i] + half_row_);
                     } else {
-                        level += per_mass * particles.mass[i] / (1.0 + particles.density_deviation[i]);
+                        spread(particles, i,
+                               per_mass * particles.mass[i] / (1.0 + particles.density_deviation[i]), part);
                     }
                 }
                 return part;

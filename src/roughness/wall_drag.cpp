@@ -13,10 +13,8 @@ class WallDrag final : public BedDrag {
   public:
     explicit WallDrag(WallLayer layer) : layer_(std::move(layer)) {}
 
-    [[nodiscard]] double coefficient(double z) const override {
-        return z >= 0.0 && z < layer_.height() ? layer_.drag_coefficient() : 0.0;
-    }
-    [[nodiscard]] double top() const override { return layer_.height(); }
+    [[nodiscard]] double coefficient(double z) const override { return layer_.drag_coefficient(z); }
+    [[nodiscard]] double top() const override { return layer_.drag_top(); }
     [[nodiscard]] bool varies_with_speed() const override { return true; }
     [[nodiscard]] double speed_factor(double z, double speed) const override {
         return layer_.speed_factor(z, speed);

@@ -7,18 +7,20 @@
 namespace riffle {
 
 /// How particles meet a bed by a wall law, which they cannot resolve: in a layer of the height of some rows
-/// the velocity is a parabola that joins the profile of the law with its value and slope and carries the same
-/// discharge; a drag -beta u|u| with one beta takes the stress of the bed over the layer, and the mixing
-/// length there is that with which this is the steady flow. Above the layer nothing differs from the law, and
-/// no length of it is finer than the rows (theory 8).
+/// the velocity is a cubic that joins the profile of the law with its value and slope, has no slope at the
+/// bed and carries the same discharge; a drag -beta(z) u|u| in its lower part takes the stress of the bed,
+/// and the mixing length there is that with which this is the steady flow. Above the layer nothing differs
+/// from the law, and no length of it is finer than the rows (theory 8).
 class WallLayer {
   public:
     /// For rows of a height, m. The case must have a wall law.
     WallLayer(const Case& c, double row_height);
 
     [[nodiscard]] double height() const { return height_; }
-    /// beta in the layer, 1/m, at the reference friction velocity of the case.
-    [[nodiscard]] double drag_coefficient() const { return drag_coefficient_; }
+    /// beta at z, 1/m, at the reference friction velocity of the case: falling linearly from the bed to zero.
+    [[nodiscard]] double drag_coefficient(double z) const;
+    /// Height above which the drag is zero, m.
+    [[nodiscard]] double drag_top() const { return drag_top_; }
     /// Mixing length at z below height(), m.
     [[nodiscard]] double mixing_length(double z) const;
     /// u at z up to height() of the uniform flow at the reference friction velocity, m/s.
@@ -29,9 +31,10 @@ class WallLayer {
 
   private:
     double height_;
+    double drag_top_;
     double friction_velocity_;
-    double drag_coefficient_ = 0.0;
-    double top_ = 0.0;  ///< of the parabola u/u_* = top - slope t - bend t^2, t = 1 - z/height
+    double drag_coefficient_ = 0.0;  ///< at the bed, 1/m
+    double top_ = 0.0;  ///< of u/u_* = top - integral of slope (1 - t)(1 + bend t), t = 1 - z/height
     double slope_ = 0.0;
     double bend_ = 0.0;
     std::vector<double> z_, mixing_length_;

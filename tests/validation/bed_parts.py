@@ -60,16 +60,16 @@ def beds(run):
         roughness = share * depth
         zero = rough_zero_height(roughness) + smooth_zero_height(friction_velocity)
         for rows in (12, 20, 36):
-            settings = settings_of(depth, rows, 200, {"bed.equivalent_roughness": f'"{1000 * roughness:.6g} mm"'})
+            settings = settings_of(depth, rows, 150, {"bed.equivalent_roughness": f'"{1000 * roughness:.6g} mm"'})
             bed_row(table, run, f"bed-{share}-{rows}", f"k_s/h = {share:g}, {rows} rows", GRAVEL, settings, depth, slope, zero, 0.01)
     return table
 
 
 def smooth_beds(run):
     table = Table("Smooth beds, closure nezu-rodi: depth-mean velocity against the smooth log law of Nezu & Rodi (1986)", bed_header(3))
-    for depth, slope, seconds in ((0.05, 0.001, 120), (0.5, 0.0005, 400)):
+    for depth, slope, seconds in ((0.05, 0.001, 100), (0.5, 0.001, 200)):
         friction_velocity = math.sqrt(GRAVITY * math.sin(math.atan(slope)) * depth)
-        for rows in (12, 20, 36):
+        for rows in (12, 20, 36) if depth < 0.1 else (20,):
             more = {"channel.depth": f'"{depth:g} m"', "channel.slope": f"{slope:g}"}
             label = f"u_* h/nu = {friction_velocity * depth / VISCOSITY:.0f}, {rows} rows"
             bed_row(table, run, f"smooth-{depth}-{rows}", label, SMOOTH, settings_of(depth, rows, seconds, more), depth, slope,
@@ -88,13 +88,27 @@ def bed_closures(run):
             ("k_s/h = 0.05, nezu-rodi, wake 0.2", "wake", GRAVEL, depth, {"turbulence.wake_strength": "0.2"}),
             ("k_s/h = 0.05, h = 2 dx", "wide", GRAVEL, depth, {"numerics.smoothing_ratio": "2.0"}),
             ("n = 0.025, ramp, 1 m", "manning", MANNING, 1.0, {})):
-        result = run(f"closure-{name}", case, settings_of(at, 20, 200 if at < 1 else 400, more))
+        result = run(f"closure-{name}", case, settings_of(at, 20, 150 if at < 1 else 300, more))
         v, twin = result.values, result.column["depth_mean_velocity"]
         error = v["depth_mean_velocity"] / twin - 1
         slope = 0.001 if at < 1 else 0.0005
         n = at ** (2 / 3) * math.sqrt(slope) / v["depth_mean_velocity"]
         table.rows.append([label, f"{twin:.4f}", f"{v['depth_mean_velocity']:.4f}",
                            table.check(label, "U against the twin", error, 0.01, f"{100 * error:+.2f}"), f"{n:.4f}"])
+    return table
+
+
+def beds_in_space(run):
+    table = Table("Beds by their roughness in three dimensions, a cell seven spacings wide and long, depth 0.5 m, slope 0.001, closure nezu-rodi", bed_header(1))
+    depth, slope = 0.5, 0.001
+    friction_velocity = math.sqrt(GRAVITY * slope * depth)
+    for share, rows in ((0.01, 12), (0.3, 12), (0.05, 20)):
+        roughness = share * depth
+        zero = rough_zero_height(roughness) + smooth_zero_height(friction_velocity)
+        side = f'"{7000 * depth / rows:.6g} mm"'
+        more = {"bed.equivalent_roughness": f'"{1000 * roughness:.6g} mm"', "channel.dimensions": "3", "channel.width": side}
+        settings = {**settings_of(depth, rows, 150, more), "channel.length": side}
+        bed_row(table, run, f"space-{share}-{rows}", f"k_s/h = {share:g}, {rows} rows", GRAVEL, settings, depth, slope, zero, 0.01)
     return table
 
 
@@ -105,5 +119,5 @@ def local_depth(run):
     return table
 
 
-BED_PARTS = {"beds": beds, "smooth_beds": smooth_beds, "bed_closures": bed_closures, "local_depth": local_depth}
-BEDS = ["beds", "smooth_beds", "bed_closures", "local_depth"]
+BED_PARTS = {"beds": beds, "smooth_beds": smooth_beds, "bed_closures": bed_closures, "beds_in_space": beds_in_space, "local_depth": local_depth}
+BEDS = ["beds", "smooth_beds", "bed_closures", "beds_in_space", "local_depth"]
