@@ -82,6 +82,8 @@ struct Bed {
     DragForm drag_form = DragForm::consistent;
     std::optional<double>
         sphere_ramp;  ///< 3D: length over which a sphere's drag sets in, m; see Case::sphere_ramp()
+    std::optional<double> equivalent_roughness;  ///< k_s of a bed by roughness, m
+    std::optional<double> manning;               ///< n at the depth of the case instead of it, s/m^(1/3)
 
     bool operator==(const Bed&) const = default;
 };
@@ -104,6 +106,7 @@ struct Turbulence {
     double smagorinsky_constant = 0.12;   ///< C_s of the SPS closure
     std::optional<double> filter_width;   ///< Delta of the SPS closure, m; unset: spacing / sqrt(2)
     StressTerms stress_terms = StressTerms::full;
+    ClosureDepth depth = ClosureDepth::automatic;  ///< of the mixing lengths; see uses_local_depth()
     double edge_zone = 0.5;       ///< gamma of Czernuszenko & Rylov: the edge zones are gamma H/2 wide
     double spanwise_ratio = 0.5;  ///< l_y / l_x of Czernuszenko & Rylov
 

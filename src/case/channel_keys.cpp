@@ -105,6 +105,23 @@ SectionKeys bed() {
             .greater_than(0)
             .unset_by("auto", "a tenth of the diameter; the spacing with `drag_form = \"thesis\"`")
             .applies_with("channel.dimensions", {"3"}, true));
+    s.keys.push_back(key("equivalent_roughness", &Bed::equivalent_roughness,
+                         "Equivalent sand roughness k_s (Nikuradse) of a bed by roughness.")
+                         .measured_in(length)
+                         .greater_than(0)
+                         .unset_by("none", "from `manning`")
+                         .with_example("\"1 mm\"")
+                         .applies_with("bed.kind", {"roughness"}, true));
+    s.keys.push_back(
+        key("manning", &Bed::manning,
+            "Manning's n of the uniform flow at the depth of the case, s/m^(1/3), from which the "
+            "roughness follows.")
+            .at_least(0.001)
+            .at_most(1)
+            .because("glass has 0.009, floodplains with trees 0.2")
+            .unset_by("none", "from `equivalent_roughness`")
+            .with_example("0.02")
+            .applies_with("bed.kind", {"roughness"}, true));
     return s;
 }
 
@@ -164,6 +181,8 @@ SectionKeys turbulence() {
     s.keys.push_back(
         key("stress_terms", &Turbulence::stress_terms, "What is kept of the strain rate and the stress.")
             .applies_with(closure, {"ramp", "nezu-rodi", "nikuradse", "sps"}));
+    s.keys.push_back(key("depth", &Turbulence::depth, "Which depth of the water the mixing lengths follow.")
+                         .applies_with(closure, {"ramp", "nezu-rodi", "nikuradse", "czernuszenko-rylov"}));
     s.keys.push_back(key("edge_zone", &Turbulence::edge_zone,
                          "gamma: beside each wall the mixing lengths grow over a zone of gamma H / 2.")
                          .at_least(0.01)

@@ -15,6 +15,8 @@ bool bed_resists(const Bed& bed) {
         case BedKind::spheres:
             return bed.drag_coefficient > 0.0 && bed.roughness_height > 0.0;
         case BedKind::no_slip:
+        case BedKind::roughness:
+        case BedKind::smooth:
             return true;
         case BedKind::slip:
             break;
@@ -69,6 +71,27 @@ const char* flow_kind_name(FlowKind kind) {
 
 bool resolves_eddies(const Case& c) {
     return c.turbulence.closure == ClosureKind::wale || c.turbulence.closure == ClosureKind::vreman;
+}
+
+bool has_mixing_length(const Case& c) {
+    switch (c.turbulence.closure) {
+        case ClosureKind::ramp:
+        case ClosureKind::nezu_rodi:
+        case ClosureKind::nikuradse:
+        case ClosureKind::czernuszenko_rylov:
+            return true;
+        default:
+            return false;
+    }
+}
+
+bool uses_local_depth(const Case& c) {
+    if (!has_mixing_length(c) || c.channel.top != Top::free_surface ||
+        c.turbulence.depth == ClosureDepth::initial) {
+        return false;
+    }
+    const bool open = c.channel.ends != Ends::periodic && c.channel.ends != Ends::walls;
+    return c.turbulence.depth == ClosureDepth::local || open || !c.solids.empty();
 }
 
 std::optional<std::string> why_no_column(const Case& c) {

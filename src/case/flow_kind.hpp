@@ -42,6 +42,14 @@ enum class FlowKind {
 /// Whether a bed holds the water back.
 [[nodiscard]] bool bed_resists(const Bed& bed);
 
+/// Whether the closure of a case is a mixing length, which grows from the bed and follows the depth.
+[[nodiscard]] bool has_mixing_length(const Case& c);
+
+/// Whether the mixing lengths follow the depth of the water at each place: where the case asks for it, or
+/// leaves it open (turbulence.depth = "auto") and the flow varies along the channel, with bodies in it or
+/// ends that the water passes.
+[[nodiscard]] bool uses_local_depth(const Case& c);
+
 /// Whether the particles carry the eddies, and the closure only what is smaller: the mean flow is then a mean
 /// over time and plan, and no model of the mean flow is its limit.
 [[nodiscard]] bool resolves_eddies(const Case& c);

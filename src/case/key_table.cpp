@@ -26,8 +26,10 @@ SectionKeys numerics() {
         key("spacing", &Numerics::spacing, "Particle spacing dx.")
             .measured_in(length)
             .greater_than(0)
-            .with_default_note("over spheres the smallest of 0.06 diameters, 1/5 of the roughness height "
-                               "and 1/30 of the depth; twice that in three dimensions"));
+            .with_default_note(
+                "over spheres the smallest of 0.06 diameters, 1/5 of the roughness height "
+                "and 1/30 of the depth; twice that in three dimensions; over beds by roughness and smooth "
+                "ones 1/20 of the depth"));
     s.keys.push_back(key("kernel", &Numerics::kernel, "Smoothing kernel."));
     s.keys.push_back(key("smoothing_ratio", &Numerics::smoothing_ratio,
                          "Smoothing length over spacing, h / dx; the kernel reaches 2 h.")

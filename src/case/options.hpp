@@ -13,12 +13,13 @@ enum class OutflowKind { depth, normal_depth, critical_depth, weir, rating_curve
 enum class Top { free_surface, wall, periodic };
 enum class Sides { periodic, walls, half };
 enum class SideDragForm { consistent, thesis, none };
-enum class BedKind { spheres, slip, no_slip };
+enum class BedKind { spheres, slip, no_slip, roughness, smooth };
 enum class DragSampling { row, point };
 enum class Packing { hexagonal, square };
 enum class DragForm { consistent, thesis, paper, slice, plan_mean };
 enum class ClosureKind { none, ramp, nezu_rodi, nikuradse, sps, czernuszenko_rylov, wale, vreman };
 enum class StressTerms { full, shear };
+enum class ClosureDepth { automatic, initial, local };
 enum class KernelKind {
     wendland_c2,
     cubic_spline,

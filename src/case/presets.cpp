@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "case/bed_friction.hpp"
+
 namespace riffle {
 
 namespace {
@@ -65,6 +67,16 @@ Numerics preset_numerics(Preset preset, int dimensions) {
     return {};
 }
 
+namespace {
+
+/// A length rounded down to a tenth of a millimetre, or two digits.
+double rounded_down(double length) {
+    const double digits = std::max(1e4, std::pow(10.0, 1.0 - std::floor(std::log10(length))));
+    return std::floor(length * digits * (1.0 + 1e-9)) / digits;
+}
+
+}  // namespace
+
 void choose_resolution(Case& c, const GivenResolution& given) {
     Numerics& n = c.numerics;
     if (n.preset != Preset::riffle && n.preset != Preset::violent) {
@@ -79,13 +91,16 @@ void choose_resolution(Case& c, const GivenResolution& given) {
             std::min({0.06 * c.bed.sphere_diameter, 0.2 * c.bed.roughness_height, c.total_depth() / 30.0}) /
             rows;
         if (!given.spacing && finest > 0.0) {
-            // Rounded down to a tenth of a millimetre, or two digits.
-            const double digits = std::max(1e4, std::pow(10.0, 1.0 - std::floor(std::log10(finest))));
-            n.spacing = std::floor(finest * digits * (1.0 + 1e-9)) / digits;
+            n.spacing = rounded_down(finest);
         }
         if (!given.smoothing_ratio && !space) {
             n.smoothing_ratio = 2.0;
         }
+    }
+    // The friction of a plane bed holds at any spacing: the one that the flow over it needs.
+    constexpr double rows_over_plane_bed = 20.0;
+    if (has_wall_law(c) && !given.spacing && c.total_depth() > 0.0) {
+        n.spacing = rounded_down(c.total_depth() / rows_over_plane_bed);
     }
     if (!given.wall_layers) {
         n.wall_layers = static_cast<int>(std::ceil(2.0 * n.smoothing_ratio - 1e-9));

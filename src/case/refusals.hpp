@@ -27,6 +27,7 @@ void refuse_to_run(const Case& c);
 // The lists, by subject.
 
 [[nodiscard]] CheckList bed_refusals();
+[[nodiscard]] CheckList wall_law_refusals();  ///< beds by roughness and smooth ones
 [[nodiscard]] CheckList channel_refusals();
 [[nodiscard]] CheckList open_end_refusals();    ///< open ends
 [[nodiscard]] CheckList closed_end_refusals();  ///< any others

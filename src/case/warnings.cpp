@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "case/bed_friction.hpp"
 #include "case/conversion.hpp"
 #include "case/flow_kind.hpp"
 #include "case/key_table.hpp"
@@ -264,6 +265,27 @@ CheckList make_warnings() {
          "a no-slip bed with a mixing length is under-resolved at this kind of spacing",
          "compare two spacings",
          [](const Case& c) { return has_closure(c) && c.bed.kind == BedKind::no_slip; }},
+        {{"numerics.spacing", "bed.equivalent_roughness"},
+         "over a bed by roughness a spacing below k_s/33, the height of zero velocity of its log law",
+         "the rows are finer than what the law says of the flow among the elements",
+         "make the spacing larger",
+         [](const Case& c) {
+             const double zero =
+                 zero_height_of_roughness(c.bed.equivalent_roughness.value_or(0.0), c.turbulence.kappa);
+             return found_if(c.bed.kind == BedKind::roughness && c.numerics.spacing < zero,
+                             "{} is below the height of zero velocity of the log law, {}",
+                             shown_length(c.numerics.spacing), fmt::format("{:.2g} mm", 1e3 * zero));
+         }},
+        {{"numerics.spacing", "channel.depth"},
+         "fewer than 12 rows of particles over the depth of a bed by a wall law",
+         "the rows of the wall layer are a large part of the depth",
+         "make the spacing smaller",
+         [](const Case& c) {
+             const double rows = c.total_depth() / c.numerics.spacing;
+             return found_if(has_wall_law(c) && rows * (1 + small) < 12.0,
+                             "{} leaves only {:.0f} rows over the depth, verified with 12 and more",
+                             shown_length(c.numerics.spacing), rows);
+         }},
         {{"numerics.courant_number", "numerics.stepping"},
          "a `courant_number` above 0.8, with the methods of two evaluations above 0.4, with Verlet's above 0.2",
          "",

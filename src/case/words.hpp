@@ -78,10 +78,15 @@ struct Words<SideDragForm> {
 
 template <>
 struct Words<BedKind> {
-    static constexpr std::array<Word, 3> list{{
+    static constexpr std::array<Word, 5> list{{
         {"spheres", "a layer of spheres that acts by its drag in the roughness zone"},
         {"slip", "a smooth frictionless plane"},
         {"no-slip", "a smooth plane at which the water rests"},
+        {"roughness",
+         "a plane whose friction is that of the log law over `equivalent_roughness` or `manning`", "theory 8",
+         "beds known by k_s or Manning's n"},
+        {"smooth", "a smooth plane with the friction of the log law of smooth walls", "theory 8",
+         "turbulent flow over glass, steel and smooth concrete"},
     }};
 };
 
@@ -147,6 +152,18 @@ struct Words<StressTerms> {
         {"shear",
          "|S| = |du/dz| (the paper); only with `eddy_stress = \"stress-divergence\"` is tau_xz alone kept as well",
          "the paper", "to repeat the paper; in parallel flow the same"},
+    }};
+};
+
+template <>
+struct Words<ClosureDepth> {
+    static constexpr std::array<Word, 3> list{{
+        {"auto",
+         "that of the start in uniform channels, the local one where the flow varies along the channel"},
+        {"initial", "the total depth of the case, everywhere and always"},
+        {"local",
+         "the depth of the water over each place of the bed, from the particles, smoothed and relaxed",
+         "theory 7", "flow that varies along the channel: bodies, waves, other depths than `channel.depth`"},
     }};
 };
 

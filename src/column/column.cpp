@@ -14,6 +14,7 @@
 #include "column/momentum_balance.hpp"
 #include "hydraulics/channel_laws.hpp"
 #include "turbulence/closure.hpp"
+#include "turbulence/wall_law.hpp"
 
 namespace riffle {
 
@@ -133,7 +134,10 @@ double stress_at(const ColumnGrid& grid, const std::vector<double>& stress, doub
 
 HeightRange log_law_range(const Case& c) {
     constexpr double share_of_depth = 0.7;
-    return {c.crest(), c.datum() + share_of_depth * c.channel.depth};
+    // Near to a plane bed the law has the velocity zero at the bed, and its viscous layer.
+    constexpr double from_plane_bed = 0.1;
+    const double from = has_wall_law(c) ? from_plane_bed * c.channel.depth : c.crest();
+    return {from, c.datum() + share_of_depth * c.channel.depth};
 }
 
 double ColumnResult::velocity_at(double z) const { return place_in(profile.z, z).in(profile.velocity); }
@@ -155,10 +159,12 @@ ColumnResult solve_column(const Case& c, int cells) {
     result.surface_velocity =
         wall_above ? 0.0 : u.back() + p.velocity_gradient.back() * (grid.face.back() - grid.centre.back());
     result.friction_velocity = std::sqrt(std::abs(stress_at(grid, stress, c.crest())));
-    result.drag_share = balance.drag(u) / weight;
-    result.wall_share = stress.front() / weight;
+    // The friction of a bed by a wall law acts on the particles as a drag.
+    const double at_bed = stress.front() / weight;
+    result.drag_share = has_wall_law(c) ? at_bed : balance.drag(u) / weight;
+    result.wall_share = has_wall_law(c) ? 0.0 : at_bed;
     result.relaxation_time = slowest_decay_time(balance, u);
-    if (c.bed.kind == BedKind::spheres) result.log_law = fit_column_profile(c, result);
+    if (c.bed.kind == BedKind::spheres || has_wall_law(c)) result.log_law = fit_column_profile(c, result);
 
     // A wide channel: the hydraulic radius is the depth over the datum.
     const double radius = c.channel.depth;

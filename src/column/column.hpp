@@ -50,7 +50,8 @@ struct HeightRange {
 };
 
 /// Range in which profiles over a rough bed are fitted to the log law, the same for measured, column and
-/// particle profiles: from the crest to 0.7 h_w above the datum. See docs/column.md for the choice.
+/// particle profiles: from the crest to 0.7 h_w above the datum; over a bed by a wall law from 0.1 h_w. See
+/// docs/column.md for the choice.
 [[nodiscard]] HeightRange log_law_range(const Case& c);
 
 /// Cells of the column's grid: halving the cells changes no printed value by more than 0.01 %.

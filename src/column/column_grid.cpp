@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "turbulence/wall_law.hpp"
 
 namespace riffle {
 
@@ -34,6 +35,14 @@ std::vector<double> column_breakpoints(const Case& c) {
         // The ends of the ramp over which the drag of a sphere sets in.
         heights.push_back(c.crest() - 0.5 * c.sphere_ramp());
         heights.push_back(c.crest() + 0.5 * c.sphere_ramp());
+    }
+    if (const auto law = bed_wall_law(c)) {
+        // The layers of the law, each ten times as high as the one below it.
+        constexpr double share_of_depth = 0.1;
+        const double lowest = std::max(law->shift, law->viscous_length);
+        for (double height = lowest; lowest > 0.0 && height < share_of_depth * depth; height *= 10.0) {
+            heights.push_back(height);
+        }
     }
     return distinct_between(std::move(heights), 0.0, depth);
 }

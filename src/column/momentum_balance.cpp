@@ -6,6 +6,7 @@
 
 #include "roughness/bed_drag.hpp"
 #include "turbulence/closure.hpp"
+#include "turbulence/wall_law.hpp"
 
 namespace riffle {
 
@@ -25,7 +26,7 @@ std::vector<double> Tridiagonal::solve(std::vector<double> b) const {
 MomentumBalance::MomentumBalance(const Case& c, const ColumnGrid& grid)
     : weight_(c.streamwise_gravity()),
       viscosity_(c.fluid.kinematic_viscosity),
-      wall_below_(c.bed.kind == BedKind::no_slip),
+      wall_below_(c.bed.kind == BedKind::no_slip || has_wall_law(c)),
       wall_above_(c.bed.kind == BedKind::no_slip && c.channel.top == Top::wall),
       depth_(grid.face.back()) {
     const std::size_t n = grid.centre.size();

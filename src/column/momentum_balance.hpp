@@ -19,8 +19,8 @@ struct Tridiagonal {
 /// The steady momentum balance of the column in finite volumes,
 ///     g S0 + d/dz[(nu0 + l_m^2 |u'|) u'] - beta(z) u |u| = 0,
 /// with the closure and the bed drag that the case names (the same objects as the particles'). No flux at
-/// z = 0 for sphere and slip beds, u(0) = 0 for no-slip beds; no flux at the surface, u(H) = 0 under a top
-/// wall over a no-slip bed. Forces are per plan area and density, m2/s2.
+/// z = 0 for sphere and slip beds, u(0) = 0 for no-slip beds and those by a wall law; no flux at the surface,
+/// u(H) = 0 under a top wall over a no-slip bed. Forces are per plan area and density, m2/s2.
 class MomentumBalance {
   public:
     MomentumBalance(const Case& c, const ColumnGrid& grid);

@@ -11,6 +11,7 @@
 
 #include "base/error.hpp"
 #include "column/column.hpp"
+#include "turbulence/wall_law.hpp"
 
 namespace riffle {
 
@@ -45,7 +46,9 @@ ProfileMeans means_of(const ColumnProfile& profile) {
 class TwinStates {
   public:
     TwinStates(Case c, double unit_discharge, double least_depth)
-        : case_(std::move(c)), unit_discharge_(unit_discharge), least_depth_(least_depth) {}
+        : case_(with_fixed_roughness(std::move(c))),
+          unit_discharge_(unit_discharge),
+          least_depth_(least_depth) {}
 
     [[nodiscard]] SectionState at(double depth) {
         const double place = std::log(std::max(depth, least_depth_) / least_depth_) / step;
@@ -148,7 +151,9 @@ double uniform_unit_discharge(const Case& c) {
 
 SteadyChannel twin_channel(const Case& c, double unit_discharge) {
     constexpr double least_share = 1e-3;  // of the case's depth, over a smooth bed
-    const double least_depth = std::max(c.crest() - c.datum(), least_share * c.channel.depth);
+    // A log law holds in water of twice its roughness and more.
+    const double least_depth = std::max({c.crest() - c.datum(), least_share * c.channel.depth,
+                                         has_wall_law(c) ? 2.0 * equivalent_roughness(c) : 0.0});
     SteadyChannel channel{.slope = c.channel.slope,
                           .gravity = c.fluid.gravity,
                           .unit_discharge = unit_discharge,

@@ -30,9 +30,9 @@ struct CarryingColumn {
 /// column twin at each depth: S_f is the weight along the bed, over g, with which the twin of that depth
 /// carries the discharge. The slope of the channel is that of the case. The states are found at depths 10 %
 /// apart when they are first asked for and interpolated between them in ln h (five-degree polynomials, to
-/// 5e-6 of the discharge). Known from where the water covers the crests, over a smooth bed from a thousandth
-/// of the depth of the case. Throws InputError where the case has no column twin for another reason than its
-/// slope.
+/// 5e-6 of the discharge). Known from where the water covers the crests, over a bed by roughness from
+/// twice its k_s, over a smooth bed from a thousandth of the depth of the case. Throws InputError where the
+/// case has no column twin for another reason than its slope.
 [[nodiscard]] SteadyChannel twin_channel(const Case& c, double unit_discharge);
 
 }  // namespace riffle

@@ -10,6 +10,7 @@
 #include "roughness/bed_drag.hpp"
 #include "roughness/row_mean_drag.hpp"
 #include "roughness/side_wall_partition.hpp"
+#include "roughness/wall_drag.hpp"
 
 namespace riffle {
 
@@ -22,6 +23,9 @@ class BedDragForce final : public Component<D, Real> {
 
     BedDragForce(Flow& flow, std::unique_ptr<const BedDrag> drag) : drag_(std::move(drag)) {
         flow.inputs.drag = drag_ != nullptr;
+        if (D == 3 && drag_ && drag_->varies_with_speed()) {
+            flow.inputs.acceleration = true;
+        }
         if (D == 3 && has_side_wall_drag(flow.c)) {
             flow.with_side_drag = true;
             if (flow.c.side_walls.drag_form == SideDragForm::thesis) {
@@ -61,6 +65,9 @@ class BedDragForce final : public Component<D, Real> {
             } else {
                 drag_->coefficients({&height[first], count}, {drag, count});
             }
+            if (drag_->varies_with_speed()) {
+                follow_speed(flow, task, first, count, first - block_first, (cluster - begin) * cluster_size);
+            }
         }
     }
 
@@ -87,6 +94,24 @@ class BedDragForce final : public Component<D, Real> {
         const auto& position = flow.particles.position;
         return drag_->coefficient_at(position[0][particle], position[1][particle],
                                      position[Flow::vertical][particle]);
+    }
+
+    /// The drag at the speed of the water, of particles whose work and lanes begin at places of the block. In
+    /// three dimensions the friction is beta |u| u, of which the implicit step has beta u_k |u_k|.
+    void follow_speed(const Flow& flow, Task& task, std::size_t first, std::size_t count, std::size_t work,
+                      std::size_t lane) const {
+        const auto& velocity = flow.particles.velocity;
+        for (std::size_t n = 0; n < count; ++n) {
+            double& beta = task.particles.drag[work + n];
+            const double along = velocity[0][first + n];
+            const double across = D == 3 ? velocity[1][first + n] : 0.0;
+            const double speed = std::hypot(along, across);
+            beta *= drag_->speed_factor(flow.particles.position[Flow::vertical][first + n], speed);
+            if constexpr (D == 3) {
+                task.particles.acceleration[0][lane + n] -= beta * (speed - std::abs(along)) * along;
+                task.particles.acceleration[1][lane + n] -= beta * (speed - std::abs(across)) * across;
+            }
+        }
     }
 
     [[nodiscard]] Sums measured(const Flow& flow) const {
@@ -125,9 +150,12 @@ class BedDragForce final : public Component<D, Real> {
 
 template <int D, class Real>
 std::unique_ptr<Component<D, Real>> make_bed_drag_force(FlowOf<D, Real>& flow) {
+    const double row = lattice_of(flow.c).dz;
     auto drag = make_bed_drag(flow.c);
-    if (drag && flow.c.numerics.drag_sampling == DragSampling::row) {
-        drag = row_mean_drag(std::move(drag), lattice_of(flow.c).dz);
+    if (auto friction = make_wall_drag(flow.c, row)) {
+        drag = row_mean_drag(std::move(friction), row);
+    } else if (drag && flow.c.numerics.drag_sampling == DragSampling::row) {
+        drag = row_mean_drag(std::move(drag), row);
     }
     return drag || (D == 3 && has_side_wall_drag(flow.c))
                ? std::make_unique<BedDragForce<D, Real>>(flow, std::move(drag))

@@ -1,27 +1,52 @@
 #pragma once
 
+#include <algorithm>
+#include <optional>
 #include <utility>
 
+#include "boundary/solid_distance.hpp"
+#include "case/flow_kind.hpp"
+#include "components/local_depth.hpp"
 #include "engine/component.hpp"
+#include "particles/lattice.hpp"
 #include "turbulence/closure.hpp"
 
 namespace riffle {
 
-/// Mixing lengths of the closure at the particles.
+/// Mixing lengths of the closure at the particles: in water of the depth of the case, or where the flow
+/// varies along the channel of the depth at each place; beside solids at most kappa times the distance from
+/// them.
 template <int D, class Real>
 class MixingLengths final : public Component<D, Real> {
   public:
     using typename Component<D, Real>::Flow;
     using typename Component<D, Real>::Task;
 
-    explicit MixingLengths(std::unique_ptr<const Closure> closure) : closure_(std::move(closure)) {}
+    MixingLengths(Flow& flow, std::unique_ptr<const Closure> closure) : closure_(std::move(closure)) {
+        if (uses_local_depth(flow.c)) {
+            depth_.emplace(flow);
+            // Farther off no mixing length is limited: the largest of the closures is 0.16 H.
+            constexpr double reach = 0.5;
+            solids_ = SolidDistance<D>(flow.c, reach * flow.scheme.depth);
+        }
+    }
+
+    void begin_step(Flow& flow, double dt) override {
+        if (depth_) {
+            depth_->update(flow, dt);
+        }
+    }
 
     void complete_gradients(Flow& flow, Task& task, std::size_t begin, std::size_t end) override {
         const auto& position = flow.particles.position;
         const auto first = static_cast<std::size_t>(flow.clusters.begin[begin]);
         const auto count = static_cast<std::size_t>(flow.clusters.begin[end]) - first;
         double* const lengths = task.particles.mixing_length.data();
-        closure_->mixing_lengths({&position[Flow::vertical][first], count}, {lengths, count});
+        if (depth_) {
+            follow_depth(flow, first, count, lengths);
+        } else {
+            closure_->mixing_lengths({&position[Flow::vertical][first], count}, {lengths, count});
+        }
         if constexpr (D == 3) {
             for (std::size_t i = 0; closure_->varies_across() && i < count; ++i) {
                 lengths[i] *= closure_->side_factor(position[1][first + i]);
@@ -30,13 +55,31 @@ class MixingLengths final : public Component<D, Real> {
     }
 
   private:
+    void follow_depth(const Flow& flow, std::size_t first, std::size_t count, double* lengths) const {
+        const auto& position = flow.particles.position;
+        const std::vector<double>& depth = depth_->values(flow);
+        const double kappa = flow.c.turbulence.kappa;
+        for (std::size_t n = 0; n < count; ++n) {
+            const std::size_t i = first + n;
+            // A particle that has come since the last look at the depth has none yet.
+            const double water = depth[i] > 0.0 ? depth[i] : flow.scheme.depth;
+            lengths[n] = closure_->mixing_length_in(position[Flow::vertical][i], water);
+            if (!solids_.empty()) {
+                const double distance = solids_.at(flow.bodies, vector_of(position, i));
+                lengths[n] = std::min(lengths[n], kappa * distance);
+            }
+        }
+    }
+
     std::unique_ptr<const Closure> closure_;
+    std::optional<LocalDepth<D, Real>> depth_;
+    SolidDistance<D> solids_;
 };
 
 template <int D, class Real>
 std::unique_ptr<Component<D, Real>> make_mixing_lengths(FlowOf<D, Real>& flow) {
-    auto closure = make_closure(flow.c);
-    return closure ? std::make_unique<MixingLengths<D, Real>>(std::move(closure)) : nullptr;
+    auto closure = make_particle_closure(flow.c, lattice_of(flow.c).dz);
+    return closure ? std::make_unique<MixingLengths<D, Real>>(flow, std::move(closure)) : nullptr;
 }
 
 }  // namespace riffle

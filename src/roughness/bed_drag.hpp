@@ -31,6 +31,15 @@ class BedDrag {
     /// Whether coefficient_at() varies over the horizontal plane.
     [[nodiscard]] virtual bool varies_in_plan() const { return false; }
 
+    /// Whether the coefficient changes with the speed of the water, and its factor at height z and a speed,
+    /// m/s.
+    [[nodiscard]] virtual bool varies_with_speed() const { return false; }
+    [[nodiscard]] virtual double speed_factor(double z, double speed) const {
+        static_cast<void>(z);
+        static_cast<void>(speed);
+        return 1.0;
+    }
+
     /// coefficient() at each height.
     void coefficients(std::span<const double> z, std::span<double> result) const {
         assert(result.size() == z.size());
@@ -40,7 +49,7 @@ class BedDrag {
     }
 };
 
-/// The drag law that the case names; nullptr for a smooth bed.
+/// The drag law of the case's spheres; nullptr for a bed without.
 [[nodiscard]] std::unique_ptr<const BedDrag> make_bed_drag(const Case& c);
 
 }  // namespace riffle

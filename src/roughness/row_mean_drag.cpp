@@ -57,6 +57,10 @@ class RowMeanDrag final : public BedDrag {
         return sum;
     }
     [[nodiscard]] bool varies_in_plan() const override { return drag_->varies_in_plan(); }
+    [[nodiscard]] bool varies_with_speed() const override { return drag_->varies_with_speed(); }
+    [[nodiscard]] double speed_factor(double z, double speed) const override {
+        return drag_->speed_factor(z, speed);
+    }
 
     [[nodiscard]] double top() const override { return drag_->top() + half_row_; }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "case/bed_friction.hpp"
 #include "case/solid_mesh.hpp"
 #include "hydraulics/channel_laws.hpp"
 #include "hydraulics/log_law.hpp"
@@ -63,13 +64,18 @@ void add_column_departures(const Case& c, const Profiles& p, Numbers& summary) {
     Norms above;
     Norms below;
     for (std::size_t k = 0; k < p.z.size(); ++k) {
+        if (has_wall_law(c) && p.z[k] < top_of_bed_friction(c)) {
+            continue;  // rows that stand for the discharge of the law, not for its velocity
+        }
         const double relative = p.velocity_deviation[k] / p.column_velocity[k];
         (p.z[k] > c.crest() ? above : below).add(relative);
     }
     summary.set(fields::summary.velocity_error_above_rms, above.rms());
     summary.set(fields::summary.velocity_error_above_maximum, above.largest);
-    summary.set(fields::summary.velocity_error_below_rms, below.rms());
-    summary.set(fields::summary.velocity_error_below_maximum, below.largest);
+    if (!has_wall_law(c)) {
+        summary.set(fields::summary.velocity_error_below_rms, below.rms());
+        summary.set(fields::summary.velocity_error_below_maximum, below.largest);
+    }
 }
 
 /// Height below which bodies carry a part of the weight by the pressure on their faces, m: 0 without bodies.
@@ -94,7 +100,7 @@ void add_stresses(const Case& c, const Profiles& p, Numbers& summary) {
     if (crest_stress <= 0.0 || p.z.size() < 6) {
         return;
     }
-    const double from = std::max(c.crest(), top_of_solids(c));
+    const double from = std::max(top_of_bed_friction(c), top_of_solids(c));
     Norms spurious;
     Norms error;
     for (std::size_t k = 0; k + 4 < p.z.size(); ++k) {
@@ -149,7 +155,7 @@ std::optional<StressLine> fit_stress_line(const Case& c, const std::vector<doubl
     double products = 0.0;
     double squares = 0.0;
     for (std::size_t k = 0; k + top_layers < total_stress.size() && k < height.size(); ++k) {
-        if (height[k] < c.crest()) continue;
+        if (height[k] < top_of_bed_friction(c)) continue;
         line.push_back((c.total_depth() - height[k]) / (c.total_depth() - c.crest()));
         stress.push_back(total_stress[k]);
         products += stress.back() * line.back();

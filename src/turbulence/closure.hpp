@@ -26,6 +26,9 @@ class Closure {
     /// length that goes with their measure of the velocity gradient in place of |S| (sph/strain_measure.hpp).
     [[nodiscard]] virtual double mixing_length(double z) const = 0;
 
+    /// The same in water of another depth than the case's, m over the bed level.
+    [[nodiscard]] virtual double mixing_length_in(double z, double depth) const = 0;
+
     /// Eddy viscosity nu_t = l_m^2 |S| (m2/s), |S| = sqrt(2 S_ij S_ij) (1/s).
     [[nodiscard]] double eddy_viscosity(double z, double strain_rate) const {
         return mixing_length_viscosity(mixing_length(z), strain_rate);
@@ -46,7 +49,17 @@ class Closure {
     virtual void mixing_lengths(std::span<const double> z, std::span<double> result) const = 0;
 };
 
-/// The closure that the case names; nullptr for `none` (laminar).
+/// The closure that the case names; nullptr for `none` (laminar). Over a bed by a wall law (wall_law.hpp)
+/// with the mixing length of the wall.
 [[nodiscard]] std::unique_ptr<const Closure> make_closure(const Case& c);
+
+struct WallLaw;
+
+/// The closure that the case names over a bed with another wall law.
+[[nodiscard]] std::unique_ptr<const Closure> make_wall_closure(const Case& c, const WallLaw& law);
+
+/// The closure for particles in rows of a height, m: that of make_closure(), in the lowest rows over a bed by
+/// a wall law that of their layer (wall_layer.hpp).
+[[nodiscard]] std::unique_ptr<const Closure> make_particle_closure(const Case& c, double row_height);
 
 }  // namespace riffle

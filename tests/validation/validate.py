@@ -16,13 +16,14 @@ import pathlib
 import sys
 import tempfile
 
+import bed_parts
 import choice_parts
 import parts
 import runs
 import space_parts
 
 
-ALL_PARTS = parts.PARTS | space_parts.SPACE_PARTS | choice_parts.CHOICE_PARTS
+ALL_PARTS = parts.PARTS | space_parts.SPACE_PARTS | choice_parts.CHOICE_PARTS | bed_parts.BED_PARTS
 
 
 def main():
@@ -35,7 +36,7 @@ def main():
     parser.add_argument("--markdown", type=pathlib.Path, help="write the tables to this file")
     arguments = parser.parse_args()
     riffle = arguments.riffle or runs.default_riffle()
-    names = {"quick": parts.QUICK + ["space_quick", "space_side_quick"], "full": parts.FULL + ["choices"], "space": space_parts.SPACE}.get(arguments.tier, [arguments.tier])
+    names = {"quick": parts.QUICK + ["space_quick", "space_side_quick"], "full": parts.FULL + bed_parts.BEDS + ["choices"], "space": space_parts.SPACE}.get(arguments.tier, [arguments.tier])
     with tempfile.TemporaryDirectory() as scratch:
         folder = arguments.keep or pathlib.Path(scratch)
 

@@ -183,7 +183,7 @@ TEST(BadInput, RoughnessZoneThatNoSphereFills) {
 TEST(BadInput, SmoothBedWithRoughness) {
     EXPECT_THAT(
         error_of(smallest + "datum_below_crest = \"4 mm\"\nkind = \"no-slip\"\n[start]\nkind = \"rest\"\n"),
-        AllOf(HasSubstr("5:20: [bed] roughness_height is 10 mm, but a smooth bed (kind = \"no-slip\")"),
+        AllOf(HasSubstr("5:20: [bed] roughness_height is 10 mm, but a plane bed (kind = \"no-slip\")"),
               HasSubstr("6:21: [bed] datum_below_crest is 4 mm")));
 }
 

@@ -53,6 +53,32 @@ inline Case open_channel_with_solid() {
     return c;
 }
 
+/// A bed by its equivalent roughness.
+inline Case gravel() {
+    Case c = flume();
+    c.bed.kind = BedKind::roughness;
+    c.bed.roughness_height = 0.0;
+    c.bed.datum_below_crest = 0.0;
+    c.bed.equivalent_roughness = 0.001;
+    return c;
+}
+
+/// By Manning's n.
+inline Case earth() {
+    Case c = gravel();
+    c.bed.equivalent_roughness.reset();
+    c.bed.manning = 0.015;
+    return c;
+}
+
+/// A smooth bed.
+inline Case glass() {
+    Case c = gravel();
+    c.bed.kind = BedKind::smooth;
+    c.bed.equivalent_roughness.reset();
+    return c;
+}
+
 inline Case periodic_box() {
     Case c = tank();
     c.channel.ends = Ends::periodic;

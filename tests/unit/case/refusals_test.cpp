@@ -16,10 +16,13 @@ namespace {
 
 using test::between_side_walls;
 using test::cell;
+using test::earth;
 using test::flume;
 using test::open_channel;
 using test::open_channel_in_file;
 using test::open_channel_with_solid;
+using test::glass;
+using test::gravel;
 using test::periodic_box;
 using test::plates;
 using test::tank;
@@ -41,6 +44,17 @@ struct Wrong {
 std::vector<Wrong> wrong_geometry() {
     return {
         {flume(), "bed.kind = slip"},
+        {gravel(), "bed.manning = 0.02"},
+        {gravel(), "bed.equivalent_roughness = 30 mm"},
+        {earth(), "bed.manning = 0.2"},
+        {earth(), "bed.manning = 0.002"},
+        {gravel(), "turbulence.closure = none"},
+        {gravel(), "turbulence.zero = 1 mm"},
+        {gravel(), "numerics.wall = dynamic"},
+        {gravel(), "channel.top = wall"},
+        {gravel(), "numerics.spacing = 7 mm"},
+        {gravel(), "channel.dimensions = 3; channel.sides = walls; side_walls.drag_form = none"},
+        {glass(), "fluid.kinematic_viscosity = 0"},
         {flume(), "bed.roughness_height = 0"},
         {flume(), "bed.roughness_height = 30 mm"},
         {flume(), "bed.datum_below_crest = 11 mm"},

@@ -16,6 +16,7 @@ namespace {
 using test::between_side_walls;
 using test::cell;
 using test::flume;
+using test::gravel;
 using test::smallest;
 using test::tank;
 using test::with_keys;
@@ -153,6 +154,8 @@ TEST(Warnings, EachRowHasACase) {
         with_keys(flume(), "numerics.wall = dynamic; turbulence.closure = sps"),
         with_keys(tank(), "bed.kind = no-slip"),
         with_keys(with_water(), "run.until = 3"),
+        with_keys(gravel(), "bed.equivalent_roughness = 20 mm; numerics.spacing = 0.5 mm"),
+        with_keys(gravel(), "numerics.spacing = 5 mm"),
         with_keys(cell(), "start.lattice = body-centred"),
         with_keys(between_side_walls(), "turbulence.closure = sps; numerics.stepping = semi-implicit-euler"),
         with_keys(with_solid(),

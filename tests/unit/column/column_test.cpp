@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "case/bed_friction.hpp"
 
 namespace riffle::column_test {
 namespace {
@@ -45,6 +46,47 @@ Case smooth_bed() {
     c.bed.roughness_height = 0.0;
     c.bed.datum_below_crest = 0.0;
     return c;
+}
+
+TEST(Column, BedByRoughnessIsTheLogLaw) {
+    for (const double roughness : {0.002, 0.01, 0.05, 0.3}) {
+        Case c = smooth_bed();
+        c.channel.depth = 1.0;
+        c.bed.kind = BedKind::roughness;
+        c.bed.equivalent_roughness = roughness;
+        c.turbulence.closure = ClosureKind::nezu_rodi;
+        const ColumnResult r = solve_column(c);
+        const double shear = std::sqrt(c.streamwise_gravity());
+        const double law = shear * log_law_mean(1.0, zero_height_of_roughness(roughness, 0.41), 0.41);
+        // The smooth wall's part of z0 is 2 % of it at k_s+ = 200: 0.2 % of U.
+        EXPECT_NEAR(r.depth_mean_velocity, law, 5e-3 * law) << roughness;
+        EXPECT_NEAR(r.drag_share, 1.0, 1e-6);
+        EXPECT_EQ(r.wall_share, 0.0);
+        EXPECT_NEAR(r.friction_velocity, shear, 1e-6);
+        // The fit knows no z0 beside z: from 0.1 h upwards that is z0/(0.1 h) of the gradient at most.
+        const double below = zero_height_of_roughness(roughness, 0.41) / 0.1;
+        EXPECT_NEAR(r.log_law.friction_velocity, shear, (0.01 + below) * shear);
+    }
+}
+
+TEST(Column, BedByManningHasItsN) {
+    Case c = smooth_bed();
+    c.channel.depth = 1.0;
+    c.bed.kind = BedKind::roughness;
+    c.bed.manning = 0.025;
+    EXPECT_NEAR(solve_column(c).manning, 0.025, 1e-5);
+}
+
+TEST(Column, SmoothBedIsTheSmoothLogLaw) {
+    Case c = smooth_bed();
+    c.channel.depth = 0.1;
+    c.bed.kind = BedKind::smooth;
+    c.turbulence.closure = ClosureKind::nezu_rodi;
+    const double shear = std::sqrt(c.streamwise_gravity() * 0.1);
+    const double viscous = c.fluid.kinematic_viscosity / shear;
+    const double law = shear * log_law_mean(0.1, zero_height_of_smooth_wall(viscous, 0.41), 0.41);
+    // The buffer layer, which the log law does not know, holds 0.2 % of the discharge back at h+ = 3000.
+    EXPECT_NEAR(solve_column(c).depth_mean_velocity, law, 5e-3 * law);
 }
 
 TEST(Column, LaminarChannelIsTheParabola) {

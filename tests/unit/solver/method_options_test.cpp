@@ -99,6 +99,13 @@ INSTANTIATE_TEST_SUITE_P(
     Solver, MethodOptions,
     testing::Values(
         MethodOption{"antuono", [](Case& c) { c.numerics.density_diffusion = DensityDiffusion::antuono; }},
+        MethodOption{"local_depth", [](Case& c) { c.turbulence.depth = ClosureDepth::local; }},
+        MethodOption{"bed_by_roughness", [](Case& c) { test::lay_plane_bed(c, 0.002); }},
+        MethodOption{"smooth_bed_in_local_depth",
+                     [](Case& c) {
+                         test::lay_plane_bed(c, 0.0);
+                         c.turbulence.depth = ClosureDepth::local;
+                     }},
         MethodOption{"kernel", [](Case& c) { c.numerics.kernel_correction = KernelCorrection::kernel; }},
         MethodOption{"monaghan_kos", [](Case& c) { c.numerics.step_rule = StepRule::monaghan_kos; }},
         MethodOption{"modified_dynamic", [](Case& c) { c.numerics.wall = WallKind::modified_dynamic; }},

@@ -24,6 +24,16 @@ inline Case small_channel(int dimensions = 2) {
     return c;
 }
 
+/// A plane bed of an equivalent roughness, m, in place of the spheres; 0: a smooth one.
+inline void lay_plane_bed(Case& c, double roughness) {
+    c.bed.kind = roughness > 0.0 ? BedKind::roughness : BedKind::smooth;
+    c.bed.roughness_height = 0.0;
+    c.bed.datum_below_crest = 0.0;
+    if (roughness > 0.0) {
+        c.bed.equivalent_roughness = roughness;
+    }
+}
+
 /// The same with still water over a smooth bed, without a closure.
 inline Case still_water(int dimensions = 2) {
     Case c = small_channel(dimensions);

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "boundary/wall_motion.hpp"
+#include "case/case.hpp"
+
+namespace riffle {
+
+/// Distance of water from the surfaces of the solids of a case, up to a limit: from grids that are laid
+/// around each solid once, and move with it.
+template <int D>
+class SolidDistance {
+  public:
+    SolidDistance() = default;
+    /// `limit`, m: up to where distances are known.
+    SolidDistance(const Case& c, double limit);
+
+    [[nodiscard]] bool empty() const { return grids_.empty(); }
+    /// Distance from the nearest surface, m; 0 inside of a solid, the limit or more beyond it. `now`: the
+    /// bodies, WallMotion::at(); empty where none moves.
+    [[nodiscard]] double at(const std::vector<BodyState>& now, const Vec<D>& position) const;
+
+  private:
+    struct Grid {
+        Vec<D> lower{};
+        std::array<std::size_t, static_cast<std::size_t>(D)> count{};  ///< of its points
+        std::vector<double> distance;
+    };
+    [[nodiscard]] double in_grid(const Grid& grid, const Vec<D>& place) const;
+
+    double limit_ = 0.0;
+    double step_ = 0.0;
+    std::array<double, static_cast<std::size_t>(D)> period_{};  ///< 0: none
+    std::vector<Grid> grids_;
+};
+
+}  // namespace riffle
