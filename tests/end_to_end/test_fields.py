@@ -57,6 +57,9 @@ class Fields(CommandLineTest):
             "block": ([SOURCE / "cases/violent/box-3d.toml", "--set", "numerics.spacing=40mm", "--set",
                        "numerics.courant_number=0.1", *until(0.12), *every(snapshot=0.05)],
                       {"three_dimensions", "free_surface", "no_section_twin", "solids", "asked", "end"}),
+            "ends": ([SOURCE / "cases/open-ends/uniform.toml", "--set", "numerics.spacing=3mm", "--set", 'channel.length="150 mm"',
+                      "--set", "run.average_from=auto", *until(0.7), *snapshots],
+                     {"free_surface", "no_section_twin", "closure", "asked", "end", "profiles", "slope", "open_ends", "spheres"}),
         }
         for stepping in ("verlet", "beeman"):
             runs[stepping] = ([bare, *until(0.02), "--set", f"numerics.stepping={stepping}", "--set",
