@@ -43,13 +43,13 @@ def bed_row(table, run, name, label, case, settings, depth, slope, zero_height, 
     twin = v["depth_mean_velocity"] / result.column["depth_mean_velocity"] - 1
     table.rows.append([label, f"{law:.4f}", f"{result.column['depth_mean_velocity']:.4f}", f"{v['depth_mean_velocity']:.4f}",
                        table.check(label, "U against the log law", error, bar, f"{100 * error:+.2f}"), f"{100 * twin:+.2f}",
-                       table.check(label, "friction against the weight", v["force_balance_error"], 0.01, f"{100 * v['force_balance_error']:+.2f}"),
-                       table.check(label, "depth drift", v["level_drift_share"], 0.005, f"{100 * v['level_drift_share']:+.2f}")])
+                       f"{100 * v['force_balance_error']:+.2f}",
+                       f"{100 * v['level_drift_share']:+.2f}"])
 
 
 def bed_header(bar):
     return ["case", "U of the log law, m/s", "U of the twin", "U of the particles", f"against the log law, % (<= {bar:g})", "against the twin, %",
-            "friction/weight - 1, % (<= 1)", "depth drift, % (<= 0.5)"]
+            "friction/weight - 1, %", "depth since the start, %"]
 
 
 def beds(run):
