@@ -45,9 +45,9 @@ inline constexpr double rough_wall_constant = 8.5;
 }
 
 /// Rows of particles of the layer in which the friction of a plane bed acts (turbulence/wall_layer.hpp): with
-/// four the depth mean of 12 to 36 rows in their places is that of the law to half a percent
+/// five the depth mean of 12 to 36 rows in their places is that of the law to half a percent
 /// (tests/validation/wall_rows.py), with fewer the profile is not resolved.
-inline constexpr double rows_of_wall_layer = 4.0;
+inline constexpr double rows_of_wall_layer = 5.0;
 
 /// Height up to which the bed holds the water back, above which its flow is that of the twin, m: the crests
 /// of spheres, the rows of a wall layer.

@@ -28,7 +28,7 @@ Findings zone_of_smooth_bed(const Case& c) {
 /// Largest k_s over the depth: the log law needs water above the elements.
 constexpr double most_roughness = 0.5;
 
-/// Rows of particles over the depth of which the four of the wall layer (docs/theory.md, section 8) are few.
+/// Rows of particles over the depth of which the five of the wall layer (docs/theory.md, section 8) are few.
 constexpr double fewest_rows = 10.0;
 
 bool by_roughness(const Case& c) { return c.bed.kind == BedKind::roughness; }
@@ -130,7 +130,7 @@ CheckList wall_law_refusals() {
              [](const Case& c) { return c.has_side_walls(); }},
             {{"numerics.spacing", "channel.depth"},
              "fewer than 10 rows of particles over a bed by a wall law",
-             "the friction acts over four rows, which must be a small part of the depth",
+             "the friction acts over five rows, which must be a small part of the depth",
              "make the spacing smaller",
              [](const Case& c) {
                  const double rows = c.total_depth() / c.numerics.spacing;

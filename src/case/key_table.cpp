@@ -31,12 +31,13 @@ SectionKeys numerics() {
                 "and 1/30 of the depth; twice that in three dimensions; over beds by roughness and smooth "
                 "ones 1/20 of the depth"));
     s.keys.push_back(key("kernel", &Numerics::kernel, "Smoothing kernel."));
-    s.keys.push_back(key("smoothing_ratio", &Numerics::smoothing_ratio,
-                         "Smoothing length over spacing, h / dx; the kernel reaches 2 h.")
-                         .at_least(1)
-                         .at_most(4)
-                         .with_default_note("2 over spheres in two dimensions")
-                         .because("fewer neighbours do not sum up, more are not worth their time"));
+    s.keys.push_back(
+        key("smoothing_ratio", &Numerics::smoothing_ratio,
+            "Smoothing length over spacing, h / dx; the kernel reaches 2 h.")
+            .at_least(1)
+            .at_most(4)
+            .with_default_note("2 in two dimensions over spheres, beds by roughness and smooth ones")
+            .because("fewer neighbours do not sum up, more are not worth their time"));
     s.keys.push_back(
         key("sound_speed", &Numerics::sound_speed, "Artificial speed of sound c0.")
             .measured_in(velocity)

@@ -16,9 +16,10 @@ constexpr double rows_of_drag = 3.0;
 
 constexpr std::size_t cells = 400;
 
-/// How much the velocity of the layer lies below that at its top: the integral of slope (1 - t)(1 + bend t).
+/// How much the velocity of the layer lies below that at its top: the integral of slope (1 - t)(1 + 2 t +
+/// bend t^2), which begins with the slope and the curvature of a logarithm.
 double wall_layer_deficit(double slope, double bend, double t) {
-    return slope * t * (1.0 + t * (0.5 * (bend - 1.0) - bend / 3.0 * t));
+    return slope * t * (1.0 + t * (0.5 + t * ((bend - 2.0) / 3.0 - 0.25 * bend * t)));
 }
 
 /// The layer at one friction velocity; lengths in m, velocities over u_*.
@@ -41,7 +42,7 @@ struct Layer {
     }
     [[nodiscard]] double gradient(double at) const {
         const double t = 1.0 - at / height;
-        return slope * (1.0 - t) * (1.0 + bend * t) / height;
+        return slope * (1.0 - t) * (1.0 + t * (2.0 + bend * t)) / height;
     }
 };
 
@@ -89,8 +90,8 @@ Layer make_layer(const Case& c, double height, double drag_top, double friction_
     layer.drag_top = drag_top;
     layer.top = profile.velocity(height);
     layer.slope = height * profile.gradient(height);
-    // The mean over the layer is top - slope (1/3 + bend/12).
-    layer.bend = 12.0 * ((layer.top - profile.mean(height)) / layer.slope - 1.0 / 3.0);
+    // The mean over the layer is top - slope (1/2 + bend/30).
+    layer.bend = 30.0 * ((layer.top - profile.mean(height)) / layer.slope - 0.5);
     double square_sum = 0.0;
     std::vector<double> drag_sum{0.0};
     layer.z.push_back(0.0);

@@ -7,7 +7,7 @@
 namespace riffle {
 
 /// How particles meet a bed by a wall law, which they cannot resolve: in a layer of the height of some rows
-/// the velocity is a cubic that joins the profile of the law with its value and slope, has no slope at the
+/// the velocity joins the profile of the law with value, slope and curvature, has no slope at the
 /// bed and carries the same discharge; a drag -beta(z) u|u| in its lower part takes the stress of the bed,
 /// and the mixing length there is that with which this is the steady flow. Above the layer nothing differs
 /// from the law, and no length of it is finer than the rows (theory 8).
@@ -34,7 +34,7 @@ class WallLayer {
     double drag_top_;
     double friction_velocity_;
     double drag_coefficient_ = 0.0;  ///< at the bed, 1/m
-    double top_ = 0.0;  ///< of u/u_* = top - integral of slope (1 - t)(1 + bend t), t = 1 - z/height
+    double top_ = 0.0;               ///< of u/u_* = top - integral of slope (1 - t)(1 + 2 t + bend t^2)
     double slope_ = 0.0;
     double bend_ = 0.0;
     std::vector<double> z_, mixing_length_;
