@@ -5,15 +5,19 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <istream>
 #include <iterator>
 #include <optional>
 
 #include "analysis/analysis_json.hpp"
+#include "analysis/figure_keys.hpp"
 #include "base/csv_text.hpp"
 
 namespace riffle {
 
 namespace {
+
+constexpr std::string_view curves_heading = "curve,run,origin,";
 
 std::string heading(const std::string& label, const std::string& unit) {
     return csv_cell(fmt::format("{} [{}]", label, unit.empty() ? "1" : unit));
@@ -40,6 +44,25 @@ bool any_of_curves(const Figure& figure, std::vector<double> Curve::*member) {
                        [&](const Curve& curve) { return !(curve.*member).empty(); });
 }
 
+/// Whether a line is the heading of a map: three cells, each with a unit.
+bool is_map_heading(const std::string& line) {
+    std::size_t cells = 0;
+    bool quoted = false;
+    std::string cell;
+    for (const char letter : line + ",") {
+        if (letter == '"') {
+            quoted = !quoted;
+        } else if (letter == ',' && !quoted) {
+            if (cell.find(" [") == std::string::npos || cell.back() != ']') return false;
+            cell.clear();
+            ++cells;
+        } else {
+            cell += letter;
+        }
+    }
+    return cells == 3;
+}
+
 std::string optional_cell(const std::vector<double>& values, std::size_t i) {
     return "," + (i < values.size() ? csv_number(values[i]) : std::string());
 }
@@ -51,8 +74,8 @@ std::string curves_to_csv(const Figure& figure) {
     const bool wide_x = any_of_curves(figure, &Curve::x_half_width);
     const bool wide_y = any_of_curves(figure, &Curve::y_half_width);
     const bool bounded = any_of_curves(figure, &Curve::y_lower);
-    std::string text = preamble(figure) + "curve,run,origin," + heading(figure.x.label, figure.x.unit) + "," +
-                       heading(figure.y.label, figure.y.unit);
+    std::string text = preamble(figure) + std::string(curves_heading) +
+                       heading(figure.x.label, figure.x.unit) + "," + heading(figure.y.label, figure.y.unit);
     if (wide_x) text += "," + heading("half-width of " + figure.x.label, figure.x.unit);
     if (wide_y) text += "," + heading("half-width of " + figure.y.label, figure.y.unit);
     if (bounded) {
@@ -89,7 +112,7 @@ std::string map_to_csv(const Figure& figure, const ColourMap& map) {
 }
 
 std::string findings_to_csv(const std::vector<Analysis>& analyses) {
-    std::string text = "run,chapter,key,label,value,half_width,reference,reference_name,unit,remark\n";
+    std::string text = std::string(findings_heading) + "\n";
     for (const Analysis& analysis : analyses) {
         for (const Finding& f : analysis.findings) {
             text += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", csv_cell(analysis.name), f.chapter, f.key,
@@ -109,6 +132,26 @@ std::vector<CsvFile> figure_to_csv(const Figure& figure) {
         files.push_back({figure.key + "_map" + number_of_map + ".csv", map_to_csv(figure, figure.maps[i])});
     }
     return files;
+}
+
+bool is_figure_csv_name(std::string_view name, std::string_view chapter) {
+    constexpr std::string_view ending = ".csv", of_map = "_map", digits = "0123456789";
+    if (!name.ends_with(ending)) return false;
+    const std::string_view stem = name.substr(0, name.size() - ending.size());
+    if (is_figure_key(stem, chapter)) return true;
+    const std::size_t place = stem.rfind(of_map);
+    if (place == std::string_view::npos || !is_figure_key(stem.substr(0, place), chapter)) return false;
+    const std::string_view number = stem.substr(place + of_map.size());
+    return number.empty() || (number.size() > 1 && number.front() == '_' &&
+                              number.find_first_not_of(digits, 1) == std::string_view::npos);
+}
+
+bool begins_like_analysis_csv(std::istream& file) {
+    std::string line;
+    bool comments = false;
+    while (std::getline(file, line) && line.starts_with("# ")) comments = true;
+    if (!comments) return line == findings_heading;
+    return line.starts_with(curves_heading) || is_map_heading(line);
 }
 
 }  // namespace riffle

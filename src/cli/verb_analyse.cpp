@@ -1,19 +1,14 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
-#include <filesystem>
+#include <cstddef>
 #include <memory>
 #include <string>
-#include <string_view>
-#include <system_error>
-#include <utility>
 #include <vector>
 
 #include "analysis/analysis_json.hpp"
 #include "analysis/analysis_text.hpp"
-#include "analysis/figure_csv.hpp"
-#include "base/error.hpp"
+#include "cli/analysis_tables.hpp"
 #include "cli/record_input.hpp"
 #include "cli/verbs.hpp"
 #include "output/atomic_file.hpp"
@@ -43,52 +38,11 @@ void tell_apart(std::vector<Analysis>& analyses) {
     }
 }
 
-/// A file of figures or findings, to be written.
-struct CsvOutput {
-    std::filesystem::path path;
-    std::string content;
-};
-
-/// The CSV files of the analyses: in the folder itself, of several analyses in one subfolder each.
-std::vector<CsvOutput> csv_outputs(const std::vector<Analysis>& analyses,
-                                   const std::filesystem::path& folder) {
-    std::vector<CsvOutput> outputs;
-    for (std::size_t i = 0; i < analyses.size(); ++i) {
-        const std::filesystem::path place = analyses.size() == 1 ? folder : folder / fmt::format("{}", i + 1);
-        for (const Figure& figure : analyses[i].figures) {
-            for (CsvFile& file : figure_to_csv(figure)) {
-                outputs.push_back({place / file.name, std::move(file.content)});
-            }
-        }
-    }
-    outputs.push_back({folder / "findings.csv", findings_to_csv(analyses)});
-    return outputs;
-}
-
-void write_csv(const std::vector<Analysis>& analyses, const std::filesystem::path& folder) {
-    const std::vector<CsvOutput> outputs = csv_outputs(analyses, folder);
-    // An older table begins with the same line: the title of the figure, or the names of the columns.
-    for (const CsvOutput& output : outputs) {
-        refuse_to_replace_another(output.path,
-                                  std::string_view(output.content).substr(0, output.content.find('\n')),
-                                  "older table of this name by riffle analyse");
-    }
-    for (const CsvOutput& output : outputs) {
-        std::error_code error;
-        std::filesystem::create_directories(output.path.parent_path(), error);
-        if (error) {
-            throw FileError(fmt::format("{}: the folder cannot be made: {}",
-                                        output.path.parent_path().string(), error.message()));
-        }
-        write_text_atomically(output.path, output.content);
-    }
-    fmt::print("{} (findings.csv and {} files of figures)\n", folder.string(), outputs.size() - 1);
-}
-
 void run_analyse(const AnalyseOptions& options) {
     const RecordInput& records = options.records;
     check_record_options(records);
     if (!options.json.empty()) refuse_to_replace_another(options.json, begin_of_json, "JSON file");
+    if (!options.csv.empty()) refuse_to_lose_tables(options.csv, records.inputs.size(), records.chapter);
     std::vector<Analysis> analyses;
     for (const std::string& input : records.inputs) analyses.push_back(analyse_input(records, input));
     tell_apart(analyses);
@@ -101,7 +55,10 @@ void run_analyse(const AnalyseOptions& options) {
         write_text_atomically(options.json, analysis_to_json(analyses) + "\n");
         fmt::print("{}\n", options.json);
     }
-    if (!options.csv.empty()) write_csv(analyses, options.csv);
+    if (!options.csv.empty()) {
+        const std::size_t figures = write_tables(analyses, options.csv);
+        fmt::print("{} (findings.csv and {} files of figures)\n", options.csv, figures);
+    }
 }
 
 }  // namespace

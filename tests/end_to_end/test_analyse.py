@@ -46,6 +46,32 @@ class Analyse(CommandLineTest):
             heading = next(line for line in file if not line.startswith("#"))
         self.assertIn("streamwise velocity u [m/s],height above the bed level z [m]", heading)
 
+    def test_a_users_table_is_refused_before_the_analysis_begins(self):
+        folder = self.run_small("run", 0.3)
+        # The second input cannot be read: that the table is told of instead shows that nothing has been read yet.
+        bad = self.folder / "bad.csv"
+        bad.write_text("z,u\n0.01,0.2\n0.02,fast\n")
+        tables = self.folder / "tables"
+        for name in ("findings.csv", "1/velocity_history.csv", "2/velocity_profile.csv", "1/mean_velocity_map_map_2.csv"):
+            mine = tables / name
+            mine.parent.mkdir(parents=True, exist_ok=True)
+            for text in ("# my flume\nz,u\n", "z,u\n"):
+                mine.write_text(text)
+                result = self.fail_with(2, "analyse", folder, bad, "--csv", tables, says=["would be lost", str(mine)])
+                self.assertEqual(result.stdout, "")
+                self.assertEqual(mine.read_text(), text)
+            mine.unlink()
+        # Beside the tables a user's own may stand, also under a name that another chapter has, or none.
+        tables = self.folder / "forces"
+        tables.mkdir()
+        others = [tables / name for name in ("velocity_profile.csv", "my-profile.csv", "force_history_map_of_mine.csv")]
+        for other in others:
+            other.write_text("z,u\n")
+        for _ in range(2):  # and older tables are replaced
+            self.succeed("analyse", folder, "--chapter", "forces", "--csv", tables)
+        self.assertTrue((tables / "force_history.csv").read_text().startswith("# Forces on the water\n"))
+        self.assertEqual([other.read_text() for other in others], ["z,u\n"] * 3)
+
     def velocity_profile(self, *arguments):
         figures = {figure["key"]: figure for figure in self.analysed(*arguments)[0]["figures"]}
         return figures["velocity_profile"]["curves"][0]["x"]

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/figure_keys.hpp"
 #include "analysis/figure_tools.hpp"
 #include "analysis/run_record.hpp"
 #include "analysis_parts.hpp"
@@ -69,7 +70,7 @@ void expect_sound(const Analysis& analysis) {
     keys.clear();
     for (const Figure& each : analysis.figures) {
         EXPECT_TRUE(keys.insert(each.key).second) << "twice: " << each.key;
-        EXPECT_TRUE(chapters.count(each.chapter)) << each.key;
+        EXPECT_TRUE(is_figure_key(each.key, each.chapter)) << each.key << " in " << each.chapter;
         EXPECT_EQ(each.missing.empty(), !each.curves.empty() || !each.maps.empty()) << each.key;
         EXPECT_FALSE(each.x.unit.empty() || each.y.unit.empty()) << each.key;
         for (const Curve& curve : each.curves) {

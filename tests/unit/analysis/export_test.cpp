@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -120,6 +121,31 @@ TEST(FigureCsv, WritesMapsBesideCurves) {
     Figure nothing;
     nothing.missing = "why";
     EXPECT_TRUE(figure_to_csv(nothing).empty());
+}
+
+TEST(FigureCsv, KnowsItsOwnTables) {
+    const auto begins = [](const std::string& text) {
+        std::istringstream file(text);
+        return begins_like_analysis_csv(file);
+    };
+    for (const CsvFile& file : figure_to_csv(sample_figure())) {
+        EXPECT_TRUE(begins(file.content)) << file.name;
+        EXPECT_TRUE(is_figure_csv_name(file.name)) << file.name;
+        EXPECT_TRUE(is_figure_csv_name(file.name, "profiles")) << file.name;
+        EXPECT_FALSE(is_figure_csv_name(file.name, "surface")) << file.name;
+    }
+    EXPECT_TRUE(begins(findings_to_csv({sample_analysis()})));
+    for (const char* text : {"", "z,u\n", "# my flume\nz,u\n", "# my flume", "# my flume\nz [m],u [m/s]\n",
+                             "x [m],y [m],u [m/s]\n", "# my flume\nx [m],y [m],u\n"}) {
+        EXPECT_FALSE(begins(text)) << text;
+    }
+    EXPECT_TRUE(begins("# a map\n\"x, along [m]\",y [m],u [m/s]\n1,2,3\n"));
+    EXPECT_TRUE(is_figure_csv_name("surface_map_map_12.csv"));
+    for (const char* name :
+         {"my-profile.csv", "velocity_profile.txt", "velocity_profile_map_.csv",
+          "velocity_profile_map_of_mine.csv", "velocity_profile_2.csv", "map.csv", ".csv"}) {
+        EXPECT_FALSE(is_figure_csv_name(name)) << name;
+    }
 }
 
 TEST(FigureCsv, WritesFindingsWithEmptyCellsForWhatIsUnknown) {

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "analysis/chapters.hpp"
+#include "analysis/figure_keys.hpp"
 #include "analysis/figure_tools.hpp"
 #include "analysis/run_record.hpp"
 #include "analysis/secondary_flow.hpp"
@@ -57,6 +58,7 @@ TEST_F(SpaceAnalyses, HaveAllFiguresWithoutAMissingOneAndFiniteFindings) {
     keys.clear();
     for (const Figure& each : analysis.figures) {
         EXPECT_TRUE(keys.insert(each.key).second) << "twice: " << each.key;
+        EXPECT_TRUE(is_figure_key(each.key, each.chapter)) << each.key << " in " << each.chapter;
         EXPECT_FALSE(each.missing.empty() && each.curves.empty() && each.maps.empty()) << each.key;
         for (const ColourMap& map : each.maps)
             EXPECT_EQ(map.values.size(), map.x.size() * map.y.size()) << each.key;
