@@ -152,7 +152,8 @@ void judge_uniform(const ReportData& data, const std::vector<SummaryRow>& quanti
 }
 
 void judge_bodies(const ReportData& data, const std::vector<SummaryRow>& quantities, Verdict& verdict) {
-    std::string text = "Mean flow around the bodies:";
+    const bool bodies_stand = !data.flow.solids.empty();
+    std::string text = bodies_stand ? "Mean flow around the bodies:" : "Mean flow along the channel:";
     const char* joint = " ";
     for (const auto& [key, name] :
          {std::pair{"unit_discharge", "discharge per unit width"},
@@ -170,7 +171,12 @@ void judge_bodies(const ReportData& data, const std::vector<SummaryRow>& quantit
         verdict.sentences.push_back(fmt::format("The bodies take {:.1f} % of the water's weight component.",
                                                 100.0 * bodies->simulated->value));
     }
-    if (const auto reason = why_no_column(data.flow))
+    if (data.flow.channel.ends == Ends::open && !bodies_stand) {
+        if (bed_resists(data.flow.bed))
+            verdict.sentences.emplace_back(
+                "What the ends give rules the flow; the steady varied flow between them stands beside the long "
+                "profile.");
+    } else if (const auto reason = why_no_column(data.flow))
         verdict.sentences.push_back("There is no twin to compare with: " + *reason + ".");
 }
 

@@ -155,4 +155,44 @@ def pulse(study):
     return check
 
 
-CHECKS = {"open_uniform": uniform, "open_backwater_m1": m1, "open_backwater_m2": m2, "open_pulse": pulse}
+def jump(study):
+    case = "cases/open-ends/hydraulic-jump.toml"
+    check = Check("open_jump", "Hydraulic jump at Fr = 3",
+                  "The depth behind the jump against the one whose momentum function is that of the water before it (Bélanger), where the particles' jump stands.")
+    flow = study.run("open_jump", case)
+    q = flow.parameters["inflow"]["unit_discharge"]
+    g = flow.gravity_z
+    with h5py.File(flow.folder / "results.h5", "r") as file:
+        surface = file["/surface"]
+        time, x, level = surface["time"][:], surface["x"][:], surface["elevation"][:]
+    late = time > 5.0
+    mean = numpy.nanmean(level[late], axis=0)
+    h1, h2 = mean[x < 0.1 * flow.length].mean(), mean[x > 0.9 * flow.length].mean()
+    half = 0.5 * (h1 + h2)
+    toes = numpy.array([x[numpy.argmax(row > half)] for row in level[late]])
+    place = float(numpy.median(toes))
+    # Before the jump, as near to it as the water does not rise yet.
+    before = float(mean[numpy.searchsorted(x, place) - round(1.5 * h2 / (x[1] - x[0]))])
+    froude = q / before / numpy.sqrt(g * before)
+    conjugate = 0.5 * before * (numpy.sqrt(1 + 8 * froude**2) - 1)
+    behind = (x > place + 4 * h2) & (x < 0.95 * flow.length)
+    after = float(mean[behind].mean())
+    check.norm("depth behind the jump against the conjugate one", after / conjugate - 1, 0.03)
+    energy = lambda h: h + q**2 / (2 * g * h**2)
+    check.norm("loss of energy head against that of the conjugate depths",
+               (energy(before) - energy(after)) / ((conjugate - before) ** 3 / (4 * before * conjugate)) - 1, 0.05)
+    halves = numpy.array_split(toes, 2)
+    check.norm("way of the jump from the first to the second half of 10 s, over the depth before it",
+               float(numpy.median(halves[1]) - numpy.median(halves[0])) / before, 1.0, "", 2)
+    figure = figures.Figure(1, width=7)
+    axes = figure.panel("distance along the channel x (m)", "depth (m)", "mean from 5 s on")
+    exact = _backwater(study, case, 0.0, "--discharge", f"{q} m2/s", "--upstream", "20mm", "--downstream", "70mm", "--length", "1", "--stations", "1001")
+    figures.exact(axes, x, exact(x), "riffle backwater")
+    figures.simulated(axes, x, mean, "particles", most=200)
+    check.figures.append((figure.svg(check.name), "Mean depth along the channel; the jump of the theory has no length."))
+    check.best, check.cost = options_text(flow), flow.cost_text
+    _account(check, flow)
+    return check
+
+
+CHECKS = {"open_uniform": uniform, "open_backwater_m1": m1, "open_backwater_m2": m2, "open_pulse": pulse, "open_jump": jump}
