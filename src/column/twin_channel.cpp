@@ -98,6 +98,9 @@ class TwinStates {
 
 Case uniform_reach(const Case& c) {
     Case reach = c;
+    if (c.channel.ends != Ends::open) {
+        return reach;
+    }
     reach.channel.ends = Ends::periodic;
     reach.inflow = {};
     reach.outflow = {};

@@ -8,8 +8,8 @@
 
 namespace riffle {
 
-/// The reach of a channel far from its ends and from all bodies: the case with periodic ends and without
-/// solids, whose uniform flow is that of the bed.
+/// The reach of a channel far from its open ends and from all bodies in it: the case with periodic ends and
+/// without solids, whose uniform flow is that of the bed. A case with other ends is returned as it is.
 [[nodiscard]] Case uniform_reach(const Case& c);
 
 /// A column twin and the weight along the bed that drives it, m/s2.
