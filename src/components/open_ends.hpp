@@ -223,16 +223,25 @@ class OpenEnds final : public Component<D, Real> {
 
     /// What leaves goes over to the profile of its section, and to rest across.
     [[nodiscard]] Vec<D> leaving_velocity(const Flow& flow, std::size_t i) const {
-        const EndState& end = flow.clock.open_ends.downstream;
-        const double place = flow.particles.position[Flow::vertical][i] / end.depth;
-        Vec<D> wanted{};
-        wanted[0] = leaving_factor_ * leaving_at(flow.clock.open_ends, place) + leaving_shift_;
-        wanted[Flow::vertical] = place * end.depth_rate;
-        const double kept = std::exp(-step_ * wave_speed(gravity_, end.depth) / watch_);
+        const Vec<D> wanted = leaving_section(flow, i);
+        const double kept =
+            std::exp(-step_ * wave_speed(gravity_, flow.clock.open_ends.downstream.depth) / watch_);
         Vec<D> u = vector_of(flow.particles.velocity, i);
         for (std::size_t k = 0; k < Flow::axes; ++k) {
             u[k] = wanted[k] + kept * (u[k] - wanted[k]);
         }
+        return u;
+    }
+
+    /// The velocity of the section at the outflow at the height of a particle. While the flow as a whole
+    /// leaves, none of it comes back: nothing would be there to come.
+    [[nodiscard]] Vec<D> leaving_section(const Flow& flow, std::size_t i) const {
+        const EndState& end = flow.clock.open_ends.downstream;
+        const double place = flow.particles.position[Flow::vertical][i] / end.depth;
+        Vec<D> u{};
+        u[0] = leaving_factor_ * leaving_at(flow.clock.open_ends, place) + leaving_shift_;
+        u[0] = end.velocity >= 0.0 ? std::max(0.0, u[0]) : u[0];
+        u[Flow::vertical] = place * end.depth_rate;
         return u;
     }
 
@@ -346,40 +355,89 @@ class OpenEnds final : public Component<D, Real> {
     }
 
     void make(Flow& flow) {
-        Particles<D>& p = flow.particles;
         OpenEndsState& state = flow.clock.open_ends;
         const EndState& end = state.upstream;
         shape_mean_ = input_.shape.mean_of_rows(state.rows);
         std::vector<Vec<D>> places;
         streams_.fill(state, end.depth, [&](int row, int file, double x) {
-            Vec<D> place{};
-            place[0] = x;
-            if constexpr (D == 3) {
-                place[1] = lattice_.y(file, row);
-            }
-            place[Flow::vertical] = streams_.height_of(row, state.rows, end.depth);
-            places.push_back(place);
+            places.push_back(place_of(row, file, x, state.rows, end.depth));
         });
+        add(flow, places, end.depth, [&](std::size_t i) { return entering_velocity(flow, i); });
+        if (state.downstream.velocity < 0.0) {
+            const auto behind = gaps_behind_outflow(flow);
+            add(flow, behind, state.downstream.depth,
+                [&](std::size_t i) { return leaving_section(flow, i); });
+        }
+    }
+
+    [[nodiscard]] Vec<D> place_of(int row, int file, double x, int rows, double depth) const {
+        Vec<D> place{};
+        place[0] = x;
+        if constexpr (D == 3) {
+            place[1] = lattice_.y(file, row);
+        }
+        place[Flow::vertical] = streams_.height_of(row, rows, depth);
+        return place;
+    }
+
+    /// Where the flow comes back from the outflow, what has gone into the channel is to be replaced: places
+    /// behind the last particle of each row.
+    [[nodiscard]] std::vector<Vec<D>> gaps_behind_outflow(const Flow& flow) const {
+        const Particles<D>& p = flow.particles;
+        const double depth = flow.clock.open_ends.downstream.depth;
+        const int rows = streams_.rows_for(depth);
+        const int files = D == 3 ? lattice_.files : 1;
+        const double step = streams_.length(rows, depth);
+        std::vector<double> last(static_cast<std::size_t>(rows) * static_cast<std::size_t>(files),
+                                 length_ - step);
+        const auto index = [](double place, int count) {
+            return static_cast<std::size_t>(std::clamp(place, 0.0, count - 0.5));
+        };
+        for (std::size_t i = 0; i < p.size(); ++i) {
+            if (p.position[0][i] > length_ - step) {
+                const std::size_t row = index(p.position[Flow::vertical][i] / depth * rows, rows);
+                const std::size_t file = D == 3 ? index(p.position[1][i] / lattice_.dy, files) : 0;
+                double& place = last[row * static_cast<std::size_t>(files) + file];
+                place = std::max(place, p.position[0][i]);
+            }
+        }
+        std::vector<Vec<D>> places;
+        for (int row = 0; row < rows; ++row) {
+            for (int file = 0; file < files; ++file) {
+                const auto at = static_cast<std::size_t>(row * files + file);
+                for (double x = last[at] + step; x < length_ + support_; x += step) {
+                    places.push_back(place_of(row, file, x, rows, depth));
+                }
+            }
+        }
+        return places;
+    }
+
+    /// Add particles at places in water of a depth, with the velocity of each by its index.
+    template <class Velocity>
+    void add(Flow& flow, const std::vector<Vec<D>>& places, double depth, const Velocity& velocity) const {
         if (places.empty()) {
             return;
         }
+        Particles<D>& p = flow.particles;
+        EndsLedger& ledger = flow.clock.open_ends.ledger;
         const std::size_t first = p.append(places.size());
         for (std::size_t n = 0; n < places.size(); ++n) {
             const std::size_t i = first + n;
             for (std::size_t k = 0; k < Flow::axes; ++k) {
                 p.position[k][i] = places[n][k];
             }
-            const double z = places[n][Flow::vertical];
-            const double s = flow.scheme.state.deviation(gravity_ * std::max(0.0, end.depth - z));
+            const double s =
+                flow.scheme.state.deviation(gravity_ * std::max(0.0, depth - places[n][Flow::vertical]));
             p.density_deviation[i] = s;
             p.mass[i] = flow.scheme.density * (1.0 + s) * lattice_.volume<D>();
-            const Vec<D> u = entering_velocity(flow, i);
+            const Vec<D> u = velocity(i);
             for (std::size_t k = 0; k < Flow::axes; ++k) {
                 p.velocity[k][i] = u[k];
             }
-            ++state.ledger.entered;
-            state.ledger.mass_entered += p.mass[i];
-            state.ledger.momentum_entered += p.mass[i] * u[0];
+            ++ledger.entered;
+            ledger.mass_entered += p.mass[i];
+            ledger.momentum_entered += p.mass[i] * u[0];
         }
     }
 

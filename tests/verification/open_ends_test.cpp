@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <fstream>
 #include <memory>
 #include <set>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "ends/end_input.hpp"
 #include "solver/simulation.hpp"
 #include "solver/start.hpp"
+#include "temporary_folder.hpp"
 
 // Channels with open ends, small enough for seconds. Laminar: U(z) is the parabola of the discharge.
 
@@ -133,6 +135,44 @@ TEST(OpenEnds, SupercriticalFlowPasses) {
     expect_account_closes(run, at_start);
     EXPECT_NEAR(run.ends().downstream.depth, h, 0.01 * h);
     EXPECT_NEAR(run.ends().downstream.velocity, q / h, 0.02 * q / h);  // the slope adds 1 %
+}
+
+// The depth at the outflow rises by a tenth in a second: the water must come back from there, and the buffer
+// stay full.
+TEST(OpenEnds, AFlowThatTurnsRoundFillsTheChannelFromItsOutflow) {
+    const test::TemporaryFolder folder;
+    std::ofstream(folder / "tide.csv") << "time,depth\n0,0.02\n1,0.022\n";
+    const std::string text =
+        laminar_channel(inflow(0.0) + "[outflow]\nkind = \"depth\"\nrelaxation_time = 0.1\ndepth_file = \"" +
+                        (folder / "tide.csv").string() + "\"\n[start]\nkind = \"rest\"\n");
+    OpenRun<2> run(text);
+    const std::size_t at_start = initial_particles<2>(run.c, run.simulation->scheme(), nullptr).size();
+    double fastest_back = 0.0;
+    double inside = 0.0;
+    double beyond = 0.0;
+    double samples = 0.0;
+    for (double time = 0.05; time < 3.0; time += 0.05) {
+        run.advance_to(time);
+        fastest_back = std::min(fastest_back, run.ends().downstream.velocity);
+        if (time < 2.0) {  // the water still swings
+            continue;
+        }
+        const auto& p = run.simulation->particles();
+        for (std::size_t i = 0; i < p.size(); ++i) {
+            const double x = p.position[0][i];
+            const double area = p.mass[i] / (1000.0 * (1.0 + p.density_deviation[i]));
+            inside += x >= 0.0 && x < 0.1 ? area : 0.0;
+            beyond += x >= 0.1 ? area : 0.0;
+        }
+        samples += 1.0;
+    }
+    inside /= samples;
+    beyond /= samples;
+    EXPECT_LT(fastest_back, 0.0);
+    expect_account_closes(run, at_start);
+    // Still water is as much shallower in the middle as the bed is higher there.
+    EXPECT_NEAR(inside / 0.1 / (0.022 - slope * 0.05), 1.0, 0.01);
+    EXPECT_GT(beyond, 0.7 * 4.0 * 1.5 * 0.002 * 0.022);
 }
 
 TEST(OpenEnds, TheSameBitsForAnyNumberOfThreadsAndAfterARestore) {
