@@ -101,7 +101,7 @@ SectionKeys outflow_keys() {
             "Time in which the depth goes to what rules it: the longer, the less of a wave is thrown back.")
             .measured_in(time)
             .greater_than(0)
-            .unset_by("auto", "60 sqrt(H / g), at least the time that a wave takes along the channel")
+            .unset_by("auto", "80 sqrt(H / g), at least the time that a wave takes along the channel")
             .applies_with(kind, {"depth", "normal-depth", "critical-depth", "weir", "rating-curve"}, true));
     return s;
 }

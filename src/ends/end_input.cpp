@@ -130,7 +130,7 @@ std::function<double(double, double)> outflow_rule(const Case& c) {
 }
 
 double default_relaxation_time(const Case& c) {
-    constexpr double times = 60.0;
+    constexpr double times = 80.0;  // of a rise as long as five depths 5 % come back
     const double depth = c.total_depth();
     return std::max(times * std::sqrt(depth / c.normal_gravity()),
                     c.channel.length / wave_speed(c.normal_gravity(), depth));

@@ -43,16 +43,17 @@ enum Condition : unsigned {
     with_closure = 1U << 5U,
     with_solids = 1U << 6U,
     with_moving_solids = 1U << 7U,
-    with_spheres = 1U << 8U,      ///< a bed of spheres
-    when_asked = 1U << 9U,        ///< chosen by a key of [output]
-    at_the_end = 1U << 10U,       ///< once the run has ended or was stopped
-    with_profiles = 1U << 11U,    ///< once a block of time is complete
-    with_samples = 1U << 12U,     ///< from ten independent samples on
-    on_a_slope = 1U << 13U,       ///< where weight acts along the channel
-    where_fitted = 1U << 14U,     ///< where the law can be fitted
-    verlet_stepping = 1U << 15U,  ///< numerics.stepping
-    beeman_stepping = 1U << 16U,  ///< so
-    with_open_ends = 1U << 17U,   ///< channel.ends
+    with_spheres = 1U << 8U,       ///< a bed of spheres
+    when_asked = 1U << 9U,         ///< chosen by a key of [output]
+    at_the_end = 1U << 10U,        ///< once the run has ended or was stopped
+    with_profiles = 1U << 11U,     ///< once a block of time is complete
+    with_samples = 1U << 12U,      ///< from ten independent samples on
+    on_a_slope = 1U << 13U,        ///< where weight acts along the channel
+    where_fitted = 1U << 14U,      ///< where the law can be fitted
+    verlet_stepping = 1U << 15U,   ///< numerics.stepping
+    beeman_stepping = 1U << 16U,   ///< so
+    with_open_ends = 1U << 17U,    ///< channel.ends
+    with_local_depth = 1U << 18U,  ///< turbulence.depth
 };
 
 /// Who reads a field.

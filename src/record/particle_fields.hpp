@@ -158,6 +158,8 @@ struct State {
     Field mass = of_state("mass", {"kg/m", "kg"}, {"mass per unit width", "mass"});
     Field wall_density_deviation =
         of_state("wall_density_deviation", "1", "rho/rho0 - 1 of the wall particles", at_the_end, "wall");
+    Field closure_depth =
+        of_state("closure_depth", "m", "depth that the mixing length follows", at_the_end | with_local_depth);
     Field open_ends =
         of_state("open_ends", "1",
                  "state of the open ends: the sections, the streams that enter and the account of "

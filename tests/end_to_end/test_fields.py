@@ -59,7 +59,7 @@ class Fields(CommandLineTest):
                       {"three_dimensions", "free_surface", "no_section_twin", "solids", "asked", "end"}),
             "ends": ([SOURCE / "cases/open-ends/uniform.toml", "--set", "numerics.spacing=3mm", "--set", 'channel.length="150 mm"',
                       "--set", "run.average_from=auto", *until(0.7), *snapshots],
-                     {"free_surface", "no_section_twin", "closure", "asked", "end", "profiles", "slope", "open_ends", "spheres"}),
+                     {"free_surface", "no_section_twin", "closure", "asked", "end", "profiles", "slope", "open_ends", "local_depth", "spheres"}),
         }
         for stepping in ("verlet", "beeman"):
             runs[stepping] = ([bare, *until(0.02), "--set", f"numerics.stepping={stepping}", "--set",
