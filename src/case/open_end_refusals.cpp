@@ -1,5 +1,4 @@
 #include <cmath>
-#include <system_error>
 
 #include "case/flow_kind.hpp"
 #include "case/refusals.hpp"
@@ -8,19 +7,6 @@
 namespace riffle {
 
 namespace {
-
-bool is_lost(const Case& c, const std::filesystem::path& file) {
-    std::error_code error;
-    return !c.path.empty() && !file.empty() && !std::filesystem::is_regular_file(file, error);
-}
-
-CaseCheck lost_file(const char* id, std::string_view what, bool (*lost)(const Case&)) {
-    return {{id},
-            what,
-            "there is no such file",
-            "correct the name (relative names start from the folder of the case file) or remove the key",
-            lost};
-}
 
 double total(const Case& c, double depth) { return depth + c.datum(); }
 

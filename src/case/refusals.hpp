@@ -1,6 +1,8 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "case/case_check.hpp"
@@ -54,6 +56,21 @@ inline bool has_free_surface(const Case& c) { return c.channel.top == Top::free_
 
 /// Reach of the kernel, 2 h, m.
 inline double kernel_support(const Case& c) { return 2.0 * c.numerics.smoothing_ratio * c.numerics.spacing; }
+
+/// Files are looked for where the case itself is one: the text of a results file is read where they may be
+/// gone.
+inline bool is_lost(const Case& c, const std::filesystem::path& file) {
+    std::error_code error;
+    return !c.path.empty() && !file.empty() && !std::filesystem::is_regular_file(file, error);
+}
+
+[[nodiscard]] inline CaseCheck lost_file(const char* id, std::string_view what, bool (*lost)(const Case&)) {
+    return {{id},
+            what,
+            "there is no such file",
+            "correct the name (relative names start from the folder of the case file) or remove the key",
+            lost};
+}
 
 /// Stretch beside each open end over which the water is watched, and which solids must leave free, m.
 inline double open_end_clearance(const Case& c) { return 2.0 * kernel_support(c); }

@@ -1,5 +1,3 @@
-#include <system_error>
-
 #include "case/flow_kind.hpp"
 #include "case/refusals.hpp"
 #include "case/units.hpp"
@@ -9,21 +7,6 @@ namespace riffle {
 namespace {
 
 bool starts_as(const Case& c, StartKind kind) { return c.start.kind == kind; }
-
-/// Files are looked for where the case itself is one: the text of a results file is read where they may be
-/// gone.
-bool is_lost(const Case& c, const std::filesystem::path& file) {
-    std::error_code error;
-    return !c.path.empty() && !file.empty() && !std::filesystem::is_regular_file(file, error);
-}
-
-CaseCheck lost_file(const char* id, std::string_view what, bool (*lost)(const Case&)) {
-    return {{id},
-            what,
-            "there is no such file",
-            "correct the name (relative names start from the folder of the case file) or remove the key",
-            lost};
-}
 
 }  // namespace
 
