@@ -23,8 +23,8 @@ struct EndInput {
 /// Read it. Throws FileError or InputError that name file, line or key where something does not hold.
 [[nodiscard]] EndInput read_end_input(const Case& c);
 
-/// Depth-mean velocity of the start, m/s, in water of the total depth H: that of the discharge of the inflow,
-/// or where the case gives none of the uniform flow of its bed; 0 where that is not known either.
+/// Discharge of the start, m2/s: that of the inflow, or where the case gives none that of the uniform flow of
+/// its bed; 0 where that is not known either.
 [[nodiscard]] double start_unit_discharge(const Case& c, const EndInput& input);
 
 /// Largest total depth and largest velocity that the case gives at its ends or its start.

@@ -13,7 +13,7 @@ namespace riffle {
 
 namespace {
 
-double expected_velocity(const Case& c, const ColumnResult* column) {
+double expected_velocity(const Case& c, const ColumnResult* column, const EndExtremes& ends) {
     if (c.start.kind == StartKind::standing_wave) {
         return c.start.amplitude * std::sqrt(c.fluid.gravity / c.total_depth());
     }
@@ -24,9 +24,7 @@ double expected_velocity(const Case& c, const ColumnResult* column) {
         const double high = *std::max_element(c.start.water_z.begin(), c.start.water_z.end());
         velocity = std::max(velocity, std::sqrt(c.fluid.gravity * high));
     }
-    if (c.channel.ends == Ends::open) {
-        velocity = std::max(velocity, end_extremes(c, read_end_input(c)).velocity);
-    }
+    velocity = std::max(velocity, ends.velocity);
     if (column != nullptr) {
         for (const double u : column->profile.velocity) {
             velocity = std::max(velocity, std::abs(u));
@@ -35,9 +33,10 @@ double expected_velocity(const Case& c, const ColumnResult* column) {
     return velocity;
 }
 
-/// Of the water that the case gives, m.
-double largest_depth(const Case& c) {
-    return c.channel.ends == Ends::open ? end_extremes(c, read_end_input(c)).depth : c.total_depth();
+/// What the case gives at open ends; of others its own depth alone.
+EndExtremes extremes_of(const Case& c) {
+    return c.channel.ends == Ends::open ? end_extremes(c, read_end_input(c))
+                                        : EndExtremes{.depth = c.total_depth(), .velocity = 0.0};
 }
 
 }  // namespace
@@ -56,10 +55,11 @@ Scheme make_scheme(const Case& c, const ColumnResult* column) {
     scheme.streamwise_gravity = fully_periodic ? 0.0 : c.streamwise_gravity();
     // Between two plates and in a periodic box gravity normal to the bed only adds a hydrostatic pressure.
     scheme.normal_gravity = c.channel.top == Top::free_surface ? c.normal_gravity() : 0.0;
-    scheme.maximum_velocity = expected_velocity(c, column);
+    const EndExtremes ends = extremes_of(c);
+    scheme.maximum_velocity = expected_velocity(c, column, ends);
     scheme.state.kind = c.numerics.equation_of_state;
     scheme.state.sound_speed = c.numerics.sound_speed.value_or(
-        std::max(20.0 * scheme.maximum_velocity, 10.0 * std::sqrt(scheme.normal_gravity * largest_depth(c))));
+        std::max(20.0 * scheme.maximum_velocity, 10.0 * std::sqrt(scheme.normal_gravity * ends.depth)));
     scheme.acoustic_step = c.numerics.courant_number * scheme.smoothing_length / scheme.state.sound_speed;
     // Explicit diffusion of momentum: of a laminar case or, over hundreds of rows, of a mixing length, with
     // twice the twin's eddy viscosity, for the water shears itself more here and there than its mean flow.
