@@ -1,6 +1,7 @@
 #include "boundary/boundary_planes.hpp"
 
 #include "boundary/wall.hpp"
+#include "particles/end_buffers.hpp"
 
 namespace riffle {
 
@@ -13,6 +14,9 @@ std::vector<BoundaryPlane> boundary_planes(const Case& c) {
     constexpr auto vertical = static_cast<std::size_t>(D - 1);
     const double top = end_wall_height(c);
     planes.push_back({vertical, 0.0, 1.0});
+    if (bed_ends(c)) {
+        planes.back().end = c.channel.length;
+    }
     if (c.channel.top == Top::wall) {
         planes.push_back({vertical, c.total_depth(), -1.0});
     }

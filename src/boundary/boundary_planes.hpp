@@ -15,6 +15,7 @@ struct BoundaryPlane {
     double place = 0.0;    ///< coordinate along that axis, m
     double inward = 1.0;   ///< 1: the water has larger coordinates; -1: smaller ones
     double top = std::numeric_limits<double>::infinity();  ///< height up to which it stands, m
+    double end = std::numeric_limits<double>::infinity();  ///< x up to which it stands, m
 
     /// How far a place is before it, m; below zero behind it.
     template <int D>

@@ -36,7 +36,7 @@ int end_wall_rows(const Case& c, const Lattice& lattice) {
                                  : lattice.rows + lattice.rows / 2;
 }
 
-/// Columns of wall particles beyond either end: the layers of its wall, or what stands below a buffer.
+/// Columns of wall particles before the channel: the layers of its wall, or what stands below a buffer.
 int columns_beyond(const Case& c, const Lattice& lattice) {
     switch (c.channel.ends) {
         case Ends::walls:
@@ -47,6 +47,11 @@ int columns_beyond(const Case& c, const Lattice& lattice) {
             break;
     }
     return 0;
+}
+
+/// The same behind it; none where the bed ends.
+int columns_behind(const Case& c, const Lattice& lattice) {
+    return bed_ends(c) ? 0 : columns_beyond(c, lattice);
 }
 
 /// Wall particles at places in a solid, as deep as there are layers. Each takes the normal and the depth of
@@ -138,6 +143,7 @@ WallParticles<2> wall_particles<2>(const Case& c) {
     const double depth = c.total_depth();
     const bool closed = c.channel.ends == Ends::walls;
     const int beyond = columns_beyond(c, lattice);
+    const int behind_it = columns_behind(c, lattice);
 
     // Dummy particles stand on the continuation of the lattice; dynamic ones in staggered layers half a
     // spacing apart (thesis; SPHysics).
@@ -153,7 +159,7 @@ WallParticles<2> wall_particles<2>(const Case& c) {
     };
     for (int layer = 0; layer < layers; ++layer) {
         const double behind = layer_depth(layer, lattice.dz);
-        for (int column = -beyond; column < lattice.columns + beyond; ++column) {
+        for (int column = -beyond; column < lattice.columns + behind_it; ++column) {
             const bool corner = closed && (column < 0 || column >= lattice.columns);
             const bool periodic = c.channel.ends == Ends::periodic;
             const auto wrapped = [&](double x) { return periodic ? std::fmod(x, c.channel.length) : x; };
@@ -224,6 +230,7 @@ WallParticles<3> wall_particles<3>(const Case& c) {
     };
     const int beside = sides ? layers : 0;
     const int beyond = columns_beyond(c, lattice);
+    const int behind_it = columns_behind(c, lattice);
     const int top = end_wall_rows(c, lattice);
     // Layers of dynamic particles stand half a spacing apart, every other one shifted by half a spacing along
     // both of its directions (thesis; SPHysics); dummy particles on the continuation of the lattice. Between
@@ -246,7 +253,7 @@ WallParticles<3> wall_particles<3>(const Case& c) {
             return;
         }
         const bool shifted = layer % 2 == 1;
-        const auto x = along(column, lattice.columns + beyond, lattice.dx, length, ends, shifted);
+        const auto x = along(column, lattice.columns + behind_it, lattice.dx, length, ends, shifted);
         const auto y = along(file, lattice.files + beside, lattice.dy, width, sides, shifted);
         const double behind = 0.5 * (layer + 1) * lattice.dz;
         if (x && y) {
@@ -278,7 +285,7 @@ WallParticles<3> wall_particles<3>(const Case& c) {
                 std::max(behind_end, behind_side));
         }
     };
-    for (int column = -beyond; column < lattice.columns + beyond; ++column) {
+    for (int column = -beyond; column < lattice.columns + behind_it; ++column) {
         const int end = !ends ? 0 : column < 0 ? 1 : column >= lattice.columns ? -1 : 0;
         for (int file = -beside; file < lattice.files + beside; ++file) {
             const int side = file < 0 ? 1 : file >= lattice.files ? -1 : 0;

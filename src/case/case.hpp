@@ -46,9 +46,10 @@ struct Inflow {
     std::filesystem::path discharge_file;  ///< CSV with the columns time, and discharge or unit_discharge
     std::filesystem::path depth_file;      ///< CSV with the columns time, depth
     InflowProfile profile = InflowProfile::column;
-    double exponent = 7.0;               ///< m of the power law u = U_max (z/H)^(1/m)
-    double equivalent_roughness = 0.0;   ///< k_s of the log law, m
-    std::filesystem::path profile_file;  ///< CSV with the columns z, u; z above the datum
+    double exponent = 7.0;                  ///< m of the power law u = U_max (z/H)^(1/m)
+    double equivalent_roughness = 0.0;      ///< k_s of the log law, m
+    std::filesystem::path profile_file;     ///< CSV with the columns z, u; z above the datum
+    std::optional<double> relaxation_time;  ///< in which the discharge comes back after a wave, s
 
     [[nodiscard]] bool gives_discharge() const {
         return discharge || unit_discharge || !discharge_file.empty();

@@ -61,6 +61,13 @@ SectionKeys inflow_keys() {
     s.keys.push_back(make_key("inflow", "profile_file", &Case::inflow, &Inflow::profile_file,
                               "CSV file of the profile, the columns z, u; z above the zero datum.")
                          .applies_with(profile, {"file"}, true));
+    s.keys.push_back(
+        key("relaxation_time", &Inflow::relaxation_time,
+            "Time in which the discharge comes back after a wave has gone out through the inflow; its mean is "
+            "the one given. 0: it holds at each moment, and waves are thrown back.")
+            .measured_in(time)
+            .at_least(0)
+            .unset_by("auto", "5 sqrt(H / g)"));
     return s;
 }
 

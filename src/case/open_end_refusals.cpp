@@ -1,6 +1,8 @@
 #include <cmath>
 
 #include "case/flow_kind.hpp"
+#include "case/outline.hpp"
+#include "case/outline_check.hpp"
 #include "case/refusals.hpp"
 #include "case/units.hpp"
 
@@ -27,6 +29,21 @@ Findings too_near(const Case& c, const Solid& solid) {
         if (x < clear || x > c.channel.length - clear) {
             return found_if(true, "it reaches to x = {}, the channel from 0 to {}", shown_length(x),
                             shown_length(c.channel.length));
+        }
+    }
+    return {};
+}
+
+/// Ends at which the outline of the water begins above the bed.
+Findings floating_ends(const Case& c) {
+    const Outline water{c.start.water_x, c.start.water_z};
+    const double inside = 1e-9 * c.channel.length;
+    for (const double x : {inside, c.channel.length - inside}) {
+        const double lowest = is_simple(water) ? ceiling_above(water, x, 0.0) : 0.0;
+        if (lowest > 0.0 && !contains(water, x, 0.5 * lowest)) {
+            return found_if(true, "the water at x = {} begins at a height of {}",
+                            shown_length(x > 0.5 * c.channel.length ? c.channel.length : 0.0),
+                            shown_length(lowest));
         }
     }
     return {};
@@ -217,11 +234,11 @@ CheckList open_end_refusals() {
                  return found_if(c.start.kind == StartKind::backwater && !c.inflow_unit_discharge(),
                                  "kind = \"backwater\" needs a constant discharge");
              }},
-            {{"start.water_x", "channel.ends"},
-             "an outline of the water with open ends",
-             "the water at an open end stands at its depth",
-             "remove water_x and water_z",
-             [](const Case& c) { return !c.start.water_x.empty(); }},
+            {{"start.water_z", "channel.ends"},
+             "water at an open end that does not stand on the bed",
+             "what is beyond the end is as deep as the water beside it",
+             "draw its outline down to z = 0 there, or away from the end",
+             floating_ends},
             {{"solid.x", "channel.ends"},
              "a solid in the water that enters or leaves",
              "the water is watched over two kernel supports beside either end",

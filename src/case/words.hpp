@@ -35,15 +35,16 @@ struct Words<InflowProfile> {
 
 template <>
 struct Words<OutflowKind> {
-    static constexpr std::array<Word, 6> list{{
+    static constexpr std::array<Word, 7> list{{
         {"depth", "the depth that `depth` or `depth_file` gives"},
         {"normal-depth", "the depth of uniform flow with the discharge of the inflow, found once"},
         {"critical-depth",
-         "the depth (q^2 / g)^(1/3) of the discharge that leaves: what a drop or overfall does"},
+         "the depth (q^2 / g)^(1/3) of the discharge that leaves: what a drop or overfall does to the flow a few depths before it"},
         {"weir",
          "the head over a sharp crest with the discharge that leaves, by `weir_height` and `weir_coefficient`"},
         {"rating-curve", "the depth that goes with the discharge that leaves, from `rating_file`"},
-        {"free", "nothing: supercritical flow leaves as it comes"},
+        {"free", "nothing: supercritical flow leaves as it comes, and a dry bed stays dry until water comes"},
+        {"free-fall", "nothing: the bed ends there, and the water falls over its edge"},
     }};
 };
 

@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "ends/end_input.hpp"
+#include "ends/end_sections.hpp"
 #include "ends/inflow_streams.hpp"
-#include "ends/section_state.hpp"
+#include "ends/leaving_profile.hpp"
 #include "engine/component.hpp"
 #include "particles/end_buffers.hpp"
 #include "particles/lattice.hpp"
@@ -25,10 +25,12 @@ class OpenEnds final : public Component<D, Real> {
     using typename Component<D, Real>::Task;
 
     explicit OpenEnds(Flow& flow)
-        : input_(read_end_input(flow.c)),
-          lattice_(lattice_of(flow.c)),
+        : lattice_(lattice_of(flow.c)),
           length_(flow.c.channel.length),
+          falls_(bed_ends(flow.c)),
           gravity_(flow.scheme.normal_gravity),
+          sections_(read_end_input(flow.c), gravity_, lattice_.dz),
+          leaving_(lattice_.dz),
           travel_(end_travel(flow.c)),
           support_(end_support(flow.c)),
           watch_(std::ceil(2.0 * flow.c.numerics.smoothing_ratio - 1e-9) * lattice_.dx),
@@ -87,10 +89,17 @@ class OpenEnds final : public Component<D, Real> {
         };
         smooth(state.upstream, start, smoothing);
         smooth(state.downstream, end, smoothing);
-        follow_upstream(state.upstream, flow.clock.time, dt);
-        follow_downstream(state.downstream, flow.clock.time, dt);
-        watch_profile(flow, state, dt);
-        shape_mean_ = input_.shape.mean_of_rows(state.rows);
+        sections_.follow_upstream(state.upstream, flow.clock.time, dt);
+        sections_.follow_downstream(state.downstream, flow.clock.time, dt);
+        leaving_.clear(state);
+        for (const std::size_t i : watched_[1]) {
+            const Particles<D>& p = flow.particles;
+            if (const double hat = hat_at(length_ - p.position[0][i]); hat > 0.0) {
+                leaving_.add(state, p.position[Flow::vertical][i], hat * p.mass[i], p.velocity[0][i]);
+            }
+        }
+        leaving_.finish(state, gravity_, dt);
+        shape_mean_ = shape().mean_of_rows(state.rows);
         fastest_ = std::max(start.fastest, end.fastest);
     }
 
@@ -100,6 +109,9 @@ class OpenEnds final : public Component<D, Real> {
 
     void complete_gradients(Flow& flow, Task& task, std::size_t begin, std::size_t end) override {
         for_buffers(flow, begin, end, [&](std::size_t i, std::size_t lane, bool entering) {
+            if (falls_ && !entering) {
+                return;
+            }
             const double z = flow.particles.position[Flow::vertical][i];
             const double depth =
                 entering ? flow.clock.open_ends.upstream.depth : flow.clock.open_ends.downstream.depth;
@@ -114,6 +126,10 @@ class OpenEnds final : public Component<D, Real> {
     void add_forces(Flow& flow, Task& task, std::size_t begin, std::size_t end) override {
         const auto first = static_cast<std::size_t>(flow.clusters.begin[begin]);
         for_buffers(flow, begin, end, [&](std::size_t i, std::size_t lane, bool entering) {
+            task.particles.drag[i - first] = 0.0;
+            if (falls_ && !entering) {
+                return;
+            }
             const Vec<D> wanted = entering ? entering_velocity(flow, i) : leaving_velocity(flow, i);
             for (std::size_t k = 0; k < Flow::axes; ++k) {
                 task.sums.force.tensor[k][lane] = Real(0);
@@ -121,7 +137,6 @@ class OpenEnds final : public Component<D, Real> {
                 task.particles.acceleration[k][lane] =
                     (wanted[k] - flow.particles.velocity[k][i]) / kick_ - flow.particle_data.gravity[k];
             }
-            task.particles.drag[i - first] = 0.0;
         });
     }
 
@@ -129,7 +144,7 @@ class OpenEnds final : public Component<D, Real> {
         OpenEndsState& state = flow.clock.open_ends;
         const EndState& end = state.upstream;
         streams_.advance(state, step_, [&](int row) { return velocity_of_row(state, row, end); });
-        state.travel += step_ * std::max(fastest_, std::abs(end.velocity) * input_.shape.largest());
+        state.travel += step_ * std::max(fastest_, std::abs(end.velocity) * shape().largest());
     }
 
     [[nodiscard]] std::size_t bytes() const override {
@@ -137,12 +152,14 @@ class OpenEnds final : public Component<D, Real> {
     }
 
   private:
-    /// Sums over the water at one end.
+    /// Of the water within a hat beside an end; its largest velocity there.
     struct Watched {
-        double depth = 0.0;     ///< within a hat inside of the channel
-        double velocity = 0.0;  ///< so
+        double depth = 0.0;
+        double velocity = 0.0;
         double fastest = 0.0;
     };
+
+    [[nodiscard]] const VelocityShape& shape() const { return sections_.input().shape; }
 
     void begin(Flow& flow) {
         OpenEndsState& state = flow.clock.open_ends;
@@ -150,72 +167,28 @@ class OpenEnds final : public Component<D, Real> {
             return;
         }
         state.begun = true;
-        const auto depth = start_depths(flow.c, input_);
-        const double q = flow.c.start.kind == StartKind::rest ? 0.0 : start_unit_discharge(flow.c, input_);
-        const auto at = [&](double x) {
-            EndState end;
-            end.depth = depth(x);
-            end.velocity = q / end.depth;
-            end.watched_depth = end.depth;
-            end.watched_velocity = end.velocity;
-            end.coming = end.velocity - 2.0 * wave_speed(gravity_, end.depth);
-            return end;
-        };
-        state.upstream = at(0.0);
-        state.downstream = at(length_);
+        const auto depth = start_depths(flow.c, sections_.input());
+        const double q =
+            flow.c.start.kind == StartKind::rest ? 0.0 : start_unit_discharge(flow.c, sections_.input());
+        state.upstream = sections_.start(depth(0.0), q);
+        state.upstream.depth = std::max(state.upstream.depth, lattice_.dz);
+        state.downstream = sections_.start(depth(length_), q);
         const int bins = std::max(4, lattice_.rows / 2);
         for (int bin = 0; bin < bins; ++bin) {
-            state.leaving.push_back(state.downstream.velocity * input_.shape.at((bin + 0.5) / bins));
+            state.leaving.push_back(state.downstream.velocity * shape().at((bin + 0.5) / bins));
         }
         streams_.begin(state, streams_.rows_for(state.upstream.depth), 0.5 * lattice_.dx);
     }
 
-    void follow_upstream(EndState& end, double time, double dt) {
-        const double before = end.depth;
-        end.coming = end.watched_velocity - 2.0 * wave_speed(gravity_, end.watched_depth);
-        Section section;
-        if (input_.inflow_depth && input_.unit_discharge) {
-            section.depth = input_.inflow_depth->at(time);
-            section.velocity = input_.unit_discharge->at(time) / section.depth;
-        } else if (input_.inflow_depth) {
-            section = inflow_by_depth(gravity_, input_.inflow_depth->at(time), end.coming);
-        } else {
-            section = inflow_by_discharge(gravity_, input_.unit_discharge->at(time), end.coming);
-        }
-        end.depth = section.depth;
-        end.velocity = section.velocity;
-        end.depth_rate = (end.depth - before) / dt;
-    }
-
-    void follow_downstream(EndState& end, double time, double dt) {
-        const double before = end.depth;
-        const double c = wave_speed(gravity_, end.watched_depth);
-        const double going = end.watched_velocity + 2.0 * c;
-        // Where the flow is supercritical, nothing comes up from outside.
-        if (!input_.outflow_depth || end.watched_velocity >= c) {
-            end.coming = end.watched_velocity - 2.0 * c;
-        }
-        Section section = outflow_between(gravity_, going, end.coming);
-        if (input_.outflow_depth && end.watched_velocity < c) {
-            const double q = end.watched_velocity * end.watched_depth;
-            end.coming +=
-                relaxation(gravity_, section, input_.outflow_depth(q, time), input_.relaxation_time, dt);
-            section = outflow_between(gravity_, going, end.coming);
-        }
-        end.depth = section.depth;
-        end.velocity = section.velocity;
-        end.depth_rate = (end.depth - before) / dt;
-    }
-
     [[nodiscard]] double velocity_of_row(const OpenEndsState& state, int row, const EndState& end) const {
-        return end.velocity * input_.shape.at((row + 0.5) / state.rows) / shape_mean_;
+        return end.velocity * shape().at((row + 0.5) / state.rows) / shape_mean_;
     }
 
     [[nodiscard]] Vec<D> entering_velocity(const Flow& flow, std::size_t i) const {
         const EndState& end = flow.clock.open_ends.upstream;
         const double place = flow.particles.position[Flow::vertical][i] / end.depth;
         Vec<D> u{};
-        u[0] = end.velocity * input_.shape.at(place) / shape_mean_;
+        u[0] = end.velocity * shape().at(place) / shape_mean_;
         u[Flow::vertical] = place * end.depth_rate;
         return u;
     }
@@ -232,29 +205,24 @@ class OpenEnds final : public Component<D, Real> {
         return u;
     }
 
-    /// The velocity of the section at the outflow at the height of a particle. While the flow as a whole
-    /// leaves, none of it comes back: nothing would be there to come.
+    /// The velocity of the section at the outflow at the height of a particle.
     [[nodiscard]] Vec<D> leaving_section(const Flow& flow, std::size_t i) const {
         const EndState& end = flow.clock.open_ends.downstream;
-        const double place = flow.particles.position[Flow::vertical][i] / end.depth;
+        const double place = place_at_outflow(flow, i);
         Vec<D> u{};
-        u[0] = leaving_factor_ * leaving_at(flow.clock.open_ends, place) + leaving_shift_;
-        u[0] = end.velocity >= 0.0 ? std::max(0.0, u[0]) : u[0];
+        u[0] = leaving_.at(flow.clock.open_ends, place);
         u[Flow::vertical] = place * end.depth_rate;
         return u;
     }
 
-    /// The profile of what leaves at z/h, straight lines between the middles of its bins.
-    [[nodiscard]] static double leaving_at(const OpenEndsState& state, double place) {
-        const double last = static_cast<double>(state.leaving.size()) - 1.0;
-        const double at = std::clamp(place * (last + 1.0) - 0.5, 0.0, last);
-        const auto low = static_cast<std::size_t>(at);
-        const std::size_t high = std::min(low + 1, state.leaving.size() - 1);
-        return state.leaving[low] +
-               (at - static_cast<double>(low)) * (state.leaving[high] - state.leaving[low]);
+    /// Height of a particle over the depth at the outflow, where no water may be or a drop of it.
+    [[nodiscard]] double place_at_outflow(const Flow& flow, std::size_t i) const {
+        return flow.particles.position[Flow::vertical][i] /
+               std::max(flow.clock.open_ends.downstream.depth, lattice_.dz);
     }
 
-    /// f(particle, lane, whether it enters) for the particles of a block that stand in a buffer.
+    /// f(particle, lane, whether it enters) for the particles of a block that stand in a buffer, or fall
+    /// over the edge of the bed.
     template <class F>
     void for_buffers(const Flow& flow, std::size_t begin, std::size_t end, const F& f) const {
         for (std::size_t cluster = begin; cluster < end; ++cluster) {
@@ -276,8 +244,7 @@ class OpenEnds final : public Component<D, Real> {
     /// alike wherever it stands under it.
     [[nodiscard]] Watched watch(const Flow& flow, std::size_t end) const {
         const Particles<D>& p = flow.particles;
-        const double breadth =
-            flow.scheme.density * watch_ * (D == 3 ? flow.c.channel.simulated_width() : 1.0);
+        const double width = D == 3 ? flow.c.channel.simulated_width() : 1.0;
         Watched sums;
         for (const std::size_t i : watched_[end]) {
             const double x = end == 0 ? p.position[0][i] : length_ - p.position[0][i];
@@ -289,58 +256,28 @@ class OpenEnds final : public Component<D, Real> {
             sums.velocity += hat * u;
         }
         sums.velocity /= sums.depth > 0.0 ? sums.depth : 1.0;
-        sums.depth /= breadth;
+        sums.depth /= flow.scheme.density * watch_ * width;
         return sums;
     }
 
     /// Weight of the water at a distance from an end inside of the channel.
     [[nodiscard]] double hat_at(double x) const { return std::max(0.0, 1.0 - std::abs(x - watch_) / watch_); }
 
-    /// What leaves has the profile of the water before the end, smoothed over the time that a wave takes
-    /// along one depth. (Were it to keep its own velocity, slow water at the bed could come to rest beyond
-    /// the end and dam the channel.)
-    void watch_profile(const Flow& flow, OpenEndsState& state, double dt) {
-        const Particles<D>& p = flow.particles;
-        const double depth = state.downstream.watched_depth;
-        volume_.assign(state.leaving.size(), 0.0);
-        flux_.assign(state.leaving.size(), 0.0);
-        for (const std::size_t i : watched_[1]) {
-            const double hat = hat_at(length_ - p.position[0][i]);
-            if (hat > 0.0) {
-                const std::size_t bin = bin_of(state, p.position[Flow::vertical][i] / depth);
-                volume_[bin] += hat * p.mass[i];
-                flux_[bin] += hat * p.mass[i] * p.velocity[0][i];
-            }
-        }
-        const double share = std::min(1.0, dt * wave_speed(gravity_, depth) / depth);
-        double mean = 0.0;
-        for (std::size_t bin = 0; bin < state.leaving.size(); ++bin) {
-            if (volume_[bin] > 0.0) {
-                state.leaving[bin] += share * (flux_[bin] / volume_[bin] - state.leaving[bin]);
-            }
-            mean += state.leaving[bin] / static_cast<double>(state.leaving.size());
-        }
-        // The mean is that of the section: by a factor, so that slow water stays slow, unless the flow turns.
-        const double wanted = state.downstream.velocity;
-        const bool turns = mean * wanted <= 0.0 || std::abs(wanted) > 2.0 * std::abs(mean);
-        leaving_factor_ = turns ? 1.0 : wanted / mean;
-        leaving_shift_ = turns ? wanted - mean : 0.0;
-    }
-
-    [[nodiscard]] static std::size_t bin_of(const OpenEndsState& state, double place) {
-        const double bins = static_cast<double>(state.leaving.size());
-        return static_cast<std::size_t>(std::clamp(place * bins, 0.0, bins - 0.5));
+    /// Whether a particle is so far below the edge of the bed that its pressure is none.
+    [[nodiscard]] bool has_fallen(const Particles<D>& p, std::size_t i) const {
+        return p.position[0][i] > length_ && p.position[Flow::vertical][i] < -support_;
     }
 
     void take_out(Flow& flow) {
         Particles<D>& p = flow.particles;
         EndsLedger& ledger = flow.clock.open_ends.ledger;
         const double from = -(support_ + travel_) - 2.0 * lattice_.dx;
-        const double to = length_ + support_;
+        const double to = length_ + support_ + (falls_ ? 0.5 * flow.scheme.depth : 0.0);
         std::vector<std::int32_t> kept;
         kept.reserve(p.size());
         for (std::size_t i = 0; i < p.size(); ++i) {
-            if (p.position[0][i] >= from && p.position[0][i] <= to) {
+            const bool leaves = p.position[0][i] > to || (falls_ && has_fallen(p, i));
+            if (p.position[0][i] >= from && !leaves) {
                 kept.push_back(static_cast<std::int32_t>(i));
                 continue;
             }
@@ -356,13 +293,13 @@ class OpenEnds final : public Component<D, Real> {
     void make(Flow& flow) {
         OpenEndsState& state = flow.clock.open_ends;
         const EndState& end = state.upstream;
-        shape_mean_ = input_.shape.mean_of_rows(state.rows);
+        shape_mean_ = shape().mean_of_rows(state.rows);
         std::vector<Vec<D>> places;
         streams_.fill(state, end.depth, [&](int row, int file, double x) {
             places.push_back(place_of(row, file, x, state.rows, end.depth));
         });
         add(flow, places, end.depth, [&](std::size_t i) { return entering_velocity(flow, i); });
-        if (state.downstream.velocity < 0.0) {
+        if (!falls_ && state.downstream.velocity < 0.0) {
             const auto behind = gaps_behind_outflow(flow);
             add(flow, behind, state.downstream.depth,
                 [&](std::size_t i) { return leaving_section(flow, i); });
@@ -383,7 +320,7 @@ class OpenEnds final : public Component<D, Real> {
     /// behind the last particle of each row.
     [[nodiscard]] std::vector<Vec<D>> gaps_behind_outflow(const Flow& flow) const {
         const Particles<D>& p = flow.particles;
-        const double depth = flow.clock.open_ends.downstream.depth;
+        const double depth = std::max(flow.clock.open_ends.downstream.depth, lattice_.dz);
         const int rows = streams_.rows_for(depth);
         const int files = D == 3 ? lattice_.files : 1;
         const double step = streams_.length(rows, depth);
@@ -440,23 +377,22 @@ class OpenEnds final : public Component<D, Real> {
         }
     }
 
-    EndInput input_;
     Lattice lattice_;
-    double length_, gravity_;
+    double length_;
+    bool falls_;  ///< over the edge of the bed at x = L
+    double gravity_;
+    EndSections sections_;
+    LeavingProfile leaving_;
     double travel_;   ///< of water at an end from list build to list build, m
     double support_;  ///< water that must stand beyond an end, m
     double watch_;    ///< half of the stretch beside an end that is watched: whole spacings, m
     InflowStreams streams_;
     std::vector<std::uint8_t> near_end_;               ///< by cluster
     std::array<std::vector<std::size_t>, 2> watched_;  ///< particles at either end
-    // Of the step in progress.
-    double step_ = 0.0;
-    double kick_ = 0.0;                  ///< dt of the velocities
-    double leaving_factor_ = 1.0;        ///< from the profile of what leaves to that of its section
-    double leaving_shift_ = 0.0;         ///< so, m/s
-    std::vector<double> volume_, flux_;  ///< by bin of the profile
-    double shape_mean_ = 1.0;            ///< of the profile over the rows
-    double fastest_ = 0.0;               ///< at the ends, m/s
+    double step_ = 0.0;                                ///< dt of the step in progress
+    double kick_ = 0.0;                                ///< dt of the velocities
+    double shape_mean_ = 1.0;                          ///< of the profile over the rows
+    double fastest_ = 0.0;                             ///< at the ends, m/s
 };
 
 template <int D, class Real>

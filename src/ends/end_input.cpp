@@ -11,6 +11,7 @@
 #include "base/error.hpp"
 #include "base/interpolation.hpp"
 #include "case/flow_kind.hpp"
+#include "case/outline.hpp"
 #include "case/units.hpp"
 #include "column/twin_channel.hpp"
 #include "ends/section_state.hpp"
@@ -124,6 +125,7 @@ std::function<double(double, double)> outflow_rule(const Case& c) {
             };
         }
         case OutflowKind::free:
+        case OutflowKind::free_fall:
             break;
     }
     return {};
@@ -150,6 +152,9 @@ EndInput read_end_input(const Case& c) {
     }
     input.shape = shape_of(c, input.unit_discharge);
     input.outflow_depth = outflow_rule(c);
+    constexpr double times = 5.0;
+    input.inflow_relaxation_time =
+        c.inflow.relaxation_time.value_or(times * std::sqrt(c.total_depth() / c.normal_gravity()));
     input.relaxation_time = c.outflow.relaxation_time.value_or(default_relaxation_time(c));
     return input;
 }
@@ -187,6 +192,13 @@ EndExtremes end_extremes(const Case& c, const EndInput& input) {
 }
 
 std::function<double(double)> start_depths(const Case& c, const EndInput& input) {
+    if (!c.start.water_x.empty()) {
+        // Where the outline leaves the bed dry, the depth is 0.
+        return [water = Outline{c.start.water_x, c.start.water_z}, length = c.channel.length](double x) {
+            constexpr double inside = 1e-9;
+            return ceiling_above(water, std::clamp(x, inside * length, (1.0 - inside) * length), 0.0);
+        };
+    }
     if (c.start.kind != StartKind::backwater) {
         return [depth = c.total_depth()](double) { return depth; };
     }
@@ -203,6 +215,8 @@ std::function<double(double)> varied_depths(const Case& c, const EndInput& input
     if (input.outflow_depth) {
         const double critical = critical_depth(channel);
         controls.downstream_depth = std::max(critical, input.outflow_depth(q, 0.0) - c.datum());
+    } else if (c.outflow.kind == OutflowKind::free_fall) {
+        controls.downstream_depth = critical_depth(channel);
     }
     return [flow = std::make_shared<const VariedFlow>(solve_varied_flow(channel, controls)),
             length = c.channel.length,

@@ -17,7 +17,8 @@ struct EndInput {
     /// Depth that rules the outflow, from the discharge that leaves (m2/s) and the time (s); none where
     /// nothing does.
     std::function<double(double unit_discharge, double time)> outflow_depth;
-    double relaxation_time = 0.0;  ///< s
+    double relaxation_time = 0.0;         ///< of the depth at the outflow, s
+    double inflow_relaxation_time = 0.0;  ///< of the discharge at the inflow, s
 };
 
 /// Read it. Throws FileError or InputError that name file, line or key where something does not hold.

@@ -36,6 +36,10 @@ Section inflow_by_depth(double gravity, double depth, double coming) {
     return {depth, coming + 2.0 * wave_speed(gravity, depth)};
 }
 
+double invariant_of_discharge(double gravity, const Section& now, double change) {
+    return change / (0.5 * now.depth * (1.0 + now.velocity / wave_speed(gravity, now.depth)));
+}
+
 Section outflow_between(double gravity, double going, double coming) {
     const double c = std::max(0.0, 0.25 * (going - coming));
     return {c * c / gravity, 0.5 * (going + coming)};

@@ -24,6 +24,11 @@ struct Section {
 /// The same with a depth.
 [[nodiscard]] Section inflow_by_depth(double gravity, double depth, double coming);
 
+/// Change of the invariant `going` = U + 2 c, which enters at the upstream end, that changes the discharge of
+/// a section by `change` (m2/s). Where it brings the discharge home within a time, what is thrown back of a
+/// wave of the period T is (1 - Fr)/(1 + Fr)/sqrt(1 + (2 pi time/T)^2) of its height.
+[[nodiscard]] double invariant_of_discharge(double gravity, const Section& now, double change);
+
 /// Section at the downstream end between the invariants `going` = U + 2 c, which comes down the channel, and
 /// `coming` = U - 2 c, which enters there.
 [[nodiscard]] Section outflow_between(double gravity, double going, double coming);

@@ -57,9 +57,16 @@ void ParticleFields::release(bool with_viscosity) {
     }
 }
 
-void ParticleFields::keep(const std::vector<std::int32_t>& particles) {
-    for_each(*this, [&](auto& values) { keep_values(values, particles); });
-    eddy_viscosity.keep(particles);
+void ParticleFields::keep(const std::vector<std::int32_t>& particles, std::size_t out_of) {
+    const auto keep_or_free = [&](auto& values) {
+        if (values.size() == out_of) {
+            keep_values(values, particles);
+        } else {
+            release_values(values);
+        }
+    };
+    for_each(*this, keep_or_free);
+    keep_or_free(eddy_viscosity);
 }
 
 std::size_t ParticleFields::bytes() const {

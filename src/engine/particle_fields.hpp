@@ -42,8 +42,9 @@ struct ParticleFields {
             (this->*force).reset(n);
         }
     }
-    /// Keep those of these particles alone, in this order, which is that of their numbers.
-    void keep(const std::vector<std::int32_t>& particles);
+    /// Keep those of these particles alone, in this order, which is that of their numbers, out of so many.
+    /// Values of another number of them are of before some came or went, and are freed.
+    void keep(const std::vector<std::int32_t>& particles, std::size_t out_of);
     /// Free all but the eddy viscosity, which snapshots show, or that too.
     void release(bool with_viscosity);
     [[nodiscard]] std::size_t bytes() const;

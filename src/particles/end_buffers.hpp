@@ -22,6 +22,11 @@ namespace riffle {
     return c.channel.ends == Ends::open ? end_support(c) + end_travel(c) + c.numerics.spacing : 0.0;
 }
 
+/// Whether the bed of a case ends at x = L, and the water falls over its edge: there is no buffer there.
+[[nodiscard]] inline bool bed_ends(const Case& c) {
+    return c.channel.ends == Ends::open && c.outflow.kind == OutflowKind::free_fall;
+}
+
 /// Whether a place along the channel is in it: what stands beyond an open end counts in no mean.
 [[nodiscard]] inline bool in_channel(const Case& c, double x) {
     return c.channel.ends != Ends::open || (x >= 0.0 && x < c.channel.length);

@@ -39,9 +39,21 @@ RowsBelow rows_below(const Lattice& lattice, double surface) {
     return {rows, surface / rows};
 }
 
+namespace {
+
+/// The place in an outline of the water that the water of a place has: beyond an open end it is that of the
+/// end.
+double place_in_outline(const Case& c, double x) {
+    const double inside = 1e-9 * c.channel.length;
+    return c.channel.ends == Ends::open ? std::clamp(x, inside, c.channel.length - inside) : x;
+}
+
+}  // namespace
+
 double still_surface(const Case& c, double x, double z) {
-    return c.start.water_x.empty() ? c.total_depth()
-                                   : ceiling_above({c.start.water_x, c.start.water_z}, x, z);
+    return c.start.water_x.empty()
+               ? c.total_depth()
+               : ceiling_above({c.start.water_x, c.start.water_z}, place_in_outline(c, x), z);
 }
 
 namespace {
@@ -101,7 +113,7 @@ class WetPlaces {
     }
 
     [[nodiscard]] bool contain(double x, double z) const {
-        if (water_.size() > 0 && !contains(water_, x, z)) {
+        if (water_.size() > 0 && !contains(water_, place_in_outline(case_, x), z)) {
             return false;
         }
         const double clearance = 0.25 * case_.numerics.spacing;
@@ -150,8 +162,11 @@ Domain<D> domain_of(const Case& c) {
 }
 
 template <int D>
-Particles<D> lattice_particles(const Case& c, const std::function<double(double)>& surface) {
+Particles<D> lattice_particles(const Case& c, const std::function<double(double)>& surface_along) {
     const Lattice lattice = lattice_of(c);
+    // The rows of an outline stand at the heights of the lattice.
+    const std::function<double(double)> surface =
+        c.start.water_x.empty() ? surface_along : std::function<double(double)>();
     const int files = D == 3 ? lattice.files : 1;
     // An outline of the water may rise above the depth that the spacing is cut from.
     int rows = lattice.rows;
@@ -160,7 +175,8 @@ Particles<D> lattice_particles(const Case& c, const std::function<double(double)
     }
     // Water beyond an open end; what enters at the other one is made by the flow.
     const int columns =
-        lattice.columns + (c.channel.ends == Ends::open ? static_cast<int>(end_support(c) / lattice.dx) : 0);
+        lattice.columns +
+        (c.channel.ends == Ends::open && !bed_ends(c) ? static_cast<int>(end_support(c) / lattice.dx) : 0);
     std::vector<RowsBelow> below;  // by column
     for (int column = 0; surface && column < columns; ++column) {
         below.push_back(rows_below(lattice, surface(lattice.x(column, 0))));

@@ -98,7 +98,7 @@ void SimulationOf<D, Real>::take_out_leaving() {
         throw RunError(fmt::format("all water has left the domain ({}) at t = {:.6g} s",
                                    exits_text(flow_.particles.lost), flow_.clock.time));
     }
-    flow_.fields.keep(kept);
+    flow_.fields.keep(kept, flow_.particles.size());
     flow_.particles.permute(kept);
     unlisted_ = true;
 }

@@ -158,12 +158,13 @@ Particles<D> initial_particles(const Case& c, const Scheme& scheme, const Column
     }
     const Domain<D> domain = domain_of<D>(c);
     for (std::size_t i = 0; i < n; ++i) {
-        const double surface = open ? open->depth(particles.position[0][i])
-                                    : still_surface(c, particles.position[0][i], still_height[i]);
+        const bool drawn_out = open && c.start.water_x.empty();  // rows to the depth of each column
+        const double surface = drawn_out ? open->depth(particles.position[0][i])
+                                         : still_surface(c, particles.position[0][i], still_height[i]);
         const double hydrostatic = scheme.normal_gravity * (surface - still_height[i]);
         const double s = scheme.state.deviation(hydrostatic + extra_pressure[i]);
         particles.density_deviation[i] = s;
-        const double row_share = open ? rows_below(lattice, surface).height / lattice.dz : 1.0;
+        const double row_share = drawn_out ? rows_below(lattice, surface).height / lattice.dz : 1.0;
         particles.mass[i] = scheme.density * (1.0 + s) * (row_share * lattice.volume<D>());
         if (c.start.kind == StartKind::section) {
             if constexpr (D == 3) {

@@ -8,6 +8,7 @@
 #include "boundary/boundary_planes.hpp"
 #include "boundary/wall.hpp"
 #include "engine/pair_setup.hpp"
+#include "particles/end_buffers.hpp"
 #include "particles/lattice.hpp"
 #include "sph/correction.hpp"
 #include "sph/pair_terms.hpp"
@@ -31,7 +32,8 @@ class Continuation {
         : planes_(boundary_planes<D>(c)),
           h_(scheme.smoothing_length),
           walls_(walls),
-          domain_(domain_of<D>(c)) {
+          domain_(domain_of<D>(c)),
+          edge_(bed_ends(c) ? c.channel.length : std::numeric_limits<double>::infinity()) {
         for (std::size_t i = 0; i < walls.body.size(); ++i) {
             if (is_solid(walls, i)) {
                 solids_.push_back(i);
@@ -52,7 +54,7 @@ class Continuation {
     }
 
     [[nodiscard]] double beside_walls(std::size_t i) const {
-        double continued = 0.0;
+        double continued = faded(edge_ - walls_.position[0][i]);
         for (const BoundaryPlane& plane : planes_) {
             if (plane.axis + 1 < static_cast<std::size_t>(D)) {
                 continued = std::max(continued, faded(plane.distance<D>(vector_of(walls_.position, i))));
@@ -80,6 +82,7 @@ class Continuation {
     double h_;
     const WallParticles<D>& walls_;
     Domain<D> domain_;
+    double edge_;  ///< where the bed ends, m
     std::vector<std::size_t> solids_;
 };
 

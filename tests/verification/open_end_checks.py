@@ -33,7 +33,7 @@ def _level(flow, start):
         return x, numpy.nanmean(level[numpy.searchsorted(time, start):], axis=0)
 
 
-def _account(check, flow):
+def account(check, flow):
     """The account of the particles closes at each row of the time series."""
     s = flow.series
     balance = s["particles_stored"] - s["particles_entered"] + s["particles_left"] + s["particles_lost"]
@@ -87,7 +87,7 @@ def uniform(study):
                float(flow.series["outflow_discharge"][late].mean() / flow.series["inflow_discharge"][late].mean() - 1), 0.01)
     check.figures.append((figure.svg(check.name), "Velocity at three places against the column twin, and the level in time."))
     check.best, check.cost = options_text(flow), flow.cost_text
-    _account(check, flow)
+    account(check, flow)
     return check
 
 
@@ -108,7 +108,7 @@ def _varied(study, name, title, text, downstream):
     figures.simulated(axes, x, level, "particles", most=200)
     check.figures.append((figure.svg(check.name), "Depth along the channel against steady varied flow."))
     check.best, check.cost = options_text(flow), flow.cost_text
-    _account(check, flow)
+    account(check, flow)
     return check
 
 
@@ -151,7 +151,7 @@ def pulse(study):
         figures.exact(axes, time, 1e3 * back[:, number], None, figures.COLOURS[number], linestyle=":")
     check.figures.append((figure.svg(check.name), "Level at the gauges in the long channel (lines), and what the short one differs from it by (dots)."))
     check.best, check.cost = options_text(short), short.cost_text
-    _account(check, short)
+    account(check, short)
     return check
 
 
@@ -189,7 +189,7 @@ def jump(study):
     figures.simulated(axes, x, mean, "particles", most=200)
     check.figures.append((figure.svg(check.name), "Mean depth along the channel; the jump of the theory has no length."))
     check.best, check.cost = options_text(flow), flow.cost_text
-    _account(check, flow)
+    account(check, flow)
     return check
 
 

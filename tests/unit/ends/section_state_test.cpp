@@ -93,5 +93,41 @@ TEST(SectionState, ALongerRelaxationThrowsLessOfAWaveBack) {
     }
 }
 
+// A discharge that comes home in time lets the waves out: of one of the period T (1 - Fr)/(1 + Fr)/sqrt(1 +
+// (2 pi time/T)^2) comes back, and its mean is the one wanted.
+TEST(SectionState, ADischargeThatComesHomeInTimeLetsWavesOut) {
+    const double depth = 0.4;
+    const double time = 2.0;
+    for (const double froude : {0.0, 0.1, 0.5}) {
+        for (const double period : {0.5, 2.0, 8.0}) {
+            const Section reach{depth, froude * wave_speed(gravity, depth)};
+            const double wanted = depth * reach.velocity;
+            double invariant = going(reach);
+            double high = -100.0;
+            double low = 100.0;
+            double mean = 0.0;
+            const double amplitude = 1e-4;
+            constexpr int per_period = 2000;
+            const double dt = period / per_period;
+            const int periods = 2 + static_cast<int>(std::ceil(12.0 * time / period));
+            for (int i = 0; i < periods * per_period; ++i) {
+                const double wave = amplitude * std::sin(2.0 * M_PI * i / per_period);
+                const Section now = outflow_between(gravity, invariant, coming(reach) + wave);
+                invariant +=
+                    invariant_of_discharge(gravity, now, (wanted - now.depth * now.velocity) * dt / time);
+                if (i >= (periods - 1) * per_period) {
+                    high = std::max(high, invariant);
+                    low = std::min(low, invariant);
+                    mean += now.depth * now.velocity / per_period;
+                }
+            }
+            const double expected =
+                (1.0 - froude) / (1.0 + froude) / std::sqrt(1.0 + std::pow(2.0 * M_PI * time / period, 2));
+            EXPECT_NEAR(0.5 * (high - low) / amplitude / expected, 1.0, 0.02) << froude << ' ' << period;
+            EXPECT_NEAR((mean - wanted) / (depth * wave_speed(gravity, depth)), 0.0, 1e-8);
+        }
+    }
+}
+
 }  // namespace
 }  // namespace riffle

@@ -140,5 +140,23 @@ TEST(Losses, OfAWildStepAreAnError) {
     EXPECT_THROW(water.advance(50), RunError);
 }
 
+// Fields of a sample before particles came or went are of no use for those that stay.
+TEST(ParticleFields, KeepsWhatIsOfTheseParticlesAlone) {
+    ParticleFields fields;
+    fields.reset<float>(5, 2, 1000.0);
+    fields.pressure.set(3, 2.0F);
+    fields.shear_stress[3] = 4.0;
+    fields.keep({0, 3}, 5);
+    ASSERT_EQ(fields.pressure.size(), 2U);
+    EXPECT_EQ(fields.pressure[1], 2000.0);
+    EXPECT_EQ(fields.shear_stress, std::vector<double>({0.0, 4.0}));
+    // There are six now, of which one leaves.
+    fields.keep({0, 1, 2, 4, 5}, 6);
+    EXPECT_EQ(fields.pressure.size(), 0U);
+    EXPECT_EQ(fields.eddy_viscosity.size(), 0U);
+    EXPECT_TRUE(fields.shear_stress.empty());
+    EXPECT_EQ(fields.wall_acceleration_x.size(), 0U);
+}
+
 }  // namespace
 }  // namespace riffle::losses_test

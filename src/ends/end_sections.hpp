@@ -1,0 +1,36 @@
+#pragma once
+
+#include <utility>
+
+#include "ends/end_input.hpp"
+#include "ends/open_ends_state.hpp"
+#include "ends/section_state.hpp"
+
+namespace riffle {
+
+/// The sections at both ends in time: what the case gives there, and the characteristics that come out of the
+/// channel (docs/theory.md 20).
+class EndSections {
+  public:
+    /// `least_depth`: below it the water at an end is a film or a drop, m.
+    EndSections(EndInput input, double gravity, double least_depth)
+        : input_(std::move(input)), gravity_(gravity), least_depth_(least_depth) {}
+
+    [[nodiscard]] const EndInput& input() const { return input_; }
+
+    /// The state of an end where the start has a depth (m) and carries a discharge (m2/s).
+    [[nodiscard]] EndState start(double depth, double unit_discharge) const;
+    /// The section at the inflow after a step of dt (s), from what is watched beside it.
+    void follow_upstream(EndState& end, double time, double dt) const;
+    /// The same at the outflow.
+    void follow_downstream(EndState& end, double time, double dt) const;
+
+  private:
+    [[nodiscard]] Section section_of_discharge(const EndState& end, double time, double dt) const;
+
+    EndInput input_;
+    double gravity_;
+    double least_depth_;
+};
+
+}  // namespace riffle

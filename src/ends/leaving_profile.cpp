@@ -1,0 +1,48 @@
+#include "ends/leaving_profile.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ends/section_state.hpp"
+
+namespace riffle {
+
+void LeavingProfile::clear(const OpenEndsState& state) {
+    depth_ = std::max(state.downstream.watched_depth, least_depth_);
+    weight_.assign(state.leaving.size(), 0.0);
+    flux_.assign(state.leaving.size(), 0.0);
+}
+
+void LeavingProfile::finish(OpenEndsState& state, double gravity, double dt) {
+    const double share = std::min(1.0, dt * wave_speed(gravity, depth_) / depth_);
+    double mean = 0.0;
+    for (std::size_t bin = 0; bin < state.leaving.size(); ++bin) {
+        if (weight_[bin] > 0.0) {
+            state.leaving[bin] += share * (flux_[bin] / weight_[bin] - state.leaving[bin]);
+        }
+        mean += state.leaving[bin] / static_cast<double>(state.leaving.size());
+    }
+    const double wanted = state.downstream.velocity;
+    const bool turns = mean * wanted <= 0.0 || std::abs(wanted) > 2.0 * std::abs(mean);
+    factor_ = turns ? 1.0 : wanted / mean;
+    shift_ = turns ? wanted - mean : 0.0;
+}
+
+double LeavingProfile::at(const OpenEndsState& state, double place) const {
+    // Straight lines between the middles of the bins.
+    const double last = static_cast<double>(state.leaving.size()) - 1.0;
+    const double at = std::clamp(place * (last + 1.0) - 0.5, 0.0, last);
+    const auto low = static_cast<std::size_t>(at);
+    const std::size_t high = std::min(low + 1, state.leaving.size() - 1);
+    const double profile =
+        state.leaving[low] + (at - static_cast<double>(low)) * (state.leaving[high] - state.leaving[low]);
+    const double velocity = factor_ * profile + shift_;
+    return state.downstream.velocity >= 0.0 ? std::max(0.0, velocity) : velocity;
+}
+
+std::size_t LeavingProfile::bin_of(const OpenEndsState& state, double place) {
+    const double bins = static_cast<double>(state.leaving.size());
+    return static_cast<std::size_t>(std::clamp(place * bins, 0.0, bins - 0.5));
+}
+
+}  // namespace riffle

@@ -1,0 +1,128 @@
+#include "ends/end_sections.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "ends/leaving_profile.hpp"
+
+namespace riffle::end_sections_test {
+namespace {
+
+constexpr double gravity = 9.81;
+constexpr double least_depth = 0.01;
+
+EndInput input_of(TimeTable unit_discharge, double relaxation_time) {
+    EndInput input;
+    input.unit_discharge = std::move(unit_discharge);
+    input.inflow_relaxation_time = relaxation_time;
+    return input;
+}
+
+/// Water of a long reach beside an end, whose only wave is the one that the end sends.
+void watch(EndState& end, double coming) {
+    const Section section =
+        outflow_between(gravity, end.velocity + 2.0 * wave_speed(gravity, end.depth), coming);
+    end.watched_depth = section.depth;
+    end.watched_velocity = section.velocity;
+}
+
+// A hydrograph enters without delay, whatever the relaxation time: that is for the waves.
+TEST(EndSections, AHydrographEntersWithoutDelay) {
+    const EndSections sections(input_of(TimeTable({0.0, 10.0}, {0.05, 0.1}), 5.0), gravity, least_depth);
+    EndState end = sections.start(0.4, 0.05);
+    const double coming = end.coming;
+    const double dt = 0.01;
+    for (double time = dt; time < 10.0; time += dt) {
+        watch(end, coming);
+        sections.follow_upstream(end, time, dt);
+        ASSERT_NEAR(end.depth * end.velocity / (0.05 + 0.005 * time), 1.0, 1e-3) << time;
+    }
+}
+
+// Of a pool at rest the discharge grows home within some relaxation times, and then stands.
+TEST(EndSections, ADischargeComesHome) {
+    for (const double relaxation_time : {0.0, 0.5}) {
+        const EndSections sections(input_of(TimeTable(0.06), relaxation_time), gravity, least_depth);
+        EndState end = sections.start(0.4, 0.0);
+        const double coming = end.coming;
+        const double dt = 0.001;
+        for (double time = dt; time < 5.0; time += dt) {
+            watch(end, coming);
+            sections.follow_upstream(end, time, dt);
+        }
+        EXPECT_NEAR(end.depth * end.velocity / 0.06, 1.0, 1e-3) << relaxation_time;
+    }
+}
+
+// Beyond an outflow that is dry nothing stands; thin and fast water leaves as it comes.
+TEST(EndSections, ADryOutflowStaysDryUntilWaterComes) {
+    EndInput input;
+    const EndSections sections(input, gravity, least_depth);
+    EndState end = sections.start(0.0, 0.06);
+    EXPECT_EQ(end.velocity, 0.0);
+    sections.follow_downstream(end, 0.0, 0.001);
+    EXPECT_EQ(end.depth, 0.0);
+    end.watched_depth = 0.02;
+    end.watched_velocity = 2.0;
+    sections.follow_downstream(end, 0.0, 0.001);
+    EXPECT_NEAR(end.depth, 0.02, 1e-12);
+    EXPECT_NEAR(end.velocity, 2.0, 1e-12);
+}
+
+OpenEndsState state_with(double depth, double velocity, double section_velocity) {
+    OpenEndsState state;
+    state.downstream.watched_depth = depth;
+    state.downstream.velocity = section_velocity;
+    state.leaving.assign(10, velocity);
+    return state;
+}
+
+double mean_of(const LeavingProfile& profile, const OpenEndsState& state) {
+    double mean = 0.0;
+    for (int i = 0; i < 1000; ++i) {
+        mean += profile.at(state, (i + 0.5) / 1000.0) / 1000.0;
+    }
+    return mean;
+}
+
+// Each particle row is watched once: the profile goes over to theirs, and its mean is that of the section.
+TEST(LeavingProfile, GoesOverToTheWaterThatComes) {
+    OpenEndsState state = state_with(0.1, 0.5, 0.6);
+    LeavingProfile profile(least_depth);
+    for (int step = 0; step < 2000; ++step) {
+        profile.clear(state);
+        for (int i = 0; i < 10; ++i) {
+            profile.add(state, (i + 0.5) * 0.01, 1.0, 0.1 * (i + 0.5));
+        }
+        profile.finish(state, gravity, 0.001);
+    }
+    EXPECT_NEAR(mean_of(profile, state), 0.6, 1e-3);
+    EXPECT_NEAR(profile.at(state, 0.95) / profile.at(state, 0.05), 19.0, 0.01);
+}
+
+TEST(LeavingProfile, NoneComesBackWhileTheFlowLeaves) {
+    OpenEndsState state = state_with(0.1, 0.5, 0.2);
+    state.leaving[0] = -0.5;
+    LeavingProfile profile(least_depth);
+    profile.clear(state);
+    profile.finish(state, gravity, 0.001);
+    EXPECT_EQ(profile.at(state, 0.0), 0.0);
+    state.downstream.velocity = -0.2;  // the flow has turned
+    profile.clear(state);
+    profile.finish(state, gravity, 0.001);
+    EXPECT_LT(profile.at(state, 0.0), 0.0);
+    EXPECT_NEAR(mean_of(profile, state), -0.2, 0.01);
+}
+
+// No water before the outflow: nothing is divided by its depth.
+TEST(LeavingProfile, KnowsNoProfileOfADryBed) {
+    OpenEndsState state = state_with(0.0, 0.0, 0.0);
+    LeavingProfile profile(least_depth);
+    profile.clear(state);
+    profile.finish(state, gravity, 0.001);
+    EXPECT_EQ(profile.at(state, 0.5), 0.0);
+}
+
+}  // namespace
+}  // namespace riffle::end_sections_test

@@ -1,0 +1,105 @@
+"""Water that goes over an edge: the free overfall and the rating of weirs."""
+
+import math
+
+import h5py
+import numpy
+
+import figures
+from check import Check
+from open_end_checks import account
+from options import options_text
+
+HEADS = [0.06, 0.09, 0.12, 0.16, 0.2]  # of the rating, m
+WEIR_HEIGHT = 0.3
+CREST_LENGTH = 0.3
+
+
+def depth_by_area(flow, place, half, start):
+    """Area of the water within `half` of a place over its length, mean over the snapshots from a time on, m."""
+    volume = flow.spacing**2
+    return float(numpy.mean([(numpy.abs(s.x - place) < half).sum() * volume / (2 * half) for s in flow.snapshots() if s.time >= start]))
+
+
+def overfall(study):
+    case = "cases/open-ends/free-overfall.toml"
+    check = Check("open_overfall", "Free overfall",
+                  "Subcritical flow to the edge of a bed that ends: the depth over the edge against 0.715 of the critical depth (Rouse 1936), at two spacings.")
+    figure = figures.Figure(1, width=7)
+    axes = figure.panel("distance before the edge over $h_c$", "depth over $h_c$", "mean from 4 s on")
+    figures.exact(axes, [-10, 0], [1, 1], "critical depth")
+    figures.exact(axes, [0], [0.715], "Rouse (1936)", marker="o", linestyle="none")
+    spacings = [5] if study.quick else [5, 10]
+    for number, spacing in enumerate(spacings):
+        flow = study.run(f"open_overfall_{spacing}", case, {"numerics.spacing": f'"{spacing} mm"'} if spacing != 5 else {})
+        q = float(flow.series["inflow_discharge"][flow.series["time"] > 4.0].mean())
+        critical = (q**2 / flow.gravity_z) ** (1 / 3)
+        before = numpy.arange(0, 9.01, 0.25)
+        depth = numpy.array([depth_by_area(flow, flow.length - b * critical, 1.5 * flow.spacing, 4.0) for b in before]) / critical
+        figures.simulated(axes, -before, depth, f"dx {spacing} mm", figures.COLOURS[number])
+        check.norm(f"depth over the edge against 0.715 h_c, {critical / flow.spacing:.0f} rows of h_c", float(depth[0] / 0.715 - 1), 0.03)
+        check.norm(f"where the depth is critical, in h_c before the edge, {critical / flow.spacing:.0f} rows (3 to 4, Henderson 1966)",
+                   float(numpy.interp(1.0, depth, before)), None, "", 1)
+        if spacing == 5:
+            check.best, check.cost = options_text(flow), flow.cost_text
+            account(check, flow)
+    check.figures.append((figure.svg(check.name), "Depth along the channel before its edge, from the area of the particles."))
+    return check
+
+
+def sharp_crested(gravity, head, _):
+    """Unit discharge over a sharp crest as wide as the channel (Kindsvater & Carter 1957), by the head h over it."""
+    return (0.602 + 0.075 * head / WEIR_HEIGHT) * 2 / 3 * math.sqrt(2 * gravity) * (head + 0.001) ** 1.5
+
+
+def broad_crested(gravity, _, energy_head):
+    """Unit discharge over a broad crest with sharp edges (Hager & Schwalt 1994), by the energy head H over it."""
+    ratio = energy_head / CREST_LENGTH
+    return 0.42 * (1 - 2 / 9 / (1 + ratio**4)) * math.sqrt(2 * gravity * energy_head**3)
+
+
+def _weir(study, name, title, author, law):
+    case = f"cases/open-ends/{name}-weir.toml"
+    check = Check(f"open_{name.split('-')[0]}_weir", title,
+                  f"The discharge of five heads, {HEADS[0] * 1e3:.0f} to {HEADS[-1] * 1e3:.0f} mm at 5 mm, against that of {author} for the head that the particles stand at.")
+    gravity = 9.81
+    heads, discharges, laws = [], [], []
+    for head in HEADS[2:3] if study.quick else HEADS:
+        # The level is that of the law for a still pool; what the particles make of it is measured.
+        q = law(gravity, head, head)
+        depth = f'"{1e3 * (WEIR_HEIGHT + head):.0f} mm"'
+        flow = study.run(f"{check.name}_{1e3 * head:.0f}", case, {
+            "channel.depth": depth, "inflow.unit_discharge": f'"{q:.5f} m2/s"', "start.water_z": f'["0 mm", "0 mm", {depth}, {depth}]'})
+        with h5py.File(flow.folder / "results.h5", "r") as file:
+            surface = file["/surface"]
+            time, x = surface["time"][:], surface["x"][:]
+            gauge = (x > 0.4) & (x < 0.65)
+            level = float(numpy.nanmean(surface["elevation"][numpy.searchsorted(time, 7.0):, gauge]))
+        late = flow.series["time"] > 7.0
+        q = float(flow.series["inflow_discharge"][late].mean())
+        measured = level - WEIR_HEIGHT
+        energy_head = measured + (q / level) ** 2 / (2 * gravity)
+        heads.append(measured)
+        discharges.append(q)
+        laws.append(law(gravity, measured, energy_head))
+        check.norm(f"discharge at a head of {1e3 * measured:.0f} mm, {measured / flow.spacing:.0f} rows", q / laws[-1] - 1, 0.03)
+        if head == HEADS[2]:
+            check.best, check.cost = options_text(flow), flow.cost_text
+            account(check, flow)
+    figure = figures.Figure(1, width=6)
+    axes = figure.panel("head over the crest (mm)", "unit discharge (l/s per m)", "")
+    figures.exact(axes, 1e3 * numpy.array(heads), 1e3 * numpy.array(laws), author)
+    figures.simulated(axes, 1e3 * numpy.array(heads), 1e3 * numpy.array(discharges), "particles")
+    check.figures.append((figure.svg(check.name), "The rating: discharge by the head that the pool stands at."))
+    return check
+
+
+def sharp_weir(study):
+    return _weir(study, "sharp-crested", "Sharp-crested weir", "Kindsvater & Carter (1957)", sharp_crested)
+
+
+def broad_weir(study):
+    return _weir(study, "broad-crested", "Broad-crested weir", "Hager & Schwalt (1994)", broad_crested)
+
+
+CHECKS = {"open_overfall": overfall, "open_sharp_weir": sharp_weir, "open_broad_weir": broad_weir}
