@@ -69,8 +69,6 @@ WINDOW = {number: {"run.until": f'"{until} s"', "run.average_from": str(begin)} 
 
 
 PLAN_MEAN = {"bed.drag_form": "plan-mean"}
-# The channels with side walls have been measured with the drag at the particles' centres, not over their rows.
-CENTRES = {"numerics.drag_sampling": "point"}
 WIDE_EXTRA = ["depth-mean U, m/s", "velocity fluctuation / u_*"]
 
 
@@ -135,14 +133,14 @@ def space_wide(run):
 
 def space_coarse(run):
     """Half of the width with its side wall against the section twin."""
-    table = Table("Half of the width (230 mm) with its side wall, 50 mm long, dx 3 mm (1, 2) and 4 mm (5, 8), drag at the particles' centres, against the cross-section twin",
+    table = Table("Half of the width (230 mm) with its side wall, 50 mm long, dx 3 mm (1, 2) and 4 mm (5, 8), against the cross-section twin",
                   bar_header(space_bars(0.02)) + ["U(y) beside the wall, max % (<= 10)", "bed share", "Yang & Lim", "walls' share", "Yang & Lim"])
     channels = [(f"coarse-{n}", f"condition {n}", n, {}) for n in CONDITIONS]
     # Exactly the model of the section twin, in a channel 86.6 mm wide.
     channels.append(("narrow-plan", "condition 2, 86.6 mm wide, plan mean of the drag, 20 s", 2,
                      dict(PLAN_MEAN, **{"channel.width": '"86.6 mm"', "run.until": '"20 s"'})))
     for name, label, n, settings in channels:
-        result = complete(run(name, case_file(n, "-coarse"), dict(WINDOW[n], **CENTRES, **settings)))
+        result = complete(run(name, case_file(n, "-coarse"), dict(WINDOW[n], **settings)))
         row_against_bars(table, label, result, space_bars(0.02))
         v = result.values
         with h5py.File(result.folder / "results.h5", "r") as file:
@@ -210,7 +208,7 @@ def space_measured(run):
     table = Table("Centreline depth-mean velocity against the flume (Table 3.1), heights of the thesis' 2D runs, nothing fitted",
                   ["condition", "U measured", "section twin", "%", "particles", "% (<= 10)", "+- 95 %", "level - depth, % of H (<= 1)"])
     for n in CONDITIONS:
-        result = complete(run(f"coarse-{n}", case_file(n, "-coarse"), dict(WINDOW[n], **CENTRES)))
+        result = complete(run(f"coarse-{n}", case_file(n, "-coarse"), WINDOW[n]))
         v, u = result.values, MEASURED[n][1]
         with h5py.File(result.folder / "results.h5", "r") as file:
             twin = float(file["/section"].attrs["centreline_velocity"])
