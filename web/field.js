@@ -123,7 +123,7 @@ const field = (() => {
     const picture = data.field, items = available(picture), g = data.geometry;
     // Equal scales along both axes, unless the picture would become too flat to read; a margin shows bed and walls.
     const edge = 0.012 * Math.max(picture.x_end, picture.top);
-    const whole = { x0: g.ends !== null ? -edge : 0, x1: picture.x_end + (g.ends !== null ? edge : 0), z0: g.bed ? -edge : 0, z1: picture.top + edge };
+    const whole = { x0: g.ends !== null ? -edge : 0, x1: picture.x_end + (g.ends !== null ? edge : 0), z0: g.falls ? -g.falls : g.bed ? -edge : 0, z1: picture.top + edge };
     const { unit, factor } = units.scale('m', Math.max(picture.x_end, picture.top));
     let view = { ...whole }, current = items[0], number = picture.frames.length - 1;
     const limits_of = new Map();

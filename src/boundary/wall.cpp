@@ -12,10 +12,10 @@
 
 namespace riffle {
 
-WallLaw wall_law(const Case& c) {
-    WallLaw law{.dynamic = c.numerics.wall == WallKind::dynamic,
-                .no_slip = c.bed.kind == BedKind::no_slip || c.numerics.wall == WallKind::dynamic,
-                .solid_no_slip = {}};
+WallAction wall_action(const Case& c) {
+    WallAction law{.dynamic = c.numerics.wall == WallKind::dynamic,
+                   .no_slip = c.bed.kind == BedKind::no_slip || c.numerics.wall == WallKind::dynamic,
+                   .solid_no_slip = {}};
     for (const Solid& solid : c.solids) {
         law.solid_no_slip.push_back(solid.surface == SolidSurface::no_slip);
     }

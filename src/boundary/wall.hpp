@@ -13,7 +13,7 @@ template <int D>
 }
 
 /// How the walls of a case act on the fluid.
-struct WallLaw {
+struct WallAction {
     bool dynamic = false;  ///< density from the continuity equation (Dalrymple & Knio 2001), not extrapolated
     bool no_slip = false;  ///< viscous friction with the bed, end walls and lid
     std::vector<bool> solid_no_slip;  ///< and with each solid
@@ -25,7 +25,7 @@ struct WallLaw {
                                   : no_slip;
     }
 };
-[[nodiscard]] WallLaw wall_law(const Case& c);
+[[nodiscard]] WallAction wall_action(const Case& c);
 
 /// Height up to which end walls and side walls stand, m.
 [[nodiscard]] double end_wall_height(const Case& c);

@@ -5,7 +5,7 @@
 namespace riffle {
 
 void for_each_finding(const CheckList& list, const Case& c,
-                      const std::function<void(const CaseCheck&, const Finding&)>& take) {
+                      const std::function<void(const CaseCheck&, const CaseFinding&)>& take) {
     if (!list.concerns(c)) {
         return;
     }
@@ -21,7 +21,7 @@ void for_each_finding(const CheckList& list, const Case& c,
                 continue;
             }
             const Findings findings = check.condition.findings(c, item);
-            for (const Finding& finding : findings) {
+            for (const CaseFinding& finding : findings) {
                 take(check, finding);
             }
             if (check.decides && !findings.empty()) {
@@ -32,7 +32,7 @@ void for_each_finding(const CheckList& list, const Case& c,
     }
 }
 
-std::string finding_text(const std::string& detail, const CaseCheck& check, const Finding& finding) {
+std::string finding_text(const std::string& detail, const CaseCheck& check, const CaseFinding& finding) {
     std::string text = detail;
     const auto add = [&](const char* separator, std::string_view part) {
         text += text.empty() || part.empty() ? "" : separator;

@@ -15,13 +15,13 @@
 namespace riffle {
 
 /// What a check finds in a case.
-struct Finding {
+struct CaseFinding {
     std::string detail;     ///< "spacing is 12 mm, larger than ..."; empty: the values of the check's keys
     std::string key = {};   ///< of which key, where the check looks at several; empty: of the first
     std::string cure = {};  ///< what to do, with numbers of the case; empty: what the check says
     std::size_t item = 0;   ///< in which of the sections of the key's name
 };
-using Findings = std::vector<Finding>;
+using Findings = std::vector<CaseFinding>;
 
 /// One finding with this detail, or none.
 template <class... Args>
@@ -60,7 +60,7 @@ class CheckCondition {
         count_ = [items](const Case& c) { return (c.*items).size(); };
         look_ = [items, look](const Case& c, std::size_t item) {
             Findings found = as_findings(look(c, (c.*items)[item]));
-            for (Finding& finding : found) {
+            for (CaseFinding& finding : found) {
                 finding.item = item;
                 if constexpr (std::same_as<Item, Solid>) {  // which messages call by their names
                     const std::string& name = (c.*items)[item].name;
@@ -97,10 +97,10 @@ struct CheckList {
 
 /// Calls take(check, finding) with all that the checks of a list find in a case.
 void for_each_finding(const CheckList& list, const Case& c,
-                      const std::function<void(const CaseCheck&, const Finding&)>& take);
+                      const std::function<void(const CaseCheck&, const CaseFinding&)>& take);
 
 /// "detail: why; cure".
 [[nodiscard]] std::string finding_text(const std::string& detail, const CaseCheck& check,
-                                       const Finding& finding);
+                                       const CaseFinding& finding);
 
 }  // namespace riffle

@@ -39,6 +39,11 @@ enum class FlowKind {
 /// Whether the water keeps within closed ends or repeats itself, and nothing drives it steadily.
 [[nodiscard]] inline bool is_undriven(FlowKind kind) { return !is_channel(kind); }
 
+/// Whether the bed ends at x = L, and the water falls over its edge.
+[[nodiscard]] inline bool bed_ends(const Case& c) {
+    return c.channel.ends == Ends::open && c.outflow.kind == OutflowKind::free_fall;
+}
+
 /// Whether a bed holds the water back.
 [[nodiscard]] bool bed_resists(const Bed& bed);
 

@@ -92,13 +92,13 @@ Findings overlap(const Case& c) {
                                   ? fmt::format("at x = {:.4g} m, y = {:.4g} m, z = {:.4g} m", x, y, z)
                                   : fmt::format("at x = {:.4g} m, z = {:.4g} m", x, z);
     return {overlap->time == 0.0
-                ? Finding{.detail = fmt::format("{}: stands in the solid \"{}\" at the start, {}", name,
-                                                other, where),
-                          .cure = "move one of them",
-                          .item = overlap->second}
-                : Finding{.detail = fmt::format("{}: meets the solid \"{}\" at t = {:.4g} s, {}", name, other,
-                                                overlap->time, where),
-                          .item = overlap->second}};
+                ? CaseFinding{.detail = fmt::format("{}: stands in the solid \"{}\" at the start, {}", name,
+                                                    other, where),
+                              .cure = "move one of them",
+                              .item = overlap->second}
+                : CaseFinding{.detail = fmt::format("{}: meets the solid \"{}\" at t = {:.4g} s, {}", name,
+                                                    other, overlap->time, where),
+                              .item = overlap->second}};
 }
 
 /// Whether all solids have a shape: else another check has said what is missing.

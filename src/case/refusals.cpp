@@ -16,7 +16,7 @@ std::string value_in_case(const std::string& id, const Case& c, const CaseCheck&
                : fmt::format("{} = {}", shown_name(key), handy_value_text(key, key.get(c, item)));
 }
 
-std::string values_in_case(const CaseCheck& check, const Finding& finding, const Case& c) {
+std::string values_in_case(const CaseCheck& check, const CaseFinding& finding, const Case& c) {
     std::vector<std::string> values;
     for (const std::string& id : finding.key.empty() ? check.keys : std::vector{finding.key}) {
         values.push_back(value_in_case(id, c, check, finding.item));
@@ -24,7 +24,7 @@ std::string values_in_case(const CaseCheck& check, const Finding& finding, const
     return fmt::format("{}", fmt::join(values, " with "));
 }
 
-const Place& place_of(const CaseCheck& check, const Finding& finding, const Places& places) {
+const Place& place_of(const CaseCheck& check, const CaseFinding& finding, const Places& places) {
     std::vector<std::string> ids;
     const auto add = [&](const std::string& id) { ids.push_back(find_key(id)->id(finding.item)); };
     if (!finding.key.empty()) {
@@ -52,7 +52,7 @@ const std::vector<CheckList>& refusals() {
     return lists;
 }
 
-std::string refusal_text(const CaseCheck& check, const Finding& finding, const Case& c) {
+std::string refusal_text(const CaseCheck& check, const CaseFinding& finding, const Case& c) {
     const Key& key = *find_key(finding.key.empty() ? check.keys.front() : finding.key);
     const std::string detail = finding.detail.empty()
                                    ? values_in_case(check, finding, c)
@@ -62,14 +62,14 @@ std::string refusal_text(const CaseCheck& check, const Finding& finding, const C
 
 void refuse(const Case& c, const Places& places, Problems& problems) {
     for (const CheckList& list : refusals()) {
-        for_each_finding(list, c, [&](const CaseCheck& check, const Finding& finding) {
+        for_each_finding(list, c, [&](const CaseCheck& check, const CaseFinding& finding) {
             problems.add(place_of(check, finding, places), refusal_text(check, finding, c));
         });
     }
 }
 
 void refuse_to_run(const Case& c) {
-    for_each_finding(start_of_run_refusals(), c, [&](const CaseCheck& check, const Finding& finding) {
+    for_each_finding(start_of_run_refusals(), c, [&](const CaseCheck& check, const CaseFinding& finding) {
         throw InputError(refusal_text(check, finding, c));
     });
 }

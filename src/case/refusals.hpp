@@ -24,7 +24,7 @@ void refuse_to_run(const Case& c);
 
 /// The message of what a check finds in a case: "[numerics] spacing is 12 mm, larger than ...: why; what to
 /// do".
-[[nodiscard]] std::string refusal_text(const CaseCheck& check, const Finding& finding, const Case& c);
+[[nodiscard]] std::string refusal_text(const CaseCheck& check, const CaseFinding& finding, const Case& c);
 
 // The lists, by subject.
 

@@ -40,7 +40,7 @@ Findings without_tiling(const char* name, double extent, double period, const ch
                  "{} is {}, and the lattice of the spheres repeats every {} = {}", name, shown_length(extent),
                  period_text, rounded_length_text(period));
     const double below = period * std::max(1.0, std::floor(extent / period));
-    for (Finding& finding : found) {
+    for (CaseFinding& finding : found) {
         finding.cure =
             fmt::format("take {} or {}", rounded_length_text(below), rounded_length_text(below + period));
     }
@@ -158,7 +158,7 @@ CheckList sphere_refusals() {
                                            "spacing is {}: less than {:.0f} particles over a sphere of {}",
                                            shown_length(c.numerics.spacing), particles_over_sphere,
                                            shown_length(c.bed.sphere_diameter));
-                 for (Finding& finding : found) {
+                 for (CaseFinding& finding : found) {
                      finding.cure = fmt::format("make the spacing {} or less", shown_length(largest));
                  }
                  return found;

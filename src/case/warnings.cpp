@@ -212,7 +212,7 @@ CheckList make_warnings() {
                  found_if(compression(c) > most_compression,
                           "at {} m/s the water's own weight compresses it by {:.1f} % at the bed",
                           c.numerics.sound_speed.value_or(0.0), 100 * compression(c));
-             for (Finding& finding : found) {
+             for (CaseFinding& finding : found) {
                  finding.cure = fmt::format("take at least {:.2g} m/s (10 sqrt(g H))",
                                             10 * std::sqrt(c.normal_gravity() * c.total_depth()));
              }
@@ -315,7 +315,7 @@ CheckList make_warnings() {
                                            wall_thickness(c) < kernel_support(c) * (1 - small),
                                        "{} layers do not fill the kernel (2 h = {} dx)", n.wall_layers,
                                        2 * n.smoothing_ratio);
-             for (Finding& finding : found) {
+             for (CaseFinding& finding : found) {
                  finding.cure = fmt::format("take {}", std::ceil(2 * n.smoothing_ratio));
              }
              return found;
@@ -405,7 +405,7 @@ const CheckList& warnings() {
 
 std::vector<std::string> case_warnings(const Case& c) {
     std::vector<std::string> messages;
-    for_each_finding(warnings(), c, [&](const CaseCheck& check, const Finding& finding) {
+    for_each_finding(warnings(), c, [&](const CaseCheck& check, const CaseFinding& finding) {
         messages.push_back(check.keys.front() + ": " + finding_text(finding.detail, check, finding));
     });
     warn_of_keys_without_effect(c, messages);

@@ -7,6 +7,7 @@
 #include "boundary/wall_motion.hpp"
 #include "case/flow_kind.hpp"
 #include "ends/end_input.hpp"
+#include "particles/end_buffers.hpp"
 #include "particles/lattice.hpp"
 
 namespace riffle {
@@ -90,8 +91,9 @@ double largest_step(const Case& c, const Scheme& scheme) {
 }
 
 int midway_interval(const Case& c) {
-    const bool layered = c.channel.ends == Ends::periodic && c.solids.empty() && !resolves_eddies(c) &&
-                         c.numerics.impact_dissipation == 0.0;
+    const bool falls = c.channel.ends == Ends::walls || bed_ends(c);
+    const bool layered =
+        !falls && c.solids.empty() && !resolves_eddies(c) && c.numerics.impact_dissipation == 0.0;
     return layered ? 2 : 1;
 }
 

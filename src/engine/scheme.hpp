@@ -31,7 +31,8 @@ struct Scheme {
 [[nodiscard]] double largest_step(const Case& c, const Scheme& scheme);
 
 /// Each which step the leapfrog takes its continuity sum in the middle of the way: the second of flow in
-/// layers along a channel, each one around bodies, between end walls, with resolved eddies and impacts.
+/// layers along a channel, each one around bodies, between end walls, over the end of a bed, with resolved
+/// eddies and impacts.
 [[nodiscard]] int midway_interval(const Case& c);
 
 /// Step by the largest acceleration: 0.25 sqrt(h/|a|) (Monaghan & Kos 1999; thesis 2.53).

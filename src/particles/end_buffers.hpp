@@ -1,6 +1,6 @@
 #pragma once
 
-#include "case/case.hpp"
+#include "case/flow_kind.hpp"
 
 namespace riffle {
 
@@ -20,11 +20,6 @@ namespace riffle {
 /// Longest that a buffer becomes, m; 0 where the ends are not open.
 [[nodiscard]] inline double buffer_length(const Case& c) {
     return c.channel.ends == Ends::open ? end_support(c) + end_travel(c) + c.numerics.spacing : 0.0;
-}
-
-/// Whether the bed of a case ends at x = L, and the water falls over its edge: there is no buffer there.
-[[nodiscard]] inline bool bed_ends(const Case& c) {
-    return c.channel.ends == Ends::open && c.outflow.kind == OutflowKind::free_fall;
 }
 
 /// Whether a place along the channel is in it: what stands beyond an open end counts in no mean.

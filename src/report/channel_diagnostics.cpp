@@ -55,10 +55,12 @@ class ChannelRows : public DiagnosticRows {
              narrow ? fmt::format("{:.1f}, but the velocity stays within {} of its mean", found->value,
                                   percent(change->value, 3))
                     : fmt::format("{:.1f}", found->value),
-             "10 make an interval; or a velocity that does not vary",
+             changes_in_time() ? "none where what enters or rules the outflow changes in time"
+                               : "10 make an interval; or a velocity that does not vary",
              "Length of the window over twice the integral time scale of the depth-mean velocity. Fewer "
              "make no interval of the mean that can be trusted, and slow changes are not seen.",
-             constant || found->value >= fewest       ? Health::good
+             changes_in_time()                        ? Health::none
+             : constant || found->value >= fewest     ? Health::good
              : narrow || found->value >= 0.5 * fewest ? Health::caution
                                                       : Health::bad});
     }

@@ -64,7 +64,8 @@ void DiagnosticRows::density() {
     const double least = *std::min_element(low.begin(), low.end());
     const double most = *std::max_element(high.begin(), high.end());
     // Water that strikes a wall or itself is compressed for a moment by more than its own weight does.
-    const bool impacts = flow_kind(data_.flow) == FlowKind::tank;
+    const bool impacts =
+        flow_kind(data_.flow) == FlowKind::tank || data_.flow.numerics.impact_dissipation > 0.0;
     const double bar = impacts ? std::max(0.03, impact_compression()) : 0.015;
     add({"density_range", "Range of the density", signed_percent(least) + " to " + signed_percent(most),
          "within ± " + percent(bar, 1),

@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "analysis/bodies.hpp"
+#include "case/flow_kind.hpp"
 #include "record/flow_fields.hpp"
 #include "record/particle_fields.hpp"
 #include "report/solid_cuts.hpp"
@@ -154,6 +155,10 @@ std::vector<Circle> sphere_cuts(const Case& c, double y) {
 
 }  // namespace
 
+double falling_height(const Case& c) {
+    return bed_ends(c) ? 4.0 * c.numerics.smoothing_ratio * c.numerics.spacing : 0.0;
+}
+
 std::optional<FieldPicture> read_field(const RunResults& results, const Case& c, FieldFrames frames) {
     if (frames == FieldFrames::none) return std::nullopt;
     const bool space = c.channel.dimensions == 3;
@@ -166,7 +171,7 @@ std::optional<FieldPicture> read_field(const RunResults& results, const Case& c,
         picture.frames.push_back(std::move(frame));
     }
     if (picture.frames.empty()) return std::nullopt;
-    picture.x_end = c.channel.length;
+    picture.x_end = c.channel.length + 2.0 * falling_height(c);
     add_surfaces(results, picture);
     shorten(picture);
     if (space) picture.spheres = sphere_cuts(c, *picture.y);

@@ -35,6 +35,10 @@ struct FieldPicture {
     std::optional<double> y;      ///< three dimensions: place across the channel of the slice, m
 };
 
+/// Height below the edge of a bed that ends over which the water is followed, m: two supports of the kernel;
+/// 0 where the bed does not end.
+[[nodiscard]] double falling_height(const Case& c);
+
 /// Which snapshots a picture has.
 enum class FieldFrames { none, last, all };
 

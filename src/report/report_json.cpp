@@ -9,6 +9,7 @@
 
 #include "case/flow_kind.hpp"
 #include "report/base64.hpp"
+#include "report/field_data.hpp"
 #include "report/json_parts.hpp"
 #include "report/run_facts.hpp"
 #include "report/summary_json.hpp"
@@ -28,7 +29,8 @@ Json geometry_json(const ReportData& data) {
             {"bed", c.channel.top != Top::periodic},
             {"lid", c.channel.top == Top::wall ? Json(c.total_depth()) : Json(nullptr)},
             {"ends", closed ? Json(c.channel.wall_height.value_or(1.5 * c.total_depth())) : Json(nullptr)},
-            {"periodic", !closed}};
+            {"falls", falling_height(c)},
+            {"periodic", c.channel.ends == Ends::periodic}};
 }
 
 /// Values as 16-bit steps between the ends of their range, base64; not-a-number is the highest step.

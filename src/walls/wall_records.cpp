@@ -92,7 +92,7 @@ template <int D, class Real>
 void pack_wall_records(const Case& c, const Scheme& scheme, const WallParticles<D>& walls,
                        const Clusters<D>& clusters, PairData<D, Real>& data) {
     constexpr auto axes = static_cast<std::size_t>(D);
-    const WallLaw law = wall_law(c);
+    const WallAction law = wall_action(c);
     const Continuation<D> continuation(c, scheme, walls);
     const std::size_t slots = clusters.slots();
     data.wall_gradient.assign(slots + 1, {});

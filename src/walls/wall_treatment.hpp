@@ -15,7 +15,7 @@ class WallTreatment {
     using Flow = FlowOf<D, Real>;
     using Task = BlockTask<D, Real>;
 
-    explicit WallTreatment(const Case& c) : law_(wall_law(c)) {}
+    explicit WallTreatment(const Case& c) : law_(wall_action(c)) {}
     WallTreatment(const WallTreatment&) = delete;
     WallTreatment& operator=(const WallTreatment&) = delete;
     virtual ~WallTreatment() = default;
@@ -40,7 +40,7 @@ class WallTreatment {
     }
 
   protected:
-    [[nodiscard]] const WallLaw& law() const { return law_; }
+    [[nodiscard]] const WallAction& law() const { return law_; }
 
     /// Call f(slot, particle) for the wall particles of clusters [begin, end).
     template <class F>
@@ -71,7 +71,7 @@ class WallTreatment {
     }
 
   private:
-    WallLaw law_;
+    WallAction law_;
 };
 
 /// The treatment of a case: the one place where they are registered.

@@ -10,7 +10,6 @@ from check import Check
 from open_end_checks import account
 from options import options_text
 
-HEADS = [0.06, 0.09, 0.12, 0.16, 0.2]  # of the rating, m
 WEIR_HEIGHT = 0.3
 CREST_LENGTH = 0.3
 
@@ -26,7 +25,7 @@ def overfall(study):
     check = Check("open_overfall", "Free overfall",
                   "Subcritical flow to the edge of a bed that ends: the depth over the edge against 0.715 of the critical depth (Rouse 1936), at two spacings.")
     figure = figures.Figure(1, width=7)
-    axes = figure.panel("distance before the edge over $h_c$", "depth over $h_c$", "mean from 4 s on")
+    axes = figure.panel("distance from the edge over $h_c$", "depth over $h_c$", "mean from 4 s on")
     figures.exact(axes, [-10, 0], [1, 1], "critical depth")
     figures.exact(axes, [0], [0.715], "Rouse (1936)", marker="o", linestyle="none")
     spacings = [5] if study.quick else [5, 10]
@@ -58,48 +57,49 @@ def broad_crested(gravity, _, energy_head):
     return 0.42 * (1 - 2 / 9 / (1 + ratio**4)) * math.sqrt(2 * gravity * energy_head**3)
 
 
-def _weir(study, name, title, author, law):
+def _weir(study, name, title, author, law, heads):
     case = f"cases/open-ends/{name}-weir.toml"
     check = Check(f"open_{name.split('-')[0]}_weir", title,
-                  f"The discharge of five heads, {HEADS[0] * 1e3:.0f} to {HEADS[-1] * 1e3:.0f} mm at 5 mm, against that of {author} for the head that the particles stand at.")
+                  f"The discharge of five heads, {heads[0] * 1e3:.0f} to {heads[-1] * 1e3:.0f} mm, against that of {author} for the head that the particles stand at.")
     gravity = 9.81
-    heads, discharges, laws = [], [], []
-    for head in HEADS[2:3] if study.quick else HEADS:
+    measured_heads, discharges, laws = [], [], []
+    for head in heads[2:3] if study.quick else heads:
         # The level is that of the law for a still pool; what the particles make of it is measured.
         q = law(gravity, head, head)
         depth = f'"{1e3 * (WEIR_HEIGHT + head):.0f} mm"'
         flow = study.run(f"{check.name}_{1e3 * head:.0f}", case, {
             "channel.depth": depth, "inflow.unit_discharge": f'"{q:.5f} m2/s"', "start.water_z": f'["0 mm", "0 mm", {depth}, {depth}]'})
+        begin, pool = flow.parameters["run"]["average_from"], flow.parameters["solid"][0]["x"][0]
         with h5py.File(flow.folder / "results.h5", "r") as file:
             surface = file["/surface"]
             time, x = surface["time"][:], surface["x"][:]
-            gauge = (x > 0.4) & (x < 0.65)
-            level = float(numpy.nanmean(surface["elevation"][numpy.searchsorted(time, 7.0):, gauge]))
-        late = flow.series["time"] > 7.0
-        q = float(flow.series["inflow_discharge"][late].mean())
+            gauge = (x > 0.4 * pool) & (x < 0.65 * pool)
+            level = float(numpy.nanmean(surface["elevation"][numpy.searchsorted(time, begin):, gauge]))
+        q = float(flow.series["inflow_discharge"][flow.series["time"] > begin].mean())
         measured = level - WEIR_HEIGHT
-        energy_head = measured + (q / level) ** 2 / (2 * gravity)
-        heads.append(measured)
+        measured_heads.append(measured)
         discharges.append(q)
-        laws.append(law(gravity, measured, energy_head))
+        laws.append(law(gravity, measured, measured + (q / level) ** 2 / (2 * gravity)))
         check.norm(f"discharge at a head of {1e3 * measured:.0f} mm, {measured / flow.spacing:.0f} rows", q / laws[-1] - 1, 0.03)
-        if head == HEADS[2]:
+        if len(laws) == 3 or study.quick:
             check.best, check.cost = options_text(flow), flow.cost_text
             account(check, flow)
     figure = figures.Figure(1, width=6)
     axes = figure.panel("head over the crest (mm)", "unit discharge (l/s per m)", "")
-    figures.exact(axes, 1e3 * numpy.array(heads), 1e3 * numpy.array(laws), author)
-    figures.simulated(axes, 1e3 * numpy.array(heads), 1e3 * numpy.array(discharges), "particles")
+    figures.exact(axes, 1e3 * numpy.array(measured_heads), 1e3 * numpy.array(laws), author)
+    figures.simulated(axes, 1e3 * numpy.array(measured_heads), 1e3 * numpy.array(discharges), "particles")
     check.figures.append((figure.svg(check.name), "The rating: discharge by the head that the pool stands at."))
     return check
 
 
 def sharp_weir(study):
-    return _weir(study, "sharp-crested", "Sharp-crested weir", "Kindsvater & Carter (1957)", sharp_crested)
+    return _weir(study, "sharp-crested", "Sharp-crested weir", "Kindsvater & Carter (1957)", sharp_crested,
+                 [0.06, 0.09, 0.12, 0.16, 0.2])
 
 
 def broad_weir(study):
-    return _weir(study, "broad-crested", "Broad-crested weir", "Hager & Schwalt (1994)", broad_crested)
+    return _weir(study, "broad-crested", "Broad-crested weir", "Hager & Schwalt (1994)", broad_crested,
+                 [0.09, 0.105, 0.12, 0.15, 0.18])
 
 
 CHECKS = {"open_overfall": overfall, "open_sharp_weir": sharp_weir, "open_broad_weir": broad_weir}

@@ -269,7 +269,7 @@ TEST(WallMotion, RestsAfterItsStopWhereItHasCome) {
 TEST(WallLawOfSolids, EachHasItsOwnSurface) {
     Case c = tank({solid({0.03, 0.04, 0.04, 0.03}, {0.0, 0.0, 0.05, 0.05}), {}});
     c.solids[1].surface = SolidSurface::slip;
-    const WallLaw law = wall_law(c);
+    const WallAction law = wall_action(c);
     WallParticles<2> walls;
     walls.body = {resting_body, first_solid, first_solid + 1};
     EXPECT_FALSE(law.rests_at(walls, 0));

@@ -148,15 +148,15 @@ TEST(WallParticlesOfCase, DynamicLayersAreStaggered) {
 
 TEST(WallLawOfCase, FollowsBedAndWall) {
     Case c = channel({});
-    EXPECT_FALSE(wall_law(c).no_slip);
-    EXPECT_FALSE(wall_law(c).dynamic);
+    EXPECT_FALSE(wall_action(c).no_slip);
+    EXPECT_FALSE(wall_action(c).dynamic);
     c.bed.kind = BedKind::no_slip;
-    EXPECT_TRUE(wall_law(c).no_slip);
+    EXPECT_TRUE(wall_action(c).no_slip);
     c.bed.kind = BedKind::spheres;
-    EXPECT_FALSE(wall_law(c).no_slip);
+    EXPECT_FALSE(wall_action(c).no_slip);
     c.numerics.wall = WallKind::dynamic;
-    EXPECT_TRUE(wall_law(c).dynamic);
-    EXPECT_TRUE(wall_law(c).no_slip);
+    EXPECT_TRUE(wall_action(c).dynamic);
+    EXPECT_TRUE(wall_action(c).no_slip);
 }
 
 TEST(WallParticlesOfCase, PermuteMovesAllQuantitiesTogether) {

@@ -293,7 +293,7 @@ TEST(Refusals, EachRowHasACaseThatItRefusesAndSaysSo) {
         const std::string message = refusal_of(c);
         EXPECT_NE(message, "") << wrong.keys << " is taken";
         for (const CheckList& list : refusals()) {
-            for_each_finding(list, c, [&](const CaseCheck& check, const Finding& finding) {
+            for_each_finding(list, c, [&](const CaseCheck& check, const CaseFinding& finding) {
                 broken.insert(&check);
                 EXPECT_THAT(message, HasSubstr(refusal_text(check, finding, c))) << wrong.keys;
             });

@@ -70,7 +70,7 @@ TEST(SchemeValidation, HoldsForThePresets) {
         Case c;
         c.numerics = preset_numerics(preset);
         for_each_finding(method_refusals(), c,
-                         [](const CaseCheck& check, const Finding&) { ADD_FAILURE() << check.what; });
+                         [](const CaseCheck& check, const CaseFinding&) { ADD_FAILURE() << check.what; });
     }
 }
 

@@ -163,7 +163,8 @@ TEST(Warnings, EachRowHasACase) {
     };
     std::set<const CaseCheck*> met;
     for (const Case& c : cases) {
-        for_each_finding(warnings(), c, [&](const CaseCheck& check, const Finding&) { met.insert(&check); });
+        for_each_finding(warnings(), c,
+                         [&](const CaseCheck& check, const CaseFinding&) { met.insert(&check); });
     }
     for (const CaseCheck& check : warnings().checks) {
         EXPECT_TRUE(met.contains(&check)) << "no case has " << check.what;

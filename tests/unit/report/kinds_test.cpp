@@ -143,6 +143,32 @@ TEST(Kinds, BodiesBookTheirDragAndHaveNoTwin) {
         EXPECT_FALSE(quantity.column) << quantity.key;
 }
 
+// A flood through an open channel that strikes a deck: no mean is asked for, and impacts compress water.
+TEST(Kinds, AFloodIsJudgedByItsAccountAndNotByAMean) {
+    ReportData data = channel();
+    data.flow.channel.ends = Ends::open;
+    data.flow.inflow.discharge_file = "flood.csv";
+    data.flow.numerics.impact_dissipation = 3.0;
+    data.column = {};
+    const std::size_t rows_of_series = data.series[fields::time_series.time].size();
+    data.series.set(fields::time_series.density_deviation_minimum,
+                    std::vector<double>(rows_of_series, -0.01));
+    data.series.set(fields::time_series.density_deviation_maximum,
+                    std::vector<double>(rows_of_series, 0.025));
+    Analysis analysis;
+    analysis.findings = {finding("effective_samples", 1.7), finding("velocity_range_in_window", 0.8)};
+    std::vector<Diagnostic> rows = diagnose(data, analysis);
+    ASSERT_NE(row(rows, "independent_samples"), nullptr);
+    ASSERT_NE(row(rows, "density_range"), nullptr);
+    EXPECT_EQ(row(rows, "independent_samples")->mark, Health::none);
+    EXPECT_EQ(row(rows, "density_range")->mark, Health::good);
+    data.flow.inflow.discharge_file.clear();
+    data.flow.numerics.impact_dissipation = 0.0;
+    rows = diagnose(data, analysis);
+    EXPECT_EQ(row(rows, "independent_samples")->mark, Health::bad);
+    EXPECT_NE(row(rows, "density_range")->mark, Health::good);
+}
+
 TEST(Kinds, AClosedFlowIsJudgedByWhatItMustKeep) {
     ReportData data = channel();
     data.flow.channel.slope = 0.0;

@@ -225,7 +225,12 @@ spacing = "1 mm"
 )";
     const json data = page(sample(options));
     EXPECT_FALSE(data.at("geometry").at("rough"));
+    EXPECT_TRUE(data.at("geometry").at("periodic"));
     for (const json& row : data.at("quantities")) EXPECT_NE(row.at("key"), "log_law_friction_velocity");
+    // Between open ends nothing repeats: the picture has no particles of the inflow at the outflow.
+    const std::string ends = "\nends = \"open\"\n[inflow]\nunit_discharge = 0.001";
+    options.case_text.insert(options.case_text.find("\n[bed]"), ends);
+    EXPECT_FALSE(page(sample(options)).at("geometry").at("periodic"));
 }
 
 TEST_F(Report, TankWithoutSlopeIsNotJudgedByItsMeanFlow) {
