@@ -38,7 +38,7 @@ def overfall(study):
         figures.simulated(axes, -before, depth, f"dx {spacing} mm", figures.COLOURS[number])
         check.norm(f"depth over the edge against 0.715 h_c, {critical / flow.spacing:.0f} rows of h_c", float(depth[0] / 0.715 - 1), 0.03)
         check.norm(f"where the depth is critical, in h_c before the edge, {critical / flow.spacing:.0f} rows (3 to 4, Henderson 1966)",
-                   float(numpy.interp(1.0, depth, before)), None, "", 1)
+                   float(numpy.interp(1.0, depth, before)), None, "", 2)
         if spacing == 5:
             check.best, check.cost = options_text(flow), flow.cost_text
             account(check, flow)
