@@ -97,7 +97,7 @@ CheckList wall_law_refusals() {
                  return found;
              }},
             {{"bed.kind", "turbulence.closure"},
-             "`kind = \"roughness\"` or `\"smooth\"` without a mixing length",
+             R"(`kind = "roughness"` or `"smooth"` without a mixing length)",
              "the law of the wall is that of a mixing length",
              R"(choose closure = "ramp", "nezu-rodi", "nikuradse" or "czernuszenko-rylov", or kind = "no-slip" for laminar flow)",
              [](const Case& c) { return !has_mixing_length(c); }},

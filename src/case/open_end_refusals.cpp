@@ -126,7 +126,7 @@ CheckList open_end_refusals() {
             {{"outflow.depth"},
              "a depth at the outflow below the critical one",
              "water leaves at the critical depth where nothing holds it back",
-             "make it deeper, or choose kind = \"critical-depth\" or, for supercritical flow, \"free\"",
+             R"(make it deeper, or choose kind = "critical-depth" or, for supercritical flow, "free")",
              [](const Case& c) {
                  const auto q = c.inflow_unit_discharge();
                  if (!q || c.outflow.kind != OutflowKind::depth || !c.outflow.depth) {
@@ -195,7 +195,7 @@ CheckList open_end_refusals() {
              "set [channel] top = \"free-surface\"",
              [](const Case& c) { return !has_free_surface(c); }},
             {{"numerics.stepping"},
-             "`stepping` other than `\"leapfrog\"` or `\"semi-implicit-euler\"` with open ends",
+             R"(`stepping` other than `"leapfrog"` or `"semi-implicit-euler"` with open ends)",
              "the other methods move particles by rates, which those of an open end do not have",
              "choose stepping = \"leapfrog\"",
              [](const Case& c) {
@@ -220,7 +220,7 @@ CheckList open_end_refusals() {
             {{"start.kind"},
              "a `kind` of start other than column, uniform, rest, power-law or backwater with open ends",
              "the others are flows without ends",
-             "choose kind = \"column\" or \"backwater\"",
+             R"(choose kind = "column" or "backwater")",
              [](const Case& c) {
                  const StartKind kind = c.start.kind;
                  return kind == StartKind::standing_wave || kind == StartKind::taylor_green ||

@@ -67,7 +67,7 @@ class LocalDepth {
 
     /// Place of a particle in cells along an axis; cell i reaches from i to i + 1.
     [[nodiscard]] double place(const Particles<D>& particles, std::size_t i, std::size_t axis) const {
-        const double cells = static_cast<double>(count_[axis]);
+        const auto cells = static_cast<double>(count_[axis]);
         return std::clamp(particles.position[axis][i] / length_[axis] * cells, 0.0, cells);
     }
     [[nodiscard]] std::size_t cell_along(const Particles<D>& particles, std::size_t i,

@@ -340,7 +340,8 @@ class OpenEnds final : public Component<D, Real> {
         std::vector<Vec<D>> places;
         for (int row = 0; row < rows; ++row) {
             for (int file = 0; file < files; ++file) {
-                const auto at = static_cast<std::size_t>(row * files + file);
+                const auto at = static_cast<std::size_t>(row) * static_cast<std::size_t>(files) +
+                                static_cast<std::size_t>(file);
                 for (double x = last[at] + step; x < length_ + support_; x += step) {
                     places.push_back(place_of(row, file, x, rows, depth));
                 }

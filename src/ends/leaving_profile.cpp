@@ -41,7 +41,7 @@ double LeavingProfile::at(const OpenEndsState& state, double place) const {
 }
 
 std::size_t LeavingProfile::bin_of(const OpenEndsState& state, double place) {
-    const double bins = static_cast<double>(state.leaving.size());
+    const auto bins = static_cast<double>(state.leaving.size());
     return static_cast<std::size_t>(std::clamp(place * bins, 0.0, bins - 0.5));
 }
 
