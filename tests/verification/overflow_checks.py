@@ -80,7 +80,7 @@ def _weir(study, name, title, author, law, heads):
         measured_heads.append(measured)
         discharges.append(q)
         laws.append(law(gravity, measured, measured + (q / level) ** 2 / (2 * gravity)))
-        check.norm(f"discharge at a head of {1e3 * measured:.0f} mm, {measured / flow.spacing:.0f} rows", q / laws[-1] - 1, 0.03)
+        check.norm(f"discharge, {1e3 * head:.0f} mm of head expected, {head / flow.spacing:.0f} rows", q / laws[-1] - 1, 0.03)
         if len(laws) == 3 or study.quick:
             check.best, check.cost = options_text(flow), flow.cost_text
             account(check, flow)
