@@ -1,7 +1,7 @@
 #include "boundary/boundary_planes.hpp"
 
 #include "boundary/wall.hpp"
-#include "particles/end_buffers.hpp"
+#include "case/flow_kind.hpp"
 
 namespace riffle {
 

@@ -13,13 +13,13 @@
 namespace riffle {
 
 WallAction wall_action(const Case& c) {
-    WallAction law{.dynamic = c.numerics.wall == WallKind::dynamic,
-                   .no_slip = c.bed.kind == BedKind::no_slip || c.numerics.wall == WallKind::dynamic,
-                   .solid_no_slip = {}};
+    WallAction action{.dynamic = c.numerics.wall == WallKind::dynamic,
+                      .no_slip = c.bed.kind == BedKind::no_slip || c.numerics.wall == WallKind::dynamic,
+                      .solid_no_slip = {}};
     for (const Solid& solid : c.solids) {
-        law.solid_no_slip.push_back(solid.surface == SolidSurface::no_slip);
+        action.solid_no_slip.push_back(solid.surface == SolidSurface::no_slip);
     }
-    return law;
+    return action;
 }
 
 bool starts_beside_dry_walls(const Case& c) { return !c.start.water_x.empty() || !c.solids.empty(); }

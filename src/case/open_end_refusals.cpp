@@ -37,12 +37,11 @@ Findings too_near(const Case& c, const Solid& solid) {
 /// Ends at which the outline of the water begins above the bed.
 Findings floating_ends(const Case& c) {
     const Outline water{c.start.water_x, c.start.water_z};
-    const double inside = 1e-9 * c.channel.length;
-    for (const double x : {inside, c.channel.length - inside}) {
+    for (const double end : {0.0, c.channel.length}) {
+        const double x = within_ends(end, c.channel.length);
         const double lowest = is_simple(water) ? ceiling_above(water, x, 0.0) : 0.0;
         if (lowest > 0.0 && !contains(water, x, 0.5 * lowest)) {
-            return found_if(true, "the water at x = {} begins at a height of {}",
-                            shown_length(x > 0.5 * c.channel.length ? c.channel.length : 0.0),
+            return found_if(true, "the water at x = {} begins at a height of {}", shown_length(end),
                             shown_length(lowest));
         }
     }

@@ -107,6 +107,11 @@ std::optional<std::pair<std::size_t, std::size_t>> crossing_edges(const Outline&
     return std::nullopt;
 }
 
+double within_ends(double x, double length) {
+    constexpr double inside = 1e-9;
+    return std::clamp(x, inside * length, (1.0 - inside) * length);
+}
+
 double ceiling_above(const Outline& outline, double x, double z) {
     double lowest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < outline.size(); ++i) {

@@ -33,6 +33,10 @@ struct Outline {
 /// no length with itself. Unset for a simple polygon.
 [[nodiscard]] std::optional<std::pair<std::size_t, std::size_t>> crossing_edges(const Outline& outline);
 
+/// A place along a channel of a length, drawn a little into it where it lies at an end or beyond: on an edge
+/// that stands at the end, a point has no side.
+[[nodiscard]] double within_ends(double x, double length);
+
 /// Height at which the vertical line upward from a point first leaves the outline, m; the point's own height
 /// where it does not meet it.
 [[nodiscard]] double ceiling_above(const Outline& outline, double x, double z);

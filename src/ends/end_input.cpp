@@ -195,8 +195,7 @@ std::function<double(double)> start_depths(const Case& c, const EndInput& input)
     if (!c.start.water_x.empty()) {
         // Where the outline leaves the bed dry, the depth is 0.
         return [water = Outline{c.start.water_x, c.start.water_z}, length = c.channel.length](double x) {
-            constexpr double inside = 1e-9;
-            return ceiling_above(water, std::clamp(x, inside * length, (1.0 - inside) * length), 0.0);
+            return ceiling_above(water, within_ends(x, length), 0.0);
         };
     }
     if (c.start.kind != StartKind::backwater) {

@@ -44,14 +44,12 @@ void EndSections::follow_upstream(EndState& end, double time, double dt) const {
 /// head.)
 Section EndSections::section_of_discharge(const EndState& end, double time, double dt) const {
     const double wanted = input_.unit_discharge->at(time);
-    const Section exact = inflow_by_discharge(gravity_, wanted, end.coming);
-    if (input_.inflow_relaxation_time <= 0.0) {
-        return exact;
-    }
     const double going = end.velocity + 2.0 * wave_speed(gravity_, end.depth);
     const Section now = outflow_between(gravity_, going, end.coming);
-    if (now.depth < least_depth_ || std::abs(now.velocity) >= wave_speed(gravity_, now.depth)) {
-        return exact;
+    const bool subcritical =
+        now.depth >= least_depth_ && std::abs(now.velocity) < wave_speed(gravity_, now.depth);
+    if (input_.inflow_relaxation_time <= 0.0 || !subcritical) {
+        return inflow_by_discharge(gravity_, wanted, end.coming);
     }
     const double share = std::min(1.0, dt / input_.inflow_relaxation_time);
     const double of_the_hydrograph = wanted - input_.unit_discharge->at(time - dt);

@@ -7,7 +7,6 @@
 #include "boundary/wall_motion.hpp"
 #include "case/flow_kind.hpp"
 #include "ends/end_input.hpp"
-#include "particles/end_buffers.hpp"
 #include "particles/lattice.hpp"
 
 namespace riffle {

@@ -44,8 +44,7 @@ namespace {
 /// The place in an outline of the water that the water of a place has: beyond an open end it is that of the
 /// end.
 double place_in_outline(const Case& c, double x) {
-    const double inside = 1e-9 * c.channel.length;
-    return c.channel.ends == Ends::open ? std::clamp(x, inside, c.channel.length - inside) : x;
+    return c.channel.ends == Ends::open ? within_ends(x, c.channel.length) : x;
 }
 
 }  // namespace

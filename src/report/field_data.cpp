@@ -6,6 +6,7 @@
 
 #include "analysis/bodies.hpp"
 #include "case/flow_kind.hpp"
+#include "case/refusals.hpp"
 #include "record/flow_fields.hpp"
 #include "record/particle_fields.hpp"
 #include "report/solid_cuts.hpp"
@@ -155,9 +156,7 @@ std::vector<Circle> sphere_cuts(const Case& c, double y) {
 
 }  // namespace
 
-double falling_height(const Case& c) {
-    return bed_ends(c) ? 4.0 * c.numerics.smoothing_ratio * c.numerics.spacing : 0.0;
-}
+double falling_height(const Case& c) { return bed_ends(c) ? open_end_clearance(c) : 0.0; }
 
 std::optional<FieldPicture> read_field(const RunResults& results, const Case& c, FieldFrames frames) {
     if (frames == FieldFrames::none) return std::nullopt;

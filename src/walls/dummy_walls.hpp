@@ -21,7 +21,7 @@ class DummyWalls final : public WallTreatment<D, Real> {
             record.u = {};
             if (task.sums.wall.weight[lane] > Real(0)) {
                 record.pressure = static_cast<Real>(pressure(flow, task.sums.wall, lane, slot, i));
-                if (this->law().rests_at(flow.walls, i)) {
+                if (this->action().rests_at(flow.walls, i)) {
                     record.u = velocity(flow, task.sums.wall, lane, i);
                 }
             }

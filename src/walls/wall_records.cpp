@@ -7,8 +7,8 @@
 
 #include "boundary/boundary_planes.hpp"
 #include "boundary/wall.hpp"
+#include "case/flow_kind.hpp"
 #include "engine/pair_setup.hpp"
-#include "particles/end_buffers.hpp"
 #include "particles/lattice.hpp"
 #include "sph/correction.hpp"
 #include "sph/pair_terms.hpp"
@@ -92,7 +92,7 @@ template <int D, class Real>
 void pack_wall_records(const Case& c, const Scheme& scheme, const WallParticles<D>& walls,
                        const Clusters<D>& clusters, PairData<D, Real>& data) {
     constexpr auto axes = static_cast<std::size_t>(D);
-    const WallAction law = wall_action(c);
+    const WallAction action = wall_action(c);
     const Continuation<D> continuation(c, scheme, walls);
     const std::size_t slots = clusters.slots();
     data.wall_gradient.assign(slots + 1, {});
@@ -112,13 +112,13 @@ void pack_wall_records(const Case& c, const Scheme& scheme, const WallParticles<
         for (std::size_t k = 0; k < axes * axes; ++k) {
             // Dynamic particles are fluid that does not move: the whole velocity counts.
             const double identity = k % (axes + 1) == 0 ? 1.0 : 0.0;
-            gradient.projector[k] = static_cast<Real>(law.dynamic ? identity : walls.projector[k][i]);
+            gradient.projector[k] = static_cast<Real>(action.dynamic ? identity : walls.projector[k][i]);
         }
-        gradient.continuation = static_cast<Real>(law.dynamic ? 0.0 : continuation(i));
+        gradient.continuation = static_cast<Real>(action.dynamic ? 0.0 : continuation(i));
         force.continuation = gradient.continuation;
         gradient.volume = static_cast<Real>(walls.volume[i]);
         force.weight = gradient.volume;
-        force.viscous_weight = law.rests_at(walls, i) ? gradient.volume : Real(0);
+        force.viscous_weight = action.rests_at(walls, i) ? gradient.volume : Real(0);
         force.viscosity_root = static_cast<Real>(viscosity_root(pair_viscosity(c, scheme)));
     }
     data.wall_gradient.back().x = data.wall_gradient.front().x;

@@ -15,7 +15,7 @@ class WallTreatment {
     using Flow = FlowOf<D, Real>;
     using Task = BlockTask<D, Real>;
 
-    explicit WallTreatment(const Case& c) : law_(wall_action(c)) {}
+    explicit WallTreatment(const Case& c) : action_(wall_action(c)) {}
     WallTreatment(const WallTreatment&) = delete;
     WallTreatment& operator=(const WallTreatment&) = delete;
     virtual ~WallTreatment() = default;
@@ -40,7 +40,7 @@ class WallTreatment {
     }
 
   protected:
-    [[nodiscard]] const WallAction& law() const { return law_; }
+    [[nodiscard]] const WallAction& action() const { return action_; }
 
     /// Call f(slot, particle) for the wall particles of clusters [begin, end).
     template <class F>
@@ -67,11 +67,11 @@ class WallTreatment {
         const auto volume = static_cast<Real>(wetness * flow.walls.volume[particle]);
         flow.data.wall_gradient[slot].volume = volume;
         flow.data.wall_force[slot].weight = volume;
-        flow.data.wall_force[slot].viscous_weight = law_.rests_at(flow.walls, particle) ? volume : Real(0);
+        flow.data.wall_force[slot].viscous_weight = action_.rests_at(flow.walls, particle) ? volume : Real(0);
     }
 
   private:
-    WallAction law_;
+    WallAction action_;
 };
 
 /// The treatment of a case: the one place where they are registered.

@@ -269,12 +269,12 @@ TEST(WallMotion, RestsAfterItsStopWhereItHasCome) {
 TEST(WallLawOfSolids, EachHasItsOwnSurface) {
     Case c = tank({solid({0.03, 0.04, 0.04, 0.03}, {0.0, 0.0, 0.05, 0.05}), {}});
     c.solids[1].surface = SolidSurface::slip;
-    const WallAction law = wall_action(c);
+    const WallAction action = wall_action(c);
     WallParticles<2> walls;
     walls.body = {resting_body, first_solid, first_solid + 1};
-    EXPECT_FALSE(law.rests_at(walls, 0));
-    EXPECT_TRUE(law.rests_at(walls, 1));
-    EXPECT_FALSE(law.rests_at(walls, 2));
+    EXPECT_FALSE(action.rests_at(walls, 0));
+    EXPECT_TRUE(action.rests_at(walls, 1));
+    EXPECT_FALSE(action.rests_at(walls, 2));
 }
 
 // A particle in a solid comes back onto the nearest face that water touches, keeps its motion along the face,

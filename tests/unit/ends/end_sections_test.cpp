@@ -19,25 +19,29 @@ EndInput input_of(TimeTable unit_discharge, double relaxation_time) {
     return input;
 }
 
-/// Water of a long reach beside an end, whose only wave is the one that the end sends.
-void watch(EndState& end, double coming) {
-    const Section section =
-        outflow_between(gravity, end.velocity + 2.0 * wave_speed(gravity, end.depth), coming);
-    end.watched_depth = section.depth;
-    end.watched_velocity = section.velocity;
+/// Let an inflow follow a long reach, whose only wave is the one that the inflow sends, in steps of dt:
+/// after_step(time, unit discharge).
+template <class AfterStep>
+void follow_a_long_reach(const EndSections& sections, EndState& end, double until, double dt,
+                         const AfterStep& after_step) {
+    const double coming = end.coming;
+    for (double time = dt; time < until; time += dt) {
+        const Section reach =
+            outflow_between(gravity, end.velocity + 2.0 * wave_speed(gravity, end.depth), coming);
+        end.watched_depth = reach.depth;
+        end.watched_velocity = reach.velocity;
+        sections.follow_upstream(end, time, dt);
+        after_step(time, end.depth * end.velocity);
+    }
 }
 
 // A hydrograph enters without delay, whatever the relaxation time: that is for the waves.
 TEST(EndSections, AHydrographEntersWithoutDelay) {
     const EndSections sections(input_of(TimeTable({0.0, 10.0}, {0.05, 0.1}), 5.0), gravity, least_depth);
     EndState end = sections.start(0.4, 0.05);
-    const double coming = end.coming;
-    const double dt = 0.01;
-    for (double time = dt; time < 10.0; time += dt) {
-        watch(end, coming);
-        sections.follow_upstream(end, time, dt);
-        ASSERT_NEAR(end.depth * end.velocity / (0.05 + 0.005 * time), 1.0, 1e-3) << time;
-    }
+    follow_a_long_reach(sections, end, 10.0, 0.01, [](double time, double unit_discharge) {
+        ASSERT_NEAR(unit_discharge / (0.05 + 0.005 * time), 1.0, 1e-3) << time;
+    });
 }
 
 // Of a pool at rest the discharge grows home within some relaxation times, and then stands.
@@ -45,13 +49,10 @@ TEST(EndSections, ADischargeComesHome) {
     for (const double relaxation_time : {0.0, 0.5}) {
         const EndSections sections(input_of(TimeTable(0.06), relaxation_time), gravity, least_depth);
         EndState end = sections.start(0.4, 0.0);
-        const double coming = end.coming;
-        const double dt = 0.001;
-        for (double time = dt; time < 5.0; time += dt) {
-            watch(end, coming);
-            sections.follow_upstream(end, time, dt);
-        }
-        EXPECT_NEAR(end.depth * end.velocity / 0.06, 1.0, 1e-3) << relaxation_time;
+        double last = 0.0;
+        follow_a_long_reach(sections, end, 5.0, 0.001,
+                            [&](double, double unit_discharge) { last = unit_discharge; });
+        EXPECT_NEAR(last / 0.06, 1.0, 1e-3) << relaxation_time;
     }
 }
 
