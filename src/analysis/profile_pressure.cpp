@@ -62,7 +62,8 @@ void add_pressure(const FlowRecord& record, const Profiles& p, Analysis& analysi
         return;
     }
     const double level = mean_level_of(record, p);
-    const double weight = c.fluid.density * c.normal_gravity();
+    // Under a lid gravity across the flow only adds a pressure, which is left out.
+    const double weight = c.channel.top == Top::free_surface ? c.fluid.density * c.normal_gravity() : 0.0;
     std::vector<double> hydrostatic;
     double squares = 0.0;
     double most = 0.0;
@@ -74,7 +75,7 @@ void add_pressure(const FlowRecord& record, const Profiles& p, Analysis& analysi
     }
     figure.curves.push_back(
         profile_curve("simulated", Origin::simulated, p.pressure, p.z, Mark::line_and_points));
-    figure.curves.push_back(profile_curve("hydrostatic", Origin::theory, hydrostatic, p.z));
+    if (weight > 0.0) figure.curves.push_back(profile_curve("hydrostatic", Origin::theory, hydrostatic, p.z));
     mark_levels(record, figure);
     analysis.figures.push_back(std::move(figure));
     if (!(weight * level > 0.0)) return;

@@ -6,10 +6,16 @@
 #include <numbers>
 
 #include "boundary/wall_particle.hpp"
+#include "case/end_buffers.hpp"
 
 namespace riffle {
 
 namespace {
+
+/// Whether a place lies beyond all that stands behind an open end.
+bool is_beyond_walls(const Case& c, double x) {
+    return x <= -walls_beyond_end(c) || x >= c.channel.length + walls_beyond_end(c);
+}
 
 struct Interval {
     double begin = 0.0;
@@ -139,6 +145,9 @@ class Fill {
             return true;
         }
         const bool closed = c_.channel.ends == Ends::walls;
+        if (c_.channel.ends == Ends::open && is_beyond_walls(c_, p[0])) {
+            return false;
+        }
         return p[1] > 0.0 && (!closed || (p[0] > 0.0 && p[0] < c_.channel.length)) &&
                (c_.channel.top != Top::wall || p[1] < c_.total_depth());
     }
@@ -250,8 +259,10 @@ bool is_wetted(const Case& c, const Solid& solid, const Outline& outline, std::s
     const bool behind_bed = high <= near;
     const bool behind_ends =
         c.channel.ends == Ends::walls && (right <= near || left >= c.channel.length - near);
+    const bool beyond = c.channel.ends == Ends::open &&
+                        (is_beyond_walls(c, right) || is_beyond_walls(c, left)) && left == right;
     const bool behind_lid = c.channel.top == Top::wall && low >= c.total_depth() - near;
-    return !behind_bed && !behind_ends && !behind_lid;
+    return !behind_bed && !behind_ends && !beyond && !behind_lid;
 }
 
 void add_solid(const Case& c, const Solid& solid, std::int32_t body, WallParticles<2>& walls) {

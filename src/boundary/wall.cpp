@@ -6,8 +6,8 @@
 
 #include "boundary/solid_fill.hpp"
 #include "boundary/wall_particle.hpp"
+#include "case/end_buffers.hpp"
 #include "case/solid_mesh.hpp"
-#include "particles/end_buffers.hpp"
 #include "particles/lattice.hpp"
 
 namespace riffle {

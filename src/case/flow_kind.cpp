@@ -99,6 +99,11 @@ std::optional<std::string> why_no_column(const Case& c) {
         return "the box repeats itself over its height too (channel.top = \"periodic\"): it has neither a "
                "bed nor a surface between which a flow could be uniform";
     }
+    if (is_duct(c)) {
+        return "water enters and leaves at the ends of a duct (channel.ends = \"open\", channel.top = \"wall\"), so "
+               "its velocity follows from [inflow] and not from a slope: the uniform flow between the walls is "
+               "that of the case with channel.ends = \"periodic\" and channel.slope > 0";
+    }
     if (c.channel.ends == Ends::open) {
         return "water enters and leaves at its ends (channel.ends = \"open\"), so depth and velocity follow from "
                "[inflow] and [outflow] and not from the slope alone: `riffle backwater` is what to compare with, "

@@ -44,6 +44,11 @@ enum class FlowKind {
     return c.channel.ends == Ends::open && c.outflow.kind == OutflowKind::free_fall;
 }
 
+/// Whether water goes through a duct from end to end, between the bed and a wall at the top.
+[[nodiscard]] inline bool is_duct(const Case& c) {
+    return c.channel.ends == Ends::open && c.channel.top == Top::wall;
+}
+
 /// Whether a bed holds the water back.
 [[nodiscard]] bool bed_resists(const Bed& bed);
 

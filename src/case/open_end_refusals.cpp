@@ -1,9 +1,15 @@
+#include <algorithm>
 #include <cmath>
+#include <optional>
+#include <vector>
 
+#include "case/end_buffers.hpp"
+#include "case/end_floor.hpp"
 #include "case/flow_kind.hpp"
 #include "case/outline.hpp"
 #include "case/outline_check.hpp"
 #include "case/refusals.hpp"
+#include "case/solid_mesh.hpp"
 #include "case/units.hpp"
 
 namespace riffle {
@@ -22,16 +28,51 @@ int ways_to_give_discharge(const Inflow& inflow) {
            (inflow.discharge_file.empty() ? 0 : 1);
 }
 
-/// Whether something of a solid stands within a distance of either end.
-Findings too_near(const Case& c, const Solid& solid) {
-    const double clear = open_end_clearance(c);
-    for (const double x : solid.x) {
-        if (x < clear || x > c.channel.length - clear) {
-            return found_if(true, "it reaches to x = {}, the channel from 0 to {}", shown_length(x),
-                            shown_length(c.channel.length));
-        }
+/// The extent of a solid along the channel; nothing where it is not known.
+std::optional<Extent> extent_along(const Case& c, const Solid& solid) {
+    if (!in_space(c)) {
+        return solid.x.empty() ? std::nullopt : std::optional(Extent(solid.x));
     }
-    return {};
+    const auto k = static_cast<std::size_t>(&solid - c.solids.data());
+    const auto meshes = meshes_of(c);
+    if (k >= meshes->size()) {
+        return std::nullopt;
+    }
+    return Extent(std::vector{(*meshes)[k].lower()[0], (*meshes)[k].upper()[0]});
+}
+
+/// Whether something of a solid stands within a distance of either end, unless it carries the water through.
+Findings too_near(const Case& c, const Solid& solid) {
+    const auto extent = extent_along(c, solid);
+    if (!extent) {
+        return {};
+    }
+    const double clear = open_end_clearance(c);
+    const double beyond = walls_beyond_end(c);
+    const double length = c.channel.length;
+    const bool carries = !in_space(c) && solid.motion == SolidMotion::fixed;
+    const auto blocks = [&](double from, double to) {
+        return extent->low < to && extent->high > from && !(carries && carries_through(solid, from, to));
+    };
+    const bool upstream = blocks(-beyond, clear);
+    if (!upstream && !blocks(length - clear, length + beyond)) {
+        return {};
+    }
+    return found_if(
+        true,
+        "it reaches to x = {}, the channel from 0 to {}. One that carries the water through this end stands on the bed and has a level top at least from x = {} to x = {}",
+        shown_length(upstream ? extent->low : extent->high), shown_length(length),
+        shown_length(upstream ? -beyond : length - clear), shown_length(upstream ? clear : length + beyond));
+}
+
+/// Depth at an end, of all the water over what it stands on, from a level over the datum, m.
+double over_floor(const Case& c, double level, double floor) { return total(c, level) - floor; }
+
+/// A level at an end that the solid there does not leave free.
+Findings below_floor(const std::optional<double>& level, const Case& c, double floor) {
+    return found_if(level && over_floor(c, *level, floor) <= 0.0,
+                    "the depth of {} is below the top of the solid there, {} over the datum",
+                    shown_length(level.value_or(0.0)), shown_length(floor - c.datum()));
 }
 
 /// Ends at which the outline of the water begins above the bed.
@@ -39,8 +80,9 @@ Findings floating_ends(const Case& c) {
     const Outline water{c.start.water_x, c.start.water_z};
     for (const double end : {0.0, c.channel.length}) {
         const double x = within_ends(end, c.channel.length);
-        const double lowest = is_simple(water) ? ceiling_above(water, x, 0.0) : 0.0;
-        if (lowest > 0.0 && !contains(water, x, 0.5 * lowest)) {
+        const double floor = floor_at(c, x);
+        const double lowest = is_simple(water) ? ceiling_above(water, x, floor) : floor;
+        if (lowest > floor && !contains(water, x, 0.5 * (floor + lowest))) {
             return found_if(true, "the water at x = {} begins at a height of {}", shown_length(end),
                             shown_length(lowest));
         }
@@ -84,9 +126,10 @@ CheckList open_end_refusals() {
                      return Findings{};
                  }
                  const double critical = critical_depth(c, *q);
-                 return found_if(total(c, *c.inflow.depth) > critical,
+                 return found_if(over_floor(c, *c.inflow.depth, end_floors(c).upstream) > critical,
                                  "the depth of {} is above the critical one of the discharge, {}",
-                                 shown_length(*c.inflow.depth), shown_length(critical - c.datum()));
+                                 shown_length(*c.inflow.depth),
+                                 shown_length(critical + end_floors(c).upstream - c.datum()));
              }},
             {{"inflow.equivalent_roughness", "inflow.profile"},
              "`equivalent_roughness` 0 with `profile = \"log-law\"`",
@@ -132,9 +175,10 @@ CheckList open_end_refusals() {
                      return Findings{};
                  }
                  const double critical = critical_depth(c, *q);
-                 return found_if(total(c, *c.outflow.depth) < critical,
+                 return found_if(over_floor(c, *c.outflow.depth, end_floors(c).downstream) < critical,
                                  "depth is {}, the critical depth of the discharge {}",
-                                 shown_length(*c.outflow.depth), shown_length(critical - c.datum()));
+                                 shown_length(*c.outflow.depth),
+                                 shown_length(critical + end_floors(c).downstream - c.datum()));
              }},
             {{"outflow.kind", "channel.slope"},
              "`kind = \"normal-depth\"` where no flow is uniform",
@@ -189,10 +233,70 @@ CheckList open_end_refusals() {
                                  shown_length(4.0 * kernel_support(c)));
              }},
             {{"channel.top"},
-             "`top` other than `\"free-surface\"` with open ends",
-             "the depth at an open end is that of a free surface",
-             "set [channel] top = \"free-surface\"",
-             [](const Case& c) { return !has_free_surface(c); }},
+             "`top = \"periodic\"` with open ends",
+             "water that enters stands on a bed",
+             R"(set [channel] top = "free-surface", or "wall" for a duct)",
+             [](const Case& c) { return c.channel.top == Top::periodic; }},
+            {{"outflow.kind", "channel.top"},
+             "`kind = \"pressure\"` under a free surface, or another kind in a duct",
+             "a depth rules where there is a surface, a pressure where there is none",
+             R"(choose kind = "pressure" with [channel] top = "wall", and another kind with "free-surface")",
+             [](const Case& c) { return is_duct(c) != (c.outflow.kind == OutflowKind::pressure); }},
+            {{"inflow.depth", "channel.top"},
+             "no discharge, or a depth, at the inflow of a duct",
+             "a duct is always full",
+             "give [inflow] discharge, unit_discharge or discharge_file, and no depth",
+             [](const Case& c) {
+                 return is_duct(c) && (c.inflow.gives_depth() || !c.inflow.gives_discharge());
+             }},
+            {{"channel.lid_velocity", "channel.ends"},
+             "a lid that moves, with open ends",
+             "what enters does not know of it",
+             "set lid_velocity = 0",
+             [](const Case& c) { return c.channel.lid_velocity != 0.0; }},
+            {{"inflow.depth", "solid.z"},
+             "a depth at the inflow below the top of the solid there",
+             "no water would enter",
+             "make it deeper: it counts from the zero datum, like channel.depth",
+             [](const Case& c) { return below_floor(c.inflow.depth, c, end_floors(c).upstream); }},
+            {{"outflow.depth", "solid.z"},
+             "a depth at the outflow below the top of the solid there",
+             "no water would leave",
+             "make it deeper: it counts from the zero datum, like channel.depth",
+             [](const Case& c) { return below_floor(c.outflow.depth, c, end_floors(c).downstream); }},
+            {{"channel.depth", "solid.z"},
+             "a depth of the channel below the top of a solid that reaches through an end",
+             "no water would be there",
+             "make it deeper: it counts from the zero datum",
+             [](const Case& c) {
+                 const EndFloors floors = end_floors(c);
+                 return below_floor(c.channel.depth, c, std::max(floors.upstream, floors.downstream));
+             }},
+            {{"inflow.profile", "solid.z"},
+             "`profile = \"column\"` over a solid at the inflow, unless `bed.kind = \"no-slip\"`",
+             "the twin's profile is that over the bed",
+             "choose profile = \"uniform\", or another",
+             [](const Case& c) {
+                 return end_floors(c).upstream > 0.0 && c.inflow.profile == InflowProfile::column &&
+                        c.bed.kind != BedKind::no_slip;
+             }},
+            {{"outflow.kind", "solid.z"},
+             R"(`kind = "normal-depth"` or `"free-fall"` over a solid at the outflow)",
+             "they are those of the bed",
+             "choose kind = \"depth\" or another",
+             [](const Case& c) {
+                 return end_floors(c).downstream > 0.0 && (c.outflow.kind == OutflowKind::normal_depth ||
+                                                           c.outflow.kind == OutflowKind::free_fall);
+             }},
+            {{"start.kind", "solid.z"},
+             "`kind = \"backwater\"` over a solid that reaches through an end, or in a duct",
+             "riffle backwater knows the bed alone, and its surface",
+             "start otherwise",
+             [](const Case& c) {
+                 const EndFloors floors = end_floors(c);
+                 return c.start.kind == StartKind::backwater &&
+                        (is_duct(c) || floors.upstream > 0.0 || floors.downstream > 0.0);
+             }},
             {{"numerics.stepping"},
              R"(`stepping` other than `"leapfrog"` or `"semi-implicit-euler"` with open ends)",
              "the other methods move particles by rates, which those of an open end do not have",
@@ -236,12 +340,12 @@ CheckList open_end_refusals() {
             {{"start.water_z", "channel.ends"},
              "water at an open end that does not stand on the bed",
              "what is beyond the end is as deep as the water beside it",
-             "draw its outline down to z = 0 there, or away from the end",
+             "draw its outline down to the bed there, or to the solid that carries it, or away from the end",
              floating_ends},
             {{"solid.x", "channel.ends"},
              "a solid in the water that enters or leaves",
              "the water is watched over two kernel supports beside either end",
-             "move the solid, or make the channel longer",
+             "move the solid, make the channel longer, or let the solid carry the water through the end",
              [](const Case& c, const Solid& solid) { return too_near(c, solid); }},
         },
         [](const Case& c) { return c.channel.ends == Ends::open; }};

@@ -35,7 +35,7 @@ struct Words<InflowProfile> {
 
 template <>
 struct Words<OutflowKind> {
-    static constexpr std::array<Word, 7> list{{
+    static constexpr std::array<Word, 8> list{{
         {"depth", "the depth that `depth` or `depth_file` gives"},
         {"normal-depth", "the depth of uniform flow with the discharge of the inflow, found once"},
         {"critical-depth",
@@ -45,6 +45,8 @@ struct Words<OutflowKind> {
         {"rating-curve", "the depth that goes with the discharge that leaves, from `rating_file`"},
         {"free", "nothing: supercritical flow leaves as it comes, and a dry bed stays dry until water comes"},
         {"free-fall", "nothing: the bed ends there, and the water falls over its edge"},
+        {"pressure",
+         "the pressure at the end of a duct, the same over its height (channel.top = \"wall\"): only what differs from it moves the water"},
     }};
 };
 

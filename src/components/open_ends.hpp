@@ -6,11 +6,13 @@
 #include <utility>
 #include <vector>
 
+#include "case/end_buffers.hpp"
+#include "case/end_floor.hpp"
+#include "components/end_watch.hpp"
 #include "ends/end_sections.hpp"
 #include "ends/inflow_streams.hpp"
 #include "ends/leaving_profile.hpp"
 #include "engine/component.hpp"
-#include "particles/end_buffers.hpp"
 #include "particles/lattice.hpp"
 
 namespace riffle {
@@ -29,11 +31,12 @@ class OpenEnds final : public Component<D, Real> {
           length_(flow.c.channel.length),
           falls_(bed_ends(flow.c)),
           gravity_(flow.scheme.normal_gravity),
-          sections_(read_end_input(flow.c), gravity_, lattice_.dz),
+          floors_(end_floors(flow.c)),
+          sections_(read_end_input(flow.c), gravity_, flow.scheme.state.sound_speed, lattice_.dz),
           leaving_(lattice_.dz),
           travel_(end_travel(flow.c)),
           support_(end_support(flow.c)),
-          watch_(std::ceil(2.0 * flow.c.numerics.smoothing_ratio - 1e-9) * lattice_.dx),
+          watch_(length_, std::ceil(2.0 * flow.c.numerics.smoothing_ratio - 1e-9) * lattice_.dx),
           streams_(D == 3 ? lattice_.files : 1, lattice_.dx * lattice_.dz, lattice_.dz,
                    -(support_ + travel_)) {
         flow.inputs.acceleration = true;
@@ -56,9 +59,9 @@ class OpenEnds final : public Component<D, Real> {
     /// Which clusters and particles stand at the ends until the next build.
     void lists_built(const Flow& flow) override {
         const auto& slots = flow.clusters.slot_position[0];
-        const double upstream = 2.0 * watch_ + 2.0 * travel_;
+        const double upstream = 2.0 * watch_.half() + 2.0 * travel_;
         near_end_.assign(flow.clusters.size(), 0);
-        watched_ = {};
+        watch_.clear();
         for (std::size_t cluster = 0; cluster < flow.clusters.size(); ++cluster) {
             const auto first = static_cast<std::size_t>(flow.clusters.begin[cluster]);
             const auto count = static_cast<std::size_t>(flow.clusters.count(cluster));
@@ -68,10 +71,10 @@ class OpenEnds final : public Component<D, Real> {
                 const bool at_end = x > length_ - upstream;
                 near_end_[cluster] |= static_cast<std::uint8_t>(at_start || at_end);
                 if (at_start) {
-                    watched_[0].push_back(first + n);
+                    watch_.add(0, first + n);
                 }
                 if (at_end) {
-                    watched_[1].push_back(first + n);
+                    watch_.add(1, first + n);
                 }
             }
         }
@@ -80,25 +83,23 @@ class OpenEnds final : public Component<D, Real> {
     void begin_step(Flow& flow, double dt) override {
         OpenEndsState& state = flow.clock.open_ends;
         step_ = dt;
-        const double smoothing = std::min(1.0, dt / (2.0 * watch_ / wave_speed(gravity_, flow.scheme.depth)));
-        const Watched start = watch(flow, 0);
-        const Watched end = watch(flow, 1);
-        const auto smooth = [&](EndState& state_of, const Watched& now, double share) {
-            state_of.watched_depth += share * (now.depth - state_of.watched_depth);
-            state_of.watched_velocity += share * (now.velocity - state_of.watched_velocity);
-        };
-        smooth(state.upstream, start, smoothing);
-        smooth(state.downstream, end, smoothing);
+        const double smoothing =
+            std::min(1.0, dt / (2.0 * watch_.half() / sections_.signal_speed(flow.scheme.depth)));
+        const auto start = watch_.watch(flow, 0);
+        const auto end = watch_.watch(flow, 1);
+        start.smooth_into(state.upstream, smoothing);
+        end.smooth_into(state.downstream, smoothing);
         sections_.follow_upstream(state.upstream, flow.clock.time, dt);
         sections_.follow_downstream(state.downstream, flow.clock.time, dt);
         leaving_.clear(state);
-        for (const std::size_t i : watched_[1]) {
+        for (const std::size_t i : watch_.near(1)) {
             const Particles<D>& p = flow.particles;
-            if (const double hat = hat_at(length_ - p.position[0][i]); hat > 0.0) {
-                leaving_.add(state, p.position[Flow::vertical][i], hat * p.mass[i], p.velocity[0][i]);
+            if (const double hat = watch_.hat_at(length_ - p.position[0][i]); hat > 0.0) {
+                leaving_.add(state, over_floor(flow, i, false), hat * p.mass[i], p.velocity[0][i]);
             }
         }
-        leaving_.finish(state, gravity_, dt);
+        leaving_.finish(state, leaving_speed(state, std::max(state.downstream.watched_depth, lattice_.dz)),
+                        dt);
         shape_mean_ = shape().mean_of_rows(state.rows);
         fastest_ = std::max(start.fastest, end.fastest);
     }
@@ -112,11 +113,10 @@ class OpenEnds final : public Component<D, Real> {
             if (falls_ && !entering) {
                 return;
             }
-            const double z = flow.particles.position[Flow::vertical][i];
-            const double depth =
-                entering ? flow.clock.open_ends.upstream.depth : flow.clock.open_ends.downstream.depth;
+            const EndState& section =
+                entering ? flow.clock.open_ends.upstream : flow.clock.open_ends.downstream;
             flow.particles.density_deviation[i] =
-                flow.scheme.state.deviation(gravity_ * std::max(0.0, depth - z));
+                flow.scheme.state.deviation(pressure_of(section, over_floor(flow, i, entering)));
             task.sums.gradient.density_rate[lane] = Real(0);
             task.sums.gradient.diffusion[lane] = Real(0);
             task.sums.gradient.regularity[lane] = Real(1);
@@ -147,18 +147,9 @@ class OpenEnds final : public Component<D, Real> {
         state.travel += step_ * std::max(fastest_, std::abs(end.velocity) * shape().largest());
     }
 
-    [[nodiscard]] std::size_t bytes() const override {
-        return near_end_.capacity() + (watched_[0].capacity() + watched_[1].capacity()) * sizeof(std::size_t);
-    }
+    [[nodiscard]] std::size_t bytes() const override { return near_end_.capacity() + watch_.bytes(); }
 
   private:
-    /// Of the water within a hat beside an end; its largest velocity there.
-    struct Watched {
-        double depth = 0.0;
-        double velocity = 0.0;
-        double fastest = 0.0;
-    };
-
     [[nodiscard]] const VelocityShape& shape() const { return sections_.input().shape; }
 
     void begin(Flow& flow) {
@@ -170,9 +161,9 @@ class OpenEnds final : public Component<D, Real> {
         const auto depth = start_depths(flow.c, sections_.input());
         const double q =
             flow.c.start.kind == StartKind::rest ? 0.0 : start_unit_discharge(flow.c, sections_.input());
-        state.upstream = sections_.start(depth(0.0), q);
+        state.upstream = sections_.start(depth(0.0) - floors_.upstream, q);
         state.upstream.depth = std::max(state.upstream.depth, lattice_.dz);
-        state.downstream = sections_.start(depth(length_), q);
+        state.downstream = sections_.start(std::max(0.0, depth(length_) - floors_.downstream), q);
         const int bins = std::max(4, lattice_.rows / 2);
         for (int bin = 0; bin < bins; ++bin) {
             state.leaving.push_back(state.downstream.velocity * shape().at((bin + 0.5) / bins));
@@ -186,7 +177,7 @@ class OpenEnds final : public Component<D, Real> {
 
     [[nodiscard]] Vec<D> entering_velocity(const Flow& flow, std::size_t i) const {
         const EndState& end = flow.clock.open_ends.upstream;
-        const double place = flow.particles.position[Flow::vertical][i] / end.depth;
+        const double place = over_floor(flow, i, true) / end.depth;
         Vec<D> u{};
         u[0] = end.velocity * shape().at(place) / shape_mean_;
         u[Flow::vertical] = place * end.depth_rate;
@@ -197,7 +188,8 @@ class OpenEnds final : public Component<D, Real> {
     [[nodiscard]] Vec<D> leaving_velocity(const Flow& flow, std::size_t i) const {
         const Vec<D> wanted = leaving_section(flow, i);
         const double kept =
-            std::exp(-step_ * wave_speed(gravity_, flow.clock.open_ends.downstream.depth) / watch_);
+            std::exp(-step_ * leaving_speed(flow.clock.open_ends, flow.clock.open_ends.downstream.depth) /
+                     watch_.half());
         Vec<D> u = vector_of(flow.particles.velocity, i);
         for (std::size_t k = 0; k < Flow::axes; ++k) {
             u[k] = wanted[k] + kept * (u[k] - wanted[k]);
@@ -217,8 +209,24 @@ class OpenEnds final : public Component<D, Real> {
 
     /// Height of a particle over the depth at the outflow, where no water may be or a drop of it.
     [[nodiscard]] double place_at_outflow(const Flow& flow, std::size_t i) const {
-        return flow.particles.position[Flow::vertical][i] /
-               std::max(flow.clock.open_ends.downstream.depth, lattice_.dz);
+        return over_floor(flow, i, false) / std::max(flow.clock.open_ends.downstream.depth, lattice_.dz);
+    }
+
+    /// Height of a particle over what the water of an end stands on.
+    [[nodiscard]] double over_floor(const Flow& flow, std::size_t i, bool entering) const {
+        return flow.particles.position[Flow::vertical][i] -
+               (entering ? floors_.upstream : floors_.downstream);
+    }
+
+    /// Pressure over the density at a height over the floor of an end.
+    [[nodiscard]] double pressure_of(const EndState& end, double height) const {
+        return sections_.in_duct() ? end.pressure : gravity_ * std::max(0.0, end.depth - height);
+    }
+
+    /// Speed at which news of the flow come to the outflow: of its waves, in a duct of the water.
+    [[nodiscard]] double leaving_speed(const OpenEndsState& state, double depth) const {
+        return sections_.in_duct() ? std::abs(state.downstream.watched_velocity)
+                                   : wave_speed(gravity_, depth);
     }
 
     /// f(particle, lane, whether it enters) for the particles of a block that stand in a buffer, or fall
@@ -239,29 +247,6 @@ class OpenEnds final : public Component<D, Real> {
             });
         }
     }
-
-    /// Depth and velocity within a hat of 2 watch_ beside an end: a row of evenly spaced particles counts
-    /// alike wherever it stands under it.
-    [[nodiscard]] Watched watch(const Flow& flow, std::size_t end) const {
-        const Particles<D>& p = flow.particles;
-        const double width = D == 3 ? flow.c.channel.simulated_width() : 1.0;
-        Watched sums;
-        for (const std::size_t i : watched_[end]) {
-            const double x = end == 0 ? p.position[0][i] : length_ - p.position[0][i];
-            const double u = p.velocity[0][i];
-            const double volume = p.mass[i] / (1.0 + p.density_deviation[i]);
-            sums.fastest = std::max(sums.fastest, std::abs(u));
-            const double hat = volume * hat_at(x);
-            sums.depth += hat;
-            sums.velocity += hat * u;
-        }
-        sums.velocity /= sums.depth > 0.0 ? sums.depth : 1.0;
-        sums.depth /= flow.scheme.density * watch_ * width;
-        return sums;
-    }
-
-    /// Weight of the water at a distance from an end inside of the channel.
-    [[nodiscard]] double hat_at(double x) const { return std::max(0.0, 1.0 - std::abs(x - watch_) / watch_); }
 
     /// Whether a particle is so far below the edge of the bed that its pressure is none.
     [[nodiscard]] bool has_fallen(const Particles<D>& p, std::size_t i) const {
@@ -296,23 +281,23 @@ class OpenEnds final : public Component<D, Real> {
         shape_mean_ = shape().mean_of_rows(state.rows);
         std::vector<Vec<D>> places;
         streams_.fill(state, end.depth, [&](int row, int file, double x) {
-            places.push_back(place_of(row, file, x, state.rows, end.depth));
+            places.push_back(place_of(row, file, x, state.rows, end.depth, floors_.upstream));
         });
-        add(flow, places, end.depth, [&](std::size_t i) { return entering_velocity(flow, i); });
+        add(flow, places, end, true, [&](std::size_t i) { return entering_velocity(flow, i); });
         if (!falls_ && state.downstream.velocity < 0.0) {
             const auto behind = gaps_behind_outflow(flow);
-            add(flow, behind, state.downstream.depth,
+            add(flow, behind, state.downstream, false,
                 [&](std::size_t i) { return leaving_section(flow, i); });
         }
     }
 
-    [[nodiscard]] Vec<D> place_of(int row, int file, double x, int rows, double depth) const {
+    [[nodiscard]] Vec<D> place_of(int row, int file, double x, int rows, double depth, double floor) const {
         Vec<D> place{};
         place[0] = x;
         if constexpr (D == 3) {
             place[1] = lattice_.y(file, row);
         }
-        place[Flow::vertical] = streams_.height_of(row, rows, depth);
+        place[Flow::vertical] = floor + streams_.height_of(row, rows, depth);
         return place;
     }
 
@@ -331,7 +316,7 @@ class OpenEnds final : public Component<D, Real> {
         };
         for (std::size_t i = 0; i < p.size(); ++i) {
             if (p.position[0][i] > length_ - step) {
-                const std::size_t row = index(p.position[Flow::vertical][i] / depth * rows, rows);
+                const std::size_t row = index(over_floor(flow, i, false) / depth * rows, rows);
                 const std::size_t file = D == 3 ? index(p.position[1][i] / lattice_.dy, files) : 0;
                 double& place = last[row * static_cast<std::size_t>(files) + file];
                 place = std::max(place, p.position[0][i]);
@@ -343,16 +328,17 @@ class OpenEnds final : public Component<D, Real> {
                 const auto at = static_cast<std::size_t>(row) * static_cast<std::size_t>(files) +
                                 static_cast<std::size_t>(file);
                 for (double x = last[at] + step; x < length_ + support_; x += step) {
-                    places.push_back(place_of(row, file, x, rows, depth));
+                    places.push_back(place_of(row, file, x, rows, depth, floors_.downstream));
                 }
             }
         }
         return places;
     }
 
-    /// Add particles at places in water of a depth, with the velocity of each by its index.
+    /// Add particles at places beyond an end, with the velocity of each by its index.
     template <class Velocity>
-    void add(Flow& flow, const std::vector<Vec<D>>& places, double depth, const Velocity& velocity) const {
+    void add(Flow& flow, const std::vector<Vec<D>>& places, const EndState& end, bool entering,
+             const Velocity& velocity) const {
         if (places.empty()) {
             return;
         }
@@ -364,8 +350,7 @@ class OpenEnds final : public Component<D, Real> {
             for (std::size_t k = 0; k < Flow::axes; ++k) {
                 p.position[k][i] = places[n][k];
             }
-            const double s =
-                flow.scheme.state.deviation(gravity_ * std::max(0.0, depth - places[n][Flow::vertical]));
+            const double s = flow.scheme.state.deviation(pressure_of(end, over_floor(flow, i, entering)));
             p.density_deviation[i] = s;
             p.mass[i] = flow.scheme.density * (1.0 + s) * lattice_.volume<D>();
             const Vec<D> u = velocity(i);
@@ -382,18 +367,18 @@ class OpenEnds final : public Component<D, Real> {
     double length_;
     bool falls_;  ///< over the edge of the bed at x = L
     double gravity_;
+    EndFloors floors_;
     EndSections sections_;
     LeavingProfile leaving_;
     double travel_;   ///< of water at an end from list build to list build, m
     double support_;  ///< water that must stand beyond an end, m
-    double watch_;    ///< half of the stretch beside an end that is watched: whole spacings, m
+    EndWatch<D, Real> watch_;
     InflowStreams streams_;
-    std::vector<std::uint8_t> near_end_;               ///< by cluster
-    std::array<std::vector<std::size_t>, 2> watched_;  ///< particles at either end
-    double step_ = 0.0;                                ///< dt of the step in progress
-    double kick_ = 0.0;                                ///< dt of the velocities
-    double shape_mean_ = 1.0;                          ///< of the profile over the rows
-    double fastest_ = 0.0;                             ///< at the ends, m/s
+    std::vector<std::uint8_t> near_end_;  ///< by cluster
+    double step_ = 0.0;                   ///< dt of the step in progress
+    double kick_ = 0.0;                   ///< dt of the velocities
+    double shape_mean_ = 1.0;             ///< of the profile over the rows
+    double fastest_ = 0.0;                ///< at the ends, m/s
 };
 
 template <int D, class Real>

@@ -10,6 +10,7 @@
 
 #include "base/error.hpp"
 #include "base/interpolation.hpp"
+#include "case/end_floor.hpp"
 #include "case/flow_kind.hpp"
 #include "case/outline.hpp"
 #include "case/units.hpp"
@@ -27,15 +28,17 @@ std::vector<TableColumn> discharge_columns(const Case& c) {
     return {{"discharge", "m3/s", 1.0 / c.channel.width}, {"unit_discharge", "m2/s"}};
 }
 
-TimeTable depth_table(const Case& c, const std::optional<double>& depth, const std::filesystem::path& file) {
+/// A level over the datum as the depth over a floor.
+TimeTable depth_table(const Case& c, const std::optional<double>& depth, const std::filesystem::path& file,
+                      double floor) {
     if (depth) {
-        return TimeTable(*depth + c.datum());
+        return TimeTable(*depth + c.datum() - floor);
     }
-    constexpr double least = 1e-6;
-    return read_time_table(file, {{"depth", "m", 1.0, c.datum()}}, least);
+    const double least = 1e-6 + std::max(0.0, floor - c.datum());
+    return read_time_table(file, {{"depth", "m", 1.0, c.datum() - floor}}, least);
 }
 
-VelocityShape profile_from_file(const Case& c) {
+VelocityShape profile_from_file(const Case& c, double floor) {
     const ProfileRecord record = read_profile_record(c.inflow.profile_file);
     const ProfileColumn* const velocity = record.find(ProfileQuantity::velocity);
     if (velocity == nullptr) {
@@ -48,7 +51,7 @@ VelocityShape profile_from_file(const Case& c) {
             throw FileError(
                 fmt::format("{}: u has no value here; fill the hole or leave the row out", record.place(i)));
         }
-        height.push_back(record.z[i] + c.datum());
+        height.push_back(record.z[i] + c.datum() - floor);
         mean += velocity->values[i];
     }
     if (!(mean > 0.0)) {
@@ -56,11 +59,11 @@ VelocityShape profile_from_file(const Case& c) {
                                     c.inflow.profile_file.string(),
                                     mean / static_cast<double>(height.size())));
     }
-    return {height, velocity->values, c.total_depth()};
+    return {height, velocity->values, c.total_depth() - floor};
 }
 
-VelocityShape shape_of(const Case& c, const std::optional<TimeTable>& unit_discharge) {
-    const double depth = c.total_depth();
+VelocityShape shape_of(const Case& c, const std::optional<TimeTable>& unit_discharge, double floor) {
+    const double depth = c.total_depth() - floor;
     constexpr int points = 400;
     const auto from_law = [&](const auto& law) {
         std::vector<double> height;
@@ -76,31 +79,31 @@ VelocityShape shape_of(const Case& c, const std::optional<TimeTable>& unit_disch
             const double q = unit_discharge && unit_discharge->at(0.0) > 0.0 ? unit_discharge->at(0.0)
                              : c.streamwise_gravity() > 0.0                  ? uniform_unit_discharge(c)
                                                                              : 0.1 * depth;
-            const CarryingColumn twin = carrying_column(c, c.channel.depth, q);
+            const CarryingColumn twin = carrying_column(c, c.channel.depth - floor, q);
             return {twin.column.profile.z, twin.column.profile.velocity, depth};
         }
         case InflowProfile::power_law:
             return from_law([&](double z) { return std::pow(z / depth, 1.0 / c.inflow.exponent); });
         case InflowProfile::log_law:
             return from_law([&](double z) {
-                const double over_datum = std::max(0.0, z - c.datum());
+                const double over_datum = floor > 0.0 ? z : std::max(0.0, z - c.datum());
                 return std::log(1.0 + 30.0 * over_datum / c.inflow.equivalent_roughness);
             });
         case InflowProfile::file:
-            return profile_from_file(c);
+            return profile_from_file(c, floor);
         case InflowProfile::uniform:
             break;
     }
     return {};
 }
 
-std::function<double(double, double)> outflow_rule(const Case& c) {
+std::function<double(double, double)> outflow_rule(const Case& c, double floor) {
     const Outflow& outflow = c.outflow;
     const double g = c.normal_gravity();
     const double datum = c.datum();
     switch (outflow.kind) {
         case OutflowKind::depth:
-            return [table = depth_table(c, outflow.depth, outflow.depth_file)](double, double time) {
+            return [table = depth_table(c, outflow.depth, outflow.depth_file, floor)](double, double time) {
                 return table.at(time);
             };
         case OutflowKind::normal_depth: {
@@ -110,7 +113,8 @@ std::function<double(double, double)> outflow_rule(const Case& c) {
         case OutflowKind::critical_depth:
             return [g](double q, double) { return critical_depth_of(g, q); };
         case OutflowKind::weir:
-            return [g, crest = outflow.weir_height + datum, cd = outflow.weir_coefficient](double q, double) {
+            return [g, crest = outflow.weir_height + datum - floor, cd = outflow.weir_coefficient](double q,
+                                                                                                   double) {
                 return crest + std::pow(std::max(0.0, q) * 1.5 / (cd * std::sqrt(2.0 * g)), 2.0 / 3.0);
             };
         case OutflowKind::rating_curve: {
@@ -120,15 +124,30 @@ std::function<double(double, double)> outflow_rule(const Case& c) {
                 throw FileError(fmt::format("{}: the discharge does not rise with the depth",
                                             outflow.rating_file.string()));
             }
-            return [rating = std::move(rating), datum](double q, double) {
-                return place_in(rating.second, q).in(rating.first) + datum;
+            return [rating = std::move(rating), over = datum - floor](double q, double) {
+                return place_in(rating.second, q).in(rating.first) + over;
             };
         }
         case OutflowKind::free:
         case OutflowKind::free_fall:
+        case OutflowKind::pressure:
             break;
     }
     return {};
+}
+
+/// What the ends of a duct need beside it.
+void add_duct(const Case& c, EndInput& input) {
+    input.duct_height = c.total_depth();
+    const double narrow = c.total_depth() - end_floors(c).upstream;
+    const double velocity = input.shape.largest() * input.unit_discharge->largest() / narrow;
+    // Only differences of the pressure act; so the water is nowhere under tension.
+    input.outflow_pressure = velocity * velocity;
+    // Sound passes the duct in L/c0, twice as long as which lets most of it out; the sound speed is at least
+    // ten times the velocity.
+    const double time = velocity > 0.0 ? 0.1 * c.channel.length / velocity : 0.0;
+    input.inflow_relaxation_time = c.inflow.relaxation_time.value_or(time);
+    input.relaxation_time = c.outflow.relaxation_time.value_or(time);
 }
 
 double default_relaxation_time(const Case& c) {
@@ -147,11 +166,16 @@ EndInput read_end_input(const Case& c) {
     } else if (const auto q = c.inflow_unit_discharge()) {
         input.unit_discharge = TimeTable(*q);
     }
+    const EndFloors floors = end_floors(c);
     if (c.inflow.gives_depth()) {
-        input.inflow_depth = depth_table(c, c.inflow.depth, c.inflow.depth_file);
+        input.inflow_depth = depth_table(c, c.inflow.depth, c.inflow.depth_file, floors.upstream);
     }
-    input.shape = shape_of(c, input.unit_discharge);
-    input.outflow_depth = outflow_rule(c);
+    input.shape = shape_of(c, input.unit_discharge, floors.upstream);
+    if (is_duct(c)) {
+        add_duct(c, input);
+        return input;
+    }
+    input.outflow_depth = outflow_rule(c, floors.downstream);
     constexpr double times = 5.0;
     input.inflow_relaxation_time =
         c.inflow.relaxation_time.value_or(times * std::sqrt(c.total_depth() / c.normal_gravity()));
@@ -169,22 +193,28 @@ double start_unit_discharge(const Case& c, const EndInput& input) {
 EndExtremes end_extremes(const Case& c, const EndInput& input) {
     const double g = c.normal_gravity();
     const double q = input.unit_discharge ? input.unit_discharge->largest() : start_unit_discharge(c, input);
+    const EndFloors floors = end_floors(c);
+    const double floor = std::max(floors.upstream, floors.downstream);
     EndExtremes extremes{.depth = c.total_depth(), .velocity = 0.0};
-    double least_depth = c.total_depth();
+    double least_depth = c.total_depth() - floor;
+    if (is_duct(c)) {
+        extremes.velocity = std::max(input.shape.largest() * q / least_depth, c.start.velocity.value_or(0.0));
+        return extremes;
+    }
     if (input.inflow_depth) {
-        extremes.depth = std::max(extremes.depth, input.inflow_depth->largest());
+        extremes.depth = std::max(extremes.depth, floors.upstream + input.inflow_depth->largest());
         least_depth = std::min(least_depth, input.inflow_depth->smallest());
     }
     if (c.outflow.kind == OutflowKind::depth) {
-        extremes.depth = std::max(extremes.depth, input.outflow_depth(q, 0.0));
+        extremes.depth = std::max(extremes.depth, floors.downstream + input.outflow_depth(q, 0.0));
     } else if (input.outflow_depth) {
         const double depth = input.outflow_depth(q, 0.0);
-        extremes.depth = std::max(extremes.depth, depth);
+        extremes.depth = std::max(extremes.depth, floors.downstream + depth);
         least_depth = std::min(least_depth, depth);
     }
     // Water that rises to carry a flood moves no faster than critical flow, unless it comes in so.
     const double critical = critical_depth_of(g, q);
-    extremes.depth = std::max(extremes.depth, critical);
+    extremes.depth = std::max(extremes.depth, floor + critical);
     const double shallow = input.inflow_depth ? least_depth : std::max(least_depth, critical);
     extremes.velocity =
         std::max(shallow > 0.0 ? input.shape.largest() * q / shallow : 0.0, c.start.velocity.value_or(0.0));
@@ -193,9 +223,11 @@ EndExtremes end_extremes(const Case& c, const EndInput& input) {
 
 std::function<double(double)> start_depths(const Case& c, const EndInput& input) {
     if (!c.start.water_x.empty()) {
-        // Where the outline leaves the bed dry, the depth is 0.
-        return [water = Outline{c.start.water_x, c.start.water_z}, length = c.channel.length](double x) {
-            return ceiling_above(water, within_ends(x, length), 0.0);
+        // Where the outline leaves the bed, or the solid there, dry, the depth is that of its top.
+        return [of = std::make_shared<const Case>(c),
+                water = Outline{c.start.water_x, c.start.water_z}](double x) {
+            const double place = within_ends(x, of->channel.length);
+            return ceiling_above(water, place, floor_at(*of, place));
         };
     }
     if (c.start.kind != StartKind::backwater) {

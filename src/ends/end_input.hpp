@@ -9,7 +9,8 @@
 
 namespace riffle {
 
-/// What a case with open ends says of them, files read. Depths are those of the whole water, H, m.
+/// What a case with open ends says of them, files read. Depths are those of the whole water over what it
+/// stands on there (end_floors()), m.
 struct EndInput {
     std::optional<TimeTable> unit_discharge;  ///< q at the inflow, m2/s
     std::optional<TimeTable> inflow_depth;
@@ -17,8 +18,10 @@ struct EndInput {
     /// Depth that rules the outflow, from the discharge that leaves (m2/s) and the time (s); none where
     /// nothing does.
     std::function<double(double unit_discharge, double time)> outflow_depth;
-    double relaxation_time = 0.0;         ///< of the depth at the outflow, s
+    double relaxation_time = 0.0;         ///< of the depth or the pressure at the outflow, s
     double inflow_relaxation_time = 0.0;  ///< of the discharge at the inflow, s
+    double duct_height = 0.0;             ///< of the channel under a wall at its top, m; 0: a free surface
+    double outflow_pressure = 0.0;        ///< of a duct, over the density, m2/s2
 };
 
 /// Read it. Throws FileError or InputError that name file, line or key where something does not hold.

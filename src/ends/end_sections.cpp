@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ends/duct_section.hpp"
+
 namespace riffle {
 
 namespace {
@@ -21,11 +23,40 @@ EndState EndSections::start(double depth, double unit_discharge) const {
     end.velocity = depth > 0.0 ? unit_discharge / depth : 0.0;
     end.watched_depth = end.depth;
     end.watched_velocity = end.velocity;
+    if (in_duct()) {
+        end.pressure = input_.outflow_pressure;
+        end.watched_pressure = end.pressure;
+        end.coming = end.velocity - end.pressure / sound_speed_;
+        return end;
+    }
     end.coming = end.velocity - 2.0 * wave_speed(gravity_, end.depth);
     return end;
 }
 
+void EndSections::follow_duct_upstream(EndState& end, double time, double dt) const {
+    end.coming = end.watched_velocity - end.watched_pressure / sound_speed_;
+    const double wanted = input_.unit_discharge->at(time) / end.depth;
+    const double before = input_.unit_discharge->at(time - dt) / end.depth;
+    const DuctSection section = duct_inflow(sound_speed_, {end.velocity, end.pressure}, end.coming, wanted,
+                                            wanted - before, input_.inflow_relaxation_time, dt);
+    end.velocity = section.velocity;
+    end.pressure = section.pressure;
+}
+
+void EndSections::follow_duct_downstream(EndState& end, double dt) const {
+    const double going = end.watched_velocity + end.watched_pressure / sound_speed_;
+    const DuctSection now = duct_section(sound_speed_, going, end.coming);
+    end.coming += duct_relaxation(sound_speed_, now, input_.outflow_pressure, input_.relaxation_time, dt);
+    const DuctSection section = duct_section(sound_speed_, going, end.coming);
+    end.velocity = section.velocity;
+    end.pressure = section.pressure;
+}
+
 void EndSections::follow_upstream(EndState& end, double time, double dt) const {
+    if (in_duct()) {
+        follow_duct_upstream(end, time, dt);
+        return;
+    }
     end.coming = end.watched_velocity - 2.0 * wave_speed(gravity_, end.watched_depth);
     Section section;
     if (input_.inflow_depth && input_.unit_discharge) {
@@ -58,16 +89,25 @@ Section EndSections::section_of_discharge(const EndState& end, double time, doub
 }
 
 void EndSections::follow_downstream(EndState& end, double time, double dt) const {
+    if (in_duct()) {
+        follow_duct_downstream(end, dt);
+        return;
+    }
     const double c = wave_speed(gravity_, end.watched_depth);
     const double going = end.watched_velocity + 2.0 * c;
-    // Where the flow is supercritical, or dry, nothing comes up from outside.
-    const bool ruled = input_.outflow_depth && end.watched_velocity < c;
+    const Section watched{end.watched_depth, end.watched_velocity};
+    const double q = watched.velocity * watched.depth;
+    // Where the flow is dry, or supercritical, nothing comes up from outside, unless it is so deep there that
+    // it drives a jump up the channel.
+    const bool ruled =
+        input_.outflow_depth &&
+        (watched.velocity < c ||
+         (watched.depth > least_depth_ && input_.outflow_depth(q, time) > sequent_depth(gravity_, watched)));
     if (!ruled) {
         end.coming = end.watched_velocity - 2.0 * c;
     }
     Section section = outflow_between(gravity_, going, end.coming);
     if (ruled) {
-        const double q = end.watched_velocity * end.watched_depth;
         section.depth = std::max(section.depth, least_depth_);
         end.coming +=
             relaxation(gravity_, section, input_.outflow_depth(q, time), input_.relaxation_time, dt);

@@ -13,10 +13,16 @@ namespace riffle {
 class EndSections {
   public:
     /// `least_depth`: below it the water at an end is a film or a drop, m.
-    EndSections(EndInput input, double gravity, double least_depth)
-        : input_(std::move(input)), gravity_(gravity), least_depth_(least_depth) {}
+    EndSections(EndInput input, double gravity, double sound_speed, double least_depth)
+        : input_(std::move(input)), gravity_(gravity), sound_speed_(sound_speed), least_depth_(least_depth) {}
 
     [[nodiscard]] const EndInput& input() const { return input_; }
+    /// Whether the ends are those of a duct.
+    [[nodiscard]] bool in_duct() const { return input_.duct_height > 0.0; }
+    /// Speed of the waves that reach the ends, m/s: long waves of a depth, or sound in a duct.
+    [[nodiscard]] double signal_speed(double depth) const {
+        return in_duct() ? sound_speed_ : wave_speed(gravity_, depth);
+    }
 
     /// The state of an end where the start has a depth (m) and carries a discharge (m2/s).
     [[nodiscard]] EndState start(double depth, double unit_discharge) const;
@@ -26,10 +32,13 @@ class EndSections {
     void follow_downstream(EndState& end, double time, double dt) const;
 
   private:
+    void follow_duct_upstream(EndState& end, double time, double dt) const;
+    void follow_duct_downstream(EndState& end, double dt) const;
     [[nodiscard]] Section section_of_discharge(const EndState& end, double time, double dt) const;
 
     EndInput input_;
     double gravity_;
+    double sound_speed_;
     double least_depth_;
 };
 

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ends/section_state.hpp"
-
 namespace riffle {
 
 void LeavingProfile::clear(const OpenEndsState& state) {
@@ -13,8 +11,8 @@ void LeavingProfile::clear(const OpenEndsState& state) {
     flux_.assign(state.leaving.size(), 0.0);
 }
 
-void LeavingProfile::finish(OpenEndsState& state, double gravity, double dt) {
-    const double share = std::min(1.0, dt * wave_speed(gravity, depth_) / depth_);
+void LeavingProfile::finish(OpenEndsState& state, double speed, double dt) {
+    const double share = std::min(1.0, dt * speed / depth_);
     double mean = 0.0;
     for (std::size_t bin = 0; bin < state.leaving.size(); ++bin) {
         if (weight_[bin] > 0.0) {

@@ -22,9 +22,10 @@ class LeavingProfile {
         weight_[bin] += weight;
         flux_[bin] += weight * velocity;
     }
-    /// Take over what has been gathered in a step of dt (s). The mean of the profile is then that of the
-    /// section: by a factor, so that slow water stays slow, unless the flow turns.
-    void finish(OpenEndsState& state, double gravity, double dt);
+    /// Take over what has been gathered in a step of dt (s), smoothed over the time of a depth at a speed
+    /// (m/s). The mean of the profile is then that of the section: by a factor, so that slow water stays
+    /// slow, unless the flow turns.
+    void finish(OpenEndsState& state, double speed, double dt);
 
     /// Velocity along the channel at z/h. While the flow as a whole leaves, none of it comes back: nothing
     /// would be there to come.

@@ -11,8 +11,8 @@ namespace {
 /// f(number) for each number of an end.
 template <class End, class F>
 void for_each_number(End& end, const F& f) {
-    for (auto* const number : {&end.watched_depth, &end.watched_velocity, &end.depth, &end.velocity,
-                               &end.depth_rate, &end.coming}) {
+    for (auto* const number : {&end.watched_depth, &end.watched_velocity, &end.watched_pressure, &end.depth,
+                               &end.velocity, &end.depth_rate, &end.pressure, &end.coming}) {
         f(*number);
     }
 }
@@ -25,7 +25,7 @@ void for_each_amount(Ledger& ledger, const F& f) {
     }
 }
 
-constexpr std::size_t fixed_numbers = 21;
+constexpr std::size_t fixed_numbers = 25;
 
 }  // namespace
 

@@ -22,11 +22,14 @@ struct EndState {
     // Watched inside of the channel, smoothed in time.
     double watched_depth = 0.0;     ///< m, of the whole water
     double watched_velocity = 0.0;  ///< depth mean, m/s
+    double watched_pressure = 0.0;  ///< of a duct, over the density, m2/s2
     // The section that the end follows from it.
     double depth = 0.0;
     double velocity = 0.0;
     double depth_rate = 0.0;  ///< m/s
-    double coming = 0.0;      ///< invariant U - 2 c: upstream watched, downstream what enters, m/s
+    double pressure = 0.0;    ///< of a duct, over the density, m2/s2
+    double coming = 0.0;      ///< invariant U - 2 c, of a duct U - p/(rho c0): upstream watched, downstream
+                              ///< what enters, m/s
 
     bool operator==(const EndState&) const = default;
 };

@@ -11,6 +11,12 @@ double critical_depth_of(double gravity, double unit_discharge) {
     return std::cbrt(unit_discharge * unit_discharge / gravity);
 }
 
+double sequent_depth(double gravity, const Section& before) {
+    const double c = wave_speed(gravity, before.depth);
+    const double froude = c > 0.0 ? before.velocity / c : 0.0;
+    return 0.5 * before.depth * (std::sqrt(1.0 + 8.0 * froude * froude) - 1.0);
+}
+
 Section inflow_by_discharge(double gravity, double unit_discharge, double coming) {
     // g q/c^2 - 2 c = coming has one root: the left side falls and is convex, so that Newton's steps rise to
     // it from the second one on.

@@ -17,6 +17,9 @@ struct Section {
 /// Depth of critical flow with a discharge, m: (q^2/g)^(1/3).
 [[nodiscard]] double critical_depth_of(double gravity, double unit_discharge);
 
+/// Depth behind a jump from a section, m: where the momentum function is the same (Bélanger).
+[[nodiscard]] double sequent_depth(double gravity, const Section& before);
+
 /// Subcritical section at the upstream end with a discharge (m2/s), where the invariant U - 2 c = `coming`
 /// comes up the channel. Not shallower than critical flow: below that nothing comes up.
 [[nodiscard]] Section inflow_by_discharge(double gravity, double unit_discharge, double coming);

@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "case/end_buffers.hpp"
 #include "case/outline.hpp"
 #include "case/units.hpp"
-#include "particles/end_buffers.hpp"
 #include "particles/lattice.hpp"
 
 namespace riffle {

@@ -7,9 +7,9 @@
 #include <random>
 
 #include "base/notice.hpp"
+#include "case/end_buffers.hpp"
 #include "case/outline.hpp"
 #include "case/solid_mesh.hpp"
-#include "particles/end_buffers.hpp"
 
 namespace riffle {
 

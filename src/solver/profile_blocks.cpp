@@ -8,7 +8,7 @@
 #include "base/due_times.hpp"
 #include "base/interpolation.hpp"
 #include "base/parallel.hpp"
-#include "particles/end_buffers.hpp"
+#include "case/end_buffers.hpp"
 #include "particles/lattice.hpp"
 #include "statistics/confidence.hpp"
 

@@ -8,7 +8,8 @@
 #include <string>
 
 #include "base/parallel.hpp"
-#include "particles/end_buffers.hpp"
+#include "case/end_buffers.hpp"
+#include "case/end_floor.hpp"
 #include "particles/lattice.hpp"
 #include "record/flow_fields.hpp"
 #include "solver/furthest.hpp"
@@ -200,9 +201,10 @@ void TimeSeries::sample_ends(const SimulationIn<D>& simulation) {
     const auto add = [&](const Field& field, double value) { values_of(field).push_back(value); };
     const auto& series = fields::time_series;
     add(series.inflow_discharge, width * ends.upstream.depth * ends.upstream.velocity);
-    add(series.inflow_depth, ends.upstream.depth);
+    const EndFloors floors = end_floors(case_);
+    add(series.inflow_depth, floors.upstream + ends.upstream.depth);
     add(series.outflow_discharge, width * ends.downstream.depth * ends.downstream.velocity);
-    add(series.outflow_depth, ends.downstream.depth);
+    add(series.outflow_depth, floors.downstream + ends.downstream.depth);
     add(series.particles_stored, static_cast<double>(p.size()));
     add(series.particles_entered, static_cast<double>(ends.ledger.entered));
     add(series.particles_left, static_cast<double>(ends.ledger.left));

@@ -1,9 +1,13 @@
 #include "solver/start.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "base/error.hpp"
+#include "case/end_floor.hpp"
+#include "case/flow_kind.hpp"
+#include "case/outline.hpp"
 #include "ends/end_input.hpp"
 #include "particles/lattice.hpp"
 #include "solver/start_perturbation.hpp"
@@ -95,12 +99,18 @@ class OpenStart {
           unit_discharge_(start_unit_discharge(c, input_)),
           depth(start_depths(c, input_)) {}
 
-    [[nodiscard]] double velocity(double x, double z) const {
-        const double water = depth(x);
+    /// Pressure over the density that a duct starts with.
+    [[nodiscard]] double pressure() const { return input_.outflow_pressure; }
+
+    [[nodiscard]] double velocity(double x, double height) const {
+        if (c_.start.kind == StartKind::rest) {
+            return 0.0;
+        }
+        const double floor = floor_at(c_, within_ends(x, c_.channel.length));
+        const double water = std::max(depth(x) - floor, c_.numerics.spacing);
+        const double z = height - floor;
         const double mean = c_.start.velocity.value_or(unit_discharge_ / water);
         switch (c_.start.kind) {
-            case StartKind::rest:
-                return 0.0;
             case StartKind::uniform:
                 return mean;
             case StartKind::power_law: {
@@ -150,6 +160,9 @@ Particles<D> initial_particles(const Case& c, const Scheme& scheme, const Column
     }
     if (c.start.kind == StartKind::taylor_green) {
         start_taylor_green(c, scheme, particles, extra_pressure);
+    }
+    if (is_duct(c)) {
+        extra_pressure.assign(n, open->pressure());
     }
     if (c.channel.lid_velocity != 0.0) {
         // A box without a surface has no pressure of its own; with that of the lid's velocity it does not

@@ -140,6 +140,42 @@ TEST(OpenEnds, SupercriticalFlowPasses) {
 
 // The depth at the outflow rises by a tenth in a second: the water must come back from there, and the buffer
 // stay full.
+/// Mean from one time to another of the depth within `half` of a place along the channel, m, sampled each
+/// 0.02 s.
+double mean_depth(OpenRun<2>& run, double place, double half, double from, double to) {
+    double area = 0.0;
+    double samples = 0.0;
+    for (double time = from; time < to; time += 0.02) {
+        run.advance_to(time);
+        const auto& p = run.simulation->particles();
+        for (std::size_t i = 0; i < p.size(); ++i) {
+            area += std::abs(p.position[0][i] - place) < half ? p.mass[i] / 1000.0 : 0.0;
+        }
+        samples += 1.0;
+    }
+    return area / samples / (2.0 * half);
+}
+
+// A tailwater deeper than the depth that the flow can jump to drives a jump up the channel, and the flow
+// leaves at its depth.
+TEST(OpenEnds, ATailwaterDrivesAJumpUpTheChannel) {
+    const double h = 0.02;
+    const double q = 2.0 * std::sqrt(9.81 * h) * h;  // Fr = 2: it can jump to 47 mm
+    OpenRun<2> run(
+        "[channel]\nslope = 0\ndepth = 0.055\nlength = 0.4\nends = \"open\"\n[bed]\nkind = \"slip\"\n[turbulence]\n"
+        "closure = \"none\"\n" +
+        inflow(q) +
+        "depth = 0.02\nprofile = \"uniform\"\n[outflow]\nkind = \"depth\"\ndepth = 0.055\nrelaxation_time = 0.2\n[numerics]\n"
+        "preset = \"violent\"\nspacing = 0.0025\n[start]\nkind = \"uniform\"\nwater_x = [0, 0.4, 0.4, 0]\nwater_z = "
+        "[0, 0, 0.02, 0.02]\n[run]\nuntil = \"1 s\"\n");
+    const std::size_t at_start = initial_particles<2>(run.c, run.simulation->scheme(), nullptr).size();
+    EXPECT_GT(run.ends().downstream.velocity, wave_speed(9.81, run.ends().downstream.depth));
+    const double depth_before_end = mean_depth(run, 0.35, 0.03, 1.8, 2.4);
+    expect_account_closes(run, at_start);
+    EXPECT_NEAR(depth_before_end / 0.055, 1.0, 0.1);
+    EXPECT_LT(run.ends().downstream.velocity, wave_speed(9.81, run.ends().downstream.depth));
+}
+
 TEST(OpenEnds, AFlowThatTurnsRoundFillsTheChannelFromItsOutflow) {
     const test::TemporaryFolder folder;
     std::ofstream(folder / "tide.csv") << "time,depth\n0,0.02\n1,0.022\n";
@@ -197,22 +233,6 @@ std::string overfall(double unit_discharge) {
            "[run]\nuntil = \"1 s\"\n";
 }
 
-/// Mean from one time to another of the depth within `half` of a place along the channel, m, sampled each
-/// 0.02 s.
-double mean_depth(OpenRun<2>& run, double place, double half, double from, double to) {
-    double area = 0.0;
-    double samples = 0.0;
-    for (double time = from; time < to; time += 0.02) {
-        run.advance_to(time);
-        const auto& p = run.simulation->particles();
-        for (std::size_t i = 0; i < p.size(); ++i) {
-            area += std::abs(p.position[0][i] - place) < half ? p.mass[i] / 1000.0 : 0.0;
-        }
-        samples += 1.0;
-    }
-    return area / samples / (2.0 * half);
-}
-
 // Over the edge of a bed that ends the depth is 0.715 of the critical one (Rouse 1936).
 TEST(OpenEnds, AnOverfallHasItsDepthOverTheEdge) {
     const double q = 0.06;
@@ -249,12 +269,95 @@ TEST(OpenEnds, WaterGoesOverAWeirAndLeavesOverADryBed) {
     EXPECT_NEAR(came / rating(level - 0.1), 1.0, 0.05);
 }
 
+/// A laminar duct that doubles its height in a step, which reaches through the inflow.
+std::string duct(const std::string& step) {
+    return "[channel]\nslope = 0\ndepth = 0.02\nlength = 0.12\nends = \"open\"\ntop = \"wall\"\n[bed]\nkind = "
+           "\"no-slip\"\n[turbulence]\nclosure = \"none\"\n[fluid]\nkinematic_viscosity = 1e-4\n" +
+           inflow(2e-3) +
+           "[outflow]\nkind = \"pressure\"\n[numerics]\nspacing = 0.00125\n[start]\nkind = \"uniform\"\n" +
+           step + "[run]\nuntil = \"1 s\"\n";
+}
+
+const std::string step_through_inflow =
+    "[[solid]]\nname = \"step\"\nx = [-0.05, 0.04, 0.04, -0.05]\nz = [0, 0, 0.01, 0.01]\n";
+
+// Through a duct the discharge goes with the parabola of its height, and the pressure falls by 12 nu q/H^3.
+TEST(OpenEnds, ADuctHasThePressureOfPoiseuille) {
+    OpenRun<2> run(duct(""));
+    const std::size_t at_start = initial_particles<2>(run.c, run.simulation->scheme(), nullptr).size();
+    const double height = 0.02;
+    const double mean = 2e-3 / height;
+    double squares = 0.0;
+    double count = 0.0;
+    double slope_sum = 0.0;
+    double weight = 0.0;
+    for (double time = 1.0; time < 2.0; time += 0.05) {
+        run.advance_to(time);
+        const auto& p = run.simulation->particles();
+        for (std::size_t i = 0; i < p.size(); ++i) {
+            const double x = p.position[0][i];
+            if (x < 0.02 || x > 0.1) {
+                continue;
+            }
+            const double place = p.position[1][i] / height;
+            squares += std::pow(p.velocity[0][i] / mean - 6.0 * place * (1.0 - place), 2);
+            count += 1.0;
+            const double pressure = run.simulation->scheme().state.pressure(p.density_deviation[i]);
+            slope_sum -= (x - 0.06) * pressure;
+            weight += (x - 0.06) * (x - 0.06);
+        }
+    }
+    EXPECT_LT(std::sqrt(squares / count), 0.02);
+    EXPECT_NEAR(slope_sum / weight / (12.0 * 1e-4 * 2e-3 / std::pow(height, 3)), 1.0, 0.05);
+    expect_account_closes(run, at_start);
+}
+
+// Whatever enters a duct leaves it, and the water that comes over a step parts from it: it runs back at the
+// bed behind it.
+TEST(OpenEnds, WaterPartsFromAStepThroughTheInflow) {
+    OpenRun<2> run(duct(step_through_inflow));
+    const std::size_t at_start = initial_particles<2>(run.c, run.simulation->scheme(), nullptr).size();
+    run.advance_to(1.0);
+    expect_account_closes(run, at_start);
+    EXPECT_NEAR(run.ends().upstream.velocity * run.ends().upstream.depth / 2e-3, 1.0, 0.01);
+    EXPECT_NEAR(run.ends().downstream.velocity * run.ends().downstream.depth / 2e-3, 1.0, 0.02);
+    const auto& p = run.simulation->particles();
+    double back = 0.0;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        const double x = p.position[0][i];
+        const double z = p.position[1][i];
+        EXPECT_FALSE(x < 0.04 && z < 0.01 - 2e-4) << "in the step at x = " << x << ", z = " << z;
+        back += x > 0.042 && x < 0.05 && z < 0.003 ? p.velocity[0][i] : 0.0;
+    }
+    EXPECT_LT(back, 0.0);
+}
+
+// A solid through both ends is a bed: supercritical flow passes over it as it does over the bed.
+TEST(OpenEnds, ASolidThroughBothEndsIsABed) {
+    const double h = 0.02;
+    const double q = 2.0 * std::sqrt(9.81 * h) * h;
+    const std::string text =
+        "[channel]\nslope = 0\ndepth = 0.03\nlength = 0.1\nends = \"open\"\n[bed]\nkind = \"slip\"\n"
+        "[turbulence]\nclosure = \"none\"\n" +
+        inflow(q) +
+        "depth = 0.03\nprofile = \"uniform\"\n[outflow]\nkind = \"free\"\n[numerics]\nspacing = 0.002\n"
+        "[start]\nkind = \"uniform\"\n[[solid]]\nname = \"bed\"\nx = [-0.1, 0.2, 0.2, -0.1]\n"
+        "z = [0, 0, 0.01, 0.01]\nsurface = \"slip\"\n[run]\nuntil = \"1 s\"\n";
+    OpenRun<2> run(text);
+    const std::size_t at_start = initial_particles<2>(run.c, run.simulation->scheme(), nullptr).size();
+    run.advance_to(0.5);
+    expect_account_closes(run, at_start);
+    EXPECT_NEAR(run.ends().upstream.depth, h, 1e-9);
+    EXPECT_NEAR(run.ends().downstream.depth, h, 0.01 * h);
+    EXPECT_NEAR(run.ends().downstream.velocity, q / h, 0.01 * q / h);
+}
+
 class OpenEndsBits : public ::testing::TestWithParam<std::string> {};
 
 INSTANTIATE_TEST_SUITE_P(OpenEnds, OpenEndsBits,
                          ::testing::Values(laminar_channel(inflow(1.2 * laminar_discharge()) +
                                                            "[outflow]\nkind = \"critical-depth\"\n"),
-                                           overfall(0.06), weir(0.03, 0.16)));
+                                           overfall(0.06), weir(0.03, 0.16), duct(step_through_inflow)));
 
 TEST_P(OpenEndsBits, TheSameForAnyNumberOfThreadsAndAfterARestore) {
     const std::string& text = GetParam();

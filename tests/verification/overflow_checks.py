@@ -7,17 +7,11 @@ import numpy
 
 import figures
 from check import Check
-from open_end_checks import account
+from open_end_checks import account, depth_by_area
 from options import options_text
 
 WEIR_HEIGHT = 0.3
 CREST_LENGTH = 0.3
-
-
-def depth_by_area(flow, place, half, start):
-    """Area of the water within `half` of a place over its length, mean over the snapshots from a time on, m."""
-    volume = flow.spacing**2
-    return float(numpy.mean([(numpy.abs(s.x - place) < half).sum() * volume / (2 * half) for s in flow.snapshots() if s.time >= start]))
 
 
 def overfall(study):
@@ -102,4 +96,39 @@ def broad_weir(study):
                  [0.09, 0.105, 0.12, 0.15, 0.18])
 
 
-CHECKS = {"open_overfall": overfall, "open_sharp_weir": sharp_weir, "open_broad_weir": broad_weir}
+def _height_of_pool(flow, place, width, start):
+    """Height up to which water fills the space beside a place without a gap, mean over the snapshots from a time on, m."""
+    step = 2 * flow.spacing
+    filled = numpy.zeros(round(flow.depth / step))
+    for s in flow.snapshots():
+        if s.time >= start:
+            near = (s.x >= place) & (s.x < place + width)
+            filled += numpy.histogram(s.z[near], step * numpy.arange(len(filled) + 1))[0]
+    filled /= filled[0]
+    gap = int(numpy.argmax(filled < 0.5))
+    return step * (gap - 0.5 + float(numpy.interp(0.5, [filled[gap], filled[gap - 1]], [1, 0])))
+
+
+def drop_structure(study):
+    case = "cases/open-ends/drop.toml"
+    check = Check("open_drop", "Drop",
+                  "Subcritical flow over a drop: the depth behind it, the pool under the nappe and the length of the drop against Rand (1955).")
+    flow = study.run("open_drop", case)
+    start = flow.parameters["run"]["average_from"]
+    height, edge = max(flow.parameters["solid"][0]["z"]), max(flow.parameters["solid"][0]["x"])
+    q = float(flow.series["inflow_discharge"][flow.series["time"] > start].mean())
+    number = q**2 / (flow.gravity_z * height**3)
+    behind = depth_by_area(flow, edge + 0.5, 0.2, start)
+    check.norm("depth behind the drop against 0.54 h D^0.425", behind / (0.54 * height * number**0.425) - 1, 0.08)
+    check.norm("depth of the pool against h D^0.22", _height_of_pool(flow, edge, 6 * flow.spacing, start) / (height * number**0.22) - 1, 0.08)
+    places = numpy.arange(0.02, 0.4, 2 * flow.spacing)
+    depth = numpy.array([depth_by_area(flow, edge + p, 2 * flow.spacing, start) for p in places])
+    impact = int(numpy.argmax(depth < 0.5 * height))
+    length = places[impact + int(numpy.argmax(depth[impact:] < 1.05 * behind))]
+    check.norm("length up to where the depth is that, against 4.3 h D^0.27", float(length / (4.3 * height * number**0.27) - 1), 0.08)
+    check.best, check.cost = options_text(flow), flow.cost_text
+    account(check, flow)
+    return check
+
+
+CHECKS = {"open_drop": drop_structure, "open_overfall": overfall, "open_sharp_weir": sharp_weir, "open_broad_weir": broad_weir}

@@ -42,6 +42,20 @@ inline Case open_channel() {
     return c;
 }
 
+/// Over a solid 10 mm high that reaches through the inflow.
+inline Case open_channel_over_step() {
+    Case c = open_channel();
+    c.inflow.profile = InflowProfile::uniform;
+    c.outflow.kind = OutflowKind::critical_depth;
+    c.start.kind = StartKind::rest;
+    Solid step;
+    step.name = "step";
+    step.x = {-0.2, 0.1, 0.1, -0.2};
+    step.z = {0.0, 0.0, 0.01, 0.01};
+    c.solids.push_back(step);
+    return c;
+}
+
 inline Case open_channel_with_solid() {
     Case c = open_channel();
     c.outflow.kind = OutflowKind::critical_depth;
@@ -92,6 +106,29 @@ inline Case plates() {
     c.channel.ends = Ends::periodic;
     c.channel.top = Top::wall;
     c.bed.kind = BedKind::no_slip;
+    return c;
+}
+
+/// Laminar flow through a duct of 20 mm.
+inline Case duct() {
+    Case c = plates();
+    c.channel.length = 0.3;
+    c.channel.depth = 0.02;
+    c.channel.ends = Ends::open;
+    c.inflow.unit_discharge = 1e-3;
+    c.outflow.kind = OutflowKind::pressure;
+    c.start.kind = StartKind::uniform;
+    c.numerics.spacing = 0.001;
+    return c;
+}
+
+inline Case duct_with_step() {
+    Case c = duct();
+    Solid step;
+    step.name = "step";
+    step.x = {-0.2, 0.1, 0.1, -0.2};
+    step.z = {0.0, 0.0, 0.01, 0.01};
+    c.solids.push_back(step);
     return c;
 }
 

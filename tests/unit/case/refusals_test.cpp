@@ -16,12 +16,15 @@ namespace {
 
 using test::between_side_walls;
 using test::cell;
+using test::duct;
+using test::duct_with_step;
 using test::earth;
 using test::flume;
 using test::glass;
 using test::gravel;
 using test::open_channel;
 using test::open_channel_in_file;
+using test::open_channel_over_step;
 using test::open_channel_with_solid;
 using test::periodic_box;
 using test::plates;
@@ -116,7 +119,23 @@ std::vector<Wrong> wrong_open_ends() {
         {open_channel_in_file(), "outflow.kind = depth; outflow.depth_file = /nowhere/h.csv"},
         {open_channel_in_file(), "outflow.kind = rating-curve; outflow.rating_file = /nowhere/q.csv"},
         {open_channel(), "channel.length = 20 mm"},
+        {open_channel(), "channel.top = periodic"},
         {open_channel(), "channel.top = wall; bed.kind = no-slip"},
+        {open_channel(), "outflow.kind = pressure"},
+        {duct(), "inflow.unit_discharge = none"},
+        {duct(), "inflow.depth = 10 mm"},
+        {duct(), "channel.lid_velocity = 0.1"},
+        {duct(), "start.kind = backwater"},
+        {duct_with_step(), "solid[0].x = [-0.001, 0.1, 0.1, -0.001]"},
+        {duct_with_step(), "solid[0].z = [0, 0, 0.006, 0.01]"},
+        {duct_with_step(), "solid[0].z = [0.002, 0.002, 0.01, 0.01]"},
+        {open_channel_over_step(), "inflow.profile = column"},
+        {open_channel_over_step(), "inflow.unit_discharge = none; inflow.depth = 3 mm"},
+        {open_channel_over_step(), "channel.depth = 3 mm"},
+        {open_channel_over_step(), "start.kind = backwater"},
+        {open_channel_over_step(),
+         "solid[0].x = [0.2, 0.5, 0.5, 0.2]; outflow.kind = depth; outflow.depth = 3 mm"},
+        {open_channel_over_step(), "solid[0].x = [0.2, 0.5, 0.5, 0.2]; outflow.kind = normal-depth"},
         {open_channel(), "numerics.stepping = verlet; numerics.courant_number = 0.1"},
         {open_channel(), "numerics.wall = dynamic; numerics.pressure_form = symmetric"},
         {open_channel(), "numerics.xsph = 0.1; numerics.stepping = semi-implicit-euler"},

@@ -10,6 +10,7 @@ namespace riffle::end_sections_test {
 namespace {
 
 constexpr double gravity = 9.81;
+constexpr double sound_speed = 40.0;
 constexpr double least_depth = 0.01;
 
 EndInput input_of(TimeTable unit_discharge, double relaxation_time) {
@@ -37,7 +38,8 @@ void follow_a_long_reach(const EndSections& sections, EndState& end, double unti
 
 // A hydrograph enters without delay, whatever the relaxation time: that is for the waves.
 TEST(EndSections, AHydrographEntersWithoutDelay) {
-    const EndSections sections(input_of(TimeTable({0.0, 10.0}, {0.05, 0.1}), 5.0), gravity, least_depth);
+    const EndSections sections(input_of(TimeTable({0.0, 10.0}, {0.05, 0.1}), 5.0), gravity, sound_speed,
+                               least_depth);
     EndState end = sections.start(0.4, 0.05);
     follow_a_long_reach(sections, end, 10.0, 0.01, [](double time, double unit_discharge) {
         ASSERT_NEAR(unit_discharge / (0.05 + 0.005 * time), 1.0, 1e-3) << time;
@@ -47,7 +49,8 @@ TEST(EndSections, AHydrographEntersWithoutDelay) {
 // Of a pool at rest the discharge grows home within some relaxation times, and then stands.
 TEST(EndSections, ADischargeComesHome) {
     for (const double relaxation_time : {0.0, 0.5}) {
-        const EndSections sections(input_of(TimeTable(0.06), relaxation_time), gravity, least_depth);
+        const EndSections sections(input_of(TimeTable(0.06), relaxation_time), gravity, sound_speed,
+                                   least_depth);
         EndState end = sections.start(0.4, 0.0);
         double last = 0.0;
         follow_a_long_reach(sections, end, 5.0, 0.001,
@@ -59,7 +62,7 @@ TEST(EndSections, ADischargeComesHome) {
 // Beyond an outflow that is dry nothing stands; thin and fast water leaves as it comes.
 TEST(EndSections, ADryOutflowStaysDryUntilWaterComes) {
     EndInput input;
-    const EndSections sections(input, gravity, least_depth);
+    const EndSections sections(input, gravity, sound_speed, least_depth);
     EndState end = sections.start(0.0, 0.06);
     EXPECT_EQ(end.velocity, 0.0);
     sections.follow_downstream(end, 0.0, 0.001);
@@ -69,6 +72,33 @@ TEST(EndSections, ADryOutflowStaysDryUntilWaterComes) {
     sections.follow_downstream(end, 0.0, 0.001);
     EXPECT_NEAR(end.depth, 0.02, 1e-12);
     EXPECT_NEAR(end.velocity, 2.0, 1e-12);
+}
+
+// Supercritical flow leaves as it comes below a tailwater that it could jump to, and is driven back by a
+// deeper one.
+TEST(EndSections, ATailwaterAboveTheSequentDepthDrivesAJumpUpTheChannel) {
+    const Section shooting{0.02, 3.0 * wave_speed(gravity, 0.02)};
+    const double sequent = sequent_depth(gravity, shooting);
+    EXPECT_NEAR(sequent / 0.02, 0.5 * (std::sqrt(73.0) - 1.0), 1e-12);
+    for (const double tailwater : {0.95 * sequent, 1.05 * sequent}) {
+        EndInput input;
+        input.outflow_depth = [tailwater](double, double) { return tailwater; };
+        input.relaxation_time = 1.0;
+        const EndSections sections(input, gravity, sound_speed, least_depth);
+        EndState end = sections.start(shooting.depth, shooting.depth * shooting.velocity);
+        for (int step = 0; step < 100; ++step) {
+            end.watched_depth = shooting.depth;
+            end.watched_velocity = shooting.velocity;
+            sections.follow_downstream(end, 0.001 * step, 0.001);
+        }
+        if (tailwater < sequent) {
+            EXPECT_NEAR(end.depth, shooting.depth, 1e-12);
+            EXPECT_NEAR(end.velocity, shooting.velocity, 1e-12);
+        } else {
+            EXPECT_GT(end.depth, 1.1 * shooting.depth);
+            EXPECT_LT(end.velocity, 0.99 * shooting.velocity);
+        }
+    }
 }
 
 OpenEndsState state_with(double depth, double velocity, double section_velocity) {
@@ -96,7 +126,7 @@ TEST(LeavingProfile, GoesOverToTheWaterThatComes) {
         for (int i = 0; i < 10; ++i) {
             profile.add(state, (i + 0.5) * 0.01, 1.0, 0.1 * (i + 0.5));
         }
-        profile.finish(state, gravity, 0.001);
+        profile.finish(state, wave_speed(gravity, 0.05), 0.001);
     }
     EXPECT_NEAR(mean_of(profile, state), 0.6, 1e-3);
     EXPECT_NEAR(profile.at(state, 0.95) / profile.at(state, 0.05), 19.0, 0.01);
@@ -107,11 +137,11 @@ TEST(LeavingProfile, NoneComesBackWhileTheFlowLeaves) {
     state.leaving[0] = -0.5;
     LeavingProfile profile(least_depth);
     profile.clear(state);
-    profile.finish(state, gravity, 0.001);
+    profile.finish(state, wave_speed(gravity, 0.05), 0.001);
     EXPECT_EQ(profile.at(state, 0.0), 0.0);
     state.downstream.velocity = -0.2;  // the flow has turned
     profile.clear(state);
-    profile.finish(state, gravity, 0.001);
+    profile.finish(state, wave_speed(gravity, 0.05), 0.001);
     EXPECT_LT(profile.at(state, 0.0), 0.0);
     EXPECT_NEAR(mean_of(profile, state), -0.2, 0.01);
 }
@@ -121,7 +151,7 @@ TEST(LeavingProfile, KnowsNoProfileOfADryBed) {
     OpenEndsState state = state_with(0.0, 0.0, 0.0);
     LeavingProfile profile(least_depth);
     profile.clear(state);
-    profile.finish(state, gravity, 0.001);
+    profile.finish(state, wave_speed(gravity, 0.05), 0.001);
     EXPECT_EQ(profile.at(state, 0.5), 0.0);
 }
 

@@ -22,6 +22,11 @@ namespace riffle {
     return c.channel.ends == Ends::open ? end_support(c) + end_travel(c) + c.numerics.spacing : 0.0;
 }
 
+/// How far beyond an open end walls stand, m: below and beside its buffer, with the layers behind it.
+[[nodiscard]] inline double walls_beyond_end(const Case& c) {
+    return buffer_length(c) + c.numerics.wall_layers * c.numerics.spacing;
+}
+
 /// Whether a place along the channel is in it: what stands beyond an open end counts in no mean.
 [[nodiscard]] inline bool in_channel(const Case& c, double x) {
     return c.channel.ends != Ends::open || (x >= 0.0 && x < c.channel.length);

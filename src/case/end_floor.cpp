@@ -1,0 +1,60 @@
+#include "case/end_floor.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "case/outline.hpp"
+
+namespace riffle {
+
+namespace {
+
+/// A height just above the bed, m: a solid that stands on it contains it.
+constexpr double just_above = 1e-9;
+
+}  // namespace
+
+double floor_at(const Case& c, double x) {
+    double floor = 0.0;
+    if (c.channel.dimensions == 3) {
+        return floor;
+    }
+    for (const Solid& solid : c.solids) {
+        const Outline outline{solid.x, solid.z};
+        if (contains(outline, x, just_above)) {
+            floor = std::max(floor, ceiling_above(outline, x, just_above));
+        }
+    }
+    return floor;
+}
+
+EndFloors end_floors(const Case& c) {
+    if (c.channel.ends != Ends::open) {
+        return {};
+    }
+    return {floor_at(c, within_ends(0.0, c.channel.length)),
+            floor_at(c, within_ends(c.channel.length, c.channel.length))};
+}
+
+bool carries_through(const Solid& solid, double from, double to) {
+    const Outline outline{solid.x, solid.z};
+    if (!contains(outline, 0.5 * (from + to), just_above)) {
+        return false;
+    }
+    std::size_t tops = 0;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        const std::size_t j = outline.next(i);
+        const auto [left, right] = std::minmax(outline.x[i], outline.x[j]);
+        const bool above = std::max(outline.z[i], outline.z[j]) > just_above;
+        if (!above || right <= from || left >= to) {
+            continue;
+        }
+        if (outline.z[i] != outline.z[j] || left > from || right < to) {
+            return false;
+        }
+        ++tops;
+    }
+    return tops == 1;
+}
+
+}  // namespace riffle

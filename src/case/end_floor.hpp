@@ -1,0 +1,23 @@
+#pragma once
+
+#include "case/case.hpp"
+
+namespace riffle {
+
+/// Height of the top of the solid that stands on the bed at a place along a channel, m: 0 where none does,
+/// and in three dimensions.
+[[nodiscard]] double floor_at(const Case& c, double x);
+
+/// Heights on which the water of open ends stands, m: of the bed, 0, or of a solid that reaches through the
+/// end.
+struct EndFloors {
+    double upstream = 0.0;
+    double downstream = 0.0;
+};
+[[nodiscard]] EndFloors end_floors(const Case& c);
+
+/// Whether a solid carries the water through an open end: it reaches through all that stands beyond the end
+/// and all that is watched before it, with a level top. `from`, `to`: that stretch of the channel, m.
+[[nodiscard]] bool carries_through(const Solid& solid, double from, double to);
+
+}  // namespace riffle
