@@ -109,7 +109,7 @@ struct Words<DensityDiffusion> {
          "theory 4; Molteni & Colagrossi (2009)", "without gravity; with it still water sinks (theory 4)"},
         {"antuono", "diffusion of the density less its corrected linear part (Antuono et al.)",
          "sum V [2 (s_i - s_j) - (g_i + g_j).r] F, g = M^-1 sum V (s_j - s_i) grad W (Antuono et al. 2012)",
-         "water that is not hydrostatic along z (tilted, violent); in a channel fourtakas does the same for a fraction of the time (theory 4)"},
+         "water that is not hydrostatic along z (tilted, violent); over a rough bed a run failed with it, where fourtakas holds for a fraction of the time (theory 4)"},
     }};
 };
 

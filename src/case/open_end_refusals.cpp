@@ -273,7 +273,7 @@ CheckList open_end_refusals() {
                  return below_floor(c.channel.depth, c, std::max(floors.upstream, floors.downstream));
              }},
             {{"inflow.profile", "solid.z"},
-             "`profile = \"column\"` over a solid at the inflow, unless `bed.kind = \"no-slip\"`",
+             R"(`profile = "column"` over a solid at the inflow, unless `bed.kind = "no-slip"`)",
              "the twin's profile is that over the bed",
              "choose profile = \"uniform\", or another",
              [](const Case& c) {

@@ -172,6 +172,13 @@ CheckList make_warnings() {
          [](const Case& c) {
              return c.numerics.density_diffusion == DensityDiffusion::molteni && has_free_surface(c);
          }},
+        {{"numerics.density_diffusion", "bed.kind"},
+         "`density_diffusion = \"antuono\"` over spheres",
+         "a run over a rough bed failed with \"antuono\" after 19 s (docs/theory.md, section 4)",
+         "use \"fourtakas\"",
+         [](const Case& c) {
+             return c.numerics.density_diffusion == DensityDiffusion::antuono && over_spheres(c);
+         }},
         {{"numerics.density_diffusion", "numerics.density_filter"},
          "neither `density_diffusion` nor `density_filter`",
          "neither diffusion nor filter keeps the density free of noise",

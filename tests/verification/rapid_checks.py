@@ -11,7 +11,7 @@ from open_end_checks import account, backwater, depth_by_area
 from options import options_text
 
 # Froude number at the inflow, 20 mm deep: unit discharge (m2/s), depth that is held at the end (mm), length (m), until and from (s).
-JUMPS = {3: (0.02658, 70, 1.0, 25, 5), 2: (0.01772, 45, 0.8, 15, 5), 4: (0.03544, 100, 1.5, 12, 5)}
+JUMPS = {3: (0.02658, 70, 1.0, 25, 5), 2.3: (0.02038, 52.5, 0.8, 15, 5), 4: (0.03544, 97, 1.5, 12, 5)}
 
 # Length behind the step, in its heights, by the Reynolds number of the mean velocity and twice the height of the inflow (Erturk 2008):
 # viscosity (m2/s), until (s).
@@ -42,7 +42,8 @@ def _one_jump(study, check, froude, axes, colour):
     local = q / before / math.sqrt(g * before)
     conjugate = 0.5 * before * (math.sqrt(1 + 8 * local**2) - 1)
     energy = lambda h: h + q**2 / (2 * g * h**2)
-    name = f"Fr {froude} ({local:.2f} before the jump), {before / flow.spacing:.0f} rows"
+    name = f"Fr {froude} at the inflow"
+    check.norm(f"{name}: Froude number before the jump, {before / flow.spacing:.0f} rows deep", local, None, "", 3)
     check.norm(f"{name}: depth behind the jump against the conjugate one", after / conjugate - 1, 0.03)
     check.norm(f"{name}: loss of energy head against that of the conjugate depths",
                (energy(before) - energy(after)) / ((conjugate - before) ** 3 / (4 * before * conjugate)) - 1, 0.05)
@@ -52,7 +53,7 @@ def _one_jump(study, check, froude, axes, colour):
     check.norm(f"{name}: how much higher the surface stands than the water's own depth", float(mean[behind].mean() / after - 1))
     exact = backwater(study, case, 0.0, "--discharge", f"{q} m2/s", "--upstream", "20mm", "--downstream", f"{tailwater}mm", "--length", str(length), "--stations", "1001")
     figures.exact(axes, x, exact(x), "riffle backwater" if froude == 3 else None)
-    figures.simulated(axes, x, mean, f"Fr {froude}", colour, most=200)
+    figures.simulated(axes, x, mean, f"Fr {froude} at the inflow", colour, most=200)
     if froude == 3:
         check.best, check.cost = options_text(flow), flow.cost_text
         account(check, flow)

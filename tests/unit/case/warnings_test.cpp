@@ -143,6 +143,7 @@ TEST(Warnings, EachRowHasACase) {
         with_keys(flume(), "numerics.kernel = quintic-spline; numerics.smoothing_ratio = 1.75"),
         with_keys(flume(), "numerics.pressure_form = symmetric; numerics.wall = repulsive"),
         with_keys(flume(), "numerics.pressure_form = riemann; numerics.density_diffusion = molteni"),
+        with_keys(flume(), "numerics.density_diffusion = antuono"),
         with_keys(flume(), noisy + "numerics.wall = modified-dynamic; numerics.courant_number = 1"),
         with_keys(flume(), "numerics.density_diffusion_coefficient = 0.01; numerics.smoothing_ratio = 1.5"),
         with_keys(flume(),
