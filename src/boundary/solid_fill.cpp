@@ -259,8 +259,7 @@ bool is_wetted(const Case& c, const Solid& solid, const Outline& outline, std::s
     const bool behind_bed = high <= near;
     const bool behind_ends =
         c.channel.ends == Ends::walls && (right <= near || left >= c.channel.length - near);
-    const bool beyond = c.channel.ends == Ends::open &&
-                        (is_beyond_walls(c, right) || is_beyond_walls(c, left)) && left == right;
+    const bool beyond = c.channel.ends == Ends::open && left == right && is_beyond_walls(c, left);
     const bool behind_lid = c.channel.top == Top::wall && low >= c.total_depth() - near;
     return !behind_bed && !behind_ends && !beyond && !behind_lid;
 }

@@ -8,10 +8,6 @@ namespace riffle {
 
 namespace {
 
-const SolidMesh* mesh_of(const Case& c, const Solid& solid) {
-    return c.meshes ? &(*c.meshes)[static_cast<std::size_t>(&solid - c.solids.data())] : nullptr;
-}
-
 std::string extent_text(const SolidMesh& mesh) {
     const auto range = [&](std::size_t k) {
         return fmt::format("{} to {}", shown_length(mesh.lower()[k]), shown_length(mesh.upper()[k]));

@@ -37,21 +37,11 @@ struct Range {
     double high = 0.0;
 };
 
-/// What a solid takes up along axis x, y or z at the start.
-Range at_start(const Case& c, const Solid& solid, std::size_t axis) {
-    if (in_space(c)) {
-        const SolidMesh& mesh = (*c.meshes)[static_cast<std::size_t>(&solid - c.solids.data())];
-        return {mesh.lower()[axis], mesh.upper()[axis]};
-    }
-    const Extent extent(axis == 0 ? solid.x : solid.z);
-    return {extent.low, extent.high};
-}
-
-/// And with its way.
+/// What a solid takes up along axis x, y or z, with its way.
 Range in_motion(const Case& c, const Solid& solid, std::size_t axis) {
     const double way = moves_on(solid) ? time_of_motion(c, solid) * velocity_of(solid)[axis] : 0.0;
     const double swing = swings(solid) ? std::abs(amplitude_of(solid)[axis]) : 0.0;
-    const Range start = at_start(c, solid, axis);
+    const Extent start = *extent_of(c, solid, axis);
     return {start.low + std::min(way, -swing), start.high + std::max(way, swing)};
 }
 
@@ -69,7 +59,7 @@ Findings motion_through_walls(const Case& c, const Solid& solid) {
     const bool sides = in_space(c) && c.channel.sides != Sides::periodic;
     const double width = c.channel.simulated_width();
     // Where it sinks to is looked at below.
-    const double lowest = (swings(solid) ? in_motion(c, solid, 2) : at_start(c, solid, 2)).low;
+    const double lowest = swings(solid) ? in_motion(c, solid, 2).low : extent_of(c, solid, 2)->low;
     const bool outside = lowest < -1e-9 * c.numerics.spacing ||
                          (ends && leaves(c, in_motion(c, solid, 0), c.channel.length)) ||
                          (sides && leaves(c, in_motion(c, solid, 1), width));

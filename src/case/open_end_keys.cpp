@@ -67,7 +67,7 @@ SectionKeys inflow_keys() {
             "the one given. 0: it holds at each moment, and waves are thrown back.")
             .measured_in(time)
             .at_least(0)
-            .unset_by("auto", "5 sqrt(H / g)"));
+            .unset_by("auto", "5 sqrt(H / g); in a duct 0.1 L / U_max"));
     return s;
 }
 
@@ -105,11 +105,15 @@ SectionKeys outflow_keys() {
             .applies_with(kind, {"rating-curve"}, true));
     s.keys.push_back(
         key("relaxation_time", &Outflow::relaxation_time,
-            "Time in which the depth goes to what rules it: the longer, the less of a wave is thrown back.")
+            "Time in which the depth, in a duct the pressure, goes to what rules it: the longer, the less of a "
+            "wave is thrown back.")
             .measured_in(time)
             .greater_than(0)
-            .unset_by("auto", "80 sqrt(H / g), at least the time that a wave takes along the channel")
-            .applies_with(kind, {"depth", "normal-depth", "critical-depth", "weir", "rating-curve"}, true));
+            .unset_by(
+                "auto",
+                "80 sqrt(H / g), at least the time that a wave takes along the channel; in a duct 0.1 L / U_max")
+            .applies_with(
+                kind, {"depth", "normal-depth", "critical-depth", "weir", "rating-curve", "pressure"}, true));
     return s;
 }
 

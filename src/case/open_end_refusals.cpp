@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <vector>
 
 #include "case/end_buffers.hpp"
 #include "case/end_floor.hpp"
@@ -9,7 +8,6 @@
 #include "case/outline.hpp"
 #include "case/outline_check.hpp"
 #include "case/refusals.hpp"
-#include "case/solid_mesh.hpp"
 #include "case/units.hpp"
 
 namespace riffle {
@@ -28,22 +26,9 @@ int ways_to_give_discharge(const Inflow& inflow) {
            (inflow.discharge_file.empty() ? 0 : 1);
 }
 
-/// The extent of a solid along the channel; nothing where it is not known.
-std::optional<Extent> extent_along(const Case& c, const Solid& solid) {
-    if (!in_space(c)) {
-        return solid.x.empty() ? std::nullopt : std::optional(Extent(solid.x));
-    }
-    const auto k = static_cast<std::size_t>(&solid - c.solids.data());
-    const auto meshes = meshes_of(c);
-    if (k >= meshes->size()) {
-        return std::nullopt;
-    }
-    return Extent(std::vector{(*meshes)[k].lower()[0], (*meshes)[k].upper()[0]});
-}
-
 /// Whether something of a solid stands within a distance of either end, unless it carries the water through.
 Findings too_near(const Case& c, const Solid& solid) {
-    const auto extent = extent_along(c, solid);
+    const auto extent = extent_of(c, solid, 0);
     if (!extent) {
         return {};
     }

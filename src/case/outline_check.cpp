@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "case/solid_mesh.hpp"
 #include "case/units.hpp"
 
 namespace riffle {
@@ -79,6 +80,16 @@ Extent::Extent(const std::vector<double>& values) {
     const auto [least, most] = std::minmax_element(values.begin(), values.end());
     low = *least;
     high = *most;
+}
+
+std::optional<Extent> extent_of(const Case& c, const Solid& solid, std::size_t axis) {
+    if (c.channel.dimensions == 3) {
+        const SolidMesh* const mesh = mesh_of(c, solid);
+        return mesh != nullptr ? std::optional(Extent({mesh->lower()[axis], mesh->upper()[axis]}))
+                               : std::nullopt;
+    }
+    const std::vector<double>& corners = axis == 0 ? solid.x : solid.z;
+    return corners.empty() ? std::nullopt : std::optional(Extent(corners));
 }
 
 }  // namespace riffle

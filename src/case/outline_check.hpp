@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -44,5 +46,8 @@ struct Extent {
     explicit Extent(const std::vector<double>& values);
     [[nodiscard]] double size() const { return high - low; }
 };
+
+/// What a solid takes up along axis x, y or z at the start; nothing where its shape is not known.
+[[nodiscard]] std::optional<Extent> extent_of(const Case& c, const Solid& solid, std::size_t axis);
 
 }  // namespace riffle

@@ -29,6 +29,10 @@ SolidMesh::SolidMesh(const Solid& solid) : SolidMesh(placed(solid)) {}
 SolidMesh::SolidMesh(ClosedSurface surface)
     : tree_(std::move(surface.triangles)), several_shells_(surface.shells > 1) {}
 
+const SolidMesh* mesh_of(const Case& c, const Solid& solid) {
+    return c.meshes ? &(*c.meshes)[static_cast<std::size_t>(&solid - c.solids.data())] : nullptr;
+}
+
 std::shared_ptr<const std::vector<SolidMesh>> meshes_of(const Case& c) {
     if (c.meshes) {
         return c.meshes;

@@ -49,6 +49,9 @@ class SolidMesh {
     bool several_shells_ = false;
 };
 
+/// The surface of a solid of a case in three dimensions, where it was read with the case; otherwise nullptr.
+[[nodiscard]] const SolidMesh* mesh_of(const Case& c, const Solid& solid);
+
 /// The surfaces of the solids of a case in three dimensions, those that were read with it or else read now.
 /// Errors as SolidMesh().
 [[nodiscard]] std::shared_ptr<const std::vector<SolidMesh>> meshes_of(const Case& c);

@@ -10,7 +10,6 @@
 #include "case/outline_check.hpp"
 #include "case/presets.hpp"
 #include "case/refusals.hpp"
-#include "case/solid_mesh.hpp"
 #include "case/solid_motion.hpp"
 #include "case/units.hpp"
 #include "case/words.hpp"
@@ -72,20 +71,12 @@ double compression(const Case& c) {
 /// Whether a solid that is not lifted holds the water at one edge of its outline, over its whole height.
 bool is_held(const Case& c, double edge, double height) {
     const double touch = 2.0 * c.numerics.spacing;
-    for (std::size_t k = 0; k < c.solids.size(); ++k) {
-        const Solid& solid = c.solids[k];
-        const bool has_surface = in_space(c) && c.meshes && k < c.meshes->size();
-        if (solid.velocity_z > 0.0 || (!has_surface && (solid.x.empty() || solid.z.empty()))) {
-            continue;
-        }
-        const SolidMesh* const mesh = has_surface ? &(*c.meshes)[k] : nullptr;
-        const Extent x(mesh != nullptr ? std::vector{mesh->lower()[0], mesh->upper()[0]} : solid.x);
-        const double top = mesh != nullptr ? mesh->upper()[2] : Extent(solid.z).high;
-        if (x.low - touch <= edge && edge <= x.high + touch && top + touch >= height) {
-            return true;
-        }
-    }
-    return false;
+    return std::any_of(c.solids.begin(), c.solids.end(), [&](const Solid& solid) {
+        const auto x = extent_of(c, solid, 0);
+        const auto z = extent_of(c, solid, 2);
+        return solid.velocity_z <= 0.0 && x && z && x->low - touch <= edge && edge <= x->high + touch &&
+               z->high + touch >= height;
+    });
 }
 
 /// Whether the water falls, or meets a wall of a tank that it does not fill.

@@ -137,9 +137,9 @@ std::function<double(double, double)> outflow_rule(const Case& c, double floor) 
 }
 
 /// What the ends of a duct need beside it.
-void add_duct(const Case& c, EndInput& input) {
-    input.duct_height = c.total_depth();
-    const double narrow = c.total_depth() - end_floors(c).upstream;
+void add_duct(const Case& c, double floor, EndInput& input) {
+    input.duct = true;
+    const double narrow = c.total_depth() - floor;
     const double velocity = input.shape.largest() * input.unit_discharge->largest() / narrow;
     // Only differences of the pressure act; so the water is nowhere under tension.
     input.outflow_pressure = velocity * velocity;
@@ -172,7 +172,7 @@ EndInput read_end_input(const Case& c) {
     }
     input.shape = shape_of(c, input.unit_discharge, floors.upstream);
     if (is_duct(c)) {
-        add_duct(c, input);
+        add_duct(c, floors.upstream, input);
         return input;
     }
     input.outflow_depth = outflow_rule(c, floors.downstream);

@@ -20,7 +20,7 @@ struct EndInput {
     std::function<double(double unit_discharge, double time)> outflow_depth;
     double relaxation_time = 0.0;         ///< of the depth or the pressure at the outflow, s
     double inflow_relaxation_time = 0.0;  ///< of the discharge at the inflow, s
-    double duct_height = 0.0;             ///< of the channel under a wall at its top, m; 0: a free surface
+    bool duct = false;                    ///< water between the bed and a wall at the top
     double outflow_pressure = 0.0;        ///< of a duct, over the density, m2/s2
 };
 

@@ -18,7 +18,7 @@ class EndSections {
 
     [[nodiscard]] const EndInput& input() const { return input_; }
     /// Whether the ends are those of a duct.
-    [[nodiscard]] bool in_duct() const { return input_.duct_height > 0.0; }
+    [[nodiscard]] bool in_duct() const { return input_.duct; }
     /// Speed of the waves that reach the ends, m/s: long waves of a depth, or sound in a duct.
     [[nodiscard]] double signal_speed(double depth) const {
         return in_duct() ? sound_speed_ : wave_speed(gravity_, depth);

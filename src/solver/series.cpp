@@ -9,7 +9,6 @@
 
 #include "base/parallel.hpp"
 #include "case/end_buffers.hpp"
-#include "case/end_floor.hpp"
 #include "particles/lattice.hpp"
 #include "record/flow_fields.hpp"
 #include "solver/furthest.hpp"
@@ -160,7 +159,7 @@ Totals all_sums(const SimulationIn<D>& simulation, const Case& c) {
 
 }  // namespace
 
-TimeSeries::TimeSeries(const Case& c) : case_(c) {
+TimeSeries::TimeSeries(const Case& c) : case_(c), end_floors_(end_floors(c)) {
     for (const Field& field : fields_of(fields::time_series)) {
         const bool written = (field.written & three_dimensions) == 0 || c.channel.dimensions == 3;
         if (written && ((field.written & with_open_ends) == 0 || c.channel.ends == Ends::open)) {
@@ -201,10 +200,9 @@ void TimeSeries::sample_ends(const SimulationIn<D>& simulation) {
     const auto add = [&](const Field& field, double value) { values_of(field).push_back(value); };
     const auto& series = fields::time_series;
     add(series.inflow_discharge, width * ends.upstream.depth * ends.upstream.velocity);
-    const EndFloors floors = end_floors(case_);
-    add(series.inflow_depth, floors.upstream + ends.upstream.depth);
+    add(series.inflow_depth, end_floors_.upstream + ends.upstream.depth);
     add(series.outflow_discharge, width * ends.downstream.depth * ends.downstream.velocity);
-    add(series.outflow_depth, floors.downstream + ends.downstream.depth);
+    add(series.outflow_depth, end_floors_.downstream + ends.downstream.depth);
     add(series.particles_stored, static_cast<double>(p.size()));
     add(series.particles_entered, static_cast<double>(ends.ledger.entered));
     add(series.particles_left, static_cast<double>(ends.ledger.left));

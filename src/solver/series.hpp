@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "case/case.hpp"
+#include "case/end_floor.hpp"
 #include "record/field.hpp"
 #include "solver/simulation.hpp"
 
@@ -40,6 +41,7 @@ class TimeSeries {
     void sample_ends(const SimulationIn<D>& simulation);
 
     Case case_;
+    EndFloors end_floors_;
     std::vector<SeriesColumn> columns_;
 };
 

@@ -41,11 +41,12 @@ def account(check, flow):
                  f"stored less entered plus left, largest change; {s['particles_entered'][-1]:.0f} entered, {s['particles_lost'][-1]:.0f} lost", 0.0)
 
 
-def depth_by_area(flow, place, half, start):
-    """Area of the water within `half` of a place over its length, mean over the snapshots from a time on, m: the depth of the water
-    itself, without the gaps between drops."""
-    volume = flow.spacing**2
-    return float(numpy.mean([(numpy.abs(s.x - place) < half).sum() * volume / (2 * half) for s in flow.snapshots() if s.time >= start]))
+def depth_by_area(flow, places, half, start):
+    """Area of the water within `half` of a place, or of each of some places, over its length, mean over the snapshots from a time on, m:
+    the depth of the water itself, without the gaps between drops."""
+    counts = [[(numpy.abs(s.x - place) < half).sum() for place in numpy.atleast_1d(places)] for s in flow.snapshots() if s.time >= start]
+    depths = numpy.mean(counts, axis=0) * flow.spacing**2 / (2 * half)
+    return depths if numpy.ndim(places) else float(depths[0])
 
 
 def _profile(flow, place, half, start):

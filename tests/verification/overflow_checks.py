@@ -28,7 +28,7 @@ def overfall(study):
         q = float(flow.series["inflow_discharge"][flow.series["time"] > 4.0].mean())
         critical = (q**2 / flow.gravity_z) ** (1 / 3)
         before = numpy.arange(0, 9.01, 0.25)
-        depth = numpy.array([depth_by_area(flow, flow.length - b * critical, 1.5 * flow.spacing, 4.0) for b in before]) / critical
+        depth = depth_by_area(flow, flow.length - before * critical, 1.5 * flow.spacing, 4.0) / critical
         figures.simulated(axes, -before, depth, f"dx {spacing} mm", figures.COLOURS[number])
         check.norm(f"depth over the edge against 0.715 h_c, {critical / flow.spacing:.0f} rows of h_c", float(depth[0] / 0.715 - 1), 0.03)
         check.norm(f"where the depth is critical, in h_c before the edge, {critical / flow.spacing:.0f} rows (3 to 4, Henderson 1966)",
@@ -122,7 +122,7 @@ def drop_structure(study):
     check.norm("depth behind the drop against 0.54 h D^0.425", behind / (0.54 * height * number**0.425) - 1, 0.08)
     check.norm("depth of the pool against h D^0.22", _height_of_pool(flow, edge, 6 * flow.spacing, start) / (height * number**0.22) - 1, 0.08)
     places = numpy.arange(0.02, 0.4, 2 * flow.spacing)
-    depth = numpy.array([depth_by_area(flow, edge + p, 2 * flow.spacing, start) for p in places])
+    depth = depth_by_area(flow, edge + places, 2 * flow.spacing, start)
     impact = int(numpy.argmax(depth < 0.5 * height))
     length = places[impact + int(numpy.argmax(depth[impact:] < 1.05 * behind))]
     check.norm("length up to where the depth is that, against 4.3 h D^0.27", float(length / (4.3 * height * number**0.27) - 1), 0.08)

@@ -49,6 +49,7 @@ def _one_jump(study, check, froude, axes, colour):
                (energy(before) - energy(after)) / ((conjugate - before) ** 3 / (4 * before * conjugate)) - 1, 0.05)
     check.norm(f"{name}: standard deviation of the place of the jump in {time[-1] - start:.0f} s, over the depth before it",
                float(toes.std()) / before, 1.0, "", 2)
+    check.norm(f"{name}: place of the jump", place, None, "m", 2)
     behind = (x > begin) & (x < end)
     check.norm(f"{name}: how much higher the surface stands than the water's own depth", float(mean[behind].mean() / after - 1))
     exact = backwater(study, case, 0.0, "--discharge", f"{q} m2/s", "--upstream", "20mm", "--downstream", f"{tailwater}mm", "--length", str(length), "--stations", "1001")

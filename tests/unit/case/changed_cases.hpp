@@ -42,17 +42,21 @@ inline Case open_channel() {
     return c;
 }
 
-/// Over a solid 10 mm high that reaches through the inflow.
+/// A solid 10 mm high that reaches through the inflow.
+inline Solid step_through_inflow() {
+    Solid step;
+    step.name = "step";
+    step.x = {-0.2, 0.1, 0.1, -0.2};
+    step.z = {0.0, 0.0, 0.01, 0.01};
+    return step;
+}
+
 inline Case open_channel_over_step() {
     Case c = open_channel();
     c.inflow.profile = InflowProfile::uniform;
     c.outflow.kind = OutflowKind::critical_depth;
     c.start.kind = StartKind::rest;
-    Solid step;
-    step.name = "step";
-    step.x = {-0.2, 0.1, 0.1, -0.2};
-    step.z = {0.0, 0.0, 0.01, 0.01};
-    c.solids.push_back(step);
+    c.solids.push_back(step_through_inflow());
     return c;
 }
 
@@ -124,11 +128,7 @@ inline Case duct() {
 
 inline Case duct_with_step() {
     Case c = duct();
-    Solid step;
-    step.name = "step";
-    step.x = {-0.2, 0.1, 0.1, -0.2};
-    step.z = {0.0, 0.0, 0.01, 0.01};
-    c.solids.push_back(step);
+    c.solids.push_back(step_through_inflow());
     return c;
 }
 

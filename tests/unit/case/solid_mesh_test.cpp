@@ -233,22 +233,46 @@ TEST(SolidMesh, AShellInAnotherIsSolidOrAHollowByItsSense) {
     EXPECT_NEAR(hollow.nearest({0.9, 1.5, 1.5})->distance, 0.1, 1e-12);  // the wall of the hollow
 }
 
+/// What is said of a channel in three dimensions with a solid, beside its STL file; `ends`: lines after those
+/// of [channel].
+std::string said_of_solid(const std::filesystem::path& file, const std::string& lines,
+                          const std::string& ends = "") {
+    const auto path = file.parent_path() / "solid_case.toml";
+    std::ofstream(path)
+        << "[channel]\nslope = 0\ndepth = \"50 mm\"\nlength = \"200 mm\"\nwidth = \"100 mm\"\n"
+           "dimensions = 3\n"
+        << ends
+        << "[bed]\nkind = \"slip\"\n[turbulence]\nclosure = \"none\"\n"
+           "[start]\nkind = \"rest\"\n[run]\nuntil = \"1 s\"\n[[solid]]\nname = \"stone\"\n"
+        << lines;
+    try {
+        static_cast<void>(read_case(path));
+    } catch (const Error& e) {
+        return e.what();
+    }
+    return "";
+}
+
+// Which shape it has is asked of the file that was read: one that is not there is told once.
+TEST(SolidsInSpace, StayAwayFromOpenEnds) {
+    const auto file = file_of(text_of(box({0.0, 0.0, 0.0}, {40.0, 30.0, 20.0})));
+    const auto said = [&](const std::string& name, const std::string& place) {
+        return said_of_solid(file, "file = \"" + name + "\"\nscale = \"1 mm\"\nplace = " + place + "\n",
+                             "ends = \"open\"\n[inflow]\nunit_discharge = 0.01\nprofile = "
+                             "\"uniform\"\n[outflow]\nkind = \"free\"\n");
+    };
+    const std::string name = file.filename().string();
+    EXPECT_EQ(said(name, "[0.08, 0.02, 0]"), "");
+    EXPECT_THAT(said(name, "[0.001, 0.02, 0]"), HasSubstr("it reaches to x = 1 mm"));
+    EXPECT_THAT(said(name, "[0.158, 0.02, 0]"), HasSubstr("it reaches to x = 198 mm"));
+    const std::string missing = said("none.stl", "[0.08, 0.02, 0]");
+    EXPECT_THAT(missing, HasSubstr("solid_case.toml:"));
+    EXPECT_EQ(missing.find("no such STL file"), missing.rfind("no such STL file"));
+}
+
 TEST(SolidsInSpace, NeedAFileAndAPlaceInTheChannel) {
     const auto file = file_of(text_of(box({0.0, 0.0, 0.0}, {40.0, 30.0, 20.0})));
-    const auto text = [&](const std::string& lines) {
-        const auto path = file.parent_path() / "solid_case.toml";
-        std::ofstream(path)
-            << "[channel]\nslope = 0\ndepth = \"50 mm\"\nlength = \"200 mm\"\nwidth = \"100 mm\"\n"
-               "dimensions = 3\n[bed]\nkind = \"slip\"\n[turbulence]\nclosure = \"none\"\n"
-               "[start]\nkind = \"rest\"\n[run]\nuntil = \"1 s\"\n[[solid]]\nname = \"stone\"\n"
-            << lines;
-        try {
-            static_cast<void>(read_case(path));
-        } catch (const Error& e) {
-            return std::string(e.what());
-        }
-        return std::string();
-    };
+    const auto text = [&](const std::string& lines) { return said_of_solid(file, lines); };
     const std::string name = "file = \"" + file.filename().string() + "\"\n";
     EXPECT_THAT(text(""), HasSubstr("file is missing"));
     EXPECT_THAT(text(name), HasSubstr("fills the whole channel"));

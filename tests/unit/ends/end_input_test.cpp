@@ -89,6 +89,47 @@ TEST(EndInput, EachKindOfOutflowHasItsDepth) {
             .outflow_depth);
 }
 
+// Depths that a case gives are levels over the datum; over a solid at the end the water is as much shallower.
+TEST(EndInput, OverASolidTheWaterIsShallowerByItsHeight) {
+    const std::string solid =
+        "[[solid]]\nname = \"sill\"\nx = [-0.2, 0.8, 0.8, -0.2]\nz = [0, 0, 0.01, 0.01]\n";
+    const auto read = [&](const std::string& more, const std::string& solids) {
+        return read_end_input(
+            open_case("[inflow]\nunit_discharge = \"0.05 m2/s\"\ndepth = \"40 mm\"\nprofile = "
+                      "\"uniform\"\n[outflow]\n" +
+                      more + solids));
+    };
+    for (const std::string kind :
+         {"kind = \"depth\"\ndepth = \"90 mm\"\n", "kind = \"weir\"\nweir_height = \"40 mm\"\n"}) {
+        const EndInput bed = read(kind, "");
+        const EndInput over_solid = read(kind, solid);
+        EXPECT_NEAR(over_solid.inflow_depth->at(0.0), bed.inflow_depth->at(0.0) - 0.01, 1e-12);
+        EXPECT_NEAR(over_solid.outflow_depth(0.05, 0.0), bed.outflow_depth(0.05, 0.0) - 0.01, 1e-12);
+    }
+    // The critical depth is one over what the water stands on.
+    const std::string critical = "kind = \"critical-depth\"\n";
+    EXPECT_EQ(read(critical, solid).outflow_depth(0.05, 0.0), read(critical, "").outflow_depth(0.05, 0.0));
+}
+
+TEST(EndInput, TheEndsOfADuctKeepTheRelaxationTimesOfTheCase) {
+    const auto read = [](const std::string& inflow, const std::string& outflow) {
+        return read_end_input(
+            parse_case("[channel]\nslope = 0\ndepth = 0.02\nlength = 0.3\nends = \"open\"\ntop = "
+                       "\"wall\"\n[bed]\nkind = \"no-slip\"\n[turbulence]\nclosure = \"none\"\n"
+                       "[start]\nkind = \"uniform\"\n[numerics]\nspacing = 0.001\n[run]\nuntil = 1\n"
+                       "[inflow]\nunit_discharge = 1e-3\nprofile = \"uniform\"\n" +
+                           inflow + "[outflow]\nkind = \"pressure\"\n" + outflow,
+                       "duct"));
+    };
+    const EndInput own = read("", "");
+    EXPECT_TRUE(own.duct);
+    EXPECT_NEAR(own.relaxation_time, 0.1 * 0.3 / 0.05, 1e-12);
+    EXPECT_NEAR(own.inflow_relaxation_time, 0.1 * 0.3 / 0.05, 1e-12);
+    const EndInput given = read("relaxation_time = 2\n", "relaxation_time = 3\n");
+    EXPECT_EQ(given.inflow_relaxation_time, 2.0);
+    EXPECT_EQ(given.relaxation_time, 3.0);
+}
+
 TEST_F(EndFiles, AHydrographIsReadInItsUnits) {
     Case c = open_case("[inflow]\nunit_discharge = \"0.02 m2/s\"\n[outflow]\nkind = \"free\"\n");
     c.inflow.unit_discharge.reset();
