@@ -139,6 +139,7 @@ struct Numerics {
     PressureForm pressure_form = PressureForm::corrected;
     VelocityGradient velocity_gradient = VelocityGradient::corrected;
     KernelCorrection kernel_correction = KernelCorrection::kernel_gradient;  ///< of the corrected forms
+    double pressure_correction_time = 0.0;  ///< of the mean that corrects the pressure, s; 0: none is taken
     DensityDiffusion density_diffusion = DensityDiffusion::fourtakas;
     double density_diffusion_coefficient = 0.1;
     DensityFilter density_filter = DensityFilter::none;
@@ -183,6 +184,7 @@ struct Start {
     std::vector<double> water_x;  ///< corners of the outline of the water at the start, m; empty: all up to
     std::vector<double> water_z;  ///< the depth
     double jitter = 0.0;          ///< random displacement of the lattice, in units of the spacing
+    bool packed = false;          ///< whether the particles are moved to fill the water evenly
     /// Random velocity without divergence, root mean square of a component, m/s; none: start_perturbation().
     std::optional<double> perturbation;
     long long seed = 1;

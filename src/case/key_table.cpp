@@ -51,6 +51,12 @@ SectionKeys numerics() {
                          "Velocity gradient that the closure is given."));
     s.keys.push_back(key("kernel_correction", &Numerics::kernel_correction,
                          "What corrects the corrected forms of pressure and velocity gradient."));
+    s.keys.push_back(key("pressure_correction_time", &Numerics::pressure_correction_time,
+                         "Time over which the correction of the pressure form is averaged for each particle; "
+                         "0: the correction of each moment, which keeps disordered water in motion.")
+                         .measured_in(time)
+                         .at_least(0)
+                         .applies_with("numerics.pressure_form", {"corrected"}));
     s.keys.push_back(key("density_diffusion", &Numerics::density_diffusion,
                          "Diffusion in the continuity equation, against noise in the pressure."));
     s.keys.push_back(key("density_diffusion_coefficient", &Numerics::density_diffusion_coefficient,
@@ -179,6 +185,11 @@ SectionKeys start() {
             .at_least(0)
             .at_most(0.5)
             .because("farther, two particles may meet"));
+    s.keys.push_back(
+        key("packed", &Start::packed,
+            "Whether the particles beside solids, with jitter all, are moved before the run until they fill the "
+            "water evenly; else faces that cut the rows of the lattice start with gaps beside them.")
+            .applies_with("start.kind", {"rest"}));
     s.keys.push_back(
         key("perturbation", &Start::perturbation,
             "Random velocity without divergence that is added to the start, root mean square of a component.")

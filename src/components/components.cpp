@@ -11,6 +11,7 @@
 #include "components/mixing_lengths.hpp"
 #include "components/open_ends.hpp"
 #include "components/repulsion.hpp"
+#include "components/slow_correction.hpp"
 #include "components/solid_forces.hpp"
 #include "components/stirring_force.hpp"
 #include "components/xsph.hpp"
@@ -36,6 +37,7 @@ ComponentList<D, Real> make_components(FlowOf<D, Real>& flow, double celerity) {
     add(components, make_xsph(flow));
     add(components, make_crowds(flow));
     add(components, make_further_pair_sums(flow));
+    add(components, make_slow_correction(flow));  // after all that makes the correction
     add(components, make_mixing_lengths(flow));
     add(components, make_solid_forces(flow));
     add(components, make_bed_drag_force(flow));

@@ -54,6 +54,7 @@ enum Condition : unsigned {
     beeman_stepping = 1U << 16U,   ///< so
     with_open_ends = 1U << 17U,    ///< channel.ends
     with_local_depth = 1U << 18U,  ///< turbulence.depth
+    slow_correction = 1U << 19U,   ///< numerics.pressure_correction_time
 };
 
 /// Who reads a field.

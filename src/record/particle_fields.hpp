@@ -160,6 +160,25 @@ struct State {
         of_state("wall_density_deviation", "1", "rho/rho0 - 1 of the wall particles", at_the_end, "wall");
     Field closure_depth =
         of_state("closure_depth", "m", "depth that the mixing length follows", at_the_end | with_local_depth);
+    std::array<Field, 9> correction = {
+        of_state("correction_xx", "1", "mean departure of the pressure correction from the identity, xx",
+                 at_the_end | slow_correction),
+        of_state("correction_xy", "1", "mean departure of the pressure correction from the identity, xy",
+                 state_across | slow_correction),
+        of_state("correction_xz", "1", "mean departure of the pressure correction from the identity, xz",
+                 at_the_end | slow_correction),
+        of_state("correction_yx", "1", "mean departure of the pressure correction from the identity, yx",
+                 state_across | slow_correction),
+        of_state("correction_yy", "1", "mean departure of the pressure correction from the identity, yy",
+                 state_across | slow_correction),
+        of_state("correction_yz", "1", "mean departure of the pressure correction from the identity, yz",
+                 state_across | slow_correction),
+        of_state("correction_zx", "1", "mean departure of the pressure correction from the identity, zx",
+                 at_the_end | slow_correction),
+        of_state("correction_zy", "1", "mean departure of the pressure correction from the identity, zy",
+                 state_across | slow_correction),
+        of_state("correction_zz", "1", "mean departure of the pressure correction from the identity, zz",
+                 at_the_end | slow_correction)};
     Field open_ends =
         of_state("open_ends", "1",
                  "state of the open ends: the sections, the streams that enter and the account of "

@@ -10,6 +10,7 @@
 #include "case/outline.hpp"
 #include "ends/end_input.hpp"
 #include "particles/lattice.hpp"
+#include "solver/start_packing.hpp"
 #include "solver/start_perturbation.hpp"
 
 namespace riffle {
@@ -148,6 +149,12 @@ Particles<D> initial_particles(const Case& c, const Scheme& scheme, const Column
     Particles<D> particles = lattice_particles<D>(c, open ? open->depth : std::function<double(double)>());
     const Lattice lattice = lattice_of(c);
     const std::size_t n = particles.size();
+    PackedStart packing;
+    if constexpr (D == 2) {
+        if (c.start.packed && c.start.kind == StartKind::rest) {
+            packing = pack_start(c, scheme, particles);
+        }
+    }
     std::vector<double> extra_pressure(n, 0.0);
     std::vector<double> still_height = particles.position[vertical];
     if (c.start.kind == StartKind::standing_wave) {
@@ -178,7 +185,8 @@ Particles<D> initial_particles(const Case& c, const Scheme& scheme, const Column
         const double s = scheme.state.deviation(hydrostatic + extra_pressure[i]);
         particles.density_deviation[i] = s;
         const double row_share = drawn_out ? rows_below(lattice, surface).height / lattice.dz : 1.0;
-        particles.mass[i] = scheme.density * (1.0 + s) * (row_share * lattice.volume<D>());
+        const double share = packing.share.empty() ? row_share : packing.share[i];
+        particles.mass[i] = scheme.density * (1.0 + s) * (share * lattice.volume<D>());
         if (c.start.kind == StartKind::section) {
             if constexpr (D == 3) {
                 particles.velocity[0][i] = section(particles.position[1][i], particles.position[2][i]);

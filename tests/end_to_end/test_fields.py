@@ -61,6 +61,8 @@ class Fields(CommandLineTest):
                       "--set", "run.average_from=auto", *until(0.7), *snapshots],
                      {"free_surface", "no_section_twin", "closure", "asked", "end", "profiles", "slope", "open_ends", "local_depth", "spheres"}),
         }
+        runs["slow"] = ([bare, *until(0.02), "--set", 'numerics.pressure_correction_time="0.1 s"'],
+                        CONDUIT - {"section_twin", "profiles"} | {"no_section_twin", "slow_correction"})
         for stepping in ("verlet", "beeman"):
             runs[stepping] = ([bare, *until(0.02), "--set", f"numerics.stepping={stepping}", "--set",
                                "numerics.courant_number=0.2"],

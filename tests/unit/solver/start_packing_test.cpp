@@ -1,0 +1,94 @@
+// A start whose particles fill the water evenly beside faces that cut the rows of the lattice.
+
+#include "solver/start_packing.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "base/parallel.hpp"
+#include "case/outline.hpp"
+#include "engine/scheme.hpp"
+#include "particles/lattice.hpp"
+#include "small_case.hpp"
+#include "solver/start.hpp"
+
+namespace riffle::start_packing_test {
+namespace {
+
+constexpr double depth = 0.05;
+constexpr double length = 0.2;
+constexpr double wedge_area = 0.5 * 0.1 * 0.02;
+
+/// A closed tank with a wedge on its floor.
+Case tank_with_wedge() {
+    Case c = test::still_water();
+    c.channel.length = length;
+    c.channel.ends = Ends::walls;
+    c.channel.depth = depth;
+    c.numerics.spacing = 0.0025;
+    c.start.packed = true;
+    Solid wedge;
+    wedge.name = "wedge";
+    wedge.x = {0.05, 0.15, 0.1};
+    wedge.z = {0.0, 0.0, 0.02};
+    c.solids.push_back(wedge);
+    return c;
+}
+
+TEST(StartPacking, LeavesNoGapBesideAFace) {
+    const Case c = tank_with_wedge();
+    const Scheme scheme = make_scheme(c, nullptr);
+    Particles<2> particles = lattice_particles<2>(c);
+    const PackedStart packed = pack_start(c, scheme, particles);
+    // A missing row of particles has 0.4; 1 % of the density over a smoothing length 0.01.
+    EXPECT_GT(packed.unevenness_before, 0.1);
+    EXPECT_LT(packed.unevenness_after, 3e-3);
+    const Outline outline{c.solids[0].x, c.solids[0].z};
+    for (std::size_t i = 0; i < particles.size(); ++i) {
+        EXPECT_FALSE(contains(outline, particles.position[0][i], particles.position[1][i]));
+    }
+}
+
+TEST(StartPacking, MakesTheParticlesAsLargeAsTheWater) {
+    const Case c = tank_with_wedge();
+    const Scheme scheme = make_scheme(c, nullptr);
+    const auto volume_error = [&](const Case& start) {
+        const Particles<2> particles = initial_particles<2>(start, scheme, nullptr);
+        double volume = 0.0;
+        for (std::size_t i = 0; i < particles.size(); ++i) {
+            volume += particles.mass[i] / (scheme.density * (1.0 + particles.density_deviation[i]));
+        }
+        return volume / (length * depth - wedge_area) - 1.0;
+    };
+    Case lattice = c;
+    lattice.start.packed = false;
+    // Whole particles stand or do not stand beside the faces; packed, the error is that of the kernel's sum.
+    EXPECT_LT(std::abs(volume_error(c)), 0.003);
+    EXPECT_LT(std::abs(volume_error(c)), std::abs(volume_error(lattice)));
+}
+
+TEST(StartPacking, DoesNotDependOnTheNumberOfThreads) {
+    const Case c = tank_with_wedge();
+    const Scheme scheme = make_scheme(c, nullptr);
+    set_thread_count(1);
+    const Particles<2> alone = initial_particles<2>(c, scheme, nullptr);
+    set_thread_count(3);
+    const Particles<2> together = initial_particles<2>(c, scheme, nullptr);
+    set_thread_count(0);
+    EXPECT_EQ(alone.position, together.position);
+    EXPECT_EQ(alone.mass, together.mass);
+}
+
+TEST(StartPacking, MovesEverythingWhereAllIsJittered) {
+    Case c = tank_with_wedge();
+    c.solids.clear();
+    c.start.jitter = 0.2;
+    const Scheme scheme = make_scheme(c, nullptr);
+    Particles<2> particles = lattice_particles<2>(c);
+    const PackedStart packed = pack_start(c, scheme, particles);
+    EXPECT_LT(packed.unevenness_after, 0.1 * packed.unevenness_before);
+}
+
+}  // namespace
+}  // namespace riffle::start_packing_test
