@@ -7,6 +7,7 @@
 
 #include "boundary/wall_particle.hpp"
 #include "case/end_buffers.hpp"
+#include "case/end_floor.hpp"
 
 namespace riffle {
 
@@ -67,6 +68,7 @@ class Fill {
             along_.push_back({dx / length_.back(), dz / length_.back()});
         }
         moves_ = solid.motion != SolidMotion::fixed;
+        passes_ = passes_through(c, solid);
     }
 
     void run() {
@@ -147,6 +149,9 @@ class Fill {
         const bool closed = c_.channel.ends == Ends::walls;
         if (c_.channel.ends == Ends::open && is_beyond_walls(c_, p[0])) {
             return false;
+        }
+        if (passes_ && (p[0] < 0.0 || p[0] >= c_.channel.length)) {
+            return false;  // the other end of the channel has it
         }
         return p[1] > 0.0 && (!closed || (p[0] > 0.0 && p[0] < c_.channel.length)) &&
                (c_.channel.top != Top::wall || p[1] < c_.total_depth());
@@ -235,6 +240,7 @@ class Fill {
     std::vector<double> length_;
     std::vector<Vec<2>> along_;
     bool moves_ = false;
+    bool passes_ = false;  ///< through periodic ends
 };
 
 }  // namespace
@@ -259,7 +265,10 @@ bool is_wetted(const Case& c, const Solid& solid, const Outline& outline, std::s
     const bool behind_bed = high <= near;
     const bool behind_ends =
         c.channel.ends == Ends::walls && (right <= near || left >= c.channel.length - near);
-    const bool beyond = c.channel.ends == Ends::open && left == right && is_beyond_walls(c, left);
+    const bool beyond =
+        left == right &&
+        (c.channel.ends == Ends::open ? is_beyond_walls(c, left)
+                                      : (left < 0.0 || left > c.channel.length) && passes_through(c, solid));
     const bool behind_lid = c.channel.top == Top::wall && low >= c.total_depth() - near;
     return !behind_bed && !behind_ends && !beyond && !behind_lid;
 }

@@ -275,11 +275,29 @@ struct Probe {
 /// [[solid]]: a body that the water flows around: an outline in two dimensions, a closed surface in three.
 struct Solid {
     std::string name;
-    std::vector<double> x;       ///< 2D: corners of its outline, m, in either sense of rotation
-    std::vector<double> z;       ///< 2D: m above the bed level
-    std::filesystem::path file;  ///< 3D: STL file of its closed surface
+    SolidShape shape = SolidShape::free_form;
+    std::vector<double> x;  ///< 2D: corners of its outline, m, in either sense of rotation; of all shapes
+    std::vector<double> z;  ///< 2D: m above the bed level
+    std::filesystem::path file;  ///< 3D: file of its closed surface
     double scale = 1.0;          ///< 3D: length of the file's unit, m
     std::vector<double> place;   ///< 3D: x, y, z of the file's origin, m; empty: the channel's origin
+    std::vector<double> centre;  ///< x, y, z of its centre, m; in 2D x, z
+    std::vector<double> size;    ///< box: along x, y, z, m; rectangle: along x, z
+    double angle = 0.0;          ///< box: turned about its upright axis; rectangle: about its centre. Degrees
+    double diameter = 0.0;       ///< sphere, cylinder, circle; of each of the spheres, m
+    double length = 0.0;         ///< cylinder, m
+    SolidAxis axis = SolidAxis::z;       ///< of a cylinder
+    std::filesystem::path heights;       ///< bed: file of its heights
+    double unit = 1.0;                   ///< bed: length of the file's unit, m
+    std::optional<double> height_unit;   ///< bed: of its heights, m; unset: the same
+    std::vector<double> origin;          ///< bed: place in the file that comes to the channel's origin
+    double blend = 0.0;                  ///< bed: length over which its ends are made to meet, m
+    std::optional<double> largest_hole;  ///< bed: widest hole that is filled, m
+    std::vector<double> y;               ///< section: places across the channel, m
+    std::vector<double> levels;          ///< section: heights there, m
+    SolidPacking packing = SolidPacking::hexagonal;  ///< spheres
+    std::optional<double> level;  ///< spheres: height of their centres, m; unset: they lie on the bed
+    long long seed = 1;           ///< spheres, random
     SolidSurface surface = SolidSurface::no_slip;
     SolidMotion motion = SolidMotion::fixed;
     double start = 0.0;          ///< time at which it starts to move, s
@@ -330,6 +348,9 @@ struct Case {
 
     /// The surfaces of the solids in three dimensions, where they were read with the case; see meshes_of().
     std::shared_ptr<const std::vector<SolidMesh>> meshes;
+
+    /// What was made of the data of solids, for people: resampled, filled, blended. Empty where nothing was.
+    std::vector<std::string> solid_notes;
 
     std::vector<std::string> probe_places;  ///< where each probe stands, for messages: "case.toml:12:1"
 

@@ -1,6 +1,7 @@
 #include "case/end_floor.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include "case/outline.hpp"
@@ -55,6 +56,33 @@ bool carries_through(const Solid& solid, double from, double to) {
         ++tops;
     }
     return tops == 1;
+}
+
+bool passes_through(const Case& c, const Solid& solid) {
+    if (c.channel.dimensions == 3 || c.channel.ends != Ends::periodic || solid.motion != SolidMotion::fixed ||
+        solid.x.empty()) {
+        return false;
+    }
+    const double length = c.channel.length;
+    const double reach = c.numerics.wall_layers * c.numerics.spacing;
+    const auto [low, high] = std::minmax_element(solid.x.begin(), solid.x.end());
+    if (*low > -reach || *high < length + reach) {
+        return false;
+    }
+    const Outline outline{solid.x, solid.z};
+    const auto top = [&](double x) {
+        return contains(outline, x, just_above) ? ceiling_above(outline, x, just_above) : 0.0;
+    };
+    // In steps that are no fraction of what outlines are drawn by.
+    const double step = 0.1234567 * c.numerics.spacing;
+    for (double x = 0.5 * step; x < reach; x += step) {
+        const double tolerance = 0.1 * c.numerics.spacing;
+        if (std::abs(top(x) - top(length + x)) > tolerance ||
+            std::abs(top(-x) - top(length - x)) > tolerance) {
+            return false;
+        }
+    }
+    return true;
 }
 
 }  // namespace riffle

@@ -20,4 +20,9 @@ struct EndFloors {
 /// and all that is watched before it, with a level top. `from`, `to`: that stretch of the channel, m.
 [[nodiscard]] bool carries_through(const Solid& solid, double from, double to);
 
+/// Whether a solid in two dimensions that stands still lies under all of a channel between periodic ends: it
+/// reaches beyond both by more than its layers of wall particles are thick, and at the same heights there as
+/// in the channel.
+[[nodiscard]] bool passes_through(const Case& c, const Solid& solid);
+
 }  // namespace riffle

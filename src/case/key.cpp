@@ -106,4 +106,9 @@ Key&& Key::applies_with(std::string other, std::vector<std::string> options, boo
     return std::move(*this);
 }
 
+Key&& Key::and_with(std::string other, std::vector<std::string> options) && {
+    applies_also = {std::move(other), std::move(options), applies.strictly};
+    return std::move(*this);
+}
+
 }  // namespace riffle

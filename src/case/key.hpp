@@ -74,6 +74,7 @@ struct Key {
     bool repeated = false;       ///< of a section that may stand several times, [[section]]
     bool several_lines = false;  ///< a text that may hold line breaks and tabs
     Applies applies;
+    Applies applies_also;  ///< a second condition; both must hold
     std::function<Value(const Case&, std::size_t item)> read;
     std::function<void(Case&, const Value&, std::size_t item)> write;
 
@@ -109,6 +110,7 @@ struct Key {
     Key&& may_be_empty() &&;
     Key&& may_have_several_lines() &&;
     Key&& applies_with(std::string other, std::vector<std::string> options, bool strictly = false) &&;
+    Key&& and_with(std::string other, std::vector<std::string> options) &&;
 };
 
 namespace detail {

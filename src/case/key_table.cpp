@@ -429,11 +429,13 @@ const Key* find_key(std::string_view id) {
     return dot == std::string_view::npos ? find_key("", id) : find_key(id.substr(0, dot), id.substr(dot + 1));
 }
 
-bool key_applies(const Key& key, const Case& c, std::size_t item) {
-    if (key.applies.id.empty()) {
+namespace {
+
+bool condition_holds(const Applies& applies, const Case& c, std::size_t item) {
+    if (applies.id.empty()) {
         return true;
     }
-    const Key& other = *find_key(key.applies.id);
+    const Key& other = *find_key(applies.id);
     const Value value = other.get(c, item);
     std::string now;
     if (const auto* const text = std::get_if<std::string>(&value)) {
@@ -443,8 +445,23 @@ bool key_applies(const Key& key, const Case& c, std::size_t item) {
     } else if (std::holds_alternative<std::monostate>(value)) {
         now = other.unset_word;
     }
-    return std::find(key.applies.words.begin(), key.applies.words.end(), now) != key.applies.words.end() &&
+    return std::find(applies.words.begin(), applies.words.end(), now) != applies.words.end() &&
            key_applies(other, c, item);
+}
+
+}  // namespace
+
+const Applies* unmet_condition(const Key& key, const Case& c, std::size_t item) {
+    for (const Applies* const applies : {&key.applies, &key.applies_also}) {
+        if (!condition_holds(*applies, c, item)) {
+            return applies;
+        }
+    }
+    return nullptr;
+}
+
+bool key_applies(const Key& key, const Case& c, std::size_t item) {
+    return unmet_condition(key, c, item) == nullptr;
 }
 
 }  // namespace riffle

@@ -36,6 +36,10 @@ struct SectionKeys {
 /// The key "section.key", or nullptr.
 [[nodiscard]] const Key* find_key(std::string_view id);
 
+/// The first condition of a key that does not hold in a case, in a repeated section in that `item`; nullptr
+/// where all do.
+[[nodiscard]] const Applies* unmet_condition(const Key& key, const Case& c, std::size_t item = 0);
+
 /// Whether the key has an effect in a case (its `applies` holds), in a repeated section in that `item`.
 [[nodiscard]] bool key_applies(const Key& key, const Case& c, std::size_t item = 0);
 

@@ -67,38 +67,41 @@ Findings thin_mesh(const Case& c, const Solid& solid) {
 }  // namespace
 
 CheckList mesh_refusals() {
-    return {
-        {
-            {{"solid.file"},
-             "`file` missing in three dimensions",
-             "",
-             "give the STL file of its closed surface, for example file = \"stone.stl\"",
-             [](const Case&, const Solid& solid) { return found_if(solid.file.empty(), "file is missing"); }},
-            {{"solid.place"},
-             "`place` of other than three lengths",
-             "",
-             "give all three, or remove the key",
-             [](const Case&, const Solid& solid) {
-                 return found_if(!solid.place.empty() && solid.place.size() != 3,
-                                 "place holds {} lengths; expected three: x, y and z", solid.place.size());
-             }},
-            {{"solid.place"},
-             "a surface outside of the channel or across its periodic ends and sides",
-             "",
-             "see `place` and `scale` (the length of the file's unit)",
-             mesh_outside},
-            {{"solid.scale"},
-             "a surface around all of the channel",
-             "no water is left",
-             "see `scale`, the length of the file's unit",
-             mesh_that_fills_all},
-            {{"solid.file", "numerics.spacing"},
-             "a surface narrower than the `numerics.wall_layers`",
-             "water on one side would reach water on the other",
-             "make it larger or the spacing smaller",
-             thin_mesh},
-        },
-        in_space};
+    return {{
+                {{"solid.file"},
+                 "`file` missing in three dimensions",
+                 "",
+                 "give the file of its closed surface, for example file = \"stone.stl\", or a shape",
+                 [](const Case&, const Solid& solid) {
+                     return found_if(solid.shape == SolidShape::free_form && solid.file.empty(),
+                                     "file is missing");
+                 }},
+                {{"solid.place"},
+                 "`place` of other than three lengths",
+                 "",
+                 "give all three, or remove the key",
+                 [](const Case&, const Solid& solid) {
+                     return found_if(!solid.place.empty() && solid.place.size() != 3,
+                                     "place holds {} lengths; expected three: x, y and z",
+                                     solid.place.size());
+                 }},
+                {{"solid.place", "solid.centre"},
+                 "a surface outside of the channel or across its periodic ends and sides",
+                 "",
+                 "see `place` and `scale` (the length of the file's unit), or `centre`",
+                 mesh_outside},
+                {{"solid.scale", "solid.size", "solid.diameter"},
+                 "a surface around all of the channel",
+                 "no water is left",
+                 "make it smaller; see `scale`, the length of a file's unit",
+                 mesh_that_fills_all},
+                {{"solid.file", "solid.shape", "numerics.spacing"},
+                 "a surface narrower than the `numerics.wall_layers`",
+                 "water on one side would reach water on the other",
+                 "make it larger or the spacing smaller",
+                 thin_mesh},
+            },
+            in_space};
 }
 
 }  // namespace riffle

@@ -9,6 +9,8 @@
 
 #include "base/error.hpp"
 #include "base/visible_text.hpp"
+#include "case/bed_heights.hpp"
+#include "case/bed_surface.hpp"
 #include "case/case.hpp"
 #include "case/case_text.hpp"
 #include "case/conversion.hpp"
@@ -18,6 +20,7 @@
 #include "case/problems.hpp"
 #include "case/refusals.hpp"
 #include "case/solid_mesh.hpp"
+#include "case/solid_shapes.hpp"
 #include "case/toml_entries.hpp"
 
 namespace riffle {
@@ -264,13 +267,13 @@ void set_dependent_defaults(Case& c, const Values& values) {
 /// Set a key of the case, if it goes with what is set already.
 void set_key(Case& c, const Key& key, std::size_t item, const Value& value, const Places& places,
              Problems& problems) {
-    if (key.applies.strictly && !key_applies(key, c, item)) {
+    const Applies* const unmet = unmet_condition(key, c, item);
+    if (unmet != nullptr && key.applies.strictly) {
         // An option such as --set run.until=1s supersedes what the file says for the other choice.
         const Place& place = places.of(key.id(item));
-        if (place.option || !places.of(key.applies.id).option) {
-            problems.add(place,
-                         fmt::format("{} goes only with {} = \"{}\": remove one of the two", shown_name(key),
-                                     key.applies.id, fmt::join(key.applies.words, "\", \"")));
+        if (place.option || !places.of(unmet->id).option) {
+            problems.add(place, fmt::format("{} goes only with {} = \"{}\": remove one of the two",
+                                            shown_name(key), unmet->id, fmt::join(unmet->words, "\", \"")));
         }
         return;
     }
@@ -285,10 +288,13 @@ Case assemble(const Values& values, const Document& document, const Places& plac
         for (std::size_t item = 0; item < items_of(document, section); ++item) {
             for (const Key& key : section.keys) {
                 const auto given = values.find({&key, item});
-                const Key* const other = find_key(key.applies.id);
-                const std::size_t its_item = other != nullptr && other->repeated ? item : 0;
-                const bool other_wrong = other != nullptr && places.given(other->id(its_item)) &&
-                                         !values.contains({other, its_item});  // reported already
+                const auto is_wrong = [&](const Applies& applies) {  // and reported already
+                    const Key* const other = find_key(applies.id);
+                    const std::size_t its_item = other != nullptr && other->repeated ? item : 0;
+                    return other != nullptr && places.given(other->id(its_item)) &&
+                           !values.contains({other, its_item});
+                };
+                const bool other_wrong = is_wrong(key.applies) || is_wrong(key.applies_also);
                 if (given != values.end() && !other_wrong) {
                     set_key(c, key, item, given->second, places, problems);
                 }
@@ -305,25 +311,59 @@ std::filesystem::path resolved(const std::filesystem::path& file, const std::fil
     return (std::filesystem::absolute(case_file).parent_path() / file).lexically_normal();
 }
 
-/// Read the surfaces of the solids in three dimensions; what refuse() says of their keys is left to it.
-void read_meshes(Case& c, const Places& places, Problems& problems) {
-    if (c.channel.dimensions != 3 || c.solids.empty()) {
+/// The outline of a solid in two dimensions that is given by its shape. A bed becomes an outline for good:
+/// the text of the case holds its corners, and the results need no other file.
+void shape_outlines(Case& c, Solid& solid) {
+    Outline outline;
+    if (solid.shape == SolidShape::bed) {
+        const BedHeights bed = bed_heights(c, solid);
+        c.solid_notes.insert(c.solid_notes.end(), bed.notes.begin(), bed.notes.end());
+        outline = bed_outline(c, bed);
+        if (outline.size() > longest_list) {
+            throw InputError(
+                fmt::format("{}: the bed becomes an outline of {} corners: expected at most {}; make "
+                            "the channel shorter or the spacing larger",
+                            solid.heights.string(), outline.size(), longest_list));
+        }
+        const Solid given = std::exchange(solid, Solid{});
+        solid.name = given.name;
+        solid.surface = given.surface;
+    } else {
+        outline = shape_outline(c, solid);
+    }
+    solid.x = outline.x;
+    solid.z = outline.z;
+}
+
+/// Make the shapes of the solids; what refuse() says of their keys is left to it.
+void make_shapes(Case& c, const Places& places, Problems& problems) {
+    const bool space = c.channel.dimensions == 3;
+    const bool from_files = std::any_of(c.solids.begin(), c.solids.end(), [](const Solid& solid) {
+        return !solid.file.empty() || !solid.heights.empty();
+    });
+    if (c.solids.empty() || (space && from_files && c.path.empty())) {
         return;
     }
     auto meshes = std::make_shared<std::vector<SolidMesh>>();
     for (std::size_t item = 0; item < c.solids.size(); ++item) {
-        const Solid& solid = c.solids[item];
-        if (solid.file.empty() || (!solid.place.empty() && solid.place.size() != 3)) {
+        Solid& solid = c.solids[item];
+        if (!shape_is_complete(c, solid) || (!space && solid.shape == SolidShape::free_form)) {
             continue;
         }
         try {
-            meshes->emplace_back(solid);
+            if (space) {
+                meshes->emplace_back(c, solid, &c.solid_notes);
+            } else {
+                shape_outlines(c, solid);
+            }
         } catch (const Error& e) {
-            problems.add(places.of_first({find_key("solid.file")->id(item), fmt::format("solid[{}]", item)}),
-                         fmt::format("[[solid]] {}: {}", solid.name, e.what()));
+            const auto id = [&](const char* name) { return find_key(name)->id(item); };
+            problems.add(
+                places.of_first({id("solid.file"), id("solid.heights"), fmt::format("solid[{}]", item)}),
+                fmt::format("[[solid]] {}: {}", solid.name, e.what()));
         }
     }
-    if (meshes->size() == c.solids.size()) {
+    if (space && meshes->size() == c.solids.size()) {
         c.meshes = std::move(meshes);
     }
 }
@@ -353,13 +393,12 @@ Case parse_case(const std::string& text, const std::string& name, const std::fil
     }
     for (Solid& solid : c.solids) {
         solid.file = resolved(solid.file, path);
+        solid.heights = resolved(solid.heights, path);
     }
     c.measured.velocity_profile = resolved(c.measured.velocity_profile, path);
     // What the keys demand of each other can only be judged when each of them is right.
     if (problems.empty()) {
-        if (!path.empty()) {
-            read_meshes(c, places, problems);
-        }
+        make_shapes(c, places, problems);
         refuse(c, places, problems);
     }
     if (!problems.empty()) {

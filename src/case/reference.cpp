@@ -67,7 +67,12 @@ std::string meaning_text(const Key& key) {
     }
     if (!key.applies.id.empty()) {
         text +=
-            fmt::format("<br>Used with `{}` = `{}`.", key.applies.id, fmt::join(key.applies.words, "`, `"));
+            fmt::format("<br>Used with `{}` = `{}`", key.applies.id, fmt::join(key.applies.words, "`, `"));
+        if (!key.applies_also.id.empty()) {
+            text += fmt::format(" and `{}` = `{}`", key.applies_also.id,
+                                fmt::join(key.applies_also.words, "`, `"));
+        }
+        text += ".";
     }
     return cell(text);
 }
@@ -160,7 +165,7 @@ std::string check_page() {
     }
     return "\n## What is refused\n\nBeyond the types, ranges and words of the tables above, and keys that go only with another one. The message names the place, the values and what to do. Keys without a section are those of the heading.\n" +
            check_tables(refused) +
-           "\nWhat needs more than the case is looked at by the verb that has it: STL files when the case is read; at the start of a run the results file to start from, sampling frequencies above half of the inverse of the time step, and the memory that the run takes.\n\n## What is warned of\n\n`riffle check` and `riffle run` say where a case leaves what was verified ([why](theory.md#18-known-limits-and-the-verified-envelope)), and which keys have no effect.\n" +
+           "\nWhat needs more than the case is looked at by the verb that has it: files of surfaces and of heights when the case is read (that a bed covers the channel, stands above its floor, repeats at periodic ends, and has no wide hole); at the start of a run the results file to start from, sampling frequencies above half of the inverse of the time step, and the memory that the run takes.\n\n## What is warned of\n\n`riffle check` and `riffle run` say where a case leaves what was verified ([why](theory.md#18-known-limits-and-the-verified-envelope)), and which keys have no effect.\n" +
            check_tables(warnings().checks);
 }
 

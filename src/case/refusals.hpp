@@ -43,6 +43,7 @@ void refuse_to_run(const Case& c);
 [[nodiscard]] CheckList run_refusals();
 [[nodiscard]] CheckList output_refusals();
 [[nodiscard]] CheckList solid_refusals();    ///< any dimensions
+[[nodiscard]] CheckList shape_refusals();    ///< solids by their shape
 [[nodiscard]] CheckList outline_refusals();  ///< solids in two dimensions
 [[nodiscard]] CheckList mesh_refusals();     ///< solids in three dimensions
 [[nodiscard]] CheckList motion_refusals();   ///< solids that move

@@ -3,15 +3,18 @@
 #include <cmath>
 #include <utility>
 
-#include "case/stl_file.hpp"
+#include "case/bed_heights.hpp"
+#include "case/bed_surface.hpp"
+#include "case/mesh_file.hpp"
+#include "case/solid_shapes.hpp"
 #include "case/winding.hpp"
 
 namespace riffle {
 
 namespace {
 
-ClosedSurface placed(const Solid& solid) {
-    ClosedSurface surface = closed_surface(read_stl(solid.file), solid.file.string());
+ClosedSurface placed_free_form(const Solid& solid) {
+    ClosedSurface surface = closed_surface(read_mesh(solid.file), solid.file.string());
     for (Triangle& triangle : surface.triangles) {
         for (Point3& corner : triangle) {
             for (std::size_t k = 0; k < 3; ++k) {
@@ -22,9 +25,30 @@ ClosedSurface placed(const Solid& solid) {
     return surface;
 }
 
+ClosedSurface surface_of_solid(const Case& c, const Solid& solid, std::vector<std::string>* notes) {
+    switch (solid.shape) {
+        case SolidShape::free_form:
+            return placed_free_form(solid);
+        case SolidShape::bed: {
+            const BedHeights bed = bed_heights(c, solid);
+            if (notes != nullptr) {
+                notes->insert(notes->end(), bed.notes.begin(), bed.notes.end());
+            }
+            return closed_surface(bed_triangles(c, bed), solid.heights.string());
+        }
+        case SolidShape::section:
+            return closed_surface(section_triangles(c, solid), "the section");
+        case SolidShape::spheres:
+            return closed_surface(sphere_layer_triangles(c, solid), "the spheres");
+        default:
+            return closed_surface(shape_triangles(c, solid), "the shape");
+    }
+}
+
 }  // namespace
 
-SolidMesh::SolidMesh(const Solid& solid) : SolidMesh(placed(solid)) {}
+SolidMesh::SolidMesh(const Case& c, const Solid& solid, std::vector<std::string>* notes)
+    : SolidMesh(surface_of_solid(c, solid, notes)) {}
 
 SolidMesh::SolidMesh(ClosedSurface surface)
     : tree_(std::move(surface.triangles)), several_shells_(surface.shells > 1) {}
@@ -39,7 +63,7 @@ std::shared_ptr<const std::vector<SolidMesh>> meshes_of(const Case& c) {
     }
     auto meshes = std::make_shared<std::vector<SolidMesh>>();
     for (const Solid& solid : c.solids) {
-        meshes->emplace_back(solid);
+        meshes->emplace_back(c, solid);
     }
     return meshes;
 }

@@ -5,6 +5,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "case/case.hpp"
@@ -17,8 +18,9 @@ namespace riffle {
 /// the solid is what lies in any of them.
 class SolidMesh {
   public:
-    /// Of [[solid]] `file`, `scale` and `place`; errors as read_stl() and closed_surface().
-    explicit SolidMesh(const Solid& solid);
+    /// Of a solid of a case, whatever its shape; errors as read_mesh(), bed_heights() and closed_surface().
+    /// `notes` takes what was made of data.
+    SolidMesh(const Case& c, const Solid& solid, std::vector<std::string>* notes = nullptr);
     explicit SolidMesh(ClosedSurface surface);
 
     [[nodiscard]] const Point3& lower() const { return tree_.lower(); }

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "case/end_floor.hpp"
 #include "case/outline_check.hpp"
 #include "case/refusals.hpp"
 #include "case/units.hpp"
@@ -24,7 +25,12 @@ Findings outline_that_fills_all(const Case& c, const Solid& solid) {
 /// Water on one side must not reach water on the other, and the layers of wall particles need room.
 Findings thin_outline(const Case& c, const Solid& solid) {
     const Outline outline{solid.x, solid.z};
+    const bool passes = passes_through(c, solid);
     for (std::size_t i = 0; i < outline.size(); ++i) {
+        const auto [left, right] = std::minmax(outline.x[i], outline.x[outline.next(i)]);
+        if (passes && (right <= 0.0 || left >= c.channel.length)) {
+            continue;  // beyond the ends there is no water
+        }
         const double thickness = thickness_at(outline, i);
         if (thickness < wall_thickness(c) * (1 - 1e-9)) {
             return found_if(
@@ -78,7 +84,8 @@ CheckList outline_refusals() {
              "",
              R"(give the corners of its outline, for example x = ["100 mm", "140 mm", "120 mm"] and z = ["0 mm", "0 mm", "20 mm"])",
              [](const Case&, const Solid& solid) {
-                 return found_if(solid.x.empty() || solid.z.empty(), "x or z is missing");
+                 return found_if(solid.shape == SolidShape::free_form && (solid.x.empty() || solid.z.empty()),
+                                 "x or z is missing");
              },
              true},
             outline_row(OutlineFault::uneven, {"solid.x", "solid.z"}, "not as many values of `x` as of `z`",
@@ -108,13 +115,14 @@ CheckList outline_refusals() {
             {{"solid.x", "channel.length"},
              "an outline longer than the channel less one kernel support of 2 h, between periodic ends",
              "its ends would meet",
-             "make it shorter or the channel longer",
+             "make it shorter or the channel longer, or let it go through: beyond both ends by more than its layers of wall particles are thick, and at the same heights as in the channel",
              [](const Case& c, const Solid& solid) {
                  const double width = Extent(solid.x).high - Extent(solid.x).low;
-                 return found_if(
-                     c.channel.ends == Ends::periodic && width > c.channel.length - kernel_support(c),
-                     "is {} long in a periodic channel of {}", shown_length(width),
-                     shown_length(c.channel.length));
+                 return found_if(c.channel.ends == Ends::periodic &&
+                                     width > c.channel.length - kernel_support(c) &&
+                                     !passes_through(c, solid),
+                                 "is {} long in a periodic channel of {}", shown_length(width),
+                                 shown_length(c.channel.length));
              }},
             {{"solid.x"},
              "an outline around all of the channel, where the water has none of its own",
@@ -127,7 +135,12 @@ CheckList outline_refusals() {
              "make it thicker or the spacing smaller",
              thin_outline},
         },
-        [](const Case& c) { return !in_space(c) && corners_of_outlines(c) <= most_corners; }};
+        [](const Case& c) {
+            const bool drawn = std::all_of(c.solids.begin(), c.solids.end(), [](const Solid& solid) {
+                return solid.shape == SolidShape::free_form || !solid.x.empty();
+            });
+            return !in_space(c) && corners_of_outlines(c) <= most_corners && drawn;
+        }};
 }
 
 }  // namespace riffle

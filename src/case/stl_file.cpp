@@ -11,12 +11,9 @@
 #include <charconv>
 #include <cstdint>
 #include <cstring>
-#include <fstream>
 #include <system_error>
 
 #include "base/error.hpp"
-#include "base/machine.hpp"
-#include "base/notice.hpp"
 
 namespace riffle {
 
@@ -193,38 +190,6 @@ Triangles parse_stl(std::string_view content, const std::string& name) {
         throw FileError(fmt::format("{}: holds no triangle: give the closed surface of a body", name));
     }
     return read_binary(content, count);
-}
-
-Triangles read_stl(const std::filesystem::path& file) {
-    const std::string name = file.string();
-    std::error_code error;
-    const std::uintmax_t size = std::filesystem::is_regular_file(file, error)
-                                    ? std::filesystem::file_size(file, error)
-                                    : static_cast<std::uintmax_t>(-1);
-    std::ifstream stream(file, std::ios::binary);
-    if (error || !stream || size == static_cast<std::uintmax_t>(-1)) {
-        throw FileError(fmt::format("{}: there is no such STL file, or it cannot be read", name));
-    }
-    // Beside the file: its triangles, their edges and corners, and the tree that finds them again.
-    constexpr std::uintmax_t memory_per_byte = 7;
-    const auto available = available_memory();
-    if (available && size > *available / memory_per_byte) {
-        throw FileError(fmt::format(
-            "{}: has {:.3g} GB, for which {:.3g} GB of memory are needed, and {:.3g} GB "
-            "are free: give the surface with fewer triangles",
-            name, 1e-9 * static_cast<double>(size), 1e-9 * static_cast<double>(memory_per_byte * size),
-            1e-9 * static_cast<double>(*available)));
-    }
-    constexpr std::uintmax_t takes_a_while = 20000000;
-    if (size > takes_a_while) {
-        notice(fmt::format("reading {}, {:.0f} MB", name, 1e-6 * static_cast<double>(size)));
-    }
-    std::string content(size, '\0');
-    stream.read(content.data(), static_cast<std::streamsize>(content.size()));
-    if (stream.gcount() != static_cast<std::streamsize>(content.size())) {
-        throw FileError(fmt::format("{}: cannot be read to its end", name));
-    }
-    return parse_stl(content, name);
 }
 
 }  // namespace riffle

@@ -83,11 +83,14 @@ Case defaults_of(const Case& c) {
 
 /// When a key applies: `kind = "wave"`, of a key in another section with that section's name.
 std::string condition_text(const Key& key) {
-    const Key& other = *find_key(key.applies.id);
-    const std::string name = other.section == key.section ? other.name : key.applies.id;
-    return other.type == ValueType::integer
-               ? fmt::format("{} = {}", name, fmt::join(key.applies.words, " or "))
-               : fmt::format("{} = \"{}\"", name, fmt::join(key.applies.words, "\" or \""));
+    const auto text_of = [&](const Applies& applies) {
+        const Key& other = *find_key(applies.id);
+        const std::string name = other.section == key.section ? other.name : applies.id;
+        return other.type == ValueType::integer
+                   ? fmt::format("{} = {}", name, fmt::join(applies.words, " or "))
+                   : fmt::format("{} = \"{}\"", name, fmt::join(applies.words, "\" or \""));
+    };
+    return text_of(key.applies) + (key.applies_also.id.empty() ? "" : " and " + text_of(key.applies_also));
 }
 
 /// The keys of a section that a case may not give now, with what they take.

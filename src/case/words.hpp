@@ -218,6 +218,43 @@ struct Words<StartKind> {
 };
 
 template <>
+struct Words<SolidShape> {
+    static constexpr std::array<Word, 9> list{{
+        {"free-form", "the outline of `x` and `z` in two dimensions, the closed surface of `file` in three"},
+        {"box", "three dimensions: by `centre` and `size`, turned by `angle`"},
+        {"sphere", "three dimensions: by `centre` and `diameter`"},
+        {"cylinder", "three dimensions: by `centre`, `diameter`, `length` and `axis`"},
+        {"rectangle", "two dimensions: by `centre` and `size`, turned by `angle`"},
+        {"circle", "two dimensions: by `centre` and `diameter`"},
+        {"bed",
+         "a bed from measured heights, by the file `heights`: under all of the channel, down to below the bed level"},
+        {"section",
+         "three dimensions: a bed of one cross-section all along the channel, by `y` and `levels`"},
+        {"spheres",
+         "three dimensions: a layer of equal spheres over all of the bed, by `diameter` and `packing`"},
+    }};
+};
+
+template <>
+struct Words<SolidAxis> {
+    static constexpr std::array<Word, 3> list{{
+        {"x", "along the channel"},
+        {"y", "across the channel"},
+        {"z", "upright"},
+    }};
+};
+
+template <>
+struct Words<SolidPacking> {
+    static constexpr std::array<Word, 3> list{{
+        {"hexagonal", "rows along the channel, every other one shifted by half a sphere"},
+        {"square", "rows along the channel, side by side"},
+        {"random",
+         "one after the other at random places that are free, until hardly one is left: about 0.55 of the area"},
+    }};
+};
+
+template <>
 struct Words<SolidSurface> {
     static constexpr std::array<Word, 2> list{{
         {"no-slip", "the water rests at it",

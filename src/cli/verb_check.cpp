@@ -104,9 +104,12 @@ void print_forecast(const Case& c, const Forecast& f) {
         fmt::print("    {:<20} {}\n", part.name, size_text(part.bytes));
     }
     print_probes(f);
+    for (std::size_t i = 0; i < c.solid_notes.size(); ++i) {
+        print_row(i == 0 ? "beds from data" : "", c.solid_notes[i]);
+    }
 }
 
-void print_json(const Forecast& f, const std::vector<std::string>& warnings) {
+void print_json(const Case& c, const Forecast& f, const std::vector<std::string>& warnings) {
     const nlohmann::ordered_json json = {{"particles", f.particles},
                                          {"wall_particles", f.wall_particles},
                                          {"sound_speed", f.sound_speed},
@@ -122,6 +125,7 @@ void print_json(const Forecast& f, const std::vector<std::string>& warnings) {
                                          {"disk_parts", parts_json(f)},
                                          {"probes", probes_json(f)},
                                          {"probe_notes", f.probe_notes},
+                                         {"solid_notes", c.solid_notes},
                                          {"warnings", warnings}};
     fmt::print("{}\n", json.dump(2));
 }
@@ -136,7 +140,7 @@ void check(const CheckVerb& verb) {
     }
     const Forecast f = forecast_run(c, verb.threads);
     if (verb.json) {
-        print_json(f, warnings);
+        print_json(c, f, warnings);
     } else {
         print_forecast(c, f);
     }

@@ -195,6 +195,46 @@ inline Case with_mesh() {
     return c;
 }
 
+inline Case with_shape(SolidShape shape) {
+    const bool plane = shape == SolidShape::rectangle || shape == SolidShape::circle;
+    Case c = with_mesh();
+    c.channel.length = 0.2;
+    c.channel.dimensions = plane ? 2 : 3;
+    Solid solid;
+    solid.name = "s";
+    solid.shape = shape;
+    switch (shape) {
+        case SolidShape::box:
+            solid.size = {0.03, 0.03, 0.03};
+            break;
+        case SolidShape::rectangle:
+            solid.size = {0.03, 0.03};
+            break;
+        case SolidShape::bed:
+            solid.heights = folder_of_this_process() / "riffle_refusals.xyz";
+            put_bytes(solid.heights, "0 0 0.01\n0.2 0 0.01\n0 0.1 0.01\n0.2 0.1 0.01\n");
+            break;
+        case SolidShape::section:
+            solid.y = {0.0, 0.1};
+            solid.levels = {0.01, 0.01};
+            break;
+        case SolidShape::spheres:
+            solid.packing = SolidPacking::square;
+            solid.diameter = 0.02;
+            break;
+        default:
+            solid.diameter = 0.03;
+            solid.length = shape == SolidShape::cylinder ? 0.04 : 0.0;
+    }
+    const bool centred =
+        shape != SolidShape::bed && shape != SolidShape::section && shape != SolidShape::spheres;
+    if (centred) {
+        solid.centre = plane ? std::vector{0.1, 0.02} : std::vector{0.1, 0.05, 0.02};
+    }
+    c.solids = {solid};
+    return c;
+}
+
 inline Case with_probe(ProbeKind kind) {
     Case c = flume();
     Probe p;

@@ -8,6 +8,7 @@
 
 #include "case/case_text.hpp"
 #include "case/solid_mesh.hpp"
+#include "case/solid_shapes.hpp"
 #include "case/warnings.hpp"
 #include "changed_cases.hpp"
 
@@ -32,6 +33,7 @@ using test::tank;
 using test::with_keys;
 using test::with_mesh;
 using test::with_probe;
+using test::with_shape;
 using test::with_solid;
 using test::with_two_solids;
 using test::with_water;
@@ -245,6 +247,33 @@ std::vector<Wrong> wrong_solids() {
     };
 }
 
+std::vector<Wrong> wrong_shapes() {
+    using enum SolidShape;
+    const Case on_spheres = with_shape(spheres);
+    return {
+        {with_shape(box), "channel.dimensions = 2"},
+        {with_shape(circle), "channel.dimensions = 3; channel.ends = walls"},
+        {with_shape(sphere), "solid[0].centre = [0.1, 0.05]"},
+        {with_shape(rectangle), "solid[0].centre = []"},
+        {with_shape(box), "solid[0].size = []"},
+        {with_shape(box), "solid[0].size = [0.03, 0, 0.03]"},
+        {with_shape(cylinder), "solid[0].diameter = 0"},
+        {with_shape(cylinder), "solid[0].length = 0"},
+        {with_shape(cylinder), "solid[0].centre = [0.01, 0.05, 0.02]"},
+        {with_shape(bed), "solid[0].heights = \"\""},
+        {with_shape(bed), "solid[0].origin = [1, 2]"},
+        {with_shape(bed), "channel.ends = walls; channel.sides = walls; solid[0].blend = 10 mm"},
+        {with_shape(bed), "solid[0].blend = 60 mm"},
+        {with_shape(section), "solid[0].levels = 0"},
+        {with_shape(section), "solid[0].y = [0, 0.1, 0.05]; solid[0].levels = [0.01, 0.01, 0.01]"},
+        {with_shape(section), "solid[0].y = [0, 0.08]"},
+        {with_shape(section), "solid[0].levels = [0.01, -0.01]"},
+        {with_shape(section), "solid[0].levels = [0.01, 0.02]"},
+        {on_spheres, "channel.length = 0.21"},
+        {with_shape(section), "solid[0].motion = constant; solid[0].velocity_z = 0.01"},
+    };
+}
+
 std::vector<Wrong> wrong_probes() {
     using enum ProbeKind;
     return {
@@ -277,7 +306,7 @@ std::vector<Wrong> wrong_probes() {
 std::vector<Wrong> all_wrongs() {
     std::vector<Wrong> all;
     for (auto* const wrongs : {wrong_geometry, wrong_open_ends, wrong_methods, wrong_starts_and_runs,
-                               wrong_solids, wrong_probes}) {
+                               wrong_solids, wrong_shapes, wrong_probes}) {
         for (Wrong& wrong : wrongs()) {
             all.push_back(std::move(wrong));
         }
@@ -293,11 +322,18 @@ std::string file_text(const Case& c) {
 /// Message of the refusal of the file of a case; empty where it is right.
 std::string refusal_of(const Case& c) { return test::error_of(file_text(c), {}, c.path); }
 
-void load_meshes(Case& c) {
-    const bool readable = std::all_of(c.solids.begin(), c.solids.end(),
-                                      [](const Solid& s) { return !s.file.empty() && s.place.size() == 3; });
-    if (c.channel.dimensions == 3 && readable) {
+void load_shapes(Case& c) {
+    const bool complete = std::all_of(c.solids.begin(), c.solids.end(),
+                                      [&](const Solid& s) { return shape_is_complete(c, s); });
+    if (c.channel.dimensions == 3 && complete) {
         c.meshes = meshes_of(c);
+    }
+    for (Solid& solid : c.solids) {
+        if (c.channel.dimensions == 2 && complete && solid.shape != SolidShape::free_form) {
+            const Outline outline = shape_outline(c, solid);
+            solid.x = outline.x;
+            solid.z = outline.z;
+        }
     }
 }
 
@@ -311,7 +347,7 @@ TEST(Refusals, EachRowHasACaseThatItRefusesAndSaysSo) {
     std::set<const CaseCheck*> broken;
     for (const Wrong& wrong : all_wrongs()) {
         Case c = with_keys(wrong.right, wrong.keys);
-        load_meshes(c);
+        load_shapes(c);
         const std::string message = refusal_of(c);
         EXPECT_NE(message, "") << wrong.keys << " is taken";
         for (const CheckList& list : refusals()) {

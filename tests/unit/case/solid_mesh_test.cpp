@@ -13,7 +13,7 @@
 #include <string>
 
 #include "base/error.hpp"
-#include "case/stl_file.hpp"
+#include "case/mesh_file.hpp"
 #include "case_test.hpp"
 #include "temporary_folder.hpp"
 
@@ -91,7 +91,7 @@ std::filesystem::path file_of(const std::string& content) {
 
 ClosedSurface surface_of(const std::string& content) {
     const auto file = file_of(content);
-    return closed_surface(read_stl(file), file.string());
+    return closed_surface(read_mesh(file), file.string());
 }
 
 std::string fault_of(const std::string& content) {

@@ -1,0 +1,166 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "case/refusals.hpp"
+#include "case/solid_shapes.hpp"
+#include "case/sphere_tiling.hpp"
+#include "case/units.hpp"
+
+namespace riffle {
+
+namespace {
+
+bool has_shape(const Solid& solid, std::initializer_list<SolidShape> shapes) {
+    return std::find(shapes.begin(), shapes.end(), solid.shape) != shapes.end();
+}
+
+Findings wrong_dimensions(const Case& c, const Solid& solid) {
+    const int own = dimensions_of(solid.shape);
+    return found_if(own != 0 && own != c.channel.dimensions, "shape = \"{}\" is one of {} dimensions",
+                    word(solid.shape), own == 2 ? "two" : "three");
+}
+
+Findings wrong_count(const Case& c, const char* key, const std::vector<double>& values) {
+    return found_if(values.size() != static_cast<std::size_t>(c.channel.dimensions),
+                    "{} holds {} {}; expected {}", key, values.size(),
+                    values.size() == 1 ? "value" : "values",
+                    in_space(c) ? "three: x, y and z" : "two: x and z");
+}
+
+Findings no_size(const Solid& solid) {
+    if (has_shape(solid, {SolidShape::box, SolidShape::rectangle})) {
+        return found_if(std::any_of(solid.size.begin(), solid.size.end(), [](double v) { return v <= 0.0; }),
+                        "size holds a length that is not above zero");
+    }
+    if (has_shape(solid,
+                  {SolidShape::sphere, SolidShape::cylinder, SolidShape::circle, SolidShape::spheres}) &&
+        solid.diameter <= 0.0) {
+        return found_if(true, "has no diameter");
+    }
+    return found_if(solid.shape == SolidShape::cylinder && solid.length <= 0.0, "has no length");
+}
+
+/// A lattice of spheres that a periodic channel does not hold a whole number of.
+Findings stretched_spheres(const Case& c, const Solid& solid) {
+    if (solid.shape != SolidShape::spheres || solid.diameter <= 0.0 ||
+        solid.packing == SolidPacking::random) {
+        return {};
+    }
+    const double across =
+        solid.packing == SolidPacking::hexagonal ? std::numbers::sqrt3 * solid.diameter : solid.diameter;
+    Findings found;
+    const auto look = [&](const char* name, double extent, double period, bool periodic) {
+        const double whole = whole_periods(extent, period) * period;
+        if (periodic && std::abs(extent / whole - 1.0) > largest_stretch) {
+            found.push_back({.detail = fmt::format(
+                                 "{} is {}, and {} is the nearest whole number of spheres of {}", name,
+                                 shown_length(extent), shown_length(whole), shown_length(solid.diameter))});
+        }
+    };
+    look("length", c.channel.length, solid.diameter, c.channel.ends == Ends::periodic);
+    look("width", c.channel.simulated_width(), across, c.channel.sides == Sides::periodic);
+    return found;
+}
+
+Findings needless_blend(const Case& c, const Solid& solid) {
+    const bool along = c.channel.ends == Ends::periodic;
+    const bool across = in_space(c) && c.channel.sides == Sides::periodic;
+    return found_if(solid.blend > 0.0 && !along && !across, "blend is {}, and the channel has no periodic {}",
+                    shown_length(solid.blend), in_space(c) ? "ends or sides" : "ends");
+}
+
+Findings long_blend(const Case& c, const Solid& solid) {
+    const bool across = in_space(c) && c.channel.sides == Sides::periodic;
+    const double extent = across ? std::min(c.channel.length, c.channel.simulated_width()) : c.channel.length;
+    return found_if(solid.blend > 0.5 * extent, "blend is {}, more than half of the {} between periodic ends",
+                    shown_length(solid.blend), shown_length(extent));
+}
+
+}  // namespace
+
+CheckList shape_refusals() {
+    using enum SolidShape;
+    return {{
+        {{"solid.shape", "channel.dimensions"},
+         "a `shape` of the other number of dimensions",
+         "",
+         R"(in two dimensions choose "rectangle" or "circle", in three "box", "sphere", "cylinder", "section" or "spheres"; "free-form" and "bed" go with both)",
+         wrong_dimensions,
+         true},
+        {{"solid.centre"},
+         "`centre` missing, or without as many values as the case has dimensions",
+         "",
+         R"(give it, for example centre = ["100 mm", "50 mm", "20 mm"], in two dimensions x and z alone)",
+         [](const Case& c, const Solid& solid) {
+             return has_shape(solid, {box, sphere, cylinder, rectangle, circle})
+                        ? wrong_count(c, "centre", solid.centre)
+                        : Findings{};
+         },
+         true},
+        {{"solid.size"},
+         "`size` missing, or without as many values as the case has dimensions",
+         "",
+         R"(give it, for example size = ["40 mm", "20 mm", "20 mm"], in two dimensions along x and z alone)",
+         [](const Case& c, const Solid& solid) {
+             return has_shape(solid, {box, rectangle}) ? wrong_count(c, "size", solid.size) : Findings{};
+         },
+         true},
+        {{"solid.size", "solid.diameter", "solid.length"},
+         "a shape without a `size`, `diameter` or `length` above zero",
+         "",
+         "give it",
+         [](const Case&, const Solid& solid) { return no_size(solid); },
+         true},
+        {{"solid.heights"},
+         "a bed without `heights`",
+         "",
+         "give the file of its heights, for example heights = \"gravel.asc\"",
+         [](const Case&, const Solid& solid) {
+             return found_if(solid.shape == bed && solid.heights.empty(), "heights is missing");
+         },
+         true},
+        {{"solid.origin"},
+         "`origin` without as many numbers as the case has dimensions",
+         "",
+         "give all of them, or remove the key",
+         [](const Case& c, const Solid& solid) {
+             return solid.origin.empty() ? Findings{} : wrong_count(c, "origin", solid.origin);
+         },
+         true},
+        {{"solid.blend", "channel.ends"},
+         "`blend` without periodic ends or sides",
+         "there is nothing to join",
+         "remove the key",
+         needless_blend},
+        {{"solid.blend", "channel.length"},
+         "a `blend` longer than half of the channel",
+         "the two would meet",
+         "choose a shorter one",
+         long_blend},
+        {{"solid.y", "solid.levels"},
+         "a cross-section that does not reach from side to side on the bed, by as many `levels` as `y`",
+         "it stands under all of the channel",
+         "correct its corners: y grows from 0 to the width, levels are at least 0, and equal at periodic sides",
+         [](const Case& c, const Solid& solid) {
+             const std::string fault = solid.shape == section ? section_fault(c, solid) : std::string();
+             return found_if(!fault.empty(), "{}", fault);
+         },
+         true},
+        {{"solid.diameter", "channel.length", "channel.width"},
+         "spheres of which a periodic channel does not hold a whole number",
+         "their lattice would be stretched by more than a hundredth",
+         "choose the length, the width or the diameter so that it does",
+         stretched_spheres},
+        {{"solid.motion", "solid.shape"},
+         "a bed, a section or spheres that move",
+         "they lie under all of the channel",
+         "set motion = \"fixed\"",
+         [](const Case&, const Solid& solid) {
+             return found_if(is_bed_shape(solid.shape) && solid.motion != SolidMotion::fixed,
+                             "motion is \"{}\"", word(solid.motion));
+         }},
+    }};
+}
+
+}  // namespace riffle
