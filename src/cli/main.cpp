@@ -27,6 +27,7 @@ namespace {
 constexpr const char* examples = R"(Examples:
   riffle new my-flume.toml                          a commented case to start from
   riffle check my-flume.toml                        is it valid, and what will it cost?
+  riffle preview my-flume.toml                      what does it look like? a page with its geometry
   riffle column my-flume.toml                       the 1D twin: the mean flow in milliseconds
   riffle section my-channel.toml                    the 2D twin of a channel with side walls
   riffle backwater my-flume.toml --downstream 80mm  steady varied flow: M1 to S3, jumps
@@ -63,6 +64,7 @@ int parse_and_run(int argc, char** argv) {
     app.set_version_flag("--version", version());
     add_verb_new(app);
     add_verb_check(app);
+    add_verb_preview(app);
     add_verb_column(app);
     add_verb_section(app);
     add_verb_backwater(app);

@@ -10,6 +10,7 @@ namespace riffle {
 
 void add_verb_new(CLI::App& app);
 void add_verb_check(CLI::App& app);
+void add_verb_preview(CLI::App& app);
 void add_verb_column(CLI::App& app);
 void add_verb_section(CLI::App& app);
 void add_verb_backwater(CLI::App& app);

@@ -13,7 +13,7 @@ import xml.etree.ElementTree
 
 from riffle_cli import CASE, RIFFLE, SMALL, SOURCE, CommandLineTest, every, main, until
 
-VERBS = ["new", "check", "column", "section", "backwater", "calibrate", "run", "resume", "sweep", "report", "analyse", "watch", "bench",
+VERBS = ["new", "check", "preview", "column", "section", "backwater", "calibrate", "run", "resume", "sweep", "report", "analyse", "watch", "bench",
          "schema", "version", "help"]
 
 
