@@ -241,7 +241,7 @@ class BedMaker {
     /// The part of a grid that lies over the channel, with a point beyond it on each side where there is one.
     [[nodiscard]] HeightGrid over_channel(const HeightGrid& grid) const {
         const auto range = [](double first, double step, std::size_t count, double extent) {
-            const double most = static_cast<double>(count - 1);
+            const auto most = static_cast<double>(count - 1);
             const double low = std::clamp(std::floor(-first / step + 1e-6), 0.0, most);
             const double high = std::clamp(std::ceil((extent - first) / step - 1e-6), low, most);
             return std::pair(static_cast<std::size_t>(low), static_cast<std::size_t>(high));

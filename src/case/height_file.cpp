@@ -28,7 +28,7 @@ std::string lower_case(std::string_view word) {
 /// ESRI ASCII grids: a header of names and numbers, then rows of heights from the north down.
 class AscReader {
   public:
-    AscReader(std::string_view content, const std::string& name) : lines_(content, name), name_(name) {}
+    AscReader(std::string_view content, const std::string& name) : lines_(content, name) {}
 
     HeightGrid read() {
         read_header();
@@ -146,7 +146,6 @@ class AscReader {
     }
 
     TextLines lines_;
-    const std::string& name_;
     double columns_ = 0.0;
     double rows_ = 0.0;
     double x_ = 0.0;

@@ -90,7 +90,8 @@ FilledHoles fill_holes(HeightGrid& grid) {
     // A hole one point wide reaches over two steps of the grid from what is known to what is known.
     filled.widest = 2.0 * steps[middle] * std::max(grid.step_x, grid.step_y);
     filled.x = grid.x + grid.step_x * static_cast<double>(middle % grid.columns);
-    filled.y = grid.y + grid.step_y * static_cast<double>(middle / grid.columns);
+    const std::size_t row = middle / grid.columns;
+    filled.y = grid.y + grid.step_y * static_cast<double>(row);
 
     // From the edge inward each starts as the mean of what is known by then.
     std::stable_sort(missing.begin(), missing.end(), [&](auto a, auto b) { return steps[a] < steps[b]; });

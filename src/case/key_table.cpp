@@ -178,7 +178,7 @@ SectionKeys start() {
               "depth then only sets the spacing of the rows.",
               "[\"0 mm\", \"100 mm\", \"100 mm\", \"0 mm\"]"));
     s.keys.push_back(water("water_z", &Start::water_z, "Heights of the same corners above the bed level.",
-                           "[\"0 mm\", \"0 mm\", \"200 mm\", \"200 mm\"]"));
+                           R"(["0 mm", "0 mm", "200 mm", "200 mm"])"));
     s.keys.push_back(
         key("jitter", &Start::jitter,
             "Largest random displacement of the particles from their lattice, in units of the spacing.")
@@ -340,7 +340,7 @@ SectionKeys output() {
         return make_key("output", name, &Case::output, member, meaning)
             .measured_in(length)
             .may_be_empty()
-            .with_example("[\"0 mm\", \"50 mm\"]");
+            .with_example(R"(["0 mm", "50 mm"])");
     };
     s.keys.push_back(
         region("snapshot_x", &Output::snapshot_x, "From and to where along the channel; not given: all."));

@@ -96,7 +96,8 @@ class PlyBinaryRows {
         for (std::size_t i = 0; i < row.size(); ++i) {
             const PlyProperty& property = element.properties[i];
             const double items = property.list ? number(property.count_type) : 1.0;
-            const auto room = static_cast<double>(rest_.size() / bytes_of(property.type));
+            const std::size_t left = rest_.size() / bytes_of(property.type);
+            const auto room = static_cast<double>(left);
             if (!(items >= 0.0 && items <= room)) {
                 fault(fmt::format("cut short: a row of `{}` needs {} numbers, and there is room for {}",
                                   shown_word(element.name), items, room));

@@ -6,6 +6,7 @@
 #include "case/solid_shapes.hpp"
 #include "case/sphere_tiling.hpp"
 #include "case/units.hpp"
+#include "case/words.hpp"
 
 namespace riffle {
 

@@ -23,14 +23,14 @@ void add_shape_keys(SectionKeys& s) {
             .measured_in(length)
             .may_be_empty()
             .with_default_note("required for these shapes")
-            .with_example("[\"100 mm\", \"50 mm\", \"20 mm\"]")
+            .with_example(R"(["100 mm", "50 mm", "20 mm"])")
             .applies_with(shape, {"box", "sphere", "cylinder", "rectangle", "circle"}, true));
     s.keys.push_back(
         solid_key("size", &Solid::size, "Its lengths along x, y and z, of a rectangle along x and z.")
             .measured_in(length)
             .may_be_empty()
             .with_default_note("required for these shapes")
-            .with_example("[\"40 mm\", \"20 mm\", \"20 mm\"]")
+            .with_example(R"(["40 mm", "20 mm", "20 mm"])")
             .applies_with(shape, {"box", "rectangle"}, true));
     s.keys.push_back(
         solid_key("angle", &Solid::angle,
@@ -43,13 +43,13 @@ void add_shape_keys(SectionKeys& s) {
                          .measured_in(length)
                          .at_least(0)
                          .with_default_note("required for these shapes")
-                         .with_example("\"20 mm\"")
+                         .with_example(R"("20 mm")")
                          .applies_with(shape, {"sphere", "cylinder", "circle", "spheres"}, true));
     s.keys.push_back(solid_key("length", &Solid::length, "Length of a cylinder.")
                          .measured_in(length)
                          .at_least(0)
                          .with_default_note("required for a cylinder")
-                         .with_example("\"80 mm\"")
+                         .with_example(R"("80 mm")")
                          .applies_with(shape, {"cylinder"}, true));
     s.keys.push_back(solid_key("axis", &Solid::axis, "Direction of a cylinder's axis.")
                          .applies_with(shape, {"cylinder"}, true));
@@ -60,13 +60,13 @@ void add_shape_keys(SectionKeys& s) {
             .measured_in(length)
             .may_be_empty()
             .with_default_note("required for a section")
-            .with_example("[\"0 mm\", \"80 mm\", \"100 mm\", \"200 mm\"]")
+            .with_example(R"(["0 mm", "80 mm", "100 mm", "200 mm"])")
             .applies_with(shape, {"section"}, true));
     s.keys.push_back(solid_key("levels", &Solid::levels, "Heights of the same corners above the bed level.")
                          .measured_in(length)
                          .may_be_empty()
                          .with_default_note("required for a section")
-                         .with_example("[\"40 mm\", \"40 mm\", \"0 mm\", \"0 mm\"]")
+                         .with_example(R"(["40 mm", "40 mm", "0 mm", "0 mm"])")
                          .applies_with(shape, {"section"}, true));
     s.keys.push_back(solid_key("packing", &Solid::packing, "How the spheres lie, seen from above.")
                          .applies_with(shape, {"spheres"}, true));
@@ -90,7 +90,7 @@ void add_bed_keys(SectionKeys& s) {
             "File of the heights of a bed: an ESRI ASCII grid (.asc), or lines of x, y and z on a regular "
             "grid (.csv, .xyz, .txt); in two dimensions of x and z.")
             .with_default_note("required for a bed")
-            .with_example("\"gravel.asc\"")
+            .with_example(R"("gravel.asc")")
             .applies_with(shape, {"bed"}, true));
     s.keys.push_back(solid_key("unit", &Solid::unit, "Length of the unit of that file.")
                          .measured_in(length)
@@ -140,26 +140,27 @@ SectionKeys solid_keys() {
     };
     const std::string motion = "solid.motion";
     const std::string shape = "solid.shape";
-    s.keys.push_back(
-        key("name", &Solid::name, "Name of the solid, for messages.").is_required().with_example("\"weir\""));
+    s.keys.push_back(key("name", &Solid::name, "Name of the solid, for messages.")
+                         .is_required()
+                         .with_example(R"("weir")"));
     s.keys.push_back(key("shape", &Solid::shape, "What it is, and by which keys it is described."));
     s.keys.push_back(
         key("x", &Solid::x, "Corners of its outline along the channel, one after the other in either sense.")
             .measured_in(length)
             .with_default_note("required in two dimensions")
-            .with_example("[\"100 mm\", \"140 mm\", \"140 mm\", \"100 mm\"]")
+            .with_example(R"(["100 mm", "140 mm", "140 mm", "100 mm"])")
             .applies_with(shape, {"free-form"}, true)
             .and_with("channel.dimensions", {"2"}));
     s.keys.push_back(key("z", &Solid::z, "Heights of the same corners above the bed level.")
                          .measured_in(length)
                          .with_default_note("required in two dimensions")
-                         .with_example("[\"0 mm\", \"0 mm\", \"20 mm\", \"20 mm\"]")
+                         .with_example(R"(["0 mm", "0 mm", "20 mm", "20 mm"])")
                          .applies_with(shape, {"free-form"}, true)
                          .and_with("channel.dimensions", {"2"}));
     s.keys.push_back(key("file", &Solid::file,
                          "File of its closed surface in three dimensions: STL, OBJ or PLY, by its ending.")
                          .with_default_note("required in three dimensions")
-                         .with_example("\"stone.stl\"")
+                         .with_example(R"("stone.stl")")
                          .applies_with(shape, {"free-form"}, true)
                          .and_with("channel.dimensions", {"3"}));
     s.keys.push_back(key("scale", &Solid::scale, "Length of the file's unit.")
@@ -171,7 +172,7 @@ SectionKeys solid_keys() {
                          .measured_in(length)
                          .may_be_empty()
                          .with_default_note("the channel's origin")
-                         .with_example("[\"100 mm\", \"50 mm\", \"0 mm\"]")
+                         .with_example(R"(["100 mm", "50 mm", "0 mm"])")
                          .applies_with(shape, {"free-form"}, true)
                          .and_with("channel.dimensions", {"3"}));
     add_shape_keys(s);

@@ -28,26 +28,26 @@ void draw_legend(SvgSheet& sheet, const Case& c, double y) {
         sheet.text(x + 24.0, y, text);
         x += 46.0 + 7.2 * static_cast<double>(text.size());
     };
-    swatch(fmt::format("fill=\"{}\" stroke=\"{}\"", water_colour, surface_colour), "water at its start");
-    swatch("fill=\"url(#hatch)\" stroke=\"#1b2026\"", "bed and walls");
+    swatch(fmt::format(R"(fill="{}" stroke="{}")", water_colour, surface_colour), "water at its start");
+    swatch("fill='url(#hatch)' stroke='#1b2026'", "bed and walls");
     if (!c.solids.empty()) {
-        swatch(fmt::format("fill=\"{}\" stroke=\"#1b2026\"", solid_colour(c, 0)), "solids");
+        swatch(fmt::format(R"(fill="{}" stroke="#1b2026")", solid_colour(c, 0)), "solids");
     }
     if (c.bed.roughness_height > 0.0) {
-        swatch("fill=\"#c2a878\" fill-opacity=\"0.45\" stroke=\"#8a6d3b\" stroke-dasharray=\"3 3\"",
+        swatch(R"(fill="#c2a878" fill-opacity="0.45" stroke="#8a6d3b" stroke-dasharray="3 3")",
                "roughness zone, datum (long dashes)");
     }
     if (c.channel.ends == Ends::open) {
-        swatch("fill=\"#0072b2\" fill-opacity=\"0.35\"", "water beyond the ends");
+        swatch(R"(fill="#0072b2" fill-opacity="0.35")", "water beyond the ends");
     }
     if (!c.probes.empty()) {
-        swatch(fmt::format("fill=\"{}\"", probe_colour), "instruments, numbered as in the table");
+        swatch(fmt::format(R"(fill="{}")", probe_colour), "instruments, numbered as in the table");
     }
 }
 
 void draw_heading(SvgSheet& sheet, double x, double y, const std::string& title, const std::string& more) {
-    sheet.text(x, y, title, "font-size=\"15\" font-weight=\"600\"");
-    sheet.text(x + 9.0 * static_cast<double>(title.size()) + 6.0, y, more, "fill=\"#56606b\"");
+    sheet.text(x, y, title, R"(font-size="15" font-weight="600")");
+    sheet.text(x + 9.0 * static_cast<double>(title.size()) + 6.0, y, more, R"(fill="#56606b")");
 }
 
 std::string larger(double exaggeration) {
@@ -256,7 +256,7 @@ std::string instruments_table(const Case& c, const Forecast* f) {
         for (const ProbeForecast& probe : f->probes) {
             if (probe.standard) {
                 rows += fmt::format(
-                    "<tr><td>{}</td><td>{}</td><td colspan=\"3\">{} points, without being asked for</td><td>{:.4g} "
+                    R"(<tr><td>{}</td><td>{}</td><td colspan="3">{} points, without being asked for</td><td>{:.4g} )"
                     "Hz</td></tr>\n",
                     escape_markup(probe.name), escape_markup(probe.kind), probe.points,
                     probe.sampling_frequency);

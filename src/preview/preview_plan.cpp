@@ -49,7 +49,10 @@ void draw_heights(SvgSheet& sheet, const Case& c, const PreviewPlan& plan, const
     const double cell_u = view.scale_u() * length / columns;
     const double cell_v = view.scale_v() * width / rows;
     const auto shade = [&](int i, int j) {
-        const double share = (heights[static_cast<std::size_t>(j * columns + i)] - low) / range;
+        const double share = (heights[static_cast<std::size_t>(j) * static_cast<std::size_t>(columns) +
+                                      static_cast<std::size_t>(i)] -
+                              low) /
+                             range;
         return static_cast<std::size_t>(std::min(share * 9.0, 8.0));
     };
     for (int j = 0; j < rows; ++j) {
@@ -66,14 +69,14 @@ void draw_heights(SvgSheet& sheet, const Case& c, const PreviewPlan& plan, const
         }
     }
     for (std::size_t k = 0; k < paths.size(); ++k) {
-        sheet.path(paths[k], fmt::format("fill=\"{}\"", height_colours[k]));
+        sheet.path(paths[k], fmt::format(R"(fill="{}")", height_colours[k]));
     }
     // A scale beside the view.
     const double x = view.left + view.width + 16.0;
     const double step = std::min(16.0, (view.height - 24.0) / 9.0);
     for (std::size_t k = 0; k < height_colours.size(); ++k) {
         sheet.rectangle(x, view.top + 18.0 + step * static_cast<double>(8 - k), 16.0, step,
-                        fmt::format("fill=\"{}\"", height_colours[k]));
+                        fmt::format(R"(fill="{}")", height_colours[k]));
     }
     sheet.text(x, view.top + 11.0, "bed, z");
     sheet.text(x + 21.0, view.top + 27.0, plan.unit.text(*most));
@@ -90,7 +93,7 @@ void draw_silhouette(SvgSheet& sheet, const Case& c, const SheetView& view, std:
         }
     }
     const std::string colour = solid_colour(c, k);
-    sheet.path(d, fmt::format("fill=\"{0}\" stroke=\"{0}\" stroke-width=\"0.7\"", colour));
+    sheet.path(d, fmt::format(R"(fill="{0}" stroke="{0}" stroke-width="0.7")", colour));
 }
 
 void draw_circles(SvgSheet& sheet, const SheetView& view, const std::vector<Point3>& centres, double diameter,
@@ -106,7 +109,7 @@ void draw_probes_in_plan(SvgSheet& sheet, const Case& c, const SheetView& view) 
         if (probe.kind == ProbeKind::flow_rate) {
             for (const double x : probe.x) {
                 sheet.line(view.x(x), view.y(0.0), view.x(x), view.y(c.channel.simulated_width()),
-                           fmt::format("stroke=\"{}\" stroke-width=\"1.4\"", probe_colour));
+                           fmt::format(R"(stroke="{}" stroke-width="1.4")", probe_colour));
             }
             continue;
         }
@@ -114,10 +117,10 @@ void draw_probes_in_plan(SvgSheet& sheet, const Case& c, const SheetView& view) 
             const double y = probe.y.empty() ? std::min(c.channel.centreline(), c.channel.simulated_width())
                                              : probe.y[std::min(i, probe.y.size() - 1)];
             sheet.circle(view.x(probe.x[i]), view.y(y), 3.6,
-                         fmt::format("fill=\"{}\" stroke=\"#fff\" stroke-width=\"0.8\"", probe_colour));
+                         fmt::format(R"(fill="{}" stroke="#fff" stroke-width="0.8")", probe_colour));
             if (i == 0) {
                 sheet.text(view.x(probe.x[i]) + 7.0, view.y(y) - 5.0, std::to_string(k + 1),
-                           fmt::format("class=\"halo\" fill=\"{}\" font-size=\"11\"", probe_colour));
+                           fmt::format(R"(class="halo" fill="{}" font-size="11")", probe_colour));
             }
         }
     }
@@ -150,7 +153,7 @@ void draw_placed(SvgSheet& sheet, const Case& c, const PreviewPlan& plan, const 
         const bool solid = !walls.body.empty() && walls.body[i] >= first_solid;
         sheet.circle(
             view.x(x), view.y(z), radius(walls.volume[i]),
-            fmt::format("fill=\"{}\" stroke=\"#1b2026\" stroke-width=\"0.5\"",
+            fmt::format(R"(fill="{}" stroke="#1b2026" stroke-width="0.5")",
                         solid ? solid_colour(c, static_cast<std::size_t>(walls.body[i] - first_solid))
                               : std::string("#b4bcc4")));
     }
@@ -159,8 +162,7 @@ void draw_placed(SvgSheet& sheet, const Case& c, const PreviewPlan& plan, const 
         const double x = water.position[0][i];
         const double z = water.position[D - 1][i];
         if (is_shown(x, water.position[1][i], z)) {
-            sheet.circle(view.x(x), view.y(z), full,
-                         "fill=\"#8fc3e6\" stroke=\"#0072b2\" stroke-width=\"0.5\"");
+            sheet.circle(view.x(x), view.y(z), full, R"(fill="#8fc3e6" stroke="#0072b2" stroke-width="0.5")");
         }
     }
 }
@@ -169,9 +171,9 @@ void draw_placed(SvgSheet& sheet, const Case& c, const PreviewPlan& plan, const 
 void draw_surfaces(SvgSheet& sheet, const Case& c, const PreviewPlan& plan, const SheetView& view) {
     if (c.channel.top != Top::periodic) {
         sheet.line(view.left, view.y(0.0), view.left + view.width, view.y(0.0),
-                   "stroke=\"#1b2026\" stroke-width=\"1.4\"");
+                   R"(stroke="#1b2026" stroke-width="1.4")");
     }
-    const std::string style = "fill=\"none\" stroke=\"#1b2026\" stroke-width=\"1.4\"";
+    const std::string style = R"(fill="none" stroke="#1b2026" stroke-width="1.4")";
     for (const Solid& solid : c.solids) {
         std::vector<SheetPoint> corners;
         for (std::size_t i = 0; i < solid.x.size(); ++i) {
@@ -193,12 +195,12 @@ void draw_plan(SvgSheet& sheet, const Case& c, const PreviewPlan& plan, const Sh
     const double length = c.channel.length;
     const double width = c.channel.simulated_width();
     sheet.begin_clip(view);
-    sheet.rectangle(view.left, view.top, view.width, view.height, "fill=\"#f5f7f9\"");
+    sheet.rectangle(view.left, view.top, view.width, view.height, R"(fill="#f5f7f9")");
     const auto [from, to] = c.start.water_x.empty()
                                 ? std::pair(0.0, length)
                                 : std::pair(Extent(c.start.water_x).low, Extent(c.start.water_x).high);
     sheet.rectangle(view.x(from), view.y(width), view.x(to) - view.x(from), view.y(0.0) - view.y(width),
-                    fmt::format("fill=\"{}\"", water_colour));
+                    fmt::format(R"(fill="{}")", water_colour));
     if (c.bed.kind == BedKind::spheres) {
         std::vector<Point3> centres = SphereLattice(c).centres(length, width);
         const std::size_t count = centres.size();
@@ -209,7 +211,7 @@ void draw_plan(SvgSheet& sheet, const Case& c, const PreviewPlan& plan, const Sh
         sheet.begin_clip(
             {view.x(0.0), view.y(width), view.x(length) - view.x(0.0), view.y(0.0) - view.y(width)});
         draw_circles(sheet, view, centres, c.bed.sphere_diameter,
-                     "fill=\"#c2a878\" fill-opacity=\"0.35\" stroke=\"#8a6d3b\" stroke-width=\"0.8\"");
+                     R"(fill="#c2a878" fill-opacity="0.35" stroke="#8a6d3b" stroke-width="0.8")");
         sheet.end_clip();
         sheet.begin_clip(view);
     }
@@ -222,7 +224,7 @@ void draw_plan(SvgSheet& sheet, const Case& c, const PreviewPlan& plan, const Sh
         constexpr std::size_t few = 20000;
         if (solid.shape == SolidShape::spheres) {
             draw_circles(sheet, view, sphere_centres(c, solid), solid.diameter,
-                         "fill=\"#c2a878\" stroke=\"#5b4a2f\" stroke-width=\"0.8\"");
+                         R"(fill="#c2a878" stroke="#5b4a2f" stroke-width="0.8")");
         } else if (is_bed_shape(solid.shape) || mesh->tree().triangles().size() > few) {
             sheet.end_clip();
             draw_heights(sheet, c, plan, view, *mesh);
@@ -233,9 +235,9 @@ void draw_plan(SvgSheet& sheet, const Case& c, const PreviewPlan& plan, const Sh
     }
     const auto edge = [&](double u0, double v0, double u1, double v1, bool wall, bool mirror = false) {
         sheet.line(view.x(u0), view.y(v0), view.x(u1), view.y(v1),
-                   wall     ? "stroke=\"#1b2026\" stroke-width=\"2.4\""
-                   : mirror ? "stroke=\"#1b2026\" stroke-dasharray=\"9 3 2 3\""
-                            : "stroke=\"#56606b\" stroke-width=\"1.2\" stroke-dasharray=\"7 5\"");
+                   wall     ? R"(stroke="#1b2026" stroke-width="2.4")"
+                   : mirror ? R"(stroke="#1b2026" stroke-dasharray="9 3 2 3")"
+                            : R"(stroke="#56606b" stroke-width="1.2" stroke-dasharray="7 5")");
     };
     const bool half = c.channel.sides == Sides::half;
     edge(0.0, 0.0, length, 0.0, c.channel.sides != Sides::periodic);
@@ -248,23 +250,23 @@ void draw_plan(SvgSheet& sheet, const Case& c, const PreviewPlan& plan, const Sh
         const auto y = extent_of(c, c.solids[k], 1);
         if (x && y && !is_bed_shape(c.solids[k].shape)) {
             sheet.text(view.x(0.5 * (x->low + x->high)), view.y(std::max(y->low, 0.0)) + 15.0,
-                       c.solids[k].name, "class=\"halo\" text-anchor=\"middle\" font-weight=\"600\"");
+                       c.solids[k].name, R"(class="halo" text-anchor="middle" font-weight="600")");
         }
     }
-    const std::string cut = "stroke=\"#1b2026\" stroke-width=\"1\" stroke-dasharray=\"12 4 3 4\"";
+    const std::string cut = R"(stroke="#1b2026" stroke-width="1" stroke-dasharray="12 4 3 4")";
     sheet.line(view.left - 2.0, view.y(plan.y), view.left + view.width + 2.0, view.y(plan.y), cut);
-    sheet.text(view.left + view.width + 4.0, view.y(plan.y) + 4.0, "A", "class=\"halo\" font-weight=\"600\"");
+    sheet.text(view.left + view.width + 4.0, view.y(plan.y) + 4.0, "A", R"(class="halo" font-weight="600")");
     for (std::size_t k = 0; k < plan.x.size(); ++k) {
         sheet.line(view.x(plan.x[k]), view.top - 2.0, view.x(plan.x[k]), view.top + view.height + 2.0, cut);
         sheet.text(view.x(plan.x[k]) + 5.0, view.top + view.height - 6.0, k == 0 ? "B" : "C",
-                   "class=\"halo\" font-weight=\"600\"");
+                   R"(class="halo" font-weight="600")");
     }
     draw_probes_in_plan(sheet, c, view);
     const double x = view.x(0.06 * length);
     sheet.dimension(x, view.y(0.0), x, view.y(width), plan.unit.text(width));
     if (half) {
         sheet.text(view.x(0.5 * length), view.y(width) + 15.0, "plane of symmetry",
-                   "class=\"halo\" fill=\"#56606b\" text-anchor=\"middle\"");
+                   R"(class="halo" fill="#56606b" text-anchor="middle")");
     }
     sheet.axes(view, plan.unit, "x", "y");
 }
@@ -316,7 +318,7 @@ bool draw_particles(SvgSheet& sheet, const Case& c, const PreviewPlan& plan, con
     const double x = view.left + 14.0;
     const double y = view.top + 20.0;
     sheet.rectangle(x - 8.0, y - 16.0, std::max(5.0 * spacing * view.scale_u() + 16.0, 110.0), 26.0,
-                    "fill=\"#fff\" fill-opacity=\"0.9\"");
+                    R"(fill="#fff" fill-opacity="0.9")");
     sheet.dimension(x, y + 4.0, x + 5.0 * spacing * view.scale_u(), y + 4.0,
                     fmt::format("5 × {:.4g} mm", 1e3 * spacing));
     sheet.axes(view, plan.unit, "x", "z");

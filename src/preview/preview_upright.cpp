@@ -19,8 +19,8 @@ namespace riffle {
 
 namespace {
 
-constexpr const char* wall_style = "fill=\"url(#hatch)\"";
-constexpr const char* wall_edge = "stroke=\"#1b2026\" stroke-width=\"1.8\"";
+constexpr const char* wall_style = "fill='url(#hatch)'";
+constexpr const char* wall_edge = R"(stroke="#1b2026" stroke-width="1.8")";
 
 class UprightView {
   public:
@@ -51,8 +51,8 @@ class UprightView {
         const double width = c_.channel.simulated_width();
         const double depth = water_level_at(x);
         if (depth > 0.0) {
-            rectangle(0.0, width, 0.0, depth, fmt::format("fill=\"{}\"", water_colour));
-            line(0.0, depth, width, depth, fmt::format("stroke=\"{}\" stroke-width=\"1.6\"", surface_colour));
+            rectangle(0.0, width, 0.0, depth, fmt::format(R"(fill="{}")", water_colour));
+            line(0.0, depth, width, depth, fmt::format(R"(stroke="{}" stroke-width="1.6")", surface_colour));
         }
         draw_roughness(0.0, width);
         for (std::size_t k = 0; k < c_.solids.size(); ++k) {
@@ -71,7 +71,7 @@ class UprightView {
             mark_periodic(0.0);
             mark_periodic(width);
         } else if (c_.channel.sides == Sides::half) {
-            line(width, view_.v_low, width, view_.v_high, "stroke=\"#1b2026\" stroke-dasharray=\"9 3 2 3\"");
+            line(width, view_.v_low, width, view_.v_high, R"(stroke="#1b2026" stroke-dasharray="9 3 2 3")");
         }
         draw_dimensions(width);
     }
@@ -95,8 +95,8 @@ class UprightView {
     }
 
     void draw_water_along(double beyond) {
-        const std::string fill = fmt::format("fill=\"{}\"", water_colour);
-        const std::string surface = fmt::format("stroke=\"{}\" stroke-width=\"1.6\"", surface_colour);
+        const std::string fill = fmt::format(R"(fill="{}")", water_colour);
+        const std::string surface = fmt::format(R"(stroke="{}" stroke-width="1.6")", surface_colour);
         const double length = c_.channel.length;
         if (!c_.start.water_x.empty()) {
             std::vector<SheetPoint> corners;
@@ -114,7 +114,7 @@ class UprightView {
         }
         if (beyond > 0.0) {
             for (const double u : {-beyond, length}) {
-                rectangle(u, u + beyond, 0.0, depth, "fill=\"#0072b2\" fill-opacity=\"0.18\"");
+                rectangle(u, u + beyond, 0.0, depth, R"(fill="#0072b2" fill-opacity="0.18")");
             }
         }
     }
@@ -124,10 +124,10 @@ class UprightView {
         const double x = view_.x(u);
         const double y = view_.y(v);
         sheet_.path(fmt::format("M{:.1f} {:.1f}l-6 -10h12z", x, y - 1.0),
-                    fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"1.3\"", surface_colour));
+                    fmt::format(R"(fill="none" stroke="{}" stroke-width="1.3")", surface_colour));
         for (const double part : {1.0, 2.0}) {
             sheet_.line(x - 8.0 + 3.0 * part, y + 3.5 * part, x + 8.0 - 3.0 * part, y + 3.5 * part,
-                        fmt::format("stroke=\"{}\"", surface_colour));
+                        fmt::format(R"(stroke="{}")", surface_colour));
         }
     }
 
@@ -136,9 +136,9 @@ class UprightView {
         if (c_.bed.roughness_height <= 0.0) {
             return;
         }
-        rectangle(from, to, 0.0, c_.crest(), "fill=\"#c2a878\" fill-opacity=\"0.45\"");
-        line(from, c_.crest(), to, c_.crest(), "stroke=\"#8a6d3b\" stroke-dasharray=\"3 3\"");
-        line(from, c_.datum(), to, c_.datum(), "stroke=\"#56606b\" stroke-dasharray=\"10 4\"");
+        rectangle(from, to, 0.0, c_.crest(), R"(fill="#c2a878" fill-opacity="0.45")");
+        line(from, c_.crest(), to, c_.crest(), R"(stroke="#8a6d3b" stroke-dasharray="3 3")");
+        line(from, c_.datum(), to, c_.datum(), R"(stroke="#56606b" stroke-dasharray="10 4")");
     }
 
     void draw_slices(std::size_t solid, const std::vector<std::vector<SheetPoint>>& polygons) {
@@ -150,7 +150,7 @@ class UprightView {
     }
 
     [[nodiscard]] std::string solid_style(std::size_t solid) const {
-        return fmt::format("fill=\"{}\" stroke=\"#1b2026\" stroke-width=\"1\" stroke-linejoin=\"round\"",
+        return fmt::format(R"(fill="{}" stroke="#1b2026" stroke-width="1" stroke-linejoin="round")",
                            solid_colour(c_, solid));
     }
 
@@ -205,7 +205,7 @@ class UprightView {
         if (!covered) {
             rectangle(view_.u_low, to, view_.v_low, 0.0, wall_style);
         }
-        line(view_.u_low, 0.0, to, 0.0, covered ? "stroke=\"#56606b\" stroke-dasharray=\"2 4\"" : wall_edge);
+        line(view_.u_low, 0.0, to, 0.0, covered ? R"(stroke="#56606b" stroke-dasharray="2 4")" : wall_edge);
     }
 
     void draw_end_walls(bool stand, double extent, bool first_only = false) {
@@ -236,7 +236,7 @@ class UprightView {
 
     void mark_periodic(double u) {
         line(u, view_.v_low, u, view_.v_high,
-             "stroke=\"#56606b\" stroke-width=\"1.2\" stroke-dasharray=\"7 5\"");
+             R"(stroke="#56606b" stroke-width="1.2" stroke-dasharray="7 5")");
     }
 
     void draw_ends_along() {
@@ -245,21 +245,21 @@ class UprightView {
         if (c_.channel.ends == Ends::periodic) {
             mark_periodic(0.0);
             mark_periodic(length);
-            sheet_.text(view_.x(0.0) + 6.0, y, "periodic", "class=\"halo\" fill=\"#56606b\"");
+            sheet_.text(view_.x(0.0) + 6.0, y, "periodic", R"(class="halo" fill="#56606b")");
             sheet_.text(view_.x(length) - 6.0, y, "periodic",
-                        "class=\"halo\" fill=\"#56606b\" text-anchor=\"end\"");
+                        R"(class="halo" fill="#56606b" text-anchor="end")");
         } else if (c_.channel.ends == Ends::open) {
             const EndFloors floors = end_floors(c_);
             for (const double u : {0.0, length}) {
                 const double floor = u == 0.0 ? floors.upstream : floors.downstream;
                 const double middle = view_.y(0.5 * (floor + c_.total_depth()));
                 line(u, 0.0, u, c_.total_depth(),
-                     "stroke=\"#0072b2\" stroke-width=\"1.4\" stroke-dasharray=\"4 3\"");
+                     R"(stroke="#0072b2" stroke-width="1.4" stroke-dasharray="4 3")");
                 sheet_.arrow(view_.x(u) - 14.0, middle, view_.x(u) + 20.0, middle, surface_colour);
             }
-            sheet_.text(view_.x(0.0) + 6.0, y, "water enters", "class=\"halo\" fill=\"#0072b2\"");
+            sheet_.text(view_.x(0.0) + 6.0, y, "water enters", R"(class="halo" fill="#0072b2")");
             sheet_.text(view_.x(length) - 6.0, y, "water leaves",
-                        "class=\"halo\" fill=\"#0072b2\" text-anchor=\"end\"");
+                        R"(class="halo" fill="#0072b2" text-anchor="end")");
         }
     }
 
@@ -279,30 +279,29 @@ class UprightView {
             if (std::abs(x - last_x) < 90.0 && std::abs(y - last_y) < 14.0) {
                 y = last_y + 15.0;
             }
-            sheet_.text(x, y, solid.name, "class=\"halo\" text-anchor=\"middle\" font-weight=\"600\"");
+            sheet_.text(x, y, solid.name, R"(class="halo" text-anchor="middle" font-weight="600")");
             last_x = x;
             last_y = y;
         }
     }
 
     void draw_instruments_along() {
-        const std::string stroke = fmt::format("stroke=\"{}\" stroke-width=\"1.4\"", probe_colour);
-        const std::string fill =
-            fmt::format("fill=\"{}\" stroke=\"#fff\" stroke-width=\"0.8\"", probe_colour);
+        const std::string stroke = fmt::format(R"(stroke="{}" stroke-width="1.4")", probe_colour);
+        const std::string fill = fmt::format(R"(fill="{}" stroke="#fff" stroke-width="0.8")", probe_colour);
         for (std::size_t k = 0; k < c_.probes.size(); ++k) {
             const Probe& probe = c_.probes[k];
             const std::string number = std::to_string(k + 1);
             const auto badge = [&](double x, double y) {
-                sheet_.circle(x, y, 8.0, fmt::format("fill=\"#fff\" stroke=\"{}\"", probe_colour));
+                sheet_.circle(x, y, 8.0, fmt::format(R"(fill="#fff" stroke="{}")", probe_colour));
                 sheet_.text(x, y + 4.0, number,
-                            fmt::format("text-anchor=\"middle\" font-size=\"11\" fill=\"{}\"", probe_colour));
+                            fmt::format(R"(text-anchor="middle" font-size="11" fill="{}")", probe_colour));
             };
             switch (probe.kind) {
                 case ProbeKind::wave:
                 case ProbeKind::flow_rate:
                     for (const double x : probe.x) {
                         line(x, 0.0, x, view_.v_high,
-                             stroke + (probe.kind == ProbeKind::wave ? " stroke-dasharray=\"2 3\"" : ""));
+                             stroke + (probe.kind == ProbeKind::wave ? R"( stroke-dasharray="2 3")" : ""));
                         badge(view_.x(x), view_.top + 32.0 + 18.0 * static_cast<double>(k % 3));
                     }
                     break;
@@ -323,7 +322,7 @@ class UprightView {
                     break;
                 case ProbeKind::surface_line:
                     line(0.0, 1.02 * c_.total_depth(), c_.channel.length, 1.02 * c_.total_depth(),
-                         stroke + " stroke-dasharray=\"1 4\"");
+                         stroke + R"( stroke-dasharray="1 4")");
                     badge(view_.x(0.93 * c_.channel.length), view_.y(1.02 * c_.total_depth()) - 10.0);
                     break;
                 case ProbeKind::grid: {
@@ -331,7 +330,7 @@ class UprightView {
                     const double right = probe.x_to.value_or(c_.channel.length);
                     const double low = probe.z_from.value_or(0.0);
                     const double high = probe.z_to.value_or(c_.total_depth());
-                    rectangle(left, right, low, high, "fill=\"none\" stroke-dasharray=\"5 3\" " + stroke);
+                    rectangle(left, right, low, high, R"(fill="none" stroke-dasharray="5 3" )" + stroke);
                     badge(view_.x(left) + 10.0, view_.y(high) + 10.0);
                     break;
                 }

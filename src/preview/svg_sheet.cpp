@@ -70,13 +70,13 @@ void SvgSheet::polygon(const SheetView& view, const std::vector<SheetPoint>& cor
 }
 
 void SvgSheet::arrow(double x1, double y1, double x2, double y2, const std::string& colour) {
-    line(x1, y1, x2, y2, fmt::format("stroke=\"{}\" stroke-width=\"1.6\"", colour));
+    line(x1, y1, x2, y2, fmt::format(R"(stroke="{}" stroke-width="1.6")", colour));
     const double length = std::hypot(x2 - x1, y2 - y1);
     const double u = (x2 - x1) / length;
     const double v = (y2 - y1) / length;
     path(fmt::format("M{:.1f} {:.1f}L{:.1f} {:.1f}L{:.1f} {:.1f}Z", x2, y2, x2 - 8.0 * u + 3.5 * v,
                      y2 - 8.0 * v - 3.5 * u, x2 - 8.0 * u - 3.5 * v, y2 - 8.0 * v + 3.5 * u),
-         fmt::format("fill=\"{}\"", colour));
+         fmt::format(R"(fill="{}")", colour));
 }
 
 void SvgSheet::dimension(double x1, double y1, double x2, double y2, const std::string& words) {
@@ -86,11 +86,11 @@ void SvgSheet::dimension(double x1, double y1, double x2, double y2, const std::
         arrow(middle_x, middle_y, x1, y1, "#4a535d");
         arrow(middle_x, middle_y, x2, y2, "#4a535d");
     } else {
-        line(x1, y1, x2, y2, "stroke=\"#4a535d\" stroke-width=\"1.6\"");
+        line(x1, y1, x2, y2, R"(stroke="#4a535d" stroke-width="1.6")");
     }
     const bool upright = std::abs(y2 - y1) > std::abs(x2 - x1);
     text(middle_x + (upright ? 7.0 : 0.0), middle_y + (upright ? 4.0 : -5.0), words,
-         fmt::format("class=\"halo\" text-anchor=\"{}\"", upright ? "start" : "middle"));
+         fmt::format(R"(class="halo" text-anchor="{}")", upright ? "start" : "middle"));
 }
 
 void SvgSheet::axes(const SheetView& view, const SheetUnit& unit, const std::string& u,
@@ -99,27 +99,27 @@ void SvgSheet::axes(const SheetView& view, const SheetUnit& unit, const std::str
     for (const double value : round_numbers(view.u_low / unit.metres, view.u_high / unit.metres,
                                             std::clamp(view.width / 90.0, 2.0, 10.0))) {
         const double x = view.x(value * unit.metres);
-        line(x, bottom, x, bottom + 5.0, "stroke=\"#4a535d\"");
-        text(x, bottom + 19.0, fmt::format("{:g}", value), "text-anchor=\"middle\"");
+        line(x, bottom, x, bottom + 5.0, R"(stroke="#4a535d")");
+        text(x, bottom + 19.0, fmt::format("{:g}", value), R"(text-anchor="middle")");
     }
     for (const double value : round_numbers(view.v_low / unit.metres, view.v_high / unit.metres,
                                             std::clamp(view.height / 40.0, 2.0, 8.0))) {
         const double y = view.y(value * unit.metres);
-        line(view.left - 5.0, y, view.left, y, "stroke=\"#4a535d\"");
+        line(view.left - 5.0, y, view.left, y, R"(stroke="#4a535d")");
         if (y < view.top + 17.0) {
             continue;  // the title stands there
         }
-        text(view.left - 8.0, y + 4.0, fmt::format("{:g}", value), "text-anchor=\"end\"");
+        text(view.left - 8.0, y + 4.0, fmt::format("{:g}", value), R"(text-anchor="end")");
     }
-    rectangle(view.left, view.top, view.width, view.height, "fill=\"none\" stroke=\"#4a535d\"");
-    text(view.left + view.width, bottom + 36.0, fmt::format("{}, {}", u, unit.name), "text-anchor=\"end\"");
+    rectangle(view.left, view.top, view.width, view.height, R"(fill="none" stroke="#4a535d")");
+    text(view.left + view.width, bottom + 36.0, fmt::format("{}, {}", u, unit.name), R"(text-anchor="end")");
     text(view.left - 52.0, view.top + 4.0, fmt::format("{}, {}", v, unit.name), "");
 }
 
 void SvgSheet::begin_clip(const SheetView& view) {
     ++clips_;
     body_ += fmt::format(
-        "<clipPath id=\"view{0}\"><rect x=\"{1:.1f}\" y=\"{2:.1f}\" width=\"{3:.1f}\" height=\"{4:.1f}\"/>"
+        R"(<clipPath id="view{0}"><rect x="{1:.1f}" y="{2:.1f}" width="{3:.1f}" height="{4:.1f}"/>)"
         "</clipPath>\n<g clip-path=\"url(#view{0})\">\n",
         clips_, view.left, view.top, view.width, view.height);
 }
@@ -128,12 +128,12 @@ void SvgSheet::end_clip() { body_ += "</g>\n"; }
 
 std::string SvgSheet::document(double width, double height, const std::string& title) const {
     return fmt::format(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" "
-        "height=\"{1:.0f}\" role=\"img\" font-family=\"system-ui, 'DejaVu Sans', 'Liberation Sans', sans-serif\" "
+        R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {0:.0f} {1:.0f}" width="{0:.0f}" )"
+        R"(height="{1:.0f}" role="img" font-family="system-ui, 'DejaVu Sans', 'Liberation Sans', sans-serif" )"
         "font-size=\"12.5\" fill=\"#1b2026\">\n<title>{2}</title>\n"
         "<style>.halo{{paint-order:stroke;stroke:#fff;stroke-width:3.5px;stroke-linejoin:round}}</style>\n"
-        "<defs><pattern id=\"hatch\" width=\"7\" height=\"7\" patternUnits=\"userSpaceOnUse\" "
-        "patternTransform=\"rotate(45)\"><rect width=\"7\" height=\"7\" fill=\"#e6e9ed\"/><line x1=\"0\" y1=\"0\" "
+        R"(<defs><pattern id="hatch" width="7" height="7" patternUnits="userSpaceOnUse" )"
+        "patternTransform='rotate(45)'><rect width='7' height='7' fill='#e6e9ed'/><line x1='0' y1='0' "
         "x2=\"0\" y2=\"7\" stroke=\"#7d8791\" stroke-width=\"1.6\"/></pattern></defs>\n"
         "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n{3}</svg>\n",
         width, height, escape_markup(title), body_);
