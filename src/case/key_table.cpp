@@ -176,7 +176,7 @@ SectionKeys start() {
         water("water_x", &Start::water_x,
               "Corners of the outline of the water along the channel, across all of its width; the "
               "depth then only sets the spacing of the rows.",
-              "[\"0 mm\", \"100 mm\", \"100 mm\", \"0 mm\"]"));
+              R"(["0 mm", "100 mm", "100 mm", "0 mm"])"));
     s.keys.push_back(water("water_z", &Start::water_z, "Heights of the same corners above the bed level.",
                            R"(["0 mm", "0 mm", "200 mm", "200 mm"])"));
     s.keys.push_back(

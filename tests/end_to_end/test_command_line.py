@@ -162,7 +162,7 @@ class CommandLine(CommandLineTest):
         case = self.folder / "flume.toml"
         self.succeed("new", case)
         text = case.read_text()
-        self.assertIn("only with channel.dimensions = 2", text)
+        self.assertIn('only with shape = "free-form" and channel.dimensions = 2', text)
         self.assertIn('only with kind = "velocity" or "wave"', text)
         self.assertIn("With dimensions = 3 also: sides.", text)
         self.assertNotIn("l.dimensions =", text.replace("channel.dimensions", ""))
