@@ -11,6 +11,7 @@
 #include "analysis/chapters.hpp"
 #include "analysis/figure_tools.hpp"
 #include "analysis/section_parts.hpp"
+#include "case/flow_kind.hpp"
 #include "hydraulics/turbulence_laws.hpp"
 
 namespace riffle {
@@ -119,7 +120,9 @@ double value_in(const VelocityGrid& grid, const std::vector<double>& values, dou
 }
 
 /// Whether the mean flow of a run varies along the channel, so that places must be compared.
-bool varies_along(const Case& c) { return !c.solids.empty() || c.channel.ends != Ends::periodic; }
+bool varies_along(const Case& c) {
+    return !c.solids.empty() || vegetation_varies_along(c) || c.channel.ends != Ends::periodic;
+}
 
 /// The measured field of velocities and the run's departure from it.
 void add_measured_field(const FlowRecord& record, const VelocityGrid* grid, Analysis& analysis) {

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -313,6 +314,30 @@ struct Solid {
     bool operator==(const Solid&) const = default;
 };
 
+/// [[vegetation]]: stems that stand in the water, of one kind, in a box of the channel.
+struct Vegetation {
+    std::string name;
+    double stems_per_area = 0.0;               ///< n, 1/m2
+    double stem_diameter = 0.0;                ///< d, m
+    double height = 0.0;                       ///< of the stems' tops above the bed level, m
+    std::optional<double> drag_coefficient;    ///< C_D; unset: Cheng & Nguyen's (roughness/stem_drag.hpp)
+    double vogel_exponent = 0.0;               ///< psi of the force ~ U^(2 + psi); 0: rigid
+    std::optional<double> reference_velocity;  ///< up to which flexible stems stand as rigid ones, m/s
+    std::optional<double> x_from;              ///< m; unset: the whole channel
+    std::optional<double> x_to;
+    std::optional<double> y_from;
+    std::optional<double> y_to;
+
+    /// Area of the stems that faces the flow, of a volume of water and stems: a = n d, 1/m.
+    [[nodiscard]] double frontal_area() const { return stems_per_area * stem_diameter; }
+    /// Share of that volume that the stems fill: phi = n pi d^2/4.
+    [[nodiscard]] double solid_fraction() const {
+        return stems_per_area * std::numbers::pi / 4.0 * stem_diameter * stem_diameter;
+    }
+
+    bool operator==(const Vegetation&) const = default;
+};
+
 /// The value at which a way of finding the surface sees it, unless the case says otherwise: half of what the
 /// volume fraction (1) and the divergence of the position (the number of dimensions) are in the water, and a
 /// density ratio of 0.9. Of the depth sum, which has none, 0.
@@ -340,6 +365,7 @@ struct Case {
     Measured measured;
     std::vector<Probe> probes;
     std::vector<Solid> solids;
+    std::vector<Vegetation> vegetation;
 
     /// File it was read from; empty for a text without a file. Relative file names in a case are relative to
     /// the folder of its file, and are made absolute when it is read.

@@ -29,7 +29,8 @@ template <class... Args>
     return wrong ? Findings{{.detail = fmt::format(detail, std::forward<Args>(args)...)}} : Findings{};
 }
 
-/// When a check finds something: a function of the case, or of the case and each of its probes or solids,
+/// When a check finds something: a function of the case, or of the case and each of its probes, solids or
+/// patches of vegetation,
 /// that returns what it finds, or only whether it finds something.
 class CheckCondition {
   public:
@@ -39,6 +40,8 @@ class CheckCondition {
             look_ = [look](const Case& c, std::size_t) { return as_findings(look(c)); };
         } else if constexpr (std::invocable<F, const Case&, const Probe&>) {
             bind(&Case::probes, look);
+        } else if constexpr (std::invocable<F, const Case&, const Vegetation&>) {
+            bind(&Case::vegetation, look);
         } else {
             bind(&Case::solids, look);
         }
@@ -62,7 +65,7 @@ class CheckCondition {
             Findings found = as_findings(look(c, (c.*items)[item]));
             for (CaseFinding& finding : found) {
                 finding.item = item;
-                if constexpr (std::same_as<Item, Solid>) {  // which messages call by their names
+                if constexpr (!std::same_as<Item, Probe>) {  // which messages call by their names
                     const std::string& name = (c.*items)[item].name;
                     finding.detail.insert(0, name.empty() ? "" : name + ": ");
                 }

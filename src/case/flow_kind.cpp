@@ -2,9 +2,30 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace riffle {
 
 namespace {
+
+/// Why patches of vegetation leave no flow that is the same at all places of a height.
+std::optional<std::string> patchy_vegetation(const Case& c) {
+    for (const Vegetation& patch : c.vegetation) {
+        if (!covers_length(c, patch)) {
+            return fmt::format(
+                "the vegetation \"{}\" stands in a part of the channel's length, so the water is held back and let "
+                "go again along it: the uniform flow to compare with is that of the case without x_from and x_to",
+                patch.name);
+        }
+        if (!covers_width(c, patch)) {
+            return fmt::format(
+                "the vegetation \"{}\" stands in a part of the channel's width, so the flow differs across it, "
+                "which the balance of a column does not have (that of `riffle section` does, between side walls)",
+                patch.name);
+        }
+    }
+    return std::nullopt;
+}
 
 bool is_driven(const Case& c) { return c.streamwise_gravity() > 0.0 || c.channel.lid_velocity != 0.0; }
 
@@ -24,12 +45,36 @@ bool bed_resists(const Bed& bed) {
     return false;
 }
 
+bool covers_length(const Case& c, const Vegetation& patch) {
+    return patch.x_from.value_or(0.0) <= 0.0 && patch.x_to.value_or(c.channel.length) >= c.channel.length;
+}
+
+bool covers_width(const Case& c, const Vegetation& patch) {
+    const double width = c.channel.simulated_width();
+    return c.channel.dimensions == 2 ||
+           (patch.y_from.value_or(0.0) <= 0.0 && patch.y_to.value_or(width) >= width);
+}
+
+const Vegetation* vegetation_everywhere(const Case& c) {
+    const auto found = std::find_if(c.vegetation.begin(), c.vegetation.end(), [&c](const Vegetation& patch) {
+        return covers_length(c, patch) && covers_width(c, patch);
+    });
+    return found != c.vegetation.end() ? &*found : nullptr;
+}
+
+bool vegetation_varies_along(const Case& c) {
+    return std::any_of(c.vegetation.begin(), c.vegetation.end(),
+                       [&c](const Vegetation& patch) { return !covers_length(c, patch); });
+}
+
+bool channel_resists(const Case& c) { return bed_resists(c.bed) || vegetation_everywhere(c) != nullptr; }
+
 FlowKind flow_kind(const Case& c) {
     if (c.channel.top == Top::periodic) return FlowKind::periodic_box;
     if (c.start.kind == StartKind::standing_wave) return FlowKind::standing_wave;
     if (c.channel.ends == Ends::open) return FlowKind::open_channel;
     if (c.channel.ends != Ends::periodic || !is_driven(c)) return FlowKind::tank;
-    if (!c.solids.empty()) return FlowKind::channel_with_bodies;
+    if (!c.solids.empty() || vegetation_varies_along(c)) return FlowKind::channel_with_bodies;
     return c.start.water_x.empty() ? FlowKind::uniform_channel : FlowKind::tank;
 }
 
@@ -91,7 +136,8 @@ bool uses_local_depth(const Case& c) {
         return false;
     }
     const bool open = c.channel.ends != Ends::periodic && c.channel.ends != Ends::walls;
-    return c.turbulence.depth == ClosureDepth::local || open || !c.solids.empty();
+    return c.turbulence.depth == ClosureDepth::local || open || !c.solids.empty() ||
+           vegetation_varies_along(c);
 }
 
 std::optional<std::string> why_no_column(const Case& c) {
@@ -136,10 +182,11 @@ std::optional<std::string> why_no_column(const Case& c) {
                "knows: the column of the same channel with a mixing length (turbulence.closure = "
                "\"nezu-rodi\") is one to compare with";
     }
-    if (!bed_resists(c.bed)) {
+    if (auto reason = patchy_vegetation(c)) return reason;
+    if (!channel_resists(c)) {
         return "nothing resists the flow down the slope, so it has no steady state: a slip bed, or spheres "
                "without drag. Give bed.kind = \"spheres\" with bed.roughness_height > 0 and "
-               "bed.drag_coefficient > 0, or bed.kind = \"no-slip\"";
+               "bed.drag_coefficient > 0, bed.kind = \"no-slip\", or [[vegetation]]";
     }
     return std::nullopt;
 }

@@ -10,9 +10,10 @@ namespace riffle {
 /// The kinds of flow that a case can describe. What a run is judged by, which chapters its analysis has and
 /// what its report shows follow from the kind.
 enum class FlowKind {
-    uniform_channel,      ///< driven along a channel, the same everywhere along it
-    channel_with_bodies,  ///< driven along a channel and around bodies that stand in it
-    open_channel,         ///< water enters at one end and leaves at the other, around bodies or not
+    uniform_channel,  ///< driven along a channel, the same everywhere along it
+    /// driven along a channel and around bodies, or through patches of vegetation, that stand in it
+    channel_with_bodies,
+    open_channel,   ///< water enters at one end and leaves at the other, around bodies or not
     tank,           ///< nothing drives a steady flow along it: dam breaks, gates, sloshing, paddles, cavities
     standing_wave,  ///< a wave that stands over a periodic reach
     periodic_box    ///< periodic in all directions, without bed and surface
@@ -51,6 +52,20 @@ enum class FlowKind {
 
 /// Whether a bed holds the water back.
 [[nodiscard]] bool bed_resists(const Bed& bed);
+
+/// Whether a patch of vegetation covers the channel from end to end, and from side to side.
+[[nodiscard]] bool covers_length(const Case& c, const Vegetation& patch);
+[[nodiscard]] bool covers_width(const Case& c, const Vegetation& patch);
+
+/// The vegetation that stands everywhere in the channel; nullptr where none does. No two patches stand at one
+/// place.
+[[nodiscard]] const Vegetation* vegetation_everywhere(const Case& c);
+
+/// Whether vegetation makes the flow change along the channel.
+[[nodiscard]] bool vegetation_varies_along(const Case& c);
+
+/// Whether the bed, or vegetation all over it, holds the water back.
+[[nodiscard]] bool channel_resists(const Case& c);
 
 /// Whether the closure of a case is a mixing length, which grows from the bed and follows the depth.
 [[nodiscard]] bool has_mixing_length(const Case& c);

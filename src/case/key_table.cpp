@@ -8,6 +8,7 @@
 #include "case/probe_keys.hpp"
 #include "case/solid_keys.hpp"
 #include "case/units.hpp"
+#include "case/vegetation_keys.hpp"
 
 namespace riffle {
 
@@ -387,7 +388,7 @@ SectionKeys measured() {
 std::vector<SectionKeys> make_table() {
     std::vector<SectionKeys> table = channel_keys();
     for (auto* const section : {inflow_keys, outflow_keys, numerics, start, stirring, run, output, measured,
-                                solid_keys, probe_keys}) {
+                                solid_keys, vegetation_keys, probe_keys}) {
         table.push_back(section());
     }
     return table;

@@ -135,7 +135,7 @@ CheckList open_end_refusals() {
              "`profile = \"column\"` over a bed without friction",
              "no profile is the twin's own there",
              "choose profile = \"uniform\", or another",
-             [](const Case& c) { return c.inflow.profile == InflowProfile::column && !bed_resists(c.bed); }},
+             [](const Case& c) { return c.inflow.profile == InflowProfile::column && !channel_resists(c); }},
             {{"outflow.depth", "outflow.kind"},
              "`kind = \"depth\"` without a depth",
              "",
@@ -171,7 +171,7 @@ CheckList open_end_refusals() {
              "choose kind = \"depth\" or another",
              [](const Case& c) {
                  return found_if(c.outflow.kind == OutflowKind::normal_depth &&
-                                     (!(c.streamwise_gravity() > 0.0) || !bed_resists(c.bed)),
+                                     (!(c.streamwise_gravity() > 0.0) || !channel_resists(c)),
                                  "kind = \"normal-depth\" needs a slope and a bed with friction");
              }},
             {{"outflow.kind", "inflow.discharge_file"},

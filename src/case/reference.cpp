@@ -174,7 +174,8 @@ std::string unit_page() {
         "\n## Units\n\nA number without quotes is in the SI unit of its key. A text in quotes is a number and a unit: `\"50 mm\"`, `\"2.5cm\"`, `\"1e-6 m2/s\"`. Beyond the ranges of the keys themselves, quantities of a size that cannot be meant are refused: below the least one other than zero, of keys that take no negative numbers, and above the largest one, in SI units.\n\n| | units | least | largest | for |\n|---|---|---|---|---|\n";
     for (const Dimension dimension :
          {Dimension::length, Dimension::time, Dimension::velocity, Dimension::acceleration,
-          Dimension::kinematic_viscosity, Dimension::density, Dimension::discharge, Dimension::frequency}) {
+          Dimension::kinematic_viscosity, Dimension::density, Dimension::discharge, Dimension::frequency,
+          Dimension::number_per_area}) {
         const QuantityLimits limits = *quantity_limits(dimension);
         page += fmt::format("| {} | {} | {:g} | {:g} | {} |\n", dimension_name(dimension),
                             unit_list(dimension), limits.least, limits.most, limits.reason);

@@ -22,10 +22,11 @@ constexpr std::array<Unit, 3> viscosity_units{{{"m2/s", 1, 1}, {"cm2/s", 1, 1e4}
 constexpr std::array<Unit, 2> density_units{{{"kg/m3", 1, 1}, {"g/cm3", 1000, 1}}};
 constexpr std::array<Unit, 2> discharge_units{{{"m3/s", 1, 1}, {"l/s", 1, 1000}}};
 constexpr std::array<Unit, 2> frequency_units{{{"Hz", 1, 1}, {"kHz", 1000, 1}}};
+constexpr std::array<Unit, 2> number_per_area_units{{{"1/m2", 1, 1}, {"1/cm2", 1e4, 1}}};
 
-constexpr std::array dimensions{Dimension::length,       Dimension::time,     Dimension::velocity,
-                                Dimension::acceleration, Dimension::density,  Dimension::kinematic_viscosity,
-                                Dimension::discharge,    Dimension::frequency};
+constexpr std::array dimensions{Dimension::length,       Dimension::time,      Dimension::velocity,
+                                Dimension::acceleration, Dimension::density,   Dimension::kinematic_viscosity,
+                                Dimension::discharge,    Dimension::frequency, Dimension::number_per_area};
 
 void replace_all(std::string& text, std::string_view from, std::string_view to) {
     for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) {
@@ -63,6 +64,8 @@ std::span<const Unit> units_of(Dimension dimension) {
             return discharge_units;
         case Dimension::frequency:
             return frequency_units;
+        case Dimension::number_per_area:
+            return number_per_area_units;
     }
     return {};
 }
@@ -87,6 +90,8 @@ std::string_view dimension_name(Dimension dimension) {
             return "a discharge";
         case Dimension::frequency:
             return "a frequency";
+        case Dimension::number_per_area:
+            return "a number per area";
     }
     return "";
 }
@@ -125,6 +130,8 @@ std::optional<QuantityLimits> quantity_limits(Dimension dimension) {
             return {{1e-12, 1e7, "the Amazon carries 2e5 m3/s"}};
         case Dimension::frequency:
             return {{1e-9, 1e9, "no step is shorter, and 1e9 s are thirty years"}};
+        case Dimension::number_per_area:
+            return {{1e-6, 1e8, "a dense lawn has 1e5 1/m2"}};
     }
     return std::nullopt;
 }

@@ -18,6 +18,7 @@ enum class Dimension {
     density,
     discharge,
     frequency,
+    number_per_area,
 };
 
 /// A unit: value in SI = value * multiplier / divisor. Two whole numbers, so that "50 mm" is exactly 0.05.

@@ -30,6 +30,8 @@ constexpr double least_diffusion = 0.02;
 constexpr double most_diffusion = 0.1;
 constexpr double most_compression = 0.02;
 constexpr double most_jitter = 0.25;
+constexpr double most_solid_fraction = 0.12;
+constexpr double fewest_rows_in_stems = 5.0;
 constexpr double velocity_to_maximum = 1.4;  ///< surface velocity over depth mean, at most
 
 double largest_courant_number(const Numerics& n) {
@@ -367,6 +369,32 @@ CheckList make_warnings() {
          "particles so near to each other may throw the start apart",
          "verified up to 0.25 spacings",
          [](const Case& c) { return c.start.jitter > most_jitter; }},
+        {{"vegetation.stems_per_area", "vegetation.stem_diameter"},
+         "stems that fill more than 0.12 of the water",
+         "the drag coefficients of stems were measured in sparser arrays (docs/theory.md, section 8, vegetation)",
+         "calibrate drag_coefficient",
+         [](const Case&, const Vegetation& patch) {
+             return found_if(patch.solid_fraction() > most_solid_fraction,
+                             "fills a share of {:.3g} of the water", patch.solid_fraction());
+         }},
+        {{"vegetation.height", "numerics.spacing"},
+         "fewer than 5 rows of particles below the tops of submerged stems",
+         "the shear layer at the tops is as thick as they leave it (docs/vegetation.md)",
+         "make the spacing smaller",
+         [](const Case& c, const Vegetation& patch) {
+             const double rows = patch.height / c.numerics.spacing;
+             return found_if(patch.height < c.total_depth() && rows * (1 + small) < fewest_rows_in_stems,
+                             "{} rows stand below the tops", fmt::format("{:.1f}", rows));
+         }},
+        {{"turbulence.closure", "vegetation.name"},
+         "submerged stems without a mixing length",
+         "the length of the eddies at the tops of the stems is part of a mixing length alone (docs/theory.md, section 7, canopies)",
+         "verified with closure = \"nezu-rodi\"",
+         [](const Case& c) {
+             return !has_mixing_length(c) &&
+                    std::any_of(c.vegetation.begin(), c.vegetation.end(),
+                                [&c](const Vegetation& patch) { return patch.height < c.total_depth(); });
+         }},
         {{"solid.motion", "channel.dimensions"},
          "a solid in three dimensions that moves faster than 1.5 sqrt(g H)",
          "such a jerk drives the water beside it, and adds energy to it (docs/theory.md, section 9, solids)",

@@ -122,6 +122,10 @@ void print_outcome(const RunOutcome& outcome, const Case& c, const RunFiles& fil
                 c.measured.equivalent_roughness ? std::optional(1e3 * *c.measured.equivalent_roughness)
                                                 : std::nullopt);
     print_value("drag over gravity", s.value(fields::summary.drag_over_gravity), none, std::nullopt);
+    if (!c.vegetation.empty()) {
+        print_value("vegetation over gravity", s.value(fields::summary.vegetation_over_gravity), none,
+                    std::nullopt);
+    }
     if (c.has_side_walls()) {
         print_value("side walls' drag over gravity", s.value(fields::summary.side_wall_over_gravity), none,
                     std::nullopt);

@@ -67,6 +67,9 @@ void print_summary(const Case& c, const ColumnResult& r) {
     }
     print_row("weight carried by the bed drag", "%", 100.0 * r.drag_share);
     print_row("weight carried by the wall at z = 0", "%", 100.0 * r.wall_share);
+    if (!c.vegetation.empty()) {
+        print_row("weight carried by the vegetation", "%", 100.0 * r.vegetation_share);
+    }
     if (r.depth_mean_velocity > 0.0) {
         print_row("friction factor f", "", r.friction_factor,
                   from_measured_velocity(c, [&](double u) { return friction_factor(weight, depth, u); }));
@@ -109,6 +112,7 @@ nlohmann::ordered_json to_json(const Case& c, const ColumnResult& r) {
     result["zero_plane"] = r.log_law.valid ? ordered_json(r.log_law.zero_plane) : ordered_json();
     result["drag_share"] = r.drag_share;
     result["wall_share"] = r.wall_share;
+    result["vegetation_share"] = r.vegetation_share;
     result["friction_factor"] = r.friction_factor;
     result["manning"] = r.manning;
     result["chezy"] = r.chezy;

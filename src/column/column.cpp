@@ -163,8 +163,11 @@ ColumnResult solve_column(const Case& c, int cells) {
     const double at_bed = stress.front() / weight;
     result.drag_share = has_wall_law(c) ? at_bed : balance.drag(u) / weight;
     result.wall_share = has_wall_law(c) ? 0.0 : at_bed;
+    result.vegetation_share = balance.vegetation_drag(u) / weight;
     result.relaxation_time = slowest_decay_time(balance, u);
-    if (c.bed.kind == BedKind::spheres || has_wall_law(c)) result.log_law = fit_column_profile(c, result);
+    const bool over_bed_alone = c.vegetation.empty();
+    if (over_bed_alone && (c.bed.kind == BedKind::spheres || has_wall_law(c)))
+        result.log_law = fit_column_profile(c, result);
 
     // A wide channel: the hydraulic radius is the depth over the datum.
     const double radius = c.channel.depth;

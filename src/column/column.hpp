@@ -28,10 +28,11 @@ struct ColumnResult {
     double friction_velocity = 0;  ///< sqrt(tau_crest / rho)
     LogLawFit log_law;             ///< fit of the profile to the rough log law
     double drag_share = 0;         ///< bed drag / weight component
-    double wall_share = 0;       ///< wall friction at z = 0 / weight component (half of it under a top wall)
-    double friction_factor = 0;  ///< f (2.6)
-    double manning = 0;          ///< n (2.7)
-    double chezy = 0;            ///< C (2.8)
+    double wall_share = 0;        ///< wall friction at z = 0 / weight component (half of it under a top wall)
+    double vegetation_share = 0;  ///< drag of the vegetation / weight component
+    double friction_factor = 0;   ///< f (2.6)
+    double manning = 0;           ///< n (2.7)
+    double chezy = 0;             ///< C (2.8)
     double reynolds = 0;
     double froude = 0;
     double relaxation_time = 0;  ///< e-folding time of small departures from the steady state, s

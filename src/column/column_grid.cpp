@@ -36,6 +36,9 @@ std::vector<double> column_breakpoints(const Case& c) {
         heights.push_back(c.crest() - 0.5 * c.sphere_ramp());
         heights.push_back(c.crest() + 0.5 * c.sphere_ramp());
     }
+    for (const Vegetation& stems : c.vegetation) {
+        heights.push_back(stems.height);
+    }
     if (const auto law = bed_wall_law(c)) {
         // The layers of the law, each ten times as high as the one below it.
         constexpr double share_of_depth = 0.1;

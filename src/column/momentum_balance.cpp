@@ -4,8 +4,9 @@
 #include <cmath>
 #include <cstddef>
 
+#include "case/flow_kind.hpp"
 #include "roughness/bed_drag.hpp"
-#include "turbulence/closure.hpp"
+#include "roughness/vegetation.hpp"
 #include "turbulence/wall_law.hpp"
 
 namespace riffle {
@@ -40,13 +41,20 @@ MomentumBalance::MomentumBalance(const Case& c, const ColumnGrid& grid)
 
     length_squared_.assign(n + 1, 0.0);
     cell_length_.assign(n, 0.0);
-    if (const auto closure = make_closure(c)) {
+    if (const auto closure = make_channel_closure(c)) {
         closure->mixing_lengths(grid.face, length_squared_);
         for (double& l : length_squared_) l *= l;
         closure->mixing_lengths(grid.centre, cell_length_);
     }
     drag_coefficient_.assign(n, 0.0);
     if (const auto drag = make_bed_drag(c)) drag->coefficients(grid.centre, drag_coefficient_);
+    if (const Vegetation* const stems = vegetation_everywhere(c)) {
+        const VegetationPatch patch(c, *stems);
+        stems_ = patch.drag();
+        for (std::size_t i = 0; i < n; ++i) {
+            stem_share_.push_back(patch.share_below_top(grid.centre[i], thickness_[i]));
+        }
+    }
 }
 
 double MomentumBalance::face_gradient(const std::vector<double>& u, std::size_t i) const {
@@ -71,6 +79,7 @@ std::vector<double> MomentumBalance::residual(const std::vector<double>& u) cons
     for (std::size_t i = 0; i < u.size(); ++i) {
         force[i] = thickness_[i] * (weight_ - drag_coefficient_[i] * u[i] * std::abs(u[i])) + stress[i + 1] -
                    stress[i];
+        if (stems_) force[i] -= thickness_[i] * stem_share_[i] * stems_->deceleration(u[i]);
     }
     return force;
 }
@@ -80,6 +89,7 @@ Tridiagonal MomentumBalance::jacobian(const std::vector<double>& u) const {
     Tridiagonal matrix{std::vector<double>(n), std::vector<double>(n - 1)};
     for (std::size_t i = 0; i < n; ++i) {
         matrix.diagonal[i] = 2.0 * thickness_[i] * drag_coefficient_[i] * std::abs(u[i]);
+        if (stems_) matrix.diagonal[i] += thickness_[i] * stem_share_[i] * stems_->deceleration_slope(u[i]);
     }
     for (std::size_t i = 0; i <= n; ++i) {
         const double stiffness =
@@ -102,6 +112,7 @@ double MomentumBalance::functional(const std::vector<double>& u) const {
     for (std::size_t i = 0; i < u.size(); ++i) {
         const double speed = std::abs(u[i]);
         sum += thickness_[i] * (drag_coefficient_[i] * speed * speed * speed / 3.0 - weight_ * u[i]);
+        if (stems_) sum += thickness_[i] * stem_share_[i] * stems_->deceleration_integral(u[i]);
     }
     for (std::size_t i = 0; i <= u.size(); ++i) {
         const double gradient = std::abs(face_gradient(u, i));
@@ -114,6 +125,14 @@ double MomentumBalance::drag(const std::vector<double>& u) const {
     double sum = 0.0;
     for (std::size_t i = 0; i < u.size(); ++i) {
         sum += thickness_[i] * drag_coefficient_[i] * u[i] * std::abs(u[i]);
+    }
+    return sum;
+}
+
+double MomentumBalance::vegetation_drag(const std::vector<double>& u) const {
+    double sum = 0.0;
+    for (std::size_t i = 0; stems_ && i < u.size(); ++i) {
+        sum += thickness_[i] * stem_share_[i] * stems_->deceleration(u[i]);
     }
     return sum;
 }
@@ -135,8 +154,10 @@ std::vector<double> MomentumBalance::first_guess() const {
     double height = 0.0;
     for (std::size_t i = 0; i < n; ++i) {
         height += thickness_[i];
-        drag_sum += thickness_[i] * drag_coefficient_[i];
-        if (drag_coefficient_[i] > 0.0) drag_top = height;
+        double coefficient = drag_coefficient_[i];
+        if (stems_) coefficient += stem_share_[i] * stems_->coefficient(stems_->speed_at(weight_));
+        drag_sum += thickness_[i] * coefficient;
+        if (coefficient > 0.0) drag_top = height;
     }
     const double neutral = wall_above_ ? 0.5 * depth_ : depth_;
     // Slip velocity from which the drag alone carries the weight.

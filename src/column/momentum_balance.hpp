@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "case/case.hpp"
 #include "column/column_grid.hpp"
+#include "roughness/stem_drag.hpp"
 
 namespace riffle {
 
@@ -17,10 +19,11 @@ struct Tridiagonal {
 };
 
 /// The steady momentum balance of the column in finite volumes,
-///     g S0 + d/dz[(nu0 + l_m^2 |u'|) u'] - beta(z) u |u| = 0,
-/// with the closure and the bed drag that the case names (the same objects as the particles'). No flux at
-/// z = 0 for sphere and slip beds, u(0) = 0 for no-slip beds and those by a wall law; no flux at the surface,
-/// u(H) = 0 under a top wall over a no-slip bed. Forces are per plan area and density, m2/s2.
+///     g S0 + d/dz[(nu0 + l_m^2 |u'|) u'] - beta(z) u |u| - beta_v(u) u |u| = 0,
+/// with the closure, the bed drag and the drag of stems below their tops that the case names (the same
+/// objects as the particles'). No flux at z = 0 for sphere and slip beds, u(0) = 0 for no-slip beds and those
+/// by a wall law; no flux at the surface, u(H) = 0 under a top wall over a no-slip bed. Forces are per plan
+/// area and density, m2/s2.
 class MomentumBalance {
   public:
     MomentumBalance(const Case& c, const ColumnGrid& grid);
@@ -42,6 +45,8 @@ class MomentumBalance {
 
     /// Drag of the whole bed.
     [[nodiscard]] double drag(const std::vector<double>& u) const;
+    /// Drag of the vegetation.
+    [[nodiscard]] double vegetation_drag(const std::vector<double>& u) const;
 
     /// Gradient u' that carries the kinematic stress with mixing length l: the root of (nu0 + l^2 |u'|) u'.
     [[nodiscard]] double gradient_from_stress(double stress, double mixing_length) const;
@@ -62,6 +67,8 @@ class MomentumBalance {
     std::vector<double> length_squared_;    ///< l_m^2 at the faces, m2
     std::vector<double> cell_length_;       ///< l_m at the centres, m
     std::vector<double> drag_coefficient_;  ///< beta of the cells, 1/m
+    std::optional<StemDrag> stems_;
+    std::vector<double> stem_share_;  ///< of the cells that stands below the tops of the stems
     double depth_ = 0.0;
 };
 

@@ -27,12 +27,14 @@ Eigen::VectorXd from_profile(const SectionGrid& grid, Profile profile) {
 /// A flow whose friction is of the order of its weight.
 Eigen::VectorXd first_guess(const Case& c, const SectionGrid& grid, const SectionBalance& balance) {
     const Eigen::VectorXd still = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(grid.size()));
-    if (balance.bed_force(still.array() + 1.0) > 0.0) {
+    if (balance.bed_force(still.array() + 1.0) > 0.0 && has_column(c)) {
         const ColumnResult column = solve_column(c);
         return from_profile(grid, [&column](double z) { return column.velocity_at(z); });
     }
     const Eigen::VectorXd one = still.array() + 1.0;
-    return std::sqrt(balance.weight() / balance.wall_force(one)) * one;
+    return std::sqrt(balance.weight() /
+                     (balance.bed_force(one) + balance.wall_force(one) + balance.vegetation_force(one))) *
+           one;
 }
 
 /// Implicit Euler steps of growing length that turn into Newton's method: from any start they follow the
@@ -104,11 +106,45 @@ double slowest_decay_time(const SectionBalance& balance, const Eigen::VectorXd& 
 
 }  // namespace
 
+namespace {
+
+/// The section is solved over half of the channel, of which the other half is the mirror image.
+std::optional<std::string> lopsided_vegetation(const Case& c) {
+    if (c.channel.sides == Sides::half) return std::nullopt;
+    const double width = c.channel.width;
+    for (const Vegetation& patch : c.vegetation) {
+        Vegetation image = patch;
+        image.name.clear();
+        image.y_from = width - patch.y_to.value_or(width);
+        image.y_to = width - patch.y_from.value_or(0.0);
+        const bool mirrored =
+            std::any_of(c.vegetation.begin(), c.vegetation.end(), [&](const Vegetation& other) {
+                const double tolerance = 1e-6 * width;
+                Vegetation same = other;
+                same.name.clear();
+                same.y_from = image.y_from;
+                same.y_to = image.y_to;
+                return std::abs(other.y_from.value_or(0.0) - *image.y_from) < tolerance &&
+                       std::abs(other.y_to.value_or(width) - *image.y_to) < tolerance && same == image;
+            });
+        if (!mirrored) {
+            return "the vegetation \"" + patch.name +
+                   "\" has no mirror image on the other side of the centreline, and the balance of the "
+                   "cross-section is solved over one half of a symmetric channel: set channel.sides = \"half\"";
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
 std::optional<std::string> why_no_section(const Case& c) {
     // Side walls may hold back the water over a bed that does not; all else that rules out a uniform flow in
     // a column does so in a section.
     Case resisting = c;
     resisting.bed.kind = BedKind::no_slip;
+    if (auto reason = lopsided_vegetation(c)) return reason;
+    std::erase_if(resisting.vegetation, [&c](const Vegetation& patch) { return covers_length(c, patch); });
     if (auto reason = why_no_column(resisting)) return reason;
     if (c.channel.top == Top::wall) {
         return "a wall closes the channel at its top (channel.top = \"wall\"), which the balance of a "

@@ -1,6 +1,8 @@
 #include "column/section_balance.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "roughness/bed_drag.hpp"
 #include "roughness/side_wall_partition.hpp"
@@ -71,23 +73,50 @@ SectionBalance::SectionBalance(const Case& c, const SectionGrid& grid)
     } else if (wall_form_ == SideDragForm::thesis) {
         fixed_coefficient_ = printed_side_wall_coefficient(c);
     }
+    add_vegetation(c, grid);
     add_faces(c, grid);
 }
 
+void SectionBalance::add_vegetation(const Case& c, const SectionGrid& grid) {
+    patches_ = vegetation_patches(c);
+    patch_of_.assign(columns_, 0);
+    stem_area_ = Eigen::VectorXd::Zero(area_.size());
+    for (std::size_t n = 0; n < patches_.size(); ++n) {
+        for (std::size_t iy = 0; iy < columns_; ++iy) {
+            // The edges of the patches are faces of the grid.
+            if (patches_[n].across().share(grid.y[iy], 0.5 * (grid.y_face[iy + 1] - grid.y_face[iy])) < 0.5) {
+                continue;
+            }
+            patch_of_[iy] = n + 1;
+            for (std::size_t iz = 0; iz < rows_; ++iz) {
+                const double height = grid.z_face[iz + 1] - grid.z_face[iz];
+                const auto i = static_cast<Eigen::Index>(grid.cell(iy, iz));
+                stem_area_(i) = area_(i) * patches_[n].share_below_top(grid.z[iz], height);
+            }
+        }
+    }
+}
+
 void SectionBalance::add_faces(const Case& c, const SectionGrid& grid) {
-    std::vector<double> face_length(rows_ + 1, 0.0);
+    const std::size_t kinds = 1 + patches_.size();
+    std::vector<std::vector<double>> face_length(kinds, std::vector<double>(rows_ + 1, 0.0));
     std::vector<double> face_factor(columns_ + 1, 1.0);
-    cell_length_.assign(rows_, 0.0);
+    cell_length_.assign(kinds, std::vector<double>(rows_, 0.0));
     cell_factor_.assign(columns_, 1.0);
     double lateral_weight = 1.0;
     if (const auto closure = make_closure(c)) {
-        closure->mixing_lengths(grid.z_face, face_length);
-        closure->mixing_lengths(grid.z, cell_length_);
+        closure->mixing_lengths(grid.z_face, face_length[0]);
+        closure->mixing_lengths(grid.z, cell_length_[0]);
+        for (std::size_t n = 1; n < kinds; ++n) {
+            const auto canopy = make_canopy_closure(c, c.vegetation[n - 1], make_closure(c));
+            canopy->mixing_lengths(grid.z_face, face_length[n]);
+            canopy->mixing_lengths(grid.z, cell_length_[n]);
+        }
         for (std::size_t i = 0; i <= columns_; ++i) face_factor[i] = closure->side_factor(grid.y_face[i]);
         for (std::size_t i = 0; i < columns_; ++i) cell_factor_[i] = closure->side_factor(grid.y[i]);
         lateral_weight = stress_weight(false, true, closure->spanwise_ratio());
     }
-    bed_length_squared_ = face_length.front() * face_length.front();
+    bed_length_squared_ = face_length[0].front() * face_length[0].front();
     const auto square = [](double x) { return x * x; };
     const auto neighbours = [&](Face& face, std::size_t side, std::size_t cell, std::size_t step, bool first,
                                 bool last, const std::array<double, 3>& weights, double share) {
@@ -109,7 +138,7 @@ void SectionBalance::add_faces(const Case& c, const SectionGrid& grid) {
             neighbours(face, 0, grid.cell(iy, iz), 1, first, last, weights, high / (low + high));
             neighbours(face, 1, grid.cell(iy, iz + 1), 1, first, last, weights, low / (low + high));
             face.inverse_distance = 1.0 / (grid.z[iz + 1] - grid.z[iz]);
-            face.length_squared = square(face_length[iz + 1] * cell_factor_[iy]);
+            face.length_squared = square(face_length[patch_of_[iy]][iz + 1] * cell_factor_[iy]);
             face.stress_weight = 1.0;
             face.extent = bed_extent_[iy];
             vertical_faces_.push_back(face);
@@ -128,7 +157,9 @@ void SectionBalance::add_faces(const Case& c, const SectionGrid& grid) {
             neighbours(face, 1, grid.cell(iy + 1, iz), columns_, first, last, weights,
                        bed_extent_[iy] / both);
             face.inverse_distance = 1.0 / (grid.y[iy + 1] - grid.y[iy]);
-            face.length_squared = square(cell_length_[iz] * face_factor[iy + 1]);
+            const double length =
+                0.5 * (cell_length_[patch_of_[iy]][iz] + cell_length_[patch_of_[iy + 1]][iz]);
+            face.length_squared = square(length * face_factor[iy + 1]);
             face.stress_weight = lateral_weight;
             face.extent = grid.z_face[iz + 1] - grid.z_face[iz];
             lateral_faces_.push_back(face);
@@ -178,10 +209,27 @@ double SectionBalance::wall_force(const Eigen::VectorXd& u) const {
     return wall_coefficient(u) * layer_sum(u);
 }
 
+double SectionBalance::vegetation_force(const Eigen::VectorXd& u) const {
+    double force = 0.0;
+    for (Eigen::Index i = 0; !patches_.empty() && i < u.size(); ++i) {
+        if (stem_area_(i) > 0.0) {
+            const std::size_t patch = patch_of_[static_cast<std::size_t>(i) % columns_] - 1;
+            force += stem_area_(i) * patches_[patch].drag().deceleration(u(i));
+        }
+    }
+    return force;
+}
+
 Eigen::VectorXd SectionBalance::residual(const Eigen::VectorXd& u) const {
     Eigen::VectorXd force =
         weight_ * area_.array() -
         (bed_drag_.array() + wall_coefficient(u) * layer_area_.array()) * u.array() * u.array().abs();
+    for (Eigen::Index i = 0; !patches_.empty() && i < u.size(); ++i) {
+        if (stem_area_(i) > 0.0) {
+            const std::size_t patch = patch_of_[static_cast<std::size_t>(i) % columns_] - 1;
+            force(i) -= stem_area_(i) * patches_[patch].drag().deceleration(u(i));
+        }
+    }
     for (const auto* faces : {&vertical_faces_, &lateral_faces_}) {
         for (const Face& face : *faces) {
             const double exchange = face.extent * flow(face, u).stress;
@@ -204,6 +252,10 @@ SectionJacobian SectionBalance::jacobian(const Eigen::VectorXd& u) const {
     entries.reserve(12 * (vertical_faces_.size() + lateral_faces_.size()) + 2 * static_cast<std::size_t>(n));
     for (Eigen::Index i = 0; i < n; ++i) {
         entries.emplace_back(i, i, 2.0 * std::abs(u(i)) * (bed_drag_(i) + wall * layer_area_(i)));
+        if (stem_area_(i) > 0.0) {
+            const std::size_t patch = patch_of_[static_cast<std::size_t>(i) % columns_] - 1;
+            entries.emplace_back(i, i, stem_area_(i) * patches_[patch].drag().deceleration_slope(u(i)));
+        }
     }
     for (const auto* faces : {&vertical_faces_, &lateral_faces_}) {
         for (const Face& face : *faces) {
@@ -256,7 +308,8 @@ SectionBalance::Stresses SectionBalance::stresses(const Eigen::VectorXd& u) cons
 }
 
 bool SectionBalance::has_friction() const {
-    return no_slip_ || bed_drag_.sum() > 0.0 || fixed_coefficient_ * layer_area_.sum() > 0.0;
+    return no_slip_ || bed_drag_.sum() > 0.0 || stem_area_.sum() > 0.0 ||
+           fixed_coefficient_ * layer_area_.sum() > 0.0;
 }
 
 }  // namespace riffle

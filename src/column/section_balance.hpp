@@ -8,6 +8,7 @@
 
 #include "case/case.hpp"
 #include "column/section_grid.hpp"
+#include "roughness/vegetation.hpp"
 
 namespace riffle {
 
@@ -20,7 +21,9 @@ struct SectionJacobian {
 };
 
 /// The momentum balance of steady flow along a channel in finite volumes over half a cross-section,
-///     g S0 + d/dy[(nu0 + A nu_t) dU/dy] + d/dz[(nu0 + nu_t) dU/dz] - (beta_bed(z) + beta_wall(y)) U|U| = 0,
+///     g S0 + d/dy[(nu0 + A nu_t) dU/dy] + d/dz[(nu0 + nu_t) dU/dz] - (beta_bed(z) + beta_wall(y) + beta_v(U,
+///     y, z)) U|U|
+/// = 0,
 /// nu_t = l^2 |S|, l = l_m(z) G(y), |S|^2 = (dU/dy)^2 + (dU/dz)^2, A = 1/2 (1 + q^2), with the closure, the
 /// bed drag (its mean over the plan) and the side walls' friction of the case. No flux at bed, surface, wall
 /// and plane of symmetry, but for no-slip beds U = 0 at z = 0. Velocities stand at the centres of the cells,
@@ -51,8 +54,10 @@ class SectionBalance {
     [[nodiscard]] const Eigen::VectorXd& area() const { return area_; }  ///< of the cells, m2
     [[nodiscard]] double weight() const { return weight_ * area_.sum(); }
     [[nodiscard]] double mixing_length(std::size_t iy, std::size_t iz) const {
-        return cell_length_[iz] * cell_factor_[iy];
+        return cell_length_[patch_of_[iy]][iz] * cell_factor_[iy];
     }
+    /// Force of the flow on the vegetation.
+    [[nodiscard]] double vegetation_force(const Eigen::VectorXd& u) const;
     /// Whether anything resists the flow. Without it there is no steady state.
     [[nodiscard]] bool has_friction() const;
 
@@ -79,6 +84,7 @@ class SectionBalance {
     [[nodiscard]] FaceFlow bed_flow(std::size_t iy, const Eigen::VectorXd& u) const;
     [[nodiscard]] double layer_sum(const Eigen::VectorXd& u) const;
 
+    void add_vegetation(const Case& c, const SectionGrid& grid);
     void add_faces(const Case& c, const SectionGrid& grid);
 
     std::size_t columns_;
@@ -87,17 +93,21 @@ class SectionBalance {
     double viscosity_;
     bool no_slip_;
     SideDragForm wall_form_;
-    double wall_over_bed_ = 0.0;        ///< force on the wall over that on the bed of the half section
-    double fixed_coefficient_ = 0.0;    ///< of the wall, printed form
-    double bed_distance_ = 0.0;         ///< of the lowest centres from the bed
-    double bed_length_squared_ = 0.0;   ///< at the bed, over the middle
-    std::vector<double> bed_extent_;    ///< widths of the cells
-    std::vector<double> cell_length_;   ///< l_m at the heights of the centres
+    double wall_over_bed_ = 0.0;       ///< force on the wall over that on the bed of the half section
+    double fixed_coefficient_ = 0.0;   ///< of the wall, printed form
+    double bed_distance_ = 0.0;        ///< of the lowest centres from the bed
+    double bed_length_squared_ = 0.0;  ///< at the bed, over the middle
+    std::vector<double> bed_extent_;   ///< widths of the cells
+    std::vector<VegetationPatch> patches_;
+    std::vector<std::size_t> patch_of_;  ///< of each column: 0 without vegetation, n for patches_[n - 1]
+    std::vector<std::vector<double>>
+        cell_length_;                   ///< l_m at the heights of the centres, so for each of these
     std::vector<double> cell_factor_;   ///< G at the centres
     std::vector<Face> vertical_faces_;  ///< between rows, row by row
     std::vector<Face> lateral_faces_;   ///< between columns, row by row
     Eigen::VectorXd area_;
     Eigen::VectorXd bed_drag_;    ///< area times beta_bed
+    Eigen::VectorXd stem_area_;   ///< area below the tops of stems
     Eigen::VectorXd layer_area_;  ///< area in the wall's layer, else 0
 };
 

@@ -19,6 +19,11 @@ SectionGrid make_section_grid(const Case& c, int cells_across, int cells_over_de
     // The layer of lateral shear beside the wall reaches some depths into the flow.
     const double edge = across.empty() ? 0.0 : across.back();
     for (const double depths : {0.4, 1.2}) across.push_back(edge + depths * c.total_depth());
+    for (const Vegetation& stems : c.vegetation) {
+        for (const auto& side : {stems.y_from, stems.y_to}) {
+            if (side) across.push_back(*side);
+        }
+    }
     grid.y_face =
         graded_faces(distinct_between(across, 0.0, c.channel.centreline()), cells_across, fewest, even);
     grid.y = midpoints(grid.y_face);

@@ -115,6 +115,7 @@ SectionResult section_result(const Case& c, const SectionGrid& grid, const Secti
     const double wall = balance.wall_force(u);
     r.drag_share = bed / balance.weight();
     r.side_wall_share = wall / balance.weight();
+    r.vegetation_share = balance.vegetation_force(u) / balance.weight();
     r.bed_stress = density * bed / c.channel.centreline();
     r.wall_stress = density * wall / depth;
     r.side_wall_coefficient = balance.wall_coefficient(u);

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "case/flow_kind.hpp"
 #include "column/column.hpp"
 #include "turbulence/wall_law.hpp"
 
@@ -106,6 +107,7 @@ Case uniform_reach(const Case& c) {
     reach.outflow = {};
     reach.solids.clear();
     reach.probes.clear();
+    std::erase_if(reach.vegetation, [&c](const Vegetation& patch) { return !covers_length(c, patch); });
     return reach;
 }
 

@@ -14,6 +14,7 @@
 #include "components/slow_correction.hpp"
 #include "components/solid_forces.hpp"
 #include "components/stirring_force.hpp"
+#include "components/vegetation_drag.hpp"
 #include "components/xsph.hpp"
 
 namespace riffle {
@@ -41,6 +42,7 @@ ComponentList<D, Real> make_components(FlowOf<D, Real>& flow, double celerity) {
     add(components, make_mixing_lengths(flow));
     add(components, make_solid_forces(flow));
     add(components, make_bed_drag_force(flow));
+    add(components, make_vegetation_drag(flow));
     add(components, make_stirring(flow, celerity));
     add(components, make_repulsion(flow));
     add(components, make_open_ends(flow));      // after all that adds forces, which buffers do not feel

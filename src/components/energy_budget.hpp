@@ -199,6 +199,7 @@ class EnergyBudget final : public Component<D, Real> {
         double molecular = 0.0;
         double weight = 0.0;
         double further = 0.0;
+        double stems = 0.0;
         for (std::size_t k = 0; k < Flow::axes; ++k) {
             tensor += factor * u[k] * static_cast<double>(force.tensor[k][lane]);
             viscous += factor * u[k] * static_cast<double>(force.viscous[k][lane]);
@@ -208,6 +209,9 @@ class EnergyBudget final : public Component<D, Real> {
             }
             if (flow.inputs.acceleration) {
                 further += mass * u[k] * work.acceleration[k][lane];
+            }
+            if (flow.with_vegetation) {
+                stems += mass * u[k] * task.vegetation_acceleration[k][lane];
             }
         }
         double bed = flow.inputs.drag ? work.drag_force[lane] * u[0] : 0.0;
@@ -227,7 +231,8 @@ class EnergyBudget final : public Component<D, Real> {
         sum.pressure += tensor - (tensor_ ? closure : 0.0);
         sum.bed_drag += mass * bed;
         sum.side_drag += mass * side;
-        sum.further_forces += further;
+        sum.vegetation += stems;
+        sum.further_forces += flow.with_vegetation ? further - stems : further;
         if (flow.domain.periodic[0]) {
             sum.gravity += mass * u[0] * flow.particle_data.gravity[0];
         }

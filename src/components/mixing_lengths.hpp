@@ -9,13 +9,14 @@
 #include "components/local_depth.hpp"
 #include "engine/component.hpp"
 #include "particles/lattice.hpp"
+#include "roughness/vegetation.hpp"
 #include "turbulence/closure.hpp"
 
 namespace riffle {
 
 /// Mixing lengths of the closure at the particles: in water of the depth of the case, or where the flow
-/// varies along the channel of the depth at each place; beside solids at most kappa times the distance from
-/// them.
+/// varies along the channel of the depth at each place; among stems and above them those of their canopy;
+/// beside solids at most kappa times the distance from them.
 template <int D, class Real>
 class MixingLengths final : public Component<D, Real> {
   public:
@@ -23,6 +24,13 @@ class MixingLengths final : public Component<D, Real> {
     using typename Component<D, Real>::Task;
 
     MixingLengths(Flow& flow, std::unique_ptr<const Closure> closure) : closure_(std::move(closure)) {
+        const double row = lattice_of(flow.c).dz;
+        for (const Vegetation& stems : flow.c.vegetation) {
+            if (has_mixing_length(flow.c)) {
+                canopies_.push_back({VegetationPatch(flow.c, stems),
+                                     make_canopy_closure(flow.c, stems, make_particle_closure(flow.c, row))});
+            }
+        }
         if (uses_local_depth(flow.c)) {
             depth_.emplace(flow);
             // Farther off no mixing length is limited: the largest of the closures is 0.16 H.
@@ -47,6 +55,9 @@ class MixingLengths final : public Component<D, Real> {
         } else {
             closure_->mixing_lengths({&position[Flow::vertical][first], count}, {lengths, count});
         }
+        if (!canopies_.empty()) {
+            follow_canopies(flow, first, count, lengths);
+        }
         if constexpr (D == 3) {
             for (std::size_t i = 0; closure_->varies_across() && i < count; ++i) {
                 lengths[i] *= closure_->side_factor(position[1][first + i]);
@@ -55,15 +66,43 @@ class MixingLengths final : public Component<D, Real> {
     }
 
   private:
+    struct Canopy {
+        VegetationPatch patch;
+        std::unique_ptr<const Closure> closure;
+    };
+
+    /// Particles at the edge of a patch have shares of both lengths.
+    void follow_canopies(const Flow& flow, std::size_t first, std::size_t count, double* lengths) const {
+        const auto& position = flow.particles.position;
+        for (std::size_t n = 0; n < count; ++n) {
+            const std::size_t i = first + n;
+            const double water = depth_ ? water_over(flow, i) : flow.c.total_depth();
+            double outside = 1.0;
+            double inside = 0.0;
+            for (const Canopy& canopy : canopies_) {
+                const double share =
+                    canopy.patch.share_in_plan(position[0][i], position[1][i], flow.scheme.spacing);
+                if (share > 0.0) {
+                    outside -= share;
+                    inside += share * canopy.closure->mixing_length_in(position[Flow::vertical][i], water);
+                }
+            }
+            lengths[n] = std::max(0.0, outside) * lengths[n] + inside;
+        }
+    }
+
+    [[nodiscard]] double water_over(const Flow& flow, std::size_t particle) const {
+        const double depth = depth_->values(flow)[particle];
+        // A particle that has come since the last look at the depth has none yet.
+        return depth > 0.0 ? depth : flow.scheme.depth;
+    }
+
     void follow_depth(const Flow& flow, std::size_t first, std::size_t count, double* lengths) const {
         const auto& position = flow.particles.position;
-        const std::vector<double>& depth = depth_->values(flow);
         const double kappa = flow.c.turbulence.kappa;
         for (std::size_t n = 0; n < count; ++n) {
             const std::size_t i = first + n;
-            // A particle that has come since the last look at the depth has none yet.
-            const double water = depth[i] > 0.0 ? depth[i] : flow.scheme.depth;
-            lengths[n] = closure_->mixing_length_in(position[Flow::vertical][i], water);
+            lengths[n] = closure_->mixing_length_in(position[Flow::vertical][i], water_over(flow, i));
             if (!solids_.empty()) {
                 const double distance = solids_.at(flow.bodies, vector_of(position, i));
                 lengths[n] = std::min(lengths[n], kappa * distance);
@@ -72,6 +111,7 @@ class MixingLengths final : public Component<D, Real> {
     }
 
     std::unique_ptr<const Closure> closure_;
+    std::vector<Canopy> canopies_;
     std::optional<LocalDepth<D, Real>> depth_;
     SolidDistance<D> solids_;
 };

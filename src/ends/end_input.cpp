@@ -187,7 +187,7 @@ double start_unit_discharge(const Case& c, const EndInput& input) {
     if (input.unit_discharge) {
         return input.unit_discharge->at(0.0);
     }
-    return c.streamwise_gravity() > 0.0 && bed_resists(c.bed) ? uniform_unit_discharge(c) : 0.0;
+    return c.streamwise_gravity() > 0.0 && channel_resists(c) ? uniform_unit_discharge(c) : 0.0;
 }
 
 EndExtremes end_extremes(const Case& c, const EndInput& input) {

@@ -76,6 +76,8 @@ struct BlockTask {
     ParticleWork<D, Real> particles;
     /// The part of ParticleWork::acceleration that walls push with, m/s2.
     std::array<LaneArray<double>, static_cast<std::size_t>(D)> wall_acceleration;
+    /// The part of it that vegetation holds back with, m/s2; where FlowOf::with_vegetation.
+    std::array<LaneArray<double>, static_cast<std::size_t>(D)> vegetation_acceleration;
 };
 
 /// A flow with the records, lists and loops that its passes work with. Passes, components, wall treatments
@@ -102,10 +104,11 @@ struct FlowOf : FlowIn<D> {
     NeighbourList fluid_wall;
     NeighbourList wall_fluid;
 
-    AdvanceOptions inputs;          ///< what the components add to the motion; the steps are those of a stage
-    bool with_side_drag = false;    ///< side walls with drag
-    bool motion_summed = true;      ///< Method::sums_motion()
-    bool density_filtered = false;  ///< at the begin of the step in progress
+    AdvanceOptions inputs;        ///< what the components add to the motion; the steps are those of a stage
+    bool with_side_drag = false;  ///< side walls with drag
+    bool with_vegetation = false;
+    bool motion_summed = true;                    ///< Method::sums_motion()
+    bool density_filtered = false;                ///< at the begin of the step in progress
     std::vector<AdvanceResult<D>> block_advance;  ///< by block
     Displacement<D> moved;
     bool moved_known = false;  ///< `moved` is of the present positions

@@ -10,6 +10,7 @@ struct EnergyRates {
     double gravity = 0.0;            ///< work of the weight along a channel without ends
     double bed_drag = 0.0;           ///< by the drag of the bed
     double side_drag = 0.0;          ///< by that of the side walls
+    double vegetation = 0.0;         ///< by the drag of stems
     double closure = 0.0;            ///< by the eddy stresses
     double viscosity = 0.0;          ///< by the molecular viscosity, and friction on walls
     double density_diffusion = 0.0;  ///< of the compression, by the density diffusion
@@ -22,11 +23,12 @@ struct EnergyRates {
     double compression = 0.0;     ///< by the continuity on the energy of the compression
 };
 
-inline constexpr std::array energy_rate_parts{
-    &EnergyRates::gravity,  &EnergyRates::bed_drag,       &EnergyRates::side_drag,
-    &EnergyRates::closure,  &EnergyRates::viscosity,      &EnergyRates::density_diffusion,
-    &EnergyRates::pressure, &EnergyRates::further_forces, &EnergyRates::solids,
-    &EnergyRates::kinetic,  &EnergyRates::compression};
+inline constexpr std::array energy_rate_parts{&EnergyRates::gravity,           &EnergyRates::bed_drag,
+                                              &EnergyRates::side_drag,         &EnergyRates::vegetation,
+                                              &EnergyRates::closure,           &EnergyRates::viscosity,
+                                              &EnergyRates::density_diffusion, &EnergyRates::pressure,
+                                              &EnergyRates::further_forces,    &EnergyRates::solids,
+                                              &EnergyRates::kinetic,           &EnergyRates::compression};
 
 inline EnergyRates operator+(EnergyRates sum, const EnergyRates& other) {
     for (double EnergyRates::*const part : energy_rate_parts) {

@@ -55,6 +55,7 @@ enum Condition : unsigned {
     with_open_ends = 1U << 17U,    ///< channel.ends
     with_local_depth = 1U << 18U,  ///< turbulence.depth
     slow_correction = 1U << 19U,   ///< numerics.pressure_correction_time
+    with_vegetation = 1U << 20U,
 };
 
 /// Who reads a field.

@@ -46,6 +46,12 @@ struct TimeSeries {
         series("wall_over_gravity", "1", "streamwise wall force over the weight component");
     Field acceleration_over_gravity = series(
         "acceleration_over_gravity", "1", "rate of change of streamwise momentum over the weight component");
+    Field vegetation_over_gravity =
+        series("vegetation_over_gravity", "1", "drag of the vegetation over the weight component",
+               {.written = with_vegetation});
+    Field vegetation_power =
+        series("vegetation_power", {"W/m", "W"}, "work of the vegetation's drag on the water",
+               {.written = with_vegetation});
     Field mean_level = series("mean_level", "m", "mean surface level above the bed level");
     Field maximum_velocity =
         series("maximum_velocity", "m/s", "largest particle speed", {.averaging = Averaging::none});
@@ -197,7 +203,8 @@ struct ProfileFields {
         profile("velocity_rms", "m/s", "rms fluctuation of u", &Profiles::velocity_rms);
     ProfileField vertical_velocity_rms =
         profile("vertical_velocity_rms", "m/s", "rms fluctuation of w", &Profiles::vertical_velocity_rms);
-    ProfileField drag = profile("drag", "N/m3", "bed drag per unit volume", &Profiles::drag);
+    ProfileField drag =
+        profile("drag", "N/m3", "drag of bed and vegetation per unit volume", &Profiles::drag);
     ProfileField spanwise_velocity =
         profile("spanwise_velocity", "m/s", "time-mean spanwise velocity", &Profiles::spanwise_velocity,
                 {.written = three_dimensions, .reader = Reader::users});

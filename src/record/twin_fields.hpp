@@ -47,6 +47,9 @@ struct ColumnNumbers {
                                      {.reader = Reader::users});
     Field drag_share = column_number("drag_share", "1", "bed drag over the weight component");
     Field wall_share = column_number("wall_share", "1", "wall force over the weight component");
+    Field vegetation_share =
+        column_number("vegetation_share", "1", "drag of the vegetation over the weight component",
+                      {.written = with_vegetation});
     Field friction_factor =
         column_number("friction_factor", "1", "friction factor", {.reader = Reader::users});
     Field manning = column_number("manning", "s/m^(1/3)", "Manning's n", {.reader = Reader::users});
@@ -88,6 +91,9 @@ struct SectionNumbers {
     Field drag_share = section_number("drag_share", "1", "bed drag over the weight component");
     Field side_wall_share =
         section_number("side_wall_share", "1", "drag of the side walls over the weight component");
+    Field vegetation_share =
+        section_number("vegetation_share", "1", "drag of the vegetation over the weight component",
+                       {.written = with_vegetation});
     Field bed_stress = section_number("bed_stress", "Pa", "mean stress on the bed");
     Field wall_stress = section_number("wall_stress", "Pa", "mean stress on the side walls");
     Field side_wall_coefficient = section_number("side_wall_coefficient", "1/m", "beta of the walls' layers",

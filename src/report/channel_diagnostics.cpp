@@ -24,6 +24,7 @@ class ChannelRows : public DiagnosticRows {
           stirred_(data.flow.stirring.acceleration > 0),
           space_(data.flow.channel.dimensions == 3),
           bodies_(!data.flow.solids.empty()),
+          vegetation_(!data.flow.vegetation.empty()),
           open_(data.flow.channel.ends == Ends::open) {}
 
     void interval() {
@@ -100,10 +101,12 @@ class ChannelRows : public DiagnosticRows {
         // At open ends the water on either side pushes too.
         if (!drag || data_.flow.channel.slope <= 0 || open_) return;
         const double wall = value(fields::summary.wall_over_gravity).value_or(0.0);
-        const double share = *drag + wall + value(fields::summary.side_wall_over_gravity).value_or(0.0);
+        const double share = *drag + wall + value(fields::summary.side_wall_over_gravity).value_or(0.0) +
+                             value(fields::summary.vegetation_over_gravity).value_or(0.0);
         add({"force_budget",
-             bodies_ ? "Force on bed, walls and bodies over the weight component"
-                     : "Drag and wall friction over the weight component",
+             bodies_       ? "Force on bed, walls and bodies over the weight component"
+             : vegetation_ ? "Drag of vegetation and bed and wall friction over the weight component"
+                           : "Drag and wall friction over the weight component",
              percent(share), "100 ± 1 %",
              bodies_
                  ? "In steady flow bed, walls and bodies together must carry the whole component of the "
@@ -305,6 +308,7 @@ class ChannelRows : public DiagnosticRows {
     bool stirred_;
     bool space_;
     bool bodies_;
+    bool vegetation_;
     bool open_;  ///< ends
 };
 

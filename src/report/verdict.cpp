@@ -172,7 +172,7 @@ void judge_bodies(const ReportData& data, const std::vector<SummaryRow>& quantit
                                                 100.0 * bodies->simulated->value));
     }
     if (data.flow.channel.ends == Ends::open && !bodies_stand) {
-        if (bed_resists(data.flow.bed))
+        if (channel_resists(data.flow))
             verdict.sentences.emplace_back(
                 "What the ends give rules the flow; the steady varied flow between them stands beside the long "
                 "profile.");

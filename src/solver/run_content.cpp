@@ -17,7 +17,7 @@ namespace riffle {
 
 namespace {
 
-void add_column(Content& content, const ColumnResult& column, int dimensions) {
+void add_column(Content& content, const ColumnResult& column, int dimensions, bool with_vegetation) {
     const ColumnProfile& p = column.profile;
     const auto profile = [&](const Field& field, const std::vector<double>& values) {
         add_field(content, field, dimensions, values);
@@ -39,6 +39,7 @@ void add_column(Content& content, const ColumnResult& column, int dimensions) {
     number(numbers.zero_plane, column.log_law.zero_plane);
     number(numbers.drag_share, column.drag_share);
     number(numbers.wall_share, column.wall_share);
+    if (with_vegetation) number(numbers.vegetation_share, column.vegetation_share);
     number(numbers.friction_factor, column.friction_factor);
     number(numbers.manning, column.manning);
     number(numbers.chezy, column.chezy);
@@ -48,7 +49,7 @@ void add_column(Content& content, const ColumnResult& column, int dimensions) {
 }
 
 /// `density`: of the water, kg/m3.
-void add_section(Content& content, const SectionResult& section, double density) {
+void add_section(Content& content, const SectionResult& section, double density, bool with_vegetation) {
     add_field(content, fields::section.y, 3, section.y);
     add_field(content, fields::section.z, 3, section.z);
     const auto plane = [&](const Field& field, const std::vector<double>& values) {
@@ -68,6 +69,7 @@ void add_section(Content& content, const SectionResult& section, double density)
     number(numbers.discharge, section.discharge);
     number(numbers.drag_share, section.drag_share);
     number(numbers.side_wall_share, section.side_wall_share);
+    if (with_vegetation) number(numbers.vegetation_share, section.vegetation_share);
     number(numbers.bed_stress, section.bed_stress);
     number(numbers.wall_stress, section.wall_stress);
     number(numbers.side_wall_coefficient, section.side_wall_coefficient);
@@ -101,10 +103,10 @@ Content run_head(const Case& c, const Twins& twins) {
     add_field(content, file.created, fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))));
     content.datasets.push_back(case_dataset(c));
     if (twins.column) {
-        add_column(content, *twins.column, c.channel.dimensions);
+        add_column(content, *twins.column, c.channel.dimensions, !c.vegetation.empty());
     }
     if (twins.section) {
-        add_section(content, *twins.section, c.fluid.density);
+        add_section(content, *twins.section, c.fluid.density, !c.vegetation.empty());
     }
     return content;
 }

@@ -216,6 +216,11 @@ void SimulationOf<D, Real>::evaluate_forces(Task& task, const Stage& stage, std:
             task.wall_acceleration[k].fill(0.0);
         }
     }
+    if (flow_.with_vegetation) {
+        for (auto& along_axis : task.vegetation_acceleration) {
+            along_axis.fill(0.0);
+        }
+    }
     for (const auto& component : components_) {
         component->add_forces(flow_, task, begin, end);
     }
@@ -286,6 +291,8 @@ void SimulationOf<D, Real>::keep_force_fields(const Task& task, std::size_t begi
         fields.wall_acceleration_x.set(i, by_walls(0));
         fields.wall_acceleration_z.set(i, by_walls(vertical));
         fields.drag_acceleration_x.set(i, inputs.drag ? work.drag_force[lane] : 0.0);
+        fields.vegetation_acceleration_x.set(
+            i, flow_.with_vegetation ? task.vegetation_acceleration[0][lane] : 0.0);
         if constexpr (D == 3) {
             const bool side = flow_.with_side_drag;
             fields.drag_acceleration_y.set(i, inputs.drag ? work.drag_force_across[lane] : 0.0);

@@ -211,6 +211,9 @@ Numbers summarise(const Case& c, const Twins& twins, const TimeSeries& series, c
     set_mean(outcomes.total_mean_velocity, of_series.total_mean_velocity);
     set_mean(outcomes.drag_over_gravity, of_series.drag_over_gravity);
     set_mean(outcomes.wall_over_gravity, of_series.wall_over_gravity);
+    if (!c.vegetation.empty()) {
+        set_mean(outcomes.vegetation_over_gravity, of_series.vegetation_over_gravity);
+    }
     set_mean(outcomes.mean_level, of_series.mean_level);
     set_mean(outcomes.velocity_fluctuation, of_series.velocity_fluctuation);
     set_mean(outcomes.particle_order, of_series.particle_order);

@@ -47,6 +47,7 @@ const std::vector<TwinName>& twin_names() {
         {of.drag_over_gravity, column.drag_share, section.drag_share},
         {of.wall_over_gravity, column.wall_share, std::nullopt},
         {of.side_wall_over_gravity, std::nullopt, section.side_wall_share},
+        {of.vegetation_over_gravity, column.vegetation_share, section.vegetation_share},
     };
     return names;
 }
@@ -166,6 +167,8 @@ const std::vector<Outcome>& known_outcomes() {
         {of.drag_over_gravity.name, "bed drag over weight component", "1", "1", 1, value, true},
         {of.wall_over_gravity.name, "wall force over weight component", "1", "1", 1, value, false},
         {of.side_wall_over_gravity.name, "side walls' drag over weight component", "1", "1", 1, value, false},
+        {of.vegetation_over_gravity.name, "vegetation's drag over weight component", "1", "1", 1, value,
+         false},
         {of.mean_level.name, "mean surface level", "m", "mm", 1e3, value, true, true},
         {surface_deviation, "standard deviation of the surface", "m", "mm", 1e3, value, true, true},
         {of.spurious_stress_rms.name, "rms spurious stress over the crest's", "1", "%", 100, departure, true,

@@ -148,6 +148,27 @@ inline Case between_side_walls() {
     return c;
 }
 
+/// Two patches of emergent stems one behind the other.
+inline Case with_vegetation() {
+    Case c = gravel();
+    c.run.until = RunUntil::time;
+    c.run.time = 5.0;
+    c.start.kind = StartKind::rest;
+    Vegetation reeds;
+    reeds.name = "reeds";
+    reeds.stems_per_area = 400.0;
+    reeds.stem_diameter = 0.006;
+    reeds.height = 0.1;
+    reeds.x_from = 0.0;
+    reeds.x_to = 0.1;
+    Vegetation sedges = reeds;
+    sedges.name = "sedges";
+    sedges.x_from = 0.1;
+    sedges.x_to = 0.2;
+    c.vegetation = {reeds, sedges};
+    return c;
+}
+
 inline Case with_solid() {
     Case c = tank();
     Solid weir;

@@ -36,6 +36,7 @@ using test::with_probe;
 using test::with_shape;
 using test::with_solid;
 using test::with_two_solids;
+using test::with_vegetation;
 using test::with_water;
 using testing::HasSubstr;
 using testing::Not;
@@ -274,6 +275,23 @@ std::vector<Wrong> wrong_shapes() {
     };
 }
 
+std::vector<Wrong> wrong_vegetation() {
+    return {
+        {with_vegetation(),
+         "bed.kind = slip; bed.equivalent_roughness = none; channel.top = periodic; channel.slope = 0; fluid.gravity = 0"},
+        {with_vegetation(), "vegetation[1].name = \"\""},
+        {with_vegetation(), "vegetation[1].name = reeds"},
+        {with_vegetation(), "vegetation[0].stem_diameter = 60 mm"},
+        {with_vegetation(), "vegetation[0].vogel_exponent = -0.7"},
+        {with_vegetation(), "vegetation[0].reference_velocity = 0.1"},
+        {with_vegetation(), "bed.kind = no-slip; channel.top = wall"},
+        {with_vegetation(), "vegetation[1].x_to = 0.3"},
+        {with_vegetation(), "vegetation[0].x_from = 0.2"},
+        {with_vegetation(), "vegetation[0].height = 1 mm"},
+        {with_vegetation(), "vegetation[0].x_to = 120 mm"},
+    };
+}
+
 std::vector<Wrong> wrong_probes() {
     using enum ProbeKind;
     return {
@@ -306,7 +324,7 @@ std::vector<Wrong> wrong_probes() {
 std::vector<Wrong> all_wrongs() {
     std::vector<Wrong> all;
     for (auto* const wrongs : {wrong_geometry, wrong_open_ends, wrong_methods, wrong_starts_and_runs,
-                               wrong_solids, wrong_shapes, wrong_probes}) {
+                               wrong_solids, wrong_shapes, wrong_vegetation, wrong_probes}) {
         for (Wrong& wrong : wrongs()) {
             all.push_back(std::move(wrong));
         }

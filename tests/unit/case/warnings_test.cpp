@@ -21,6 +21,7 @@ using test::smallest;
 using test::tank;
 using test::with_keys;
 using test::with_solid;
+using test::with_vegetation;
 using test::with_water;
 using testing::Contains;
 using testing::HasSubstr;
@@ -157,6 +158,9 @@ TEST(Warnings, EachRowHasACase) {
         with_keys(with_water(), "run.until = 3"),
         with_keys(gravel(), "bed.equivalent_roughness = 20 mm; numerics.spacing = 0.5 mm"),
         with_keys(gravel(), "numerics.spacing = 5 mm"),
+        with_keys(with_vegetation(), "vegetation[0].stem_diameter = 25 mm"),
+        with_keys(with_vegetation(),
+                  "bed.kind = slip; turbulence.closure = none; vegetation[0].height = 5 mm"),
         with_keys(cell(), "start.lattice = body-centred"),
         with_keys(between_side_walls(), "turbulence.closure = sps; numerics.stepping = semi-implicit-euler"),
         with_keys(with_solid(),

@@ -1,0 +1,74 @@
+#include "case/vegetation_keys.hpp"
+
+#include <utility>
+
+#include "case/units.hpp"
+
+namespace riffle {
+
+SectionKeys vegetation_keys() {
+    using enum Dimension;
+    SectionKeys s{"vegetation",
+                  "Stems that stand in the water and hold it back; any number of patches side by side, each "
+                  "under [[vegetation]].",
+                  {},
+                  [](const Case& c) { return c.vegetation.size(); }};
+    const auto key = [](const char* name, auto member, const char* meaning) {
+        return make_key("vegetation", name, &Case::vegetation, member, meaning);
+    };
+    s.keys.push_back(key("name", &Vegetation::name, "Name of the patch, for messages and figures.")
+                         .is_required()
+                         .with_example("\"reeds\""));
+    s.keys.push_back(key("stems_per_area", &Vegetation::stems_per_area, "Stems on an area of the bed, n.")
+                         .measured_in(number_per_area)
+                         .greater_than(0)
+                         .is_required()
+                         .with_example("\"400 1/m2\""));
+    s.keys.push_back(key("stem_diameter", &Vegetation::stem_diameter, "Diameter of the stems, d.")
+                         .measured_in(length)
+                         .greater_than(0)
+                         .is_required()
+                         .with_example("\"6 mm\""));
+    s.keys.push_back(key("height", &Vegetation::height,
+                         "Height of the tops of the stems above the bed level; above the surface the stems "
+                         "are emergent.")
+                         .measured_in(length)
+                         .greater_than(0)
+                         .is_required()
+                         .with_example("\"60 mm\""));
+    s.keys.push_back(
+        key("drag_coefficient", &Vegetation::drag_coefficient,
+            "C_D of the stems, with the velocity of the water between them and their frontal area.")
+            .greater_than(0)
+            .at_most(100)
+            .because("a cylinder has about 1, at Reynolds numbers of some units 10")
+            .unset_by("cheng-nguyen",
+                      "that of rigid cylinders by the Reynolds number of the vegetation-related hydraulic "
+                      "radius (Cheng & Nguyen 2011)"));
+    s.keys.push_back(
+        key("vogel_exponent", &Vegetation::vogel_exponent,
+            "psi of flexible stems, whose force grows with U^(2 + psi) above the reference velocity; 0: "
+            "rigid.")
+            .greater_than(-2)
+            .at_most(0)
+            .because("plants in water have -0.2 to -1.2, and a force must not fall as the velocity rises"));
+    s.keys.push_back(key("reference_velocity", &Vegetation::reference_velocity,
+                         "Velocity up to which flexible stems stand as rigid ones.")
+                         .measured_in(velocity)
+                         .greater_than(0)
+                         .unset_by("none", "the stems are rigid"));
+    const auto edge = [&](const char* name, auto member, const char* meaning, const char* otherwise) {
+        return key(name, member, meaning).measured_in(length).at_least(0).unset_by("auto", otherwise);
+    };
+    s.keys.push_back(
+        edge("x_from", &Vegetation::x_from, "Where the patch begins along the channel.", "at its start"));
+    s.keys.push_back(edge("x_to", &Vegetation::x_to, "Where it ends along the channel.", "at its end"));
+    s.keys.push_back(edge("y_from", &Vegetation::y_from,
+                          "Where the patch begins across a three-dimensional channel.", "at its side, y = 0")
+                         .applies_with("channel.dimensions", {"3"}, true));
+    s.keys.push_back(edge("y_to", &Vegetation::y_to, "Where it ends across the channel.", "at the other side")
+                         .applies_with("channel.dimensions", {"3"}, true));
+    return s;
+}
+
+}  // namespace riffle

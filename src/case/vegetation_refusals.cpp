@@ -1,0 +1,149 @@
+#include <algorithm>
+#include <array>
+#include <numbers>
+#include <utility>
+
+#include "case/refusals.hpp"
+#include "case/units.hpp"
+
+namespace riffle {
+
+namespace {
+
+/// phi at which stems on a square lattice touch.
+constexpr double touching = std::numbers::pi / 4.0;
+
+/// A range of a patch along an axis, m.
+struct PatchRange {
+    double from = 0.0;
+    double to = 0.0;
+
+    [[nodiscard]] double overlap(const PatchRange& other) const {
+        return std::min(to, other.to) - std::max(from, other.from);
+    }
+};
+
+/// Along the channel and across it.
+std::array<PatchRange, 2> ranges_of(const Case& c, const Vegetation& patch) {
+    return {{{patch.x_from.value_or(0.0), patch.x_to.value_or(c.channel.length)},
+             {patch.y_from.value_or(0.0), patch.y_to.value_or(c.channel.simulated_width())}}};
+}
+
+Findings beyond_channel(const Case& c, const Vegetation& patch) {
+    const auto ranges = ranges_of(c, patch);
+    const std::array extent{c.channel.length, c.channel.simulated_width()};
+    constexpr std::array axes{"x", "y"};
+    constexpr std::array keys{"vegetation.x_to", "vegetation.y_to"};
+    for (std::size_t k = 0; k < (in_space(c) ? 2 : 1); ++k) {
+        if (ranges[k].to > extent[k] * (1 + 1e-9) || ranges[k].from >= ranges[k].to) {
+            return {{.detail = fmt::format("stands from {} = {} to {}: expected a stretch between 0 and {}",
+                                           axes[k], shown_length(ranges[k].from), shown_length(ranges[k].to),
+                                           shown_length(extent[k])),
+                     .key = keys[k]}};
+        }
+    }
+    return {};
+}
+
+Findings thinner_than_a_particle(const Case& c, const Vegetation& patch) {
+    const auto ranges = ranges_of(c, patch);
+    double least = std::min(patch.height, ranges[0].to - ranges[0].from);
+    if (in_space(c)) {
+        least = std::min(least, ranges[1].to - ranges[1].from);
+    }
+    return found_if(least < c.numerics.spacing * (1 - 1e-9),
+                    "is {} in one direction, and the particles stand {} apart", shown_length(least),
+                    shown_length(c.numerics.spacing));
+}
+
+/// With a patch before it in the file; the ends of a step of rounding may lie over each other.
+Findings in_another_patch(const Case& c, const Vegetation& patch) {
+    const auto own = ranges_of(c, patch);
+    for (const Vegetation* other = c.vegetation.data(); other != &patch; ++other) {
+        const auto there = ranges_of(c, *other);
+        const double across = in_space(c) ? own[1].overlap(there[1]) : 1.0;
+        if (own[0].overlap(there[0]) > 1e-9 && across > 1e-9) {
+            return found_if(true, "stands where \"{}\" does", other->name);
+        }
+    }
+    return {};
+}
+
+bool repeats_a_name(const Case& c, const Vegetation& patch) {
+    return std::any_of(c.vegetation.data(), &patch,
+                       [&](const Vegetation& other) { return other.name == patch.name; });
+}
+
+}  // namespace
+
+CheckList vegetation_refusals() {
+    return {
+        {
+            {{"vegetation.name", "channel.top"},
+             "a `[[vegetation]]` with `channel.top = \"periodic\"`",
+             "a box without bed and surface has nothing that stems could stand on",
+             R"(set [channel] top = "free-surface", or remove the vegetation)",
+             [](const Case& c) { return c.channel.top == Top::periodic; },
+             true},
+            {{"vegetation.name"},
+             "an empty `name`",
+             "messages name the patch",
+             "give one",
+             [](const Case&, const Vegetation& patch) {
+                 return found_if(patch.name.empty(), "name is empty");
+             }},
+            {{"vegetation.name"},
+             "the `name` of another patch of vegetation",
+             "each needs its own",
+             "choose another one",
+             [](const Case& c, const Vegetation& patch) {
+                 return found_if(repeats_a_name(c, patch), "another patch has this name already");
+             }},
+            {{"vegetation.stems_per_area", "vegetation.stem_diameter"},
+             "stems so many and thick that they would touch on a square lattice, phi = n pi d^2/4 at pi/4 or above",
+             "no water would flow between them",
+             "correct one of the two; a unit may be wrong",
+             [](const Case&, const Vegetation& patch) {
+                 return found_if(patch.solid_fraction() >= touching,
+                                 "stems_per_area and stem_diameter fill a share of {:.3g} of the water",
+                                 patch.solid_fraction());
+             }},
+            {{"vegetation.vogel_exponent", "vegetation.reference_velocity"},
+             "`vogel_exponent` other than 0 without `reference_velocity`, or the latter without the former",
+             "the drag of flexible stems falls from a velocity on, up to which they stand",
+             "give both or neither",
+             [](const Case&, const Vegetation& patch) {
+                 return found_if((patch.vogel_exponent != 0.0) != patch.reference_velocity.has_value(),
+                                 "{} is missing",
+                                 patch.reference_velocity ? "vogel_exponent" : "reference_velocity");
+             }},
+            {{"vegetation.height", "channel.top"},
+             "`height` above a wall at the top",
+             "stems stand between bed and wall",
+             "give at most the depth",
+             [](const Case& c, const Vegetation& patch) {
+                 return found_if(c.channel.top == Top::wall && patch.height > c.total_depth() * (1 + 1e-9),
+                                 "height is {}, and the wall lies at {}", shown_length(patch.height),
+                                 shown_length(c.total_depth()));
+             }},
+            {{"vegetation.x_from", "vegetation.x_to", "vegetation.y_from", "vegetation.y_to",
+              "vegetation.name"},
+             "a patch that begins or ends outside of the channel, or ends before it begins",
+             "",
+             "correct the range; without the keys the patch covers the whole channel",
+             beyond_channel},
+            {{"vegetation.height", "vegetation.x_to", "vegetation.y_to", "numerics.spacing"},
+             "a patch lower, shorter or narrower than a spacing of the particles",
+             "no particle would resolve it",
+             "make the spacing smaller or the patch larger",
+             thinner_than_a_particle},
+            {{"vegetation.name"},
+             "a patch that stands where another one does",
+             "the mixing length of a place is that of one kind of stems",
+             "give patches beside each other, or their stems together as one kind",
+             in_another_patch},
+        },
+        [](const Case& c) { return !c.vegetation.empty(); }};
+}
+
+}  // namespace riffle
