@@ -54,6 +54,30 @@ void print_probes(const Forecast& f) {
     }
 }
 
+void print_vegetation(const Forecast& f) {
+    for (const VegetationForecast& stems : f.vegetation) {
+        print_row(
+            "vegetation",
+            fmt::format(
+                "{}: a = {:.4g} 1/m, phi = {:.3g}, C_D = {:.3g} at {:.3g} m/s, displacement height {:.3g} mm",
+                stems.name, stems.frontal_area, stems.solid_fraction, stems.drag_coefficient, stems.speed,
+                1e3 * stems.displacement));
+    }
+}
+
+nlohmann::ordered_json vegetation_json(const Forecast& f) {
+    auto list = nlohmann::ordered_json::array();
+    for (const VegetationForecast& stems : f.vegetation) {
+        list.push_back({{"name", stems.name},
+                        {"frontal_area", stems.frontal_area},
+                        {"solid_fraction", stems.solid_fraction},
+                        {"speed", stems.speed},
+                        {"drag_coefficient", stems.drag_coefficient},
+                        {"displacement", stems.displacement}});
+    }
+    return list;
+}
+
 nlohmann::ordered_json parts_json(const Forecast& f) {
     auto list = nlohmann::ordered_json::array();
     for (const RecordForecast& part : f.parts) {
@@ -90,6 +114,7 @@ void print_forecast(const Case& c, const Forecast& f) {
     if (f.relaxation_time) {
         print_row("relaxation time", fmt::format("{:.3g} s", *f.relaxation_time));
     }
+    print_vegetation(f);
     print_row("simulated time",
               c.run.until == RunUntil::converged
                   ? fmt::format("about {:.3g} s until converged, at most {:.3g} s", f.end_time, f.latest_end)
@@ -123,6 +148,7 @@ void print_json(const Case& c, const Forecast& f, const std::vector<std::string>
                                          {"disk_bytes", f.disk_bytes},
                                          {"replacing_bytes", f.replacing_bytes},
                                          {"disk_parts", parts_json(f)},
+                                         {"vegetation", vegetation_json(f)},
                                          {"probes", probes_json(f)},
                                          {"probe_notes", f.probe_notes},
                                          {"solid_notes", c.solid_notes},

@@ -10,8 +10,13 @@ namespace {
 class BedForce final : public Instrument {
   public:
     BedForce(const Probe& probe, const Case& c)
-        : Instrument(probe, c), space_(c.channel.dimensions == 3), solids_(c.solids.size()) {
-        for (const Field& field : fields_of(fields::forces)) add_record(field, {}, true);
+        : Instrument(probe, c),
+          space_(c.channel.dimensions == 3),
+          vegetation_(!c.vegetation.empty()),
+          solids_(c.solids.size()) {
+        for (const Field& field : fields_of(fields::forces)) {
+            if (vegetation_ || !(field == fields::forces.vegetation_drag)) add_record(field, {}, true);
+        }
         for (std::size_t k = 0; k < solids_; ++k) {
             for (const Field& field : fields_of(fields::solid_forces))
                 add_record_of_solid(field, k + 1, c.solids[k].name);
@@ -36,6 +41,11 @@ class BedForce final : public Instrument {
         }
         std::vector<double> row = {state.time, drag, wall, normal, total * state.streamwise_gravity};
         if (space_) row.push_back(sides);
+        if (vegetation_) {
+            double stems = 0.0;
+            for (std::size_t i = 0; i < mass.size(); ++i) stems -= mass[i] * (*state.vegetation_x)[i];
+            row.push_back(stems);
+        }
         for (std::size_t k = 0; k < solids_; ++k) {
             const ForceOnSolid force = k < state.solids.size() ? state.solids[k] : ForceOnSolid{};
             row.push_back(force.pressure[0] + force.friction[0]);
@@ -54,6 +64,7 @@ class BedForce final : public Instrument {
 
   private:
     bool space_;  ///< three dimensions
+    bool vegetation_;
     std::size_t solids_;
 };
 

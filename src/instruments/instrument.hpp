@@ -28,6 +28,7 @@ struct FlowState {
     const SparseValues* wall_x = nullptr;
     const SparseValues* wall_z = nullptr;
     const SparseValues* side_wall_x = nullptr;
+    const SparseValues* vegetation_x = nullptr;  ///< of the stems, where there are any
     const WorkingValues* pressure = nullptr;
     std::span<const double> shear_stress = {};
     std::span<const ForceOnSolid> solids = {};  ///< so, by solid

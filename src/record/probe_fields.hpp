@@ -189,6 +189,10 @@ struct Forces {
                                    "component of the water's weight down the bed"});
     Field side_wall_drag = force("side_wall_drag", "drag of the water on the side walls' layers, downstream",
                                  {.written = three_dimensions});
+    Field vegetation_drag = force("vegetation_drag",
+                                  {"drag of the water on the vegetation, downstream, per unit width",
+                                   "drag of the water on the vegetation, downstream"},
+                                  {.written = with_vegetation});
 };
 inline constexpr Forces forces;
 

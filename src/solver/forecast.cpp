@@ -14,6 +14,7 @@
 #include "output/file_update.hpp"
 #include "output/results_file.hpp"
 #include "particles/lattice.hpp"
+#include "roughness/vegetation.hpp"
 #include "solver/profile_blocks.hpp"
 #include "solver/recorder.hpp"
 #include "solver/series.hpp"
@@ -202,6 +203,11 @@ Forecast forecast_in(const Case& c) {
     f.latest_end = c.run.time;
     f.end_time = c.run.time;
     f.relaxation_time = twins.relaxation_time();
+    for (const Vegetation& stems : c.vegetation) {
+        const ReferenceDrag reference = reference_drag(c, stems);
+        f.vegetation.push_back({stems.name, stems.frontal_area(), stems.solid_fraction(), reference.speed,
+                                reference.drag_coefficient, displacement_height(stems)});
+    }
     if (f.relaxation_time) {
         if (c.run.until == RunUntil::converged) {
             f.end_time = std::min(c.run.time, usual_relaxation_times * *f.relaxation_time);

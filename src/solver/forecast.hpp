@@ -21,6 +21,16 @@ struct ProbeForecast {
     double time_share = 0.0;          ///< of the time of the steps, measured with samples of the case itself
 };
 
+/// What follows from the keys of a patch of vegetation.
+struct VegetationForecast {
+    std::string name;
+    double frontal_area = 0.0;      ///< a, 1/m
+    double solid_fraction = 0.0;    ///< phi
+    double speed = 0.0;             ///< of the water between the stems, a likely one, m/s
+    double drag_coefficient = 0.0;  ///< C_D at it
+    double displacement = 0.0;  ///< where the mixing length above the stems begins, above the bed level, m
+};
+
 /// What a part of the records of a run takes.
 struct RecordForecast {
     std::string name;
@@ -48,6 +58,7 @@ struct Forecast {
     double replacing_bytes = 0.0;       ///< on top of it, while a file is written anew beside the old one
     std::vector<RecordForecast> parts;  ///< of disk_bytes
     std::optional<double> relaxation_time;
+    std::vector<VegetationForecast> vegetation;
     std::vector<ProbeForecast> probes;
     std::vector<std::string> probe_notes;  ///< what the standard instruments leave out, and why
 };

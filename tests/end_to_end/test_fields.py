@@ -12,6 +12,13 @@ import h5py
 import numpy
 
 FREQUENCY = '\n[[probe]]\nname = "frames"\nkind = "grid"\nsampling_frequency = "20 Hz"\naveraging_time = 0\n'
+VEGETATION = '''
+[[vegetation]]
+name = "stems"
+stems_per_area = "400 1/m2"
+stem_diameter = "6 mm"
+height = "30 mm"
+'''
 CONDUIT = {"three_dimensions", "free_surface", "column_twin", "section_twin", "closure", "spheres", "asked", "end", "profiles", "slope"}
 # What hangs on the numbers of the run; it may be written, and may not.
 MAYBE = {"samples", "fitted"}
@@ -44,14 +51,14 @@ class Fields(CommandLineTest):
         plane, space, bare = (cls.shared / f"{name}.toml" for name in ("plane", "space", "bare"))
         bare.write_text(SPACE_CASE)
         plane.write_text(CASE.read_text() + PROBES + FREQUENCY)
-        space.write_text(SPACE_CASE + SPACE_PROBES + FREQUENCY)
+        space.write_text(SPACE_CASE + SPACE_PROBES + FREQUENCY + VEGETATION)
         snapshots = every(snapshot=0.2)
         # By run: its command, and the conditions of the table that it meets.
         runs = {
             "plane": ([plane, *SMALL, *until(0.7), *snapshots],
                       {"free_surface", "column_twin", "no_section_twin", "closure", "asked", "end", "profiles", "slope"}),
             "space": ([space, *until(0.5), *snapshots, "--set", "channel.sides=half", "--set", 'channel.width="86.6 mm"',
-                       "--set", "start.kind=section"], CONDUIT),
+                       "--set", "start.kind=section"], CONDUIT | {"vegetation"}),
             "gate": ([SOURCE / "cases/checks/gate.toml", "--set", "numerics.spacing=5mm", *until(0.35), *every(snapshot=0.1)],
                      {"free_surface", "no_section_twin", "solids", "moving_solids", "asked", "end", "profiles"}),
             "block": ([SOURCE / "cases/violent/box-3d.toml", "--set", "numerics.spacing=40mm", "--set",

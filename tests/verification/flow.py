@@ -114,8 +114,9 @@ def momentum_budget(flow):
     span = [first.time, last.time]
     force = flow.forces
     weight = flow.mass.sum() * flow.gravity_z
-    along = force["weight_component"] - force["bed_drag"] - force["wall_force"]
-    sizes = numpy.abs(force["weight_component"]) + numpy.abs(force["bed_drag"]) + numpy.abs(force["wall_force"])
+    held = [force[name] for name in ("bed_drag", "wall_force", "vegetation_drag") if name in force]
+    along = force["weight_component"] - sum(held)
+    sizes = numpy.abs(force["weight_component"]) + sum(numpy.abs(each) for each in held)
     change_x = (flow.mass * (last.u - first.u)).sum() - _impulse(flow, span, along)
     change_z = (flow.mass * (last.w - first.w)).sum() - _impulse(flow, span, force["wall_normal_force"] - weight)
     scale = max(_impulse(flow, span, sizes), 1e-12 * flow.mass.sum())

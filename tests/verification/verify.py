@@ -29,13 +29,14 @@ import rapid_checks  # noqa: E402
 import scheme_checks  # noqa: E402
 import surface_checks  # noqa: E402
 import turbulence_checks  # noqa: E402
+import vegetation_checks  # noqa: E402
 import violent_checks  # noqa: E402
 import viscous_checks  # noqa: E402
 from flow import Flow  # noqa: E402
 from table import Table  # noqa: E402
 
-CHECKS = viscous_checks.CHECKS | surface_checks.CHECKS | violent_checks.CHECKS | scheme_checks.CHECKS | turbulence_checks.CHECKS | open_end_checks.CHECKS | overflow_checks.CHECKS | rapid_checks.CHECKS
-QUICK = ["poiseuille", "couette", "taylor_green_re100", "tank", "standing_wave", "drop"]
+CHECKS = viscous_checks.CHECKS | surface_checks.CHECKS | violent_checks.CHECKS | scheme_checks.CHECKS | turbulence_checks.CHECKS | open_end_checks.CHECKS | overflow_checks.CHECKS | rapid_checks.CHECKS | vegetation_checks.CHECKS
+QUICK = ["poiseuille", "couette", "taylor_green_re100", "tank", "standing_wave", "drop", "emergent_stems", "submerged_formula"]
 
 
 class Study:
