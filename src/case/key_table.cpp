@@ -37,7 +37,8 @@ SectionKeys numerics() {
             "Smoothing length over spacing, h / dx; the kernel reaches 2 h.")
             .at_least(1)
             .at_most(4)
-            .with_default_note("2 in two dimensions over spheres, beds by roughness and smooth ones")
+            .with_default_note(
+                "2 in two dimensions over spheres, beds by roughness and smooth ones, and with vegetation")
             .because("fewer neighbours do not sum up, more are not worth their time"));
     s.keys.push_back(
         key("sound_speed", &Numerics::sound_speed, "Artificial speed of sound c0.")

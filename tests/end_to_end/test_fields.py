@@ -26,6 +26,7 @@ MAYBE = {"samples", "fitted"}
 ELSEWHERE = {
     ("/", "failure"): "a sweep, of runs that failed",
     ("/column", "total_mean_velocity"): "a sweep, as the twin of an outcome",
+    ("/column", "vegetation_share"): "the forces of channels without side walls",
     ("/section", "bulk_velocity"): "a sweep in three dimensions, as the twin of an outcome",
     ("/summary", "secondary_velocity"): "a sweep in three dimensions",
     ("/summary", "lost_share"): "the diagnostics, where water was lost",

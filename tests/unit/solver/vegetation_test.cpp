@@ -120,6 +120,27 @@ TEST(VegetationDrag, HasTheSameBitsForAnyNumberOfThreads) {
     expect_same_bits_for_any_threads<3>();
 }
 
+TEST(VegetationDrag, HasTheSameBitsAfterResume) {
+    const ChannelIn<2> straight(patch());
+    straight.advance(21);
+    const ChannelIn<2> resumed(patch());
+    resumed.simulation->restore(test::saved_particles(*straight.simulation), straight.simulation->clock(),
+                                straight.simulation->wall_density_deviation());
+    straight.advance(20);
+    resumed.advance(20);
+    expect_same_bits(straight.simulation->particles(), resumed.simulation->particles());
+}
+
+TEST(VegetationDrag, OfFlexibleStemsCarriesTheTwinsFlow) {
+    Case c = emergent();
+    c.vegetation.front().drag_coefficient.reset();
+    c.vegetation.front().vogel_exponent = -0.8;
+    c.vegetation.front().reference_velocity = 0.05;
+    const ChannelIn<2> channel(c);
+    channel.advance(50);
+    test::expect_carried_flow(channel, 0.001);
+}
+
 TEST(VegetationDrag, ActsWithEveryMethodOfTimeStepping) {
     for (const Stepping stepping : {Stepping::semi_implicit_euler, Stepping::leapfrog, Stepping::verlet,
                                     Stepping::predictor_corrector, Stepping::symplectic, Stepping::beeman}) {
