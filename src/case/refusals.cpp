@@ -48,7 +48,8 @@ const std::vector<CheckList>& refusals() {
         closed_end_refusals(), plane_refusals(),    space_refusals(),   sphere_refusals(),
         side_wall_refusals(),  method_refusals(),   start_refusals(),   water_refusals(),
         run_refusals(),        output_refusals(),   solid_refusals(),   shape_refusals(),
-        outline_refusals(),    mesh_refusals(),     motion_refusals(), vegetation_refusals(),  probe_refusals()};
+        outline_refusals(),    mesh_refusals(),     motion_refusals(),  vegetation_refusals(),
+        probe_refusals()};
     return lists;
 }
 

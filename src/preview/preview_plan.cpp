@@ -261,6 +261,15 @@ void draw_plan(SvgSheet& sheet, const Case& c, const PreviewPlan& plan, const Sh
         sheet.text(view.x(plan.x[k]) + 5.0, view.top + view.height - 6.0, k == 0 ? "B" : "C",
                    R"(class="halo" font-weight="600")");
     }
+    for (const Vegetation& patch : c.vegetation) {
+        const double begin = patch.x_from.value_or(0.0);
+        const double right = patch.y_from.value_or(0.0);
+        const double along = patch.x_to.value_or(length) - begin;
+        const double across = std::min(width, patch.y_to.value_or(width)) - right;
+        sheet.rectangle(view.x(begin), std::min(view.y(right), view.y(right + across)),
+                        along * view.scale_u(), std::abs(view.y(right + across) - view.y(right)),
+                        fmt::format(R"(fill="{0}" fill-opacity="0.22" stroke="{0}")", stem_colour));
+    }
     draw_probes_in_plan(sheet, c, view);
     const double x = view.x(0.06 * length);
     sheet.dimension(x, view.y(0.0), x, view.y(width), plan.unit.text(width));

@@ -33,6 +33,12 @@ class UprightView {
         const double beyond = c_.channel.ends == Ends::open ? buffer_length(c_) : 0.0;
         draw_water_along(beyond);
         draw_roughness(-beyond, length + beyond);
+        for (const Vegetation& patch : c_.vegetation) {
+            if (!space_ ||
+                (plan_.y >= patch.y_from.value_or(plan_.y) && plan_.y <= patch.y_to.value_or(plan_.y))) {
+                draw_stems(patch, patch.x_from.value_or(-beyond), patch.x_to.value_or(length + beyond));
+            }
+        }
         for (std::size_t k = 0; k < c_.solids.size(); ++k) {
             draw_solid_along(k);
         }
@@ -55,6 +61,11 @@ class UprightView {
             line(0.0, depth, width, depth, fmt::format(R"(stroke="{}" stroke-width="1.6")", surface_colour));
         }
         draw_roughness(0.0, width);
+        for (const Vegetation& patch : c_.vegetation) {
+            if (x >= patch.x_from.value_or(x) && x <= patch.x_to.value_or(x)) {
+                draw_stems(patch, patch.y_from.value_or(0.0), std::min(width, patch.y_to.value_or(width)));
+            }
+        }
         for (std::size_t k = 0; k < c_.solids.size(); ++k) {
             if (const SolidMesh* const mesh = mesh_of(c_, c_.solids[k])) {
                 draw_slices(k, slice_polygons(view_.u_low, view_.u_high, 300,
@@ -139,6 +150,18 @@ class UprightView {
         rectangle(from, to, 0.0, c_.crest(), R"(fill="#c2a878" fill-opacity="0.45")");
         line(from, c_.crest(), to, c_.crest(), R"(stroke="#8a6d3b" stroke-dasharray="3 3")");
         line(from, c_.datum(), to, c_.datum(), R"(stroke="#56606b" stroke-dasharray="10 4")");
+    }
+
+    /// Stems of a patch, as far apart as they stand in the mean, but no nearer than three pixels.
+    void draw_stems(const Vegetation& patch, double from, double to) {
+        rectangle(from, to, 0.0, patch.height, fmt::format(R"(fill="{}" fill-opacity="0.18")", stem_colour));
+        const double apart = std::max(1.0 / std::sqrt(patch.stems_per_area), 3.0 / view_.scale_u());
+        const double width = std::clamp(patch.stem_diameter * view_.scale_u(), 0.8, 6.0);
+        for (double u = from + 0.5 * apart; u < to; u += apart) {
+            line(
+                u, 0.0, u, patch.height,
+                fmt::format(R"(stroke="{}" stroke-opacity="0.7" stroke-width="{:.1f}")", stem_colour, width));
+        }
     }
 
     void draw_slices(std::size_t solid, const std::vector<std::vector<SheetPoint>>& polygons) {

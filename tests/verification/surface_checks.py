@@ -9,6 +9,7 @@ import exact
 import figures
 from check import Check
 from options import compare_options, options_text, refinement
+from table import Table
 
 
 def _stillness(study, check, case, still_level, solid_area, bar):
@@ -59,6 +60,41 @@ def wedge(study):
                   "The same with a wedge on the floor, half of the depth high. Its faces cut through the rows of particles, so that the water "
                   "beside them starts in disorder and goes on finding a better arrangement: the bar of the speed is fifty times that of the tank.")
     _stillness(study, check, "cases/checks/tank-with-wedge.toml", _level_over_wedge, _wedge_area, 5e-3)
+    return check
+
+
+def beach_at_rest(study):
+    check = Check("beach_at_rest", "Still water on a beach",
+                  "A beach of 1:5 in a closed tank, whose face cuts the rows of particles at a small angle, and water of its own viscosity. The start "
+                  "is packed, and the pressure corrected by the mean of the correction; without, the water creeps up the beach. Snapshots of each 0.1 s.")
+    case, interval = "cases/checks/beach-at-rest.toml", {"output.snapshot_interval": '"0.1 s"'}
+
+    def speeds(flow, begin, end):
+        scale = math.sqrt(flow.gravity_z * flow.depth)
+        squares = [s.u**2 + s.w**2 for s in flow.snapshots() if begin <= s.time <= end]
+        return max(math.sqrt(v.max()) for v in squares) / scale, max(math.sqrt(v.mean()) for v in squares) / scale
+
+    flow = study.run(check.name, case, interval)
+    largest, rms = speeds(flow, 5.0, 6.1)
+    check.norm("largest speed of any particle, 5 to 6 s, over √(gH)", largest, 1e-2, "", 3)
+    check.norm("rms of the speeds, 5 to 6 s, over √(gH)", rms, 2e-3, "", 3)
+    if not study.quick:
+        later = study.run(f"{check.name}-longer", case, {**interval, "run.until": '"30 s"'})
+        largest, rms = speeds(later, 9.0, 30.1)
+        check.norm("largest speed, 9 to 30 s", largest, 1e-2, "", 3)
+        check.norm("rms, 9 to 30 s", rms, 2e-3, "", 3)
+        table = Table(f"{check.title}, 5 to 6 s", ["choice", "largest speed / √(gH)", "rms"])
+        for name, settings in {
+                "correction of each moment": {"numerics.pressure_correction_time": '"0 s"'},
+                "start not packed": {"start.packed": "false"},
+                "neither": {"start.packed": "false", "numerics.pressure_correction_time": '"0 s"'},
+                "mean of 10 s": {"numerics.pressure_correction_time": '"10 s"'},
+                "symmetric form": {"numerics.pressure_form": '"symmetric"', "numerics.pressure_correction_time": '"0 s"'},
+                "square lattice, h = 1.5 dx": {"start.lattice": '"square"', "numerics.smoothing_ratio": "1.5"}}.items():
+            largest, rms = speeds(study.run(f"{check.name}-{len(table.rows)}", case, {**interval, **settings}), 5.0, 6.1)
+            table.rows.append([name, f"{largest:.3g}", f"{rms:.2g}"])
+        check.tables.append(table)
+    check.best, check.cost = options_text(flow), flow.cost_text
     return check
 
 
@@ -373,5 +409,5 @@ def step(study):
     return check
 
 
-CHECKS = {"tank": tank, "wedge": wedge, "standing_wave": wave, "sloshing": sloshing, "drop": drop, "dam_break": dam_break,
+CHECKS = {"tank": tank, "wedge": wedge, "beach_at_rest": beach_at_rest, "standing_wave": wave, "sloshing": sloshing, "drop": drop, "dam_break": dam_break,
           "collapse": collapse, "step": step}
