@@ -361,6 +361,8 @@ Case any_case() {
     if (c.channel.dimensions == 2 && resolves_eddies(c)) {
         c.turbulence.closure = ClosureKind::nezu_rodi;
     }
+    // Most cases have nothing to pack, and are refused.
+    c.start.packed = false;
     const int probes = *rc::gen::inRange(0, 4);
     for (int i = 0; i < probes; ++i) {
         c.probes.push_back(any_probe(c, "probe-" + std::to_string(i)));
