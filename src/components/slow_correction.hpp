@@ -52,8 +52,7 @@ class SlowCorrection final : public Component<D, Real> {
                     mean[i] += share_ * (now - mean[i]);
                 }
                 // Where nothing is corrected now, in spray and at its surface, nothing is.
-                const double inside =
-                    smoothstep<double>(0.3, 0.6, static_cast<double>(sums.regularity[lane]));
+                const auto inside = smoothstep<double>(0.3, 0.6, static_cast<double>(sums.regularity[lane]));
                 sums.correction[k][lane] = static_cast<Real>(identity + inside * mean[i]);
             });
         }
