@@ -51,6 +51,15 @@ CheckList start_refusals() {
          "the rows of the water that enters are those of the lattice",
          "remove the key",
          [](const Case& c) { return c.start.packed && c.channel.ends == Ends::open; }},
+        {{"start.packed", "channel.top", "numerics.wall"},
+         "`packed = true` under a lid, in a periodic box, or with walls that are no layers of dummy particles",
+         "it fills the water up to a free surface between layers of wall particles as dense as the water",
+         R"(remove the key, or choose top = "free-surface" and wall = "dummy")",
+         [](const Case& c) {
+             const bool layers =
+                 c.numerics.wall == WallKind::dummy || c.numerics.wall == WallKind::modified_dynamic;
+             return c.start.packed && (c.channel.top != Top::free_surface || !layers);
+         }},
         {{"start.packed", "start.jitter"},
          "`packed = true` without solids and without `jitter`",
          "the lattice is even already, and no particle would move",

@@ -132,6 +132,9 @@ class OpenEnds final : public Component<D, Real> {
             }
             const Vec<D> wanted = entering ? entering_velocity(flow, i) : leaving_velocity(flow, i);
             for (std::size_t k = 0; k < Flow::axes; ++k) {
+                if (flow.with_vegetation) {
+                    task.vegetation_acceleration[k][lane] = 0.0;
+                }
                 task.sums.force.tensor[k][lane] = Real(0);
                 task.sums.force.viscous[k][lane] = Real(0);
                 task.particles.acceleration[k][lane] =

@@ -238,8 +238,13 @@ class Packer {
 
 PackedStart pack_start(const Case& c, const Scheme& scheme, Particles<2>& particles) {
     PackedStart packing = Packer(c, scheme, particles).run();
-    notice(fmt::format("packed in {} iterations: unevenness {:.2g}, was {:.2g}", packing.iterations,
-                       packing.unevenness_after, packing.unevenness_before));
+    notice(fmt::format(
+        "packed in {} iterations: unevenness {:.2g}{}, was {:.2g}", packing.iterations,
+        packing.unevenness_after,
+        packing.unevenness_after < even_enough
+            ? ""
+            : fmt::format(" (above {:g}: gaps are left, look at the first snapshot)", even_enough),
+        packing.unevenness_before));
     return packing;
 }
 

@@ -187,6 +187,7 @@ std::vector<Wrong> wrong_starts_and_runs() {
         {cell(), "start.kind = rest; start.packed = true; start.jitter = 0.1"},
         {open_channel(), "start.kind = rest; start.packed = true; start.jitter = 0.1"},
         {tank(), "start.packed = true"},
+        {tank(), "start.packed = true; start.jitter = 0.1; numerics.wall = dynamic"},
         {with_mesh(), "start.kind = results; start.file = /nowhere/results.h5"},
         {with_mesh(), "measured.velocity_profile = /nowhere/u.csv"},
         {tank(), "start.kind = standing-wave"},
