@@ -117,6 +117,15 @@ CheckList vegetation_refusals() {
                                  "{} is missing",
                                  patch.reference_velocity ? "vogel_exponent" : "reference_velocity");
              }},
+            {{"vegetation.vogel_exponent", "vegetation.drag_coefficient"},
+             "`vogel_exponent` of -1.57 or less with the drag coefficient of Cheng & Nguyen",
+             "that coefficient falls like u^-0.43, and the force on the stems would fall as the velocity rises",
+             "give a drag_coefficient, or a vogel_exponent nearer to 0; plants have -0.2 to -1.2",
+             [](const Case&, const Vegetation& patch) {
+                 constexpr double steepest = 0.43;  // of the coefficient
+                 return found_if(!patch.drag_coefficient && 2.0 - steepest + patch.vogel_exponent <= 0.0,
+                                 "vogel_exponent is {:g}", patch.vogel_exponent);
+             }},
             {{"vegetation.height", "channel.top"},
              "`height` above a wall at the top",
              "stems stand between bed and wall",

@@ -58,6 +58,9 @@ class MixingLengths final : public Component<D, Real> {
         if (!canopies_.empty()) {
             follow_canopies(flow, first, count, lengths);
         }
+        if (!solids_.empty()) {
+            limit_beside_solids(flow, first, count, lengths);
+        }
         if constexpr (D == 3) {
             for (std::size_t i = 0; closure_->varies_across() && i < count; ++i) {
                 lengths[i] *= closure_->side_factor(position[1][first + i]);
@@ -99,14 +102,17 @@ class MixingLengths final : public Component<D, Real> {
 
     void follow_depth(const Flow& flow, std::size_t first, std::size_t count, double* lengths) const {
         const auto& position = flow.particles.position;
-        const double kappa = flow.c.turbulence.kappa;
         for (std::size_t n = 0; n < count; ++n) {
             const std::size_t i = first + n;
             lengths[n] = closure_->mixing_length_in(position[Flow::vertical][i], water_over(flow, i));
-            if (!solids_.empty()) {
-                const double distance = solids_.at(flow.bodies, vector_of(position, i));
-                lengths[n] = std::min(lengths[n], kappa * distance);
-            }
+        }
+    }
+
+    void limit_beside_solids(const Flow& flow, std::size_t first, std::size_t count, double* lengths) const {
+        const double kappa = flow.c.turbulence.kappa;
+        for (std::size_t n = 0; n < count; ++n) {
+            const double distance = solids_.at(flow.bodies, vector_of(flow.particles.position, first + n));
+            lengths[n] = std::min(lengths[n], kappa * distance);
         }
     }
 

@@ -285,6 +285,7 @@ std::vector<Wrong> wrong_vegetation() {
         {with_vegetation(), "vegetation[0].stem_diameter = 60 mm"},
         {with_vegetation(), "vegetation[0].vogel_exponent = -0.7"},
         {with_vegetation(), "vegetation[0].reference_velocity = 0.1"},
+        {with_vegetation(), "vegetation[0].vogel_exponent = -1.8; vegetation[0].reference_velocity = 0.1"},
         {with_vegetation(), "bed.kind = no-slip; channel.top = wall"},
         {with_vegetation(), "vegetation[1].x_to = 0.3"},
         {with_vegetation(), "vegetation[0].x_from = 0.2"},
