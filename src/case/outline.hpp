@@ -37,6 +37,13 @@ struct Outline {
 /// that stands at the end, a point has no side.
 [[nodiscard]] double within_ends(double x, double length);
 
+/// Whether f(x) holds for a place along a channel or for one of its images next door, where the channel is
+/// periodic: `period` its length, m; 0 where it is not.
+template <class F>
+[[nodiscard]] bool at_any_image(double x, double period, const F& f) {
+    return f(x) || (period > 0.0 && (f(x - period) || f(x + period)));
+}
+
 /// Height at which the vertical line upward from a point first leaves the outline, m; the point's own height
 /// where it does not meet it.
 [[nodiscard]] double ceiling_above(const Outline& outline, double x, double z);

@@ -14,6 +14,7 @@
 #include <system_error>
 
 #include "base/error.hpp"
+#include "case/text_lines.hpp"
 
 namespace riffle {
 
@@ -62,7 +63,8 @@ class TextReader {
         for (std::string_view word = words_.next(); !word.empty(); word = words_.next()) {
             if (!in_solid) {
                 if (word != "solid") {
-                    fault(fmt::format("expected `solid` or the end of the file, found `{}`", shown(word)));
+                    fault(
+                        fmt::format("expected `solid` or the end of the file, found `{}`", shown_word(word)));
                 }
                 words_.skip_line();  // a name of any words
                 in_solid = true;
@@ -72,7 +74,7 @@ class TextReader {
                 words_.skip_line();
                 in_solid = false;
             } else {
-                fault(fmt::format("expected `facet` or `endsolid`, found `{}`", shown(word)));
+                fault(fmt::format("expected `facet` or `endsolid`, found `{}`", shown_word(word)));
             }
         }
         if (in_solid) {
@@ -87,11 +89,6 @@ class TextReader {
     }
     [[noreturn]] void facet_fault(const std::string& what) const {
         fault(fmt::format("triangle {}: {}", triangles_.size() + 1, what));
-    }
-
-    static std::string shown(std::string_view word) {
-        constexpr std::size_t longest = 40;
-        return std::string(word.substr(0, longest)) + (word.size() > longest ? "..." : "");
     }
 
     void read_facet() {
@@ -122,17 +119,14 @@ class TextReader {
     }
 
     [[nodiscard]] double number(std::string_view word) const {
-        std::string_view digits = word;
-        if (digits.size() > 1 && digits.front() == '+' && digits[1] != '-') {
-            digits.remove_prefix(1);
-        }
+        const std::string_view digits = without_plus(word);
         double value = 0.0;
         const auto [end, status] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
         if (end != digits.data() + digits.size() || status == std::errc::invalid_argument || digits.empty()) {
-            facet_fault(fmt::format("expected `vertex` and three numbers, found `{}`", shown(word)));
+            facet_fault(fmt::format("expected `vertex` and three numbers, found `{}`", shown_word(word)));
         }
         if (status == std::errc::result_out_of_range) {
-            facet_fault(fmt::format("the number {} is too large or too small", shown(word)));
+            facet_fault(fmt::format("the number {} is too large or too small", shown_word(word)));
         }
         return value;
     }

@@ -17,17 +17,12 @@
 
 namespace riffle {
 
-namespace {
-
-/// What a plus sign hides from std::from_chars.
 std::string_view without_plus(std::string_view word) {
     if (word.size() > 1 && word.front() == '+' && word[1] != '-') {
         word.remove_prefix(1);
     }
     return word;
 }
-
-}  // namespace
 
 TextLines::TextLines(std::string_view content, std::string name, std::string_view separators)
     : rest_(content), name_(std::move(name)), separators_(separators) {

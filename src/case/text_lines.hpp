@@ -41,6 +41,9 @@ class TextLines {
 /// A word of a file for messages, shortened and without control characters.
 [[nodiscard]] std::string shown_word(std::string_view word);
 
+/// A word without the plus sign of a number, which std::from_chars does not take.
+[[nodiscard]] std::string_view without_plus(std::string_view word);
+
 /// The number that a word holds; NaN and infinities where it spells them. False where it holds none, or one
 /// beyond the range of doubles.
 [[nodiscard]] bool read_number(std::string_view word, double& value);

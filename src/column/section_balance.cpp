@@ -213,11 +213,14 @@ double SectionBalance::vegetation_force(const Eigen::VectorXd& u) const {
     double force = 0.0;
     for (Eigen::Index i = 0; !patches_.empty() && i < u.size(); ++i) {
         if (stem_area_(i) > 0.0) {
-            const std::size_t patch = patch_of_[static_cast<std::size_t>(i) % columns_] - 1;
-            force += stem_area_(i) * patches_[patch].drag().deceleration(u(i));
+            force += stem_area_(i) * stems_in(i).deceleration(u(i));
         }
     }
     return force;
+}
+
+const StemDrag& SectionBalance::stems_in(Eigen::Index cell) const {
+    return patches_[patch_of_[static_cast<std::size_t>(cell) % columns_] - 1].drag();
 }
 
 Eigen::VectorXd SectionBalance::residual(const Eigen::VectorXd& u) const {
@@ -226,8 +229,7 @@ Eigen::VectorXd SectionBalance::residual(const Eigen::VectorXd& u) const {
         (bed_drag_.array() + wall_coefficient(u) * layer_area_.array()) * u.array() * u.array().abs();
     for (Eigen::Index i = 0; !patches_.empty() && i < u.size(); ++i) {
         if (stem_area_(i) > 0.0) {
-            const std::size_t patch = patch_of_[static_cast<std::size_t>(i) % columns_] - 1;
-            force(i) -= stem_area_(i) * patches_[patch].drag().deceleration(u(i));
+            force(i) -= stem_area_(i) * stems_in(i).deceleration(u(i));
         }
     }
     for (const auto* faces : {&vertical_faces_, &lateral_faces_}) {
@@ -253,8 +255,7 @@ SectionJacobian SectionBalance::jacobian(const Eigen::VectorXd& u) const {
     for (Eigen::Index i = 0; i < n; ++i) {
         entries.emplace_back(i, i, 2.0 * std::abs(u(i)) * (bed_drag_(i) + wall * layer_area_(i)));
         if (stem_area_(i) > 0.0) {
-            const std::size_t patch = patch_of_[static_cast<std::size_t>(i) % columns_] - 1;
-            entries.emplace_back(i, i, stem_area_(i) * patches_[patch].drag().deceleration_slope(u(i)));
+            entries.emplace_back(i, i, stem_area_(i) * stems_in(i).deceleration_slope(u(i)));
         }
     }
     for (const auto* faces : {&vertical_faces_, &lateral_faces_}) {

@@ -21,9 +21,8 @@ struct SectionJacobian {
 };
 
 /// The momentum balance of steady flow along a channel in finite volumes over half a cross-section,
-///     g S0 + d/dy[(nu0 + A nu_t) dU/dy] + d/dz[(nu0 + nu_t) dU/dz] - (beta_bed(z) + beta_wall(y) + beta_v(U,
-///     y, z)) U|U|
-/// = 0,
+///     g S0 + d/dy[(nu0 + A nu_t) dU/dy] + d/dz[(nu0 + nu_t) dU/dz] - beta U|U| = 0,
+/// beta = beta_bed(z) + beta_wall(y) + beta_v(U, y, z) of bed, side walls and vegetation,
 /// nu_t = l^2 |S|, l = l_m(z) G(y), |S|^2 = (dU/dy)^2 + (dU/dz)^2, A = 1/2 (1 + q^2), with the closure, the
 /// bed drag (its mean over the plan) and the side walls' friction of the case. No flux at bed, surface, wall
 /// and plane of symmetry, but for no-slip beds U = 0 at z = 0. Velocities stand at the centres of the cells,
@@ -85,6 +84,8 @@ class SectionBalance {
     [[nodiscard]] double layer_sum(const Eigen::VectorXd& u) const;
 
     void add_vegetation(const Case& c, const SectionGrid& grid);
+    /// The stems in a cell that has some.
+    [[nodiscard]] const StemDrag& stems_in(Eigen::Index cell) const;
     void add_faces(const Case& c, const SectionGrid& grid);
 
     std::size_t columns_;

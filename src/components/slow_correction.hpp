@@ -42,20 +42,19 @@ class SlowCorrection final : public Component<D, Real> {
 
     void complete_gradients(Flow& flow, Task& task, std::size_t begin, std::size_t end) override {
         GradientResult<D, Real>& sums = task.sums.gradient;
-        for (std::size_t k = 0; k < elements; ++k) {
-            std::vector<double>& mean = flow.particles.further[departure_[k]].values;
-            const double identity = k % (Flow::axes + 1) == 0 ? 1.0 : 0.0;
-            flow.for_particles(begin, end, [&](std::size_t i, std::size_t lane) {
-                const double now = static_cast<double>(sums.correction[k][lane]) - identity;
+        flow.for_particles(begin, end, [&](std::size_t i, std::size_t lane) {
+            // Where nothing is corrected now, in spray and at its surface, nothing is.
+            const auto inside = smoothstep<double>(0.3, 0.6, static_cast<double>(sums.regularity[lane]));
+            for (std::size_t k = 0; k < elements; ++k) {
+                double& mean = flow.particles.further[departure_[k]].values[i];
+                const double identity = k % (Flow::axes + 1) == 0 ? 1.0 : 0.0;
                 // The predictor's and the corrector's evaluations are of one step.
                 if (first_) {
-                    mean[i] += share_ * (now - mean[i]);
+                    mean += share_ * (static_cast<double>(sums.correction[k][lane]) - identity - mean);
                 }
-                // Where nothing is corrected now, in spray and at its surface, nothing is.
-                const auto inside = smoothstep<double>(0.3, 0.6, static_cast<double>(sums.regularity[lane]));
-                sums.correction[k][lane] = static_cast<Real>(identity + inside * mean[i]);
-            });
-        }
+                sums.correction[k][lane] = static_cast<Real>(identity + inside * mean);
+            }
+        });
     }
 
   private:

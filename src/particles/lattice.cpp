@@ -116,13 +116,11 @@ class WetPlaces {
             return false;
         }
         const double clearance = 0.25 * case_.numerics.spacing;
-        const double length = case_.channel.length;
-        const bool periodic = case_.channel.ends == Ends::periodic;
+        const double period = case_.channel.ends == Ends::periodic ? case_.channel.length : 0.0;
         return std::none_of(solids_.begin(), solids_.end(), [&](const Outline& outline) {
-            const auto covers = [&](double at) {
+            return at_any_image(x, period, [&](double at) {
                 return contains(outline, at, z) || distance_from_outline(outline, at, z) < clearance;
-            };
-            return covers(x) || (periodic && (covers(x - length) || covers(x + length)));
+            });
         });
     }
 

@@ -10,14 +10,17 @@
 #include "boundary/wall.hpp"
 #include "boundary/wall_motion.hpp"
 #include "case/bed_surface.hpp"
+#include "case/outline.hpp"
 #include "case/outline_check.hpp"
 #include "case/solid_mesh.hpp"
 #include "case/solid_shapes.hpp"
+#include "engine/scheme.hpp"
 #include "particles/case_size.hpp"
 #include "particles/lattice.hpp"
 #include "preview/preview_views.hpp"
 #include "preview/solid_slices.hpp"
 #include "roughness/sphere_lattice.hpp"
+#include "solver/start_packing.hpp"
 
 namespace riffle {
 
@@ -157,7 +160,12 @@ void draw_placed(SvgSheet& sheet, const Case& c, const PreviewPlan& plan, const 
                         solid ? solid_colour(c, static_cast<std::size_t>(walls.body[i] - first_solid))
                               : std::string("#b4bcc4")));
     }
-    const Particles<D> water = lattice_particles<D>(c);
+    Particles<D> water = lattice_particles<D>(c);
+    if constexpr (D == 2) {
+        if (starts_packed(c)) {
+            (void)pack_start(c, make_scheme(c, nullptr), water);
+        }
+    }
     for (std::size_t i = 0; i < water.position[0].size(); ++i) {
         const double x = water.position[0][i];
         const double z = water.position[D - 1][i];
@@ -299,7 +307,11 @@ SheetPoint particle_window(const Case& c, double width, double height) {
             middle.x = x->high;
         }
         const double into = is_bed_shape(solid.shape) ? 0.0 : 0.15 * height;
-        middle.y = std::max(lowest, std::min(z->high, level) - into);
+        // Of an outline the face there, which may slope.
+        const double foot = z->low + 1e-6 * c.numerics.spacing;
+        const double face =
+            c.channel.dimensions == 2 ? ceiling_above({solid.x, solid.z}, middle.x, foot) : foot;
+        middle.y = std::max(lowest, std::min(face > foot ? face : z->high, level) - into);
         break;
     }
     const double side = 0.5 * width - layers;

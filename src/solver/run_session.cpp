@@ -83,9 +83,13 @@ void RunSession<D>::make_simulation_of_case(bool from_start) {
     const ColumnResult* column = twins_.column_or_null();
     const Scheme scheme = make_scheme(case_, column);
     Particles<D> particles;
-    if (case_.start.kind == StartKind::results && !from_start) {
+    if (!from_start) {
+        // A checkpoint takes the place of these: they need neither be read nor packed.
         Case still = case_;
-        still.start.kind = StartKind::rest;
+        still.start.packed = false;
+        if (still.start.kind == StartKind::results) {
+            still.start.kind = StartKind::rest;
+        }
         particles = initial_particles<D>(still, scheme, column, twins_.section_velocity());
     } else if (case_.start.kind == StartKind::results) {
         particles = particles_from_results<D>(case_, scheme, ResultsReader(case_.start.file),

@@ -151,7 +151,7 @@ Particles<D> initial_particles(const Case& c, const Scheme& scheme, const Column
     const std::size_t n = particles.size();
     PackedStart packing;
     if constexpr (D == 2) {
-        if (c.start.packed && c.start.kind == StartKind::rest) {
+        if (starts_packed(c)) {
             packing = pack_start(c, scheme, particles);
         }
     }

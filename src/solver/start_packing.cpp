@@ -90,23 +90,17 @@ class Packer {
         PackedStart result;
         notice(fmt::format("packing {} particles", mobile_.size()));
         std::vector<Vec<2>> velocity(mobile_.size());
-        for (;; ++result.iterations) {
-            const std::vector<Sum> sums = sums_of(mobile_);
-            double largest = 0.0;
-            for (const Sum& sum : sums) {
-                largest = std::max(largest, std::hypot(sum.gradient[0], sum.gradient[1]));
-            }
-            (result.iterations == 0 ? result.unevenness_before : result.unevenness_after) = largest;
-            if (largest < even_enough || result.iterations == most_iterations) {
-                break;
-            }
+        std::vector<Sum> sums = sums_of_mobile();
+        result.unevenness_before = result.unevenness_after = unevenness(sums);
+        while (result.unevenness_after >= even_enough && result.iterations < most_iterations) {
             for (std::size_t m = 0; m < mobile_.size(); ++m) {
                 move(mobile_[m], sums[m].gradient, velocity[m]);
             }
+            sums = sums_of_mobile();
+            result.unevenness_after = unevenness(sums);
+            ++result.iterations;
         }
-        result.unevenness_after = result.iterations == 0 ? result.unevenness_before : result.unevenness_after;
         result.share.assign(particles_.size(), 1.0);
-        const std::vector<Sum> sums = sums_of(mobile_);
         const double full = lattice_sum();
         for (std::size_t m = 0; m < mobile_.size(); ++m) {
             result.share[mobile_[m]] = full / sums[m].value;
@@ -120,13 +114,20 @@ class Packer {
         Vec<2> gradient{};   ///< h times that of V grad W
     };
 
+    static double unevenness(const std::vector<Sum>& sums) {
+        double largest = 0.0;
+        for (const Sum& sum : sums) {
+            largest = std::max(largest, std::hypot(sum.gradient[0], sum.gradient[1]));
+        }
+        return largest;
+    }
+
     void choose_mobile() {
         const double reach = 8.0 * h_;
         for (std::size_t i = 0; i < particles_.size(); ++i) {
-            const double x = particles_.position[0][i];
             const double z = particles_.position[1][i];
-            const bool near = std::any_of(outlines_.begin(), outlines_.end(), [&](const Outline& outline) {
-                return distance(outline, x, z) < reach;
+            const bool near = beside_any(particles_.position[0][i], [&](const Outline& outline, double x) {
+                return distance_from_outline(outline, x, z) < reach;
             });
             if (near || c_.start.jitter > 0.0) {
                 mobile_.push_back(i);
@@ -134,34 +135,28 @@ class Packer {
         }
     }
 
-    /// Distance from an outline or its nearest image along a periodic channel, m.
-    [[nodiscard]] double distance(const Outline& outline, double x, double z) const {
-        double nearest = distance_from_outline(outline, x, z);
-        if (domain_.periodic[0]) {
-            const double length = domain_.extent(0);
-            nearest = std::min({nearest, distance_from_outline(outline, x - length, z),
-                                distance_from_outline(outline, x + length, z)});
-        }
-        return nearest;
-    }
-
-    [[nodiscard]] bool in_solid(double x, double z) const {
+    /// Whether f(outline, x) holds for a solid and a place or one of its images.
+    template <class F>
+    [[nodiscard]] bool beside_any(double x, const F& f) const {
+        const double period = domain_.periodic[0] ? domain_.extent(0) : 0.0;
         return std::any_of(outlines_.begin(), outlines_.end(), [&](const Outline& outline) {
-            const double length = domain_.periodic[0] ? domain_.extent(0) : 0.0;
-            return contains(outline, x, z) ||
-                   (length > 0.0 && (contains(outline, x - length, z) || contains(outline, x + length, z)));
+            return at_any_image(x, period, [&](double at) { return f(outline, at); });
         });
     }
 
-    [[nodiscard]] std::vector<Sum> sums_of(const std::vector<std::size_t>& members) const {
+    [[nodiscard]] bool in_solid(double x, double z) const {
+        return beside_any(x, [z](const Outline& outline, double at) { return contains(outline, at, z); });
+    }
+
+    [[nodiscard]] std::vector<Sum> sums_of_mobile() const {
         const ParticleCells<2> cells(domain_,
                                      {JoinedValues(particles_.position[0], fixed_[0]),
                                       JoinedValues(particles_.position[1], fixed_[1])},
                                      2.0 * h_);
-        std::vector<Sum> sums(members.size());
-        parallel_blocks(members.size(), packing_block, [&](std::size_t begin, std::size_t end) {
+        std::vector<Sum> sums(mobile_.size());
+        parallel_blocks(mobile_.size(), packing_block, [&](std::size_t begin, std::size_t end) {
             for (std::size_t m = begin; m < end; ++m) {
-                sums[m] = sum_at(cells, vector_of(particles_.position, members[m]));
+                sums[m] = sum_at(cells, vector_of(particles_.position, mobile_[m]));
             }
         });
         return sums;

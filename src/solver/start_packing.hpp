@@ -16,6 +16,11 @@ struct PackedStart {
     double unevenness_after = 0.0;
 };
 
+/// Whether a case asks for a packed start, and has one.
+[[nodiscard]] inline bool starts_packed(const Case& c) {
+    return c.start.packed && c.start.kind == StartKind::rest;
+}
+
 /// Move the particles beside solids until they fill the water evenly: each down the gradient of the kernel's
 /// sum over water, walls and the places of the lattice above the water (Colagrossi et al. 2012), to where it
 /// is 0. Where a face cuts the rows of the lattice, it leaves gaps of up to a spacing, whose water would be

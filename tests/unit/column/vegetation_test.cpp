@@ -10,6 +10,7 @@
 #include "column/section.hpp"
 #include "column/twin_channel.hpp"
 #include "roughness/stem_drag.hpp"
+#include "vegetated_channel.hpp"
 
 namespace riffle::vegetated_column_test {
 namespace {
@@ -17,22 +18,9 @@ namespace {
 using testing::HasSubstr;
 
 Case channel(double height) {
-    Case c;
-    c.channel.slope = 0.002;
-    c.channel.depth = 0.2;
-    c.channel.length = 0.5;
-    c.bed.kind = BedKind::slip;
-    c.bed.roughness_height = 0.0;
-    c.bed.datum_below_crest = 0.0;
-    c.turbulence.closure = ClosureKind::nezu_rodi;
+    Case c = test::slip_channel(0.002, 0.2);
     c.numerics.spacing = 0.01;
-    Vegetation stems;
-    stems.name = "reeds";
-    stems.stems_per_area = 300.0;
-    stems.stem_diameter = 0.006;
-    stems.height = height;
-    stems.drag_coefficient = 1.1;
-    c.vegetation = {stems};
+    c.vegetation = {test::stems(300.0, 0.006, height, 1.1)};
     return c;
 }
 

@@ -8,18 +8,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "vegetated_channel.hpp"
+
 namespace riffle::vegetation_test {
 namespace {
 
-Vegetation reeds() {
-    Vegetation stems;
-    stems.name = "reeds";
-    stems.stems_per_area = 400.0;
-    stems.stem_diameter = 0.008;
-    stems.height = 0.1;
-    stems.drag_coefficient = 1.2;
-    return stems;
-}
+Vegetation reeds() { return test::stems(400.0, 0.008, 0.1, 1.2); }
 
 Vegetation flexible(double exponent) {
     Vegetation stems = reeds();
@@ -34,18 +28,7 @@ Vegetation by_reynolds_number() {
     return stems;
 }
 
-/// A wide channel 0.3 m deep.
-Case channel() {
-    Case c;
-    c.channel.slope = 0.001;
-    c.channel.depth = 0.3;
-    c.channel.length = 0.5;
-    c.bed.kind = BedKind::slip;
-    c.bed.roughness_height = 0.0;
-    c.bed.datum_below_crest = 0.0;
-    c.turbulence.closure = ClosureKind::nezu_rodi;
-    return c;
-}
+Case channel() { return test::slip_channel(0.001, 0.3); }
 
 TEST(StemDrag, HoldsTheWaterBetweenTheStemsWithTheForceOnAll) {
     const Vegetation stems = reeds();

@@ -10,6 +10,7 @@
 #include "small_case.hpp"
 #include "solver/profile_blocks.hpp"
 #include "solver/series.hpp"
+#include "vegetated_channel.hpp"
 
 namespace riffle::vegetation_test {
 namespace {
@@ -25,13 +26,7 @@ Case emergent(int dimensions = 2) {
     c.turbulence.closure = ClosureKind::nezu_rodi;
     c.start.kind = StartKind::column;
     c.start.perturbation = 0.0;
-    Vegetation stems;
-    stems.name = "stems";
-    stems.stems_per_area = 400.0;
-    stems.stem_diameter = 0.008;
-    stems.height = 0.1;
-    stems.drag_coefficient = 1.2;
-    c.vegetation = {stems};
+    c.vegetation = {test::stems(400.0, 0.008, 0.1, 1.2)};
     return c;
 }
 
