@@ -4,9 +4,11 @@
 
 #include <cmath>
 
+#include "analysis/body_coefficients.hpp"
 #include "analysis/chapters.hpp"
 #include "analysis/figure_tools.hpp"
 #include "analysis/gauges.hpp"
+#include "analysis/momentum_budget.hpp"
 #include "record/flow_fields.hpp"
 #include "record/twin_fields.hpp"
 #include "roughness/side_wall_partition.hpp"
@@ -133,6 +135,8 @@ void analyse_forces(const FlowRecord& record, Analysis& analysis) {
         "thesis (2.16), (4.3), bed stress of chapter 4", make_axis("time t", "s"),
         make_axis("force over weight component", "1"));
     if (is_undriven(flow_kind(c))) return;
+    add_body_coefficients(record, analysis);
+    add_momentum_budget(record, analysis);
     add_solid_shares(record, analysis);
     const SeriesTable& series = record.series();
     const std::vector<double>& time = series[fields::time_series.time];

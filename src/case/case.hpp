@@ -269,6 +269,8 @@ struct Probe {
     std::optional<double> z_from;
     std::optional<double> z_to;
     double averaging_time = 1.0;  ///< grid: length of a window, s
+    std::string solid;            ///< pressure: name of the solid that it sits on and moves with; empty: none
+    double diameter = 0.0;        ///< pressure: of its round face, whose mean it gives, m; 0: a point
 
     bool operator==(const Probe&) const = default;
 };

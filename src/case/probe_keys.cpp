@@ -51,6 +51,20 @@ SectionKeys probe_keys() {
                          .with_default_note("required for these kinds")
                          .with_example("[\"20 mm\", \"30 mm\"]")
                          .applies_with(kind, {"velocity", "pressure"}, true));
+    s.keys.push_back(
+        key("solid", &Probe::solid,
+            "Name of the [[solid]] that the gauges sit on: the place of its surface next to each "
+            "point. They move with it; x, y and z are those at the start.")
+            .with_default_note("none: gauges that stand still, in the water or on walls")
+            .with_example("\"pier\"")
+            .applies_with(kind, {"pressure"}, true));
+    s.keys.push_back(key("diameter", &Probe::diameter,
+                         "Diameter of the gauge's round face on its wall or solid, over which it takes the "
+                         "mean, in two dimensions along a line; 0: a point.")
+                         .measured_in(length)
+                         .at_least(0)
+                         .with_example("\"10 mm\"")
+                         .applies_with(kind, {"pressure"}, true));
     s.keys.push_back(key("sampling_length", &Probe::sampling_length,
                          "Height of the measuring volume, over which the velocity is averaged; 0: a point.")
                          .measured_in(length)

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "case/gauge_face.hpp"
 #include "case/refusals.hpp"
 #include "case/units.hpp"
 #include "case/words.hpp"
@@ -18,6 +19,19 @@ bool has_positions(const Probe& p) {
     return has_heights(p) || p.kind == ProbeKind::wave || p.kind == ProbeKind::flow_rate;
 }
 bool has_spacing(const Probe& p) { return is_grid(p) || p.kind == ProbeKind::surface_line; }
+/// Whether its x, y and z say which points it has.
+bool has_as_many_points(const Probe& p) {
+    const std::size_t n = std::max(p.x.size(), p.z.size());
+    const auto fits = [n](const std::vector<double>& values) {
+        return values.size() == 1 || values.size() == n;
+    };
+    return !p.x.empty() && !p.z.empty() && fits(p.x) && fits(p.z) && (p.y.empty() || fits(p.y));
+}
+std::string place_text(const Case& c, const Point3& place) {
+    return in_space(c) ? fmt::format("x = {}, y = {}, z = {}", shown_length(place[0]), shown_length(place[1]),
+                                     shown_length(place[2]))
+                       : fmt::format("x = {}, z = {}", shown_length(place[0]), shown_length(place[2]));
+}
 bool sees_surface(const Probe& p) { return p.kind == ProbeKind::wave || p.kind == ProbeKind::surface_line; }
 
 std::string kind_text(const Probe& p) { return fmt::format("kind = \"{}\"", word(p.kind)); }
@@ -142,6 +156,71 @@ Findings too_fine(const Case& c, const Probe& p) {
                     shown_length(spacing), shown_length(c.numerics.spacing), shown_length(finest));
 }
 
+bool has_surface_place(const Case& c, const Probe& p) { return !p.solid.empty() && solid_named(c, p.solid); }
+
+/// Gauges farther than a spacing from the surface of their solid.
+Findings beside_their_solid(const Case& c, const Probe& p) {
+    Findings found;
+    if (!has_surface_place(c, p) || !has_as_many_points(p)) {
+        return found;
+    }
+    for (const Point3& point : probe_points(c, p)) {
+        const auto near = nearest_on_solid(c, c.solids[*solid_named(c, p.solid)], point);
+        if (near && near->distance > c.numerics.spacing) {
+            found.push_back({.detail = fmt::format(
+                                 "x = {}, z = {} is {} from the surface of solid \"{}\": expected at most "
+                                 "a spacing, {}; the nearest place is {}",
+                                 shown_length(point[0]), shown_length(point[2]), shown_length(near->distance),
+                                 p.solid, shown_length(c.numerics.spacing), place_text(c, near->place))});
+        }
+    }
+    return found;
+}
+
+/// Gauges with a face that lie on no wall.
+Findings faces_in_the_water(const Case& c, const Probe& p) {
+    Findings found;
+    if (p.kind != ProbeKind::pressure || p.diameter == 0.0 || !p.solid.empty() || !has_as_many_points(p)) {
+        return found;
+    }
+    for (const Point3& point : probe_points(c, p)) {
+        if (!place_on_walls(c, point)) {
+            found.push_back({.detail = fmt::format("{} lies on no wall", place_text(c, point))});
+        }
+    }
+    return found;
+}
+
+/// Faces of which a part reaches beyond the channel.
+Findings faces_beyond(const Case& c, const Probe& p) {
+    Findings found;
+    if (p.kind != ProbeKind::pressure || p.diameter == 0.0 || !has_as_many_points(p) ||
+        (!p.solid.empty() && !has_surface_place(c, p)) || p.diameter > c.channel.length) {
+        return found;
+    }
+    const auto outside = [&](const Point3& place) {
+        return place[2] < -1e-9 ||
+               (c.channel.ends != Ends::periodic &&
+                (place[0] < -1e-9 || place[0] > c.channel.length + 1e-9)) ||
+               (in_space(c) && c.channel.sides != Sides::periodic &&
+                (place[1] < -1e-9 || place[1] > c.channel.simulated_width() + 1e-9));
+    };
+    for (const Point3& point : probe_points(c, p)) {
+        const bool sits = p.solid.empty()
+                              ? place_on_walls(c, point).has_value()
+                              : nearest_on_solid(c, c.solids[*solid_named(c, p.solid)], point).has_value();
+        if (!sits) {
+            continue;
+        }
+        const GaugeFace face = gauge_face(c, p, point);
+        if (std::any_of(face.points.begin(), face.points.end(), outside)) {
+            found.push_back({.detail = fmt::format("the face of {} around {} reaches beyond a wall",
+                                                   shown_length(p.diameter), place_text(c, face.middle))});
+        }
+    }
+    return found;
+}
+
 }  // namespace
 
 CheckList probe_refusals() {
@@ -215,6 +294,29 @@ CheckList probe_refusals() {
              return found_if(has_heights(p) && p.x.size() > 1 && p.z.size() > 1 && p.x.size() != p.z.size(),
                              "{} values of x and {} of z", p.x.size(), p.z.size());
          }},
+        {{"probe.solid"},
+         "a `solid` that no [[solid]] has the name of",
+         "gauges move with the solid that they sit on",
+         "correct the name, or remove the key for gauges that stand still",
+         [](const Case& c, const Probe& p) {
+             return found_if(!p.solid.empty() && !solid_named(c, p.solid), "no [[solid]] has the name \"{}\"",
+                             p.solid);
+         }},
+        {{"probe.x", "probe.z", "probe.solid"},
+         "a point of a gauge on a solid more than a spacing from its surface",
+         "it would sit somewhere else than it was meant to",
+         "move it to the surface",
+         beside_their_solid},
+        {{"probe.diameter"},
+         "a `diameter` of a gauge on no wall or solid",
+         "a face needs a wall or a solid to lie in",
+         "move it onto the bed, an end wall or a side wall, name its solid, or remove the diameter",
+         faces_in_the_water},
+        {{"probe.diameter"},
+         "a face of a gauge that reaches beyond a wall of the channel",
+         "there is no water to press on it",
+         "move it or make it smaller",
+         faces_beyond},
         {{"probe.sampling_length"},
          "`sampling_length` above the total depth",
          "no water is as high",

@@ -1,5 +1,6 @@
 // Forces between the water and its bed and walls: per unit width, in three dimensions over the whole width.
 
+#include "case/end_buffers.hpp"
 #include "instruments/instrument.hpp"
 #include "record/probe_fields.hpp"
 
@@ -11,6 +12,8 @@ class BedForce final : public Instrument {
   public:
     BedForce(const Probe& probe, const Case& c)
         : Instrument(probe, c),
+          parameters_(c),
+          open_(c.channel.ends == Ends::open),
           space_(c.channel.dimensions == 3),
           vegetation_(!c.vegetation.empty()),
           solids_(c.solids.size()) {
@@ -30,22 +33,21 @@ class BedForce final : public Instrument {
         double wall = 0.0;
         double normal = 0.0;
         double sides = 0.0;
+        double stems = 0.0;
         for (std::size_t i = 0; i < mass.size(); ++i) {
+            if (open_ && !in_channel(parameters_, state.x[i])) {
+                continue;  // water beyond the ends, which moves as it is told
+            }
             total += mass[i];
             drag -= mass[i] * (*state.drag_x)[i];
             wall -= mass[i] * (*state.wall_x)[i];
             normal += mass[i] * (*state.wall_z)[i];  // what pushes the water up presses on the bed
-        }
-        for (std::size_t i = 0; space_ && i < mass.size(); ++i) {
-            sides -= mass[i] * (*state.side_wall_x)[i];
+            if (space_) sides -= mass[i] * (*state.side_wall_x)[i];
+            if (vegetation_) stems -= mass[i] * (*state.vegetation_x)[i];
         }
         std::vector<double> row = {state.time, drag, wall, normal, total * state.streamwise_gravity};
         if (space_) row.push_back(sides);
-        if (vegetation_) {
-            double stems = 0.0;
-            for (std::size_t i = 0; i < mass.size(); ++i) stems -= mass[i] * (*state.vegetation_x)[i];
-            row.push_back(stems);
-        }
+        if (vegetation_) row.push_back(stems);
         for (std::size_t k = 0; k < solids_; ++k) {
             const ForceOnSolid force = k < state.solids.size() ? state.solids[k] : ForceOnSolid{};
             row.push_back(force.pressure[0] + force.friction[0]);
@@ -63,6 +65,8 @@ class BedForce final : public Instrument {
     [[nodiscard]] std::size_t points() const override { return 1; }
 
   private:
+    Case parameters_;
+    bool open_;   ///< ends
     bool space_;  ///< three dimensions
     bool vegetation_;
     std::size_t solids_;

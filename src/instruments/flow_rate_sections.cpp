@@ -1,4 +1,4 @@
-// Discharge and depth at sections: per unit width, in three dimensions of the whole width.
+// Discharge, depth and momentum at sections: per unit width, in three dimensions of the whole width.
 
 #include "base/parallel.hpp"
 #include "instruments/instrument.hpp"
@@ -10,19 +10,28 @@ namespace {
 
 class FlowRateSections final : public Instrument {
   public:
-    FlowRateSections(const Probe& probe, const Case& c) : Instrument(probe, c) {
+    FlowRateSections(const Probe& probe, const Case& c)
+        : Instrument(probe, c), momentum_(c.channel.ends == Ends::open) {
         const std::size_t n = probe.x.size();
         add_axis(fields::flow_rate.x, probe.x);
         add_record(fields::flow_rate.time, {}, true);
         add_record(fields::flow_rate.flow_rate, {n});
         add_record(fields::flow_rate.depth, {n});
+        if (momentum_) {
+            add_record(fields::flow_rate.momentum_flux, {n});
+            add_record(fields::flow_rate.pressure_force, {n});
+        }
     }
 
     void sample(const FlowState& state) override {
         std::vector<FluidView::Section> sections(probe().x.size());
+        std::vector<FluidView::Momentum> momenta(momentum_ ? sections.size() : 0);
         parallel_blocks(sections.size(), 8, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
                 sections[i] = state.fluid->section_at(probe().x[i]);
+                if (momentum_) {
+                    momenta[i] = state.fluid->momentum_at(probe().x[i], *state.pressure);
+                }
             }
         });
         record(0).add(state.time);
@@ -30,9 +39,17 @@ class FlowRateSections final : public Instrument {
             record(1).add(section.flow_rate);
             record(2).add(section.depth);
         }
+        for (const FluidView::Momentum& momentum : momenta) {
+            record(3).add(momentum.flux);
+            record(4).add(momentum.pressure_force);
+        }
         end_row();
     }
+    [[nodiscard]] bool needs_fields() const override { return momentum_; }
     [[nodiscard]] std::size_t points() const override { return probe().x.size(); }
+
+  private:
+    bool momentum_;  ///< the ends are open: what passes a section enters a balance
 };
 
 }  // namespace

@@ -267,6 +267,26 @@ FluidView::Pressure FluidViewIn<D>::pressure_at(const Vec<3>& point, const Worki
 }
 
 template <int D>
+FluidView::Pressure FluidViewIn<D>::pressure_on_solid(const Vec<3>& place, const WorkingValues& pressure,
+                                                      double weight) const {
+    constexpr double least = 0.2;
+    constexpr double enough = 0.3;
+    Pressure at = pressure_at(place, pressure, weight);
+    const double trust = std::clamp((at.wet_share - least) / (enough - least), 0.0, 1.0);
+    if (trust > 0.0) {
+        Moments<D, 1> m;
+        const std::size_t n = particles_.size();
+        weigh_around(place, [&](std::size_t j, double kernel, const Vec<D>& r) {
+            if (j < n) {
+                m.add(kernel, r, {pressure[j]});
+            }
+        });
+        at.pressure += trust * (LinearFit<D>(m).value(m.quantity[0]) - at.pressure);
+    }
+    return at;
+}
+
+template <int D>
 std::vector<double> FluidViewIn<D>::surface_at(std::span<const Vec<2>> at) const {
     std::vector<Vec<D - 1>> places(at.size());
     for (std::size_t i = 0; i < at.size(); ++i) {
@@ -277,23 +297,40 @@ std::vector<double> FluidViewIn<D>::surface_at(std::span<const Vec<2>> at) const
 }
 
 template <int D>
-FluidView::Section FluidViewIn<D>::section_at(double x) const {
-    Section section{0.0, 0.0};
-    const std::size_t n = particles_.size();
+template <class F>
+void FluidViewIn<D>::weigh_section(double x, const F& f) const {
     const double inverse_h = 1.0 / h_;
     visit_kernel<1>(kernel_, [&](auto kernel) {
         cells_.around_section(x, [&](std::size_t j) {
-            if (j >= n) {
-                return;
+            if (j < particles_.size()) {
+                const double q = std::abs(cells_.distance(0, cells_.positions()[0][j], x)) * inverse_h;
+                f(j, inverse_h * decltype(kernel)::value(q));
             }
-            const double q = std::abs(cells_.distance(0, cells_.positions()[0][j], x)) * inverse_h;
-            const double area = volume_[j] * inverse_h * decltype(kernel)::value(q);
-            section.flow_rate += area * particles_.velocity[0][j];
-            section.depth += area;
         });
+    });
+}
+
+template <int D>
+FluidView::Section FluidViewIn<D>::section_at(double x) const {
+    Section section{0.0, 0.0};
+    weigh_section(x, [&](std::size_t j, double weight) {
+        const double area = volume_[j] * weight;
+        section.flow_rate += area * particles_.velocity[0][j];
+        section.depth += area;
     });
     section.depth /= width_;
     return section;
+}
+
+template <int D>
+FluidView::Momentum FluidViewIn<D>::momentum_at(double x, const WorkingValues& pressure) const {
+    Momentum momentum{0.0, 0.0};
+    weigh_section(x, [&](std::size_t j, double weight) {
+        const double u = particles_.velocity[0][j];
+        momentum.flux += particles_.mass[j] * weight * u * u;
+        momentum.pressure_force += volume_[j] * weight * pressure[j];
+    });
+    return momentum;
 }
 
 template class FluidViewIn<2>;

@@ -55,6 +55,12 @@ class FluidView {
     [[nodiscard]] virtual Pressure pressure_at(const Vec<3>& point, const WorkingValues& pressure,
                                                double weight) const = 0;
 
+    /// Pressure at a place of the surface of a solid, Pa: that of the linear field that fits the water around
+    /// it best, for a solid may have any shape and pressure any slope there. Where less than a quarter of the
+    /// support is water that says nothing, and it is pressure_at().
+    [[nodiscard]] virtual Pressure pressure_on_solid(const Vec<3>& place, const WorkingValues& pressure,
+                                                     double weight) const = 0;
+
     /// Elevation of the surface over each place (x, y), m above the bed level, found as the case says
     /// (sph/free_surface.hpp), with the mirror images; NaN where there is no water.
     [[nodiscard]] virtual std::vector<double> surface_at(std::span<const Vec<2>> at) const = 0;
@@ -66,6 +72,14 @@ class FluidView {
     /// Flow through a section: the sums of V u and V over the particles, weighted along x with the
     /// one-dimensional kernel. Their means over all sections of a channel are those of its water.
     [[nodiscard]] virtual Section section_at(double x) const = 0;
+
+    struct Momentum {
+        double flux;            ///< of momentum along the channel: per unit width, N/m; of the whole width, N
+        double pressure_force;  ///< of the pressure on the section, so
+    };
+    /// The two parts of the momentum function of a section, in the same way: sums of m u^2 and V p. Their
+    /// difference between two sections is what the forces on the water between them take.
+    [[nodiscard]] virtual Momentum momentum_at(double x, const WorkingValues& pressure) const = 0;
 };
 
 /// The view of the particles of a simulation in D dimensions. Keeps views of the particles, which must
@@ -81,8 +95,11 @@ class FluidViewIn final : public FluidView {
                                std::span<const double> shear_stress) const override;
     [[nodiscard]] Pressure pressure_at(const Vec<3>& point, const WorkingValues& pressure,
                                        double weight) const override;
+    [[nodiscard]] Pressure pressure_on_solid(const Vec<3>& place, const WorkingValues& pressure,
+                                             double weight) const override;
     [[nodiscard]] std::vector<double> surface_at(std::span<const Vec<2>> at) const override;
     [[nodiscard]] Section section_at(double x) const override;
+    [[nodiscard]] Momentum momentum_at(double x, const WorkingValues& pressure) const override;
 
   private:
     /// The particles with their mirror images behind ends and sides that are not periodic.
@@ -97,6 +114,10 @@ class FluidViewIn final : public FluidView {
     /// dry. `values_of(j)` gives those of particle j.
     template <std::size_t N, class Values>
     [[nodiscard]] std::array<double, N> interpolate(const Vec<3>& point, const Values& values_of) const;
+    /// f(particle, weight) for the particles around a section, with the weights W of the one-dimensional
+    /// kernel, 1/m.
+    template <class F>
+    void weigh_section(double x, const F& f) const;
     /// f(number, weight, distance in smoothing lengths) for the particles and images around a point, with the
     /// weights V W of the kernel.
     template <class F>

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "boundary/wall_motion.hpp"
 #include "case/case.hpp"
 #include "instruments/fluid_view.hpp"
 #include "particles/force_on_solid.hpp"
@@ -21,6 +22,7 @@ struct FlowState {
     double time = 0.0;                  ///< s
     double streamwise_gravity = 0.0;    ///< m/s2
     std::span<const double> mass = {};  ///< by particle, kg; in two dimensions per width, kg/m
+    std::span<const double> x = {};     ///< by particle, distance along the channel, m
     const FluidView* fluid = nullptr;   ///< where an instrument `looks_at_fluid`
     /// Where an instrument `needs_fields`, by particle: accelerations, m/s2, those of the side walls' drag in
     /// three dimensions only; pressure, Pa; stress tau_xz of viscosity and closure, Pa.
@@ -32,6 +34,7 @@ struct FlowState {
     const WorkingValues* pressure = nullptr;
     std::span<const double> shear_stress = {};
     std::span<const ForceOnSolid> solids = {};  ///< so, by solid
+    std::span<const BodyState> bodies = {};     ///< by body; empty where there are no solids
 };
 
 /// An array that an instrument fills: one row per sample, or per averaging window.

@@ -1,8 +1,11 @@
-// Pressure at points of walls or in the water, as pressure transducers give it.
+// Pressure at points of walls or in the water, and over the faces of gauges on walls and solids, as pressure
+// transducers give it.
 
 #include <algorithm>
+#include <optional>
 
 #include "base/parallel.hpp"
+#include "case/gauge_face.hpp"
 #include "instruments/instrument.hpp"
 #include "record/probe_fields.hpp"
 
@@ -14,16 +17,20 @@ class PressureGauges final : public Instrument {
   public:
     PressureGauges(const Probe& probe, const Case& c)
         : Instrument(probe, c),
-          weight_(c.channel.top == Top::free_surface ? c.fluid.density * c.normal_gravity() : 0.0) {
-        const std::size_t n = std::max(probe.x.size(), probe.z.size());
-        const std::vector<double> y = across(probe, c, n);
+          weight_(c.channel.top == Top::free_surface ? c.fluid.density * c.normal_gravity() : 0.0),
+          solid_(solid_named(c, probe.solid)) {
         std::vector<double> x;
+        std::vector<double> y;
         std::vector<double> z;
-        for (std::size_t i = 0; i < n; ++i) {
-            x.push_back(of_point(probe.x, i));
-            z.push_back(of_point(probe.z, i));
-            points_.push_back({x[i], y[i], z[i]});
+        for (const Point3& point : probe_points(c, probe)) {
+            GaugeFace face = gauge_face(c, probe, point);
+            x.push_back(face.middle[0]);
+            y.push_back(face.middle[1]);
+            z.push_back(face.middle[2]);
+            points_.insert(points_.end(), face.points.begin(), face.points.end());
+            ends_.push_back(points_.size());
         }
+        const std::size_t n = ends_.size();
         const auto& of = fields::pressure_gauges;
         add_axis(of.x, x);
         add_axis(of.y, y);
@@ -34,16 +41,29 @@ class PressureGauges final : public Instrument {
     }
 
     void sample(const FlowState& state) override {
+        const Vec<3> moved = displacement(state);
         std::vector<FluidView::Pressure> pressure(points_.size());
         parallel_blocks(points_.size(), 16, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
-                pressure[i] = state.fluid->pressure_at(points_[i], *state.pressure, weight_);
+                Vec<3> place = points_[i];
+                for (std::size_t k = 0; k < 3; ++k) {
+                    place[k] += moved[k];
+                }
+                pressure[i] = solid_ ? state.fluid->pressure_on_solid(place, *state.pressure, weight_)
+                                     : state.fluid->pressure_at(place, *state.pressure, weight_);
             }
         });
         record(0).add(state.time);
-        for (const FluidView::Pressure& at : pressure) {
-            record(1).add(at.pressure);
-            record(2).add(at.wet_share);
+        std::size_t point = 0;
+        for (const std::size_t end : ends_) {
+            const auto count = static_cast<double>(end - point);
+            FluidView::Pressure mean{0.0, 0.0};
+            for (; point < end; ++point) {
+                mean.pressure += pressure[point].pressure / count;
+                mean.wet_share += pressure[point].wet_share / count;
+            }
+            record(1).add(mean.pressure);
+            record(2).add(mean.wet_share);
         }
         end_row();
     }
@@ -51,8 +71,16 @@ class PressureGauges final : public Instrument {
     [[nodiscard]] std::size_t points() const override { return points_.size(); }
 
   private:
-    double weight_;  ///< rho g cos(theta), Pa/m
-    std::vector<Vec<3>> points_;
+    /// Of the solid that the gauges sit on, from the start.
+    [[nodiscard]] Vec<3> displacement(const FlowState& state) const {
+        const std::size_t body = first_solid + solid_.value_or(0);
+        return solid_ && body < state.bodies.size() ? state.bodies[body].displacement : Vec<3>{};
+    }
+
+    double weight_;                     ///< rho g cos(theta), Pa/m
+    std::optional<std::size_t> solid_;  ///< that the gauges sit on
+    std::vector<Vec<3>> points_;        ///< of all faces, at the start
+    std::vector<std::size_t> ends_;     ///< of each gauge, behind its last point
 };
 
 }  // namespace

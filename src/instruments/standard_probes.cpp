@@ -42,6 +42,8 @@ class StandardSet {
             }
             if (c_.channel.ends == Ends::open) {
                 add(ProbeKind::flow_rate, "flow_rate").x = along({0.25, 0.5, 0.75});
+                // What enters and leaves the balance of its momentum.
+                add(ProbeKind::flow_rate, "end_sections").x = along({0.0, 1.0});
             }
             add(ProbeKind::force, "force");
         }

@@ -38,7 +38,8 @@ inline constexpr Group velocity_plane{probes, "Velocity on a grid, sample by sam
 inline constexpr Group flow_rate{
     probes, "Discharge", when_asked, "flow_rate",
     "Sums over the particles weighted along x with the one-dimensional kernel: flow rate over depth is the "
-    "mean velocity there."};
+    "mean velocity there, and the difference of momentum flux and pressure force between two sections is what "
+    "the forces on the water between them take."};
 inline constexpr Group pressure_gauges{
     probes, "Pressure gauges", when_asked, "pressure",
     "The mean of the particles' pressures with the kernel's weights, carried to the height of the point with "
@@ -153,6 +154,14 @@ struct FlowRate {
                   {"discharge per unit width through the section", "discharge through the section"});
     Field depth = at_points(groups::flow_rate, "depth", "m", "depth of the water above the bed level",
                             {.reader = Reader::users});
+    Field momentum_flux = at_points(groups::flow_rate, "momentum_flux", {"N/m", "N"},
+                                    {"flux of momentum along the channel through the section per unit width",
+                                     "flux of momentum along the channel through the section"},
+                                    {.written = with_open_ends});
+    Field pressure_force = at_points(
+        groups::flow_rate, "pressure_force", {"N/m", "N"},
+        {"force of the pressure on the section per unit width", "force of the pressure on the section"},
+        {.written = with_open_ends});
 };
 inline constexpr FlowRate flow_rate;
 

@@ -55,6 +55,7 @@ FlowState flow_state(const SimulationIn<D>& simulation, const FluidView* fluid) 
     return {.time = simulation.clock().time,
             .streamwise_gravity = simulation.scheme().streamwise_gravity,
             .mass = simulation.particles().mass,
+            .x = simulation.particles().position[0],
             .fluid = fluid,
             .drag_x = &fields.drag_acceleration_x,
             .wall_x = &fields.wall_acceleration_x,
@@ -63,7 +64,8 @@ FlowState flow_state(const SimulationIn<D>& simulation, const FluidView* fluid) 
             .vegetation_x = &fields.vegetation_acceleration_x,
             .pressure = &fields.pressure,
             .shear_stress = fields.shear_stress,
-            .solids = simulation.solid_forces()};
+            .solids = simulation.solid_forces(),
+            .bodies = simulation.bodies()};
 }
 
 template FlowState flow_state(const SimulationIn<2>&, const FluidView*);

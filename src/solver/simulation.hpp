@@ -64,6 +64,8 @@ class SimulationIn {
     /// Forces of the water on the solids at the last evaluation of the forces, at the same times as fields();
     /// empty without solids.
     [[nodiscard]] const std::vector<ForceOnSolid>& solid_forces() const { return flow().solid_forces; }
+    /// Where the bodies that walls and solids belong to are after the last step; empty without solids.
+    [[nodiscard]] const std::vector<BodyState>& bodies() const { return flow().bodies_after; }
     /// What changed the energy of the water in the last step that kept its fields.
     [[nodiscard]] const EnergyRates& energy_rates() const { return flow().energy_rates; }
     [[nodiscard]] const SimulationClock& clock() const { return flow().clock; }

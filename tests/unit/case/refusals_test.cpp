@@ -296,6 +296,11 @@ std::vector<Wrong> wrong_vegetation() {
 
 std::vector<Wrong> wrong_probes() {
     using enum ProbeKind;
+    Case on_circle = with_shape(SolidShape::circle);
+    on_circle.probes = with_probe(ProbeKind::pressure).probes;
+    on_circle.probes[0].solid = on_circle.solids[0].name;
+    on_circle.probes[0].x = {on_circle.solids[0].centre[0]};
+    on_circle.probes[0].z = {on_circle.solids[0].centre[1] + 0.5 * on_circle.solids[0].diameter};
     return {
         {with_probe(force), "probe[0].name = a/b"},
         {with_probe(force), "probe[0].name = standard_force"},
@@ -310,6 +315,11 @@ std::vector<Wrong> wrong_probes() {
         {with_probe(velocity), "probe[0].z = []"},
         {with_probe(velocity), "probe[0].z = 0.1"},
         {with_probe(velocity), "probe[0].x = [0.1, 0.15]; probe[0].z = [0.01, 0.02, 0.03]"},
+        {on_circle, "probe[0].solid = squere"},
+        {on_circle, "probe[0].z = 0.04"},
+        {with_probe(velocity), "probe[0].kind = pressure; probe[0].diameter = 5 mm"},
+        {on_circle,
+         "probe[0].solid = \"\"; probe[0].x = 0; probe[0].z = 0.002; channel.ends = walls; probe[0].diameter = 8 mm"},
         {with_probe(velocity), "probe[0].sampling_length = 0.1"},
         {with_probe(grid), "probe[0].spacing = 0.5 mm"},
         {with_probe(surface_line), "probe[0].spacing = 1"},

@@ -116,6 +116,21 @@ TEST(FluidView, FlowRateOfUniformFlowIsVelocityTimesDepth) {
     }
 }
 
+TEST(FluidView, MomentumOfASectionIsItsFluxAndTheForceOfThePressure) {
+    const double u = 0.35;
+    const Water water =
+        Water(small_water())
+            .with_velocity([=](double, double) { return u; }, [](double, double) { return 0.0; });
+    const WorkingValues pressure =
+        test::working(water.of_particles([](double, double z) { return 9810.0 * (0.04 - z); }));
+    for (const double x : {0.0, 0.031, 0.0502}) {
+        const auto section = water.view().section_at(x);
+        const auto momentum = water.view().momentum_at(x, pressure);
+        EXPECT_NEAR(momentum.flux, 1000.0 * u * u * section.depth, 1e-10);
+        EXPECT_NEAR(momentum.pressure_force, 0.5 * 9810.0 * 0.04 * 0.04, 0.01 * 7.848);
+    }
+}
+
 TEST(FluidView, FlowRateIsTheMassFlux) {
     // The mean of the flow rate over the channel is the streamwise momentum of the water over its density and
     // length, whatever the flow. Midpoint sums of a C2 kernel every half spacing are exact to 1e-4.

@@ -90,5 +90,63 @@ TEST(PressureGauges, OfASingleDropReadThePartThatItCovers) {
     EXPECT_LT(pressure[1], pressure[0]);
 }
 
+/// The same tank with a solid in the water, and a gauge on its upstream face, half-way up.
+Case tank_with_solid() {
+    Case c = tank();
+    Solid solid;
+    solid.name = "block";
+    solid.x = {0.05, 0.07, 0.07, 0.05};
+    solid.z = {0.01, 0.01, 0.03, 0.03};
+    c.solids = {solid};
+    return c;
+}
+
+TEST(PressureGauges, OnASolidReadALinearPressureThere) {
+    // A kernel mean would give the pressure half a smoothing length before the face.
+    const Water water(tank_with_solid(), 0.3);
+    std::vector<double> pressure;
+    for (std::size_t i = 0; i < water.particles.size(); ++i) {
+        pressure.push_back(50.0 + 9000.0 * water.particles.position[0][i] -
+                           4000.0 * water.particles.position[1][i]);
+    }
+    Probe p = gauges({0.0485, 0.06}, {0.02, 0.0305});  // beside the faces by less than a spacing
+    p.solid = "block";
+    const auto at = [](double x, double z) { return 50.0 + 9000.0 * x - 4000.0 * z; };
+    for (const double diameter : {0.0, 0.008}) {
+        p.diameter = diameter;
+        const auto read_values = read(water, p, pressure, "pressure");
+        EXPECT_NEAR(read_values[0], at(0.05, 0.02), 1e-4) << diameter;  // single precision
+        EXPECT_NEAR(read_values[1], at(0.06, 0.03), 1e-4) << diameter;
+        EXPECT_NEAR(make_instrument(p, water.parameters)->axes()[0].values[0], 0.05, 1e-12);
+    }
+}
+
+TEST(PressureGauges, OnASolidMoveWithIt) {
+    const Water water(tank_with_solid(), 0.3);
+    std::vector<double> pressure;
+    for (const double x : water.particles.position[0]) pressure.push_back(1000.0 * x);
+    Probe p = gauges({0.05}, {0.02});
+    p.solid = "block";
+    const auto instrument = make_instrument(p, water.parameters);
+    std::vector<BodyState> bodies(first_solid + 1);
+    bodies[first_solid].displacement = {-0.012, 0.0, 0.003};
+    const FluidViewIn<2> fluid = water.view();
+    const WorkingValues values = test::working(pressure);
+    instrument->sample(
+        {.mass = water.particles.mass, .fluid = &fluid, .pressure = &values, .bodies = bodies});
+    EXPECT_NEAR(values_of(*instrument, "pressure")[0], 1000.0 * 0.038, 1e-4);
+}
+
+TEST(PressureGauges, WithAFaceReadItsMean) {
+    // Under a pressure with a square in it the mean over a face of width d is d^2/12 of it above the middle.
+    const Water water(tank(), 0.0);
+    std::vector<double> pressure;
+    for (const double x : water.particles.position[0]) pressure.push_back(1e6 * (x - 0.05) * (x - 0.05));
+    Probe p = gauges({0.05}, {0.0});
+    const double point = read(water, p, pressure, "pressure")[0];
+    p.diameter = 0.03;
+    EXPECT_NEAR(read(water, p, pressure, "pressure")[0] - point, 1e6 * 0.03 * 0.03 / 12.0, 0.02 * 75.0);
+}
+
 }  // namespace
 }  // namespace riffle::pressure_gauge_test

@@ -1,0 +1,163 @@
+#include "analysis/body_coefficients.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "analysis/chapter_names.hpp"
+#include "analysis/figure_tools.hpp"
+#include "case/flow_kind.hpp"
+#include "case/outline_check.hpp"
+#include "case/solid_mesh.hpp"
+#include "record/flow_fields.hpp"
+#include "record/probe_fields.hpp"
+#include "statistics/confidence.hpp"
+#include "statistics/dominant_frequency.hpp"
+
+namespace riffle {
+
+namespace {
+
+/// What a body presents to the stream: its area, m2, in two dimensions its height, m; and its extent across
+/// the stream.
+struct Front {
+    double area = 0.0;
+    double extent = 0.0;
+};
+
+/// The part of a surface below a level as seen along the channel, by lines along x on a grid.
+double silhouette(const SolidMesh& mesh, double level) {
+    constexpr int lines = 200;
+    const Point3& low = mesh.lower();
+    const Point3& high = mesh.upper();
+    const double top = std::min(high[2], level);
+    const double dy = (high[1] - low[1]) / lines;
+    const double dz = (top - low[2]) / lines;
+    int hit = 0;
+    for (int i = 0; i < lines; ++i) {
+        for (int j = 0; j < lines; ++j) {
+            const double y = low[1] + (i + 0.5) * dy;
+            const double z = low[2] + (j + 0.5) * dz;
+            const double beyond = 0.01 * (high[0] - low[0]);
+            hit += mesh.tree().first_crossing({low[0] - beyond, y, z}, {high[0] + beyond, y, z}).has_value()
+                       ? 1
+                       : 0;
+        }
+    }
+    return std::max(0.0, hit * dy * dz);
+}
+
+/// Nothing of a body that fills a part of the bed rather than stands in the stream.
+std::optional<Front> front_of(const Case& c, const Solid& solid) {
+    if (solid.motion != SolidMotion::fixed || solid.shape == SolidShape::bed ||
+        solid.shape == SolidShape::section || solid.shape == SolidShape::spheres) {
+        return std::nullopt;
+    }
+    const auto z = extent_of(c, solid, 2);
+    if (!z) {
+        return std::nullopt;
+    }
+    const double level = c.total_depth();
+    if (c.channel.dimensions == 2) {
+        const bool stands_on_bed = z->low < 0.5 * c.numerics.spacing;
+        const double height = std::min(z->high, level) - z->low;
+        return stands_on_bed || height <= 0.0 ? std::nullopt : std::optional(Front{height, height});
+    }
+    const auto y = extent_of(c, solid, 1);
+    const SolidMesh* const mesh = mesh_of(c, solid);
+    if (!y || mesh == nullptr || y->high - y->low > 0.9 * c.channel.simulated_width() || z->low >= level) {
+        return std::nullopt;
+    }
+    const double height = std::min(z->high, level) - z->low;
+    return Front{silhouette(*mesh, level), std::min(y->high - y->low, height)};
+}
+
+/// Bulk velocity of the stream over the window, m/s: between open ends that of what enters.
+std::optional<double> approach_velocity(const FlowRecord& record) {
+    const auto mean = [&](const Field& field) -> std::optional<double> {
+        if (!record.series().has(field)) return std::nullopt;
+        const std::vector<double> values = within_window(record, field);
+        if (values.size() < 2) return std::nullopt;
+        return mean_with_confidence(values).mean;
+    };
+    const Case& c = *record.flow();
+    if (c.channel.ends != Ends::open) return mean(fields::time_series.total_mean_velocity);
+    const auto discharge = mean(fields::time_series.inflow_discharge);
+    const auto depth = mean(fields::time_series.inflow_depth);
+    const double width = c.channel.dimensions == 3 ? c.channel.simulated_width() : 1.0;
+    if (!discharge || !depth || *depth <= 0.0) return std::nullopt;
+    return *discharge / (width * *depth);
+}
+
+/// The first record of a force on a body.
+const ScalarProbe* force_on(const FlowRecord& record, const Field& field, std::size_t number) {
+    for (const ScalarProbe& probe : record.scalar_probes()) {
+        if (probe.kind == "force" && probe.quantity == numbered_name(field, number) && probe.value.size() > 1)
+            return &probe;
+    }
+    return nullptr;
+}
+
+/// The swing of a body that vortices make which leave it in turn: the strongest of lift and side force, where
+/// it rules what is slower than the time of passing the body, in at least four periods.
+std::optional<Oscillation> shedding(const FlowRecord& record, std::size_t number, double highest) {
+    std::optional<Oscillation> strongest;
+    for (const Field& field : {fields::solid_forces.lift, fields::solid_forces.side_force}) {
+        const ScalarProbe* const force = force_on(record, field, number);
+        if (force == nullptr) continue;
+        const double interval =
+            (force->time.back() - force->time.front()) / static_cast<double>(force->time.size() - 1);
+        const auto found = dominant_oscillation(force->value, interval, highest);
+        if (found && (!strongest || found->amplitude > strongest->amplitude)) strongest = found;
+    }
+    return strongest && strongest->share >= 0.5 && strongest->periods >= 4.0 ? strongest : std::nullopt;
+}
+
+}  // namespace
+
+void add_body_coefficients(const FlowRecord& record, Analysis& analysis) {
+    const Case& c = *record.flow();
+    if (c.solids.empty() || is_undriven(flow_kind(c))) return;
+    const auto velocity = approach_velocity(record);
+    if (!velocity || !(*velocity > 0.0)) return;
+    for (std::size_t k = 0; k < c.solids.size(); ++k) {
+        const auto front = front_of(c, c.solids[k]);
+        if (!front || front->area <= 0.0) continue;
+        const double head = 0.5 * c.fluid.density * *velocity * *velocity * front->area;
+        const std::string& name = c.solids[k].name;
+        const auto add = [&](const Field& field, const char* key, const char* label) {
+            const ScalarProbe* const force = force_on(record, field, k + 1);
+            if (force == nullptr) return;
+            const MeanEstimate mean = mean_with_confidence(force->value);
+            Finding finding = make_finding(chapters::forces, fmt::format("{}_{}", key, k + 1),
+                                           fmt::format("{} of \"{}\"", label, name), "1", mean.mean / head,
+                                           trusted_half_width(mean));
+            if (finding.half_width) *finding.half_width /= head;
+            finding.remark = fmt::format(
+                "with the bulk velocity {:.4g} m/s and {} {:.4g} {}", *velocity,
+                c.channel.dimensions == 3 ? "the area seen along the channel" : "the height of the body",
+                front->area, c.channel.dimensions == 3 ? "m2" : "m");
+            analysis.findings.push_back(std::move(finding));
+        };
+        add(fields::solid_forces.force, "drag_coefficient", "drag coefficient");
+        if (c.channel.top !=
+            Top::free_surface) {  // else it carries the weight of the water that it displaces
+            add(fields::solid_forces.lift, "lift_coefficient", "lift coefficient");
+        }
+        // Nothing that a body sheds comes faster than the stream passes it; sound does.
+        const auto swing = shedding(record, k + 1, *velocity / front->extent);
+        if (!swing) continue;
+        Finding strouhal = make_finding(chapters::forces, fmt::format("strouhal_number_{}", k + 1),
+                                        fmt::format("Strouhal number of \"{}\", f D/U", name), "1",
+                                        swing->frequency * front->extent / *velocity, std::nullopt);
+        strouhal.remark =
+            fmt::format("{:.4g} Hz in {:.0f} periods; amplitude of its coefficient {:.3g}; D = {:.4g} m",
+                        swing->frequency, swing->periods, swing->amplitude / head, front->extent);
+        analysis.findings.push_back(std::move(strouhal));
+    }
+}
+
+}  // namespace riffle
