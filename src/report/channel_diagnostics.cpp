@@ -97,9 +97,12 @@ class ChannelRows : public DiagnosticRows {
     }
 
     void budget() {
+        if (open_) {
+            momentum_between_ends();
+            return;
+        }
         const auto drag = value(fields::summary.drag_over_gravity);
-        // At open ends the water on either side pushes too.
-        if (!drag || data_.flow.channel.slope <= 0 || open_) return;
+        if (!drag || data_.flow.channel.slope <= 0) return;
         const double wall = value(fields::summary.wall_over_gravity).value_or(0.0);
         const double share = *drag + wall + value(fields::summary.side_wall_over_gravity).value_or(0.0) +
                              value(fields::summary.vegetation_over_gravity).value_or(0.0);
@@ -116,6 +119,19 @@ class ChannelRows : public DiagnosticRows {
                    "the slope. More: the flow still slows down, or numerical friction acts; less: it still "
                    "speeds up.",
              mark_of(std::abs(share - 1), 0.01)});
+    }
+
+    /// At open ends the water on either side pushes too.
+    void momentum_between_ends() {
+        const Finding* const found = finding("momentum_residual_share");
+        if (found == nullptr) return;
+        constexpr double bar = 0.02;
+        add({"momentum_budget", "Momentum between the ends that the budget leaves open",
+             percent(found->value, 1), "0 ± " + percent(bar, 0),
+             "What flow and pressure bring in at one end and take out at the other, with the weight down the slope, bed, walls "
+             "and bodies must take, the bodies by the pressure on their faces (form drag) and by friction. Over the "
+             "sum of these forces; more in a flow that is not steady.",
+             mark_of(std::abs(found->value), bar)});
     }
 
     void bodies_share() {

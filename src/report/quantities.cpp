@@ -314,6 +314,13 @@ std::vector<SummaryRow> summarize(const ReportData& data, const Analysis& analys
                       {"lowest_level", ""},
                       {"largest_froude", "Fr"}});
         add_forces_on_bodies(table, data, analysis);
+        for (std::size_t k = 1; k <= data.flow.solids.size(); ++k) {
+            const std::string number = std::to_string(k);
+            const std::vector<std::string> keys = {"drag_coefficient_" + number, "lift_coefficient_" + number,
+                                                   "strouhal_number_" + number};
+            add_findings(table, analysis,
+                         {{keys[0].c_str(), ""}, {keys[1].c_str(), ""}, {keys[2].c_str(), ""}});
+        }
         return table.take();
     }
     add_friction(table, data, analysis);

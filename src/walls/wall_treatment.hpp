@@ -55,11 +55,12 @@ class WallTreatment {
 
     /// An end wall stands higher than the water, and so may a solid. Their particles above the surface, where
     /// the extrapolated pressure is negative, must be as empty as the space over the rest of the surface, or
-    /// they pull at the water below: their volume fades out over one spacing.
+    /// they pull at the water below: their volume fades out over one spacing. Where there is no surface a
+    /// pressure below zero is one like any other.
     void wet(Flow& flow, std::size_t slot, std::size_t particle, double pressure) const {
         constexpr std::size_t vertical = Flow::vertical;
         if ((flow.walls.normal[vertical][particle] != 0.0 && !is_solid(flow.walls, particle)) ||
-            flow.scheme.normal_gravity <= 0.0) {
+            flow.scheme.normal_gravity <= 0.0 || flow.c.channel.top != Top::free_surface) {
             return;
         }
         const double wetness =

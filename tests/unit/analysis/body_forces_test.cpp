@@ -1,0 +1,168 @@
+// Coefficients of bodies in a stream, and the budget of momentum between open ends.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "analysis/body_coefficients.hpp"
+#include "analysis/figure_tools.hpp"
+#include "analysis/momentum_budget.hpp"
+#include "record/flow_fields.hpp"
+#include "record/probe_fields.hpp"
+
+namespace riffle::body_forces_test {
+namespace {
+
+constexpr double interval = 0.01;  // s, of 10 s
+
+/// A duct with a cylinder of 0.1 m in a stream of 0.2 m/s.
+Case duct() {
+    Case c;
+    c.channel.slope = 0.0;
+    c.channel.depth = 0.4;
+    c.channel.length = 2.0;
+    c.channel.ends = Ends::open;
+    c.channel.top = Top::wall;
+    c.bed.kind = BedKind::no_slip;
+    c.bed.datum_below_crest = 0.0;
+    c.bed.roughness_height = 0.0;
+    c.numerics.spacing = 0.005;
+    c.inflow.unit_discharge = 0.08;
+    Solid cylinder;
+    cylinder.name = "pile";
+    cylinder.x = {0.15, 0.2, 0.25, 0.2};
+    cylinder.z = {0.2, 0.15, 0.2, 0.25};
+    c.solids = {cylinder};
+    return c;
+}
+
+class Record : public FlowRecord {
+  public:
+    explicit Record(const Case& c) : case_(c) {
+        std::vector<double> time;
+        for (int i = 0; i < 1000; ++i) time.push_back(interval * i);
+        series_.set(fields::time_series.time, time);
+        set(fields::time_series.inflow_discharge, 0.08);
+        set(fields::time_series.inflow_depth, 0.4);
+        set(fields::time_series.momentum_stored, 7.0);
+    }
+    void set(const Field& field, double value) { series_.set(field, std::vector<double>(1000, value)); }
+    void add(const std::string& instrument, const std::string& kind, const std::string& quantity, double mean,
+             double amplitude = 0.0, double frequency = 1.0) {
+        ScalarProbe probe{.name = instrument,
+                          .kind = kind,
+                          .quantity = quantity,
+                          .label = quantity,
+                          .unit = "N/m",
+                          .time = {},
+                          .value = {}};
+        for (int i = 0; i < 1000; ++i) {
+            probe.time.push_back(interval * i);
+            probe.value.push_back(mean +
+                                  amplitude * std::sin(2.0 * std::numbers::pi * frequency * interval * i));
+        }
+        probes_.push_back(std::move(probe));
+    }
+    [[nodiscard]] Origin origin() const override { return Origin::simulated; }
+    [[nodiscard]] std::string name() const override { return "duct"; }
+    [[nodiscard]] std::string source() const override { return "duct"; }
+    [[nodiscard]] const Case* flow() const override { return &case_; }
+    [[nodiscard]] TimeWindow window() const override { return {0.0, 10.0}; }
+    [[nodiscard]] const SeriesTable& series() const override { return series_; }
+    [[nodiscard]] const std::vector<ScalarProbe>& scalar_probes() const override { return probes_; }
+
+  private:
+    Case case_;
+    SeriesTable series_;
+    std::vector<ScalarProbe> probes_;
+};
+
+double value_of(const Analysis& analysis, const std::string& key) {
+    const Finding* const found = find_finding(analysis, key);
+    EXPECT_NE(found, nullptr) << key;
+    return found == nullptr ? std::nan("") : found->value;
+}
+
+// Half of rho U^2 D is 2 N/m.
+TEST(BodyCoefficients, AreTheForcesOverTheHeadOfTheStream) {
+    Record record(duct());
+    record.add("standard_force", "force", "solid_force_1", 11.0);
+    record.add("standard_force", "force", "solid_lift_1", 0.1, 0.6, 0.45);
+    Analysis analysis;
+    add_body_coefficients(record, analysis);
+    EXPECT_NEAR(value_of(analysis, "drag_coefficient_1"), 5.5, 1e-9);
+    EXPECT_NEAR(value_of(analysis, "lift_coefficient_1"), 0.05, 0.03);
+    EXPECT_NEAR(value_of(analysis, "strouhal_number_1"), 0.45 * 0.1 / 0.2, 0.002);
+    EXPECT_THAT(find_finding(analysis, "strouhal_number_1")->remark, ::testing::HasSubstr("coefficient 0.3"));
+}
+
+TEST(BodyCoefficients, TakeNoSoundForVortices) {
+    // A cross wave of the duct, many times the shedding's frequency.
+    Record record(duct());
+    record.add("standard_force", "force", "solid_force_1", 11.0);
+    record.add("standard_force", "force", "solid_lift_1", 0.1, 0.6, 9.0);
+    Analysis analysis;
+    add_body_coefficients(record, analysis);
+    EXPECT_EQ(find_finding(analysis, "strouhal_number_1"), nullptr);
+}
+
+TEST(BodyCoefficients, AreNotGivenForWhatStandsOnTheBedOrMoves) {
+    for (const bool moves : {false, true}) {
+        Case c = duct();
+        if (moves) {
+            c.solids[0].motion = SolidMotion::constant;
+            c.solids[0].velocity_x = 0.1;
+        } else {
+            c.solids[0].z = {0.1, 0.0, 0.1, 0.2};
+        }
+        Record record(c);
+        record.add("standard_force", "force", "solid_force_1", 11.0);
+        Analysis analysis;
+        add_body_coefficients(record, analysis);
+        EXPECT_TRUE(analysis.findings.empty()) << moves;
+    }
+}
+
+TEST(MomentumBudget, BooksFormDragAndFrictionApart) {
+    Record record(duct());
+    const auto add_end = [&](const char* quantity, double value) {
+        record.add("standard_end_sections", "flow_rate", quantity, value);
+    };
+    add_end("momentum_flux_1", 20.0);
+    add_end("pressure_force_1", 60.0);
+    add_end("momentum_flux_2", 19.0);
+    add_end("pressure_force_2", 31.0);
+    const auto add_force = [&](const char* quantity, double value) {
+        record.add("standard_force", "force", quantity, value);
+    };
+    add_force("weight_component", 0.0);
+    add_force("bed_drag", 0.0);
+    add_force("wall_force", 28.0);
+    add_force("solid_force_1", 11.0);
+    add_force("solid_form_drag_1", 7.0);
+    Analysis analysis;
+    add_momentum_budget(record, analysis);
+    EXPECT_NEAR(value_of(analysis, "momentum_inflow"), 20.0, 1e-9);
+    EXPECT_NEAR(value_of(analysis, "momentum_outflow_pressure"), -31.0, 1e-9);
+    EXPECT_NEAR(value_of(analysis, "momentum_form_drag_1"), -7.0, 1e-9);
+    EXPECT_NEAR(value_of(analysis, "momentum_solid_friction_1"), -4.0, 1e-9);
+    EXPECT_NEAR(value_of(analysis, "momentum_walls"), -17.0, 1e-9);
+    EXPECT_NEAR(value_of(analysis, "momentum_residual"), 2.0, 1e-9);
+    EXPECT_NEAR(value_of(analysis, "momentum_residual_share"), 2.0 / 29.0, 1e-9);
+}
+
+TEST(MomentumBudget, IsThatOfOpenEndsAlone) {
+    Case c = duct();
+    c.channel.ends = Ends::periodic;
+    const Record record(c);
+    Analysis analysis;
+    add_momentum_budget(record, analysis);
+    EXPECT_TRUE(analysis.findings.empty());
+}
+
+}  // namespace
+}  // namespace riffle::body_forces_test
