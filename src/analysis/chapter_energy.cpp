@@ -28,6 +28,7 @@ std::vector<Part> budget_parts() {
             {of.solids_power, "solids", "moving solids", true},
             {of.bed_drag_power, "bed_drag", "drag of the bed"},
             {of.vegetation_power, "vegetation", "drag of the vegetation"},
+            {of.porous_power, "porous", "resistance of porous zones"},
             {of.side_wall_power, "side_walls", "drag of the side walls"},
             {of.closure_power, "closure", "eddy stresses of the closure"},
             {of.viscosity_power, "viscosity", "molecular viscosity and friction on walls"},

@@ -127,11 +127,12 @@ void analyse_forces(const FlowRecord& record, Analysis& analysis) {
                     analysis);
     Figure figure = make_figure(
         chapters::forces, "force_history", "Forces on the water",
-        fmt::format("Drag of the bed elements, streamwise force of the walls{}{} and rate of change of the "
+        fmt::format("Drag of the bed elements, streamwise force of the walls{}{}{} and rate of change of the "
                     "momentum, each over the weight component down the slope. Their sum is one where the "
                     "momentum is balanced.",
                     c.has_side_walls() ? ", drag of the side walls" : "",
-                    c.vegetation.empty() ? "" : ", drag of the vegetation"),
+                    c.vegetation.empty() ? "" : ", drag of the vegetation",
+                    c.porous.empty() ? "" : ", resistance of porous zones"),
         "thesis (2.16), (4.3), bed stress of chapter 4", make_axis("time t", "s"),
         make_axis("force over weight component", "1"));
     if (is_undriven(flow_kind(c))) return;
@@ -149,15 +150,18 @@ void analyse_forces(const FlowRecord& record, Analysis& analysis) {
     std::optional<double> drag_share;
     std::optional<double> wall_share;
     std::optional<double> vegetation_share;
+    std::optional<double> porous_share;
     const SectionTwin& twin = record.section_twin();
     const char* const twin_name = c.has_side_walls() ? "section twin" : "column twin";
     if (c.has_side_walls()) {
         drag_share = twin.value(fields::section_numbers.drag_share);
         if (!c.vegetation.empty()) vegetation_share = twin.value(fields::section_numbers.vegetation_share);
+        if (!c.porous.empty()) porous_share = twin.value(fields::section_numbers.porous_share);
     } else if (record.column() != nullptr) {
         drag_share = record.column()->drag_share;
         wall_share = record.column()->wall_share;
         vegetation_share = record.column()->vegetation_share;
+        porous_share = record.column()->porous_share;
     }
     constexpr std::size_t most = 3000;
     const double bed_weight =
@@ -178,6 +182,10 @@ void analyse_forces(const FlowRecord& record, Analysis& analysis) {
     if (!c.vegetation.empty()) {
         shares.push_back({of.vegetation_over_gravity, "vegetation_share",
                           "drag of the vegetation over the weight component", vegetation_share, 4});
+    }
+    if (!c.porous.empty()) {
+        shares.push_back({of.porous_over_gravity, "porous_share",
+                          "resistance of porous zones over the weight component", porous_share, 5});
     }
     for (const Share& share : shares) {
         if (!series.has(share.series)) continue;

@@ -10,13 +10,14 @@
 #include "case/flow_kind.hpp"
 #include "hydraulics/turbulence_laws.hpp"
 #include "roughness/bed_drag.hpp"
+#include "roughness/porous_resistance.hpp"
 #include "roughness/vegetation.hpp"
 
 namespace riffle {
 
 namespace {
 
-/// Part of the weight above z that bed elements and vegetation above z carry, per plan area, at the
+/// Part of the weight above z that bed elements, vegetation and porous zones above z carry, per plan area, at the
 /// upper edges of the bins, Pa.
 std::vector<double> drag_above(const Profiles& p) {
     std::vector<double> result(p.drag.size());
@@ -28,10 +29,15 @@ std::vector<double> drag_above(const Profiles& p) {
     return result;
 }
 
-/// Acceleration of water that flows at u at height z by the drag of bed and stems, m/s2.
-double twin_drag(const BedDrag* bed, const VegetationPatch* canopy, double z, double u) {
+/// Acceleration of water that flows at u at height z by the drag of bed, stems and grains, m/s2.
+double twin_drag(const BedDrag* bed, const VegetationPatch* canopy, const PorousMedia& porous, double z,
+                 double u) {
     double drag = bed != nullptr ? -bed->coefficient(z) * u * std::abs(u) : 0.0;
     if (canopy != nullptr && z < canopy->top()) drag -= canopy->drag().deceleration(u);
+    if (!porous.empty()) {
+        const PorousMedia::At at = porous.at(0.0, 0.0, z);
+        drag -= at.along(at.porosity * std::abs(u)) * at.porosity * u;
+    }
     return drag;
 }
 
@@ -42,7 +48,7 @@ void add_stresses(const FlowRecord& record, const Profiles& p, Analysis& analysi
         "stress_profile", "Shear stress and its parts",
         "Shear stress on horizontal planes: viscous and closure part, resolved Reynolds part -rho u'w', part "
         "carried by the pressure forces between particles, their sum; the part of the weight above that the "
-        "bed elements and the vegetation carry; the analytic line tau_b (1 - (z - d_h)/(H - d_h)) and the balance with the "
+        "bed elements, the vegetation and porous zones carry; the analytic line tau_b (1 - (z - d_h)/(H - d_h)) and the balance with the "
         "drag.",
         "thesis (4.6), stress profiles of chapter 4; paper Figs 3-4", make_axis("shear stress tau", "Pa"));
     const Case& c = *record.flow();
@@ -58,10 +64,11 @@ void add_stresses(const FlowRecord& record, const Profiles& p, Analysis& analysi
     add("viscous and closure", p.viscous_stress, 1);
     add("resolved Reynolds stress", p.reynolds_stress, 2);
     add("pressure forces of pairs", p.pair_stress, 3);
-    const bool grown = !c.vegetation.empty();
+    const bool grown = !c.vegetation.empty() || !c.porous.empty();
     const bool elements = c.bed.kind == BedKind::spheres || grown;
     if (elements && p.drag.size() == p.z.size() && p.bin_lower.size() == p.z.size())
-        add(grown ? "carried by vegetation and bed above z" : "carried by the bed elements above z",
+        add(!c.porous.empty() ? "carried by porous zones and bed above z"
+            : grown           ? "carried by vegetation and bed above z" : "carried by the bed elements above z",
             drag_above(p), 4);
     if (!p.analytic_stress.empty()) {
         figure.curves.push_back(profile_curve(grown ? "balance with the drag" : "balance with the bed drag",
@@ -119,12 +126,18 @@ void add_mixing_length(const FlowRecord& record, const Profiles& p, Analysis& an
 void add_drag(const FlowRecord& record, const Profiles& p, Analysis& analysis) {
     const Case& c = *record.flow();
     const bool grown = !c.vegetation.empty();
-    if (c.bed.kind != BedKind::spheres && !grown) return;
+    const PorousMedia porous(c);
+    if (c.bed.kind != BedKind::spheres && !grown && porous.empty()) return;
     Figure figure = profile_figure(
-        "drag_profile", grown ? "Drag term of bed and vegetation" : "Drag term of the bed",
+        "drag_profile",
+        !porous.empty() ? "Drag term of bed and porous zones"
+        : grown         ? "Drag term of bed and vegetation"
+                        : "Drag term of the bed",
         fmt::format("Drag of the bed's elements {}on the water per mass, tau_d/rho, against the "
                     "flow; of the column twin at its velocity.",
-                    grown ? "and of the vegetation " : ""),
+                    !porous.empty() ? "and of porous zones "
+                    : grown         ? "and of the vegetation "
+                                    : ""),
         "paper Fig. 2c; thesis (4.3)-(4.4)", make_axis("drag term tau_d/rho", "m/s2"));
     if (p.drag.size() != p.z.size() || p.drag.empty()) {
         add_missing(record, analysis, std::move(figure), "the profiles hold no drag");
@@ -137,11 +150,11 @@ void add_drag(const FlowRecord& record, const Profiles& p, Analysis& analysis) {
     const Vegetation* const stems = vegetation_everywhere(c);
     const std::unique_ptr<const VegetationPatch> canopy =
         stems != nullptr ? std::make_unique<VegetationPatch>(c, *stems) : nullptr;
-    if (record.column() != nullptr && (law != nullptr || canopy != nullptr) && !between_side_walls(record)) {
+    if (record.column() != nullptr && (law != nullptr || canopy != nullptr || !porous.empty()) && !between_side_walls(record)) {
         const ColumnProfile& column = record.column()->profile;
         std::vector<double> of_column;
         for (std::size_t i = 0; i < column.z.size(); ++i)
-            of_column.push_back(twin_drag(law.get(), canopy.get(), column.z[i], column.velocity[i]));
+            of_column.push_back(twin_drag(law.get(), canopy.get(), porous, column.z[i], column.velocity[i]));
         figure.curves.push_back(column_curve(column, of_column));
     }
     analysis.figures.push_back(std::move(figure));

@@ -30,7 +30,7 @@ template <class... Args>
 }
 
 /// When a check finds something: a function of the case, or of the case and each of its probes, solids or
-/// patches of vegetation,
+/// patches of vegetation or porous zones,
 /// that returns what it finds, or only whether it finds something.
 class CheckCondition {
   public:
@@ -42,6 +42,8 @@ class CheckCondition {
             bind(&Case::probes, look);
         } else if constexpr (std::invocable<F, const Case&, const Vegetation&>) {
             bind(&Case::vegetation, look);
+        } else if constexpr (std::invocable<F, const Case&, const Porous&>) {
+            bind(&Case::porous, look);
         } else {
             bind(&Case::solids, look);
         }

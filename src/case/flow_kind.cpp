@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "case/porous_zone.hpp"
+
 namespace riffle {
 
 namespace {
@@ -25,6 +27,33 @@ std::optional<std::string> patchy_vegetation(const Case& c) {
         }
     }
     return std::nullopt;
+}
+
+/// Why porous zones leave none.
+std::optional<std::string> patchy_porosity(const Case& c) {
+    for (const Porous& zone : c.porous) {
+        if (!covers_length(c, zone)) {
+            return fmt::format(
+                "the porous zone \"{}\" is not the same all along the channel: the uniform flow to compare with is "
+                "that of a layer, without x_from and x_to and with a level top",
+                zone.name);
+        }
+        if (!covers_width(c, zone)) {
+            return fmt::format(
+                "the porous zone \"{}\" stands in a part of the channel's width, so the flow differs across it, "
+                "which the balance of a column does not have",
+                zone.name);
+        }
+    }
+    return std::nullopt;
+}
+
+/// Whether a porous layer all over the channel holds the water back.
+bool layer_resists(const Case& c) {
+    return std::any_of(c.porous.begin(), c.porous.end(), [&c](const Porous& zone) {
+        const bool resists = zone.permeability || zone.laminar_coefficient > 0.0 || zone.inertial_coefficient > 0.0;
+        return resists && zone.porosity < 1.0 && covers_length(c, zone) && covers_width(c, zone);
+    });
 }
 
 bool is_driven(const Case& c) { return c.streamwise_gravity() > 0.0 || c.channel.lid_velocity != 0.0; }
@@ -67,14 +96,14 @@ bool vegetation_varies_along(const Case& c) {
                        [&c](const Vegetation& patch) { return !covers_length(c, patch); });
 }
 
-bool channel_resists(const Case& c) { return bed_resists(c.bed) || vegetation_everywhere(c) != nullptr; }
+bool channel_resists(const Case& c) { return bed_resists(c.bed) || vegetation_everywhere(c) != nullptr || layer_resists(c); }
 
 FlowKind flow_kind(const Case& c) {
     if (c.channel.top == Top::periodic) return FlowKind::periodic_box;
     if (c.start.kind == StartKind::standing_wave) return FlowKind::standing_wave;
     if (c.channel.ends == Ends::open) return FlowKind::open_channel;
     if (c.channel.ends != Ends::periodic || !is_driven(c)) return FlowKind::tank;
-    if (!c.solids.empty() || vegetation_varies_along(c)) return FlowKind::channel_with_bodies;
+    if (!c.solids.empty() || vegetation_varies_along(c) || porosity_varies_along(c)) return FlowKind::channel_with_bodies;
     return c.start.water_x.empty() ? FlowKind::uniform_channel : FlowKind::tank;
 }
 
@@ -137,7 +166,7 @@ bool uses_local_depth(const Case& c) {
     }
     const bool open = c.channel.ends != Ends::periodic && c.channel.ends != Ends::walls;
     return c.turbulence.depth == ClosureDepth::local || open || !c.solids.empty() ||
-           vegetation_varies_along(c);
+           vegetation_varies_along(c) || porosity_varies_along(c);
 }
 
 std::optional<std::string> why_no_column(const Case& c) {
@@ -183,10 +212,11 @@ std::optional<std::string> why_no_column(const Case& c) {
                "\"nezu-rodi\") is one to compare with";
     }
     if (auto reason = patchy_vegetation(c)) return reason;
+    if (auto reason = patchy_porosity(c)) return reason;
     if (!channel_resists(c)) {
         return "nothing resists the flow down the slope, so it has no steady state: a slip bed, or spheres "
                "without drag. Give bed.kind = \"spheres\" with bed.roughness_height > 0 and "
-               "bed.drag_coefficient > 0, bed.kind = \"no-slip\", or [[vegetation]]";
+               "bed.drag_coefficient > 0, bed.kind = \"no-slip\", [[vegetation]] or a layer under [[porous]]";
     }
     return std::nullopt;
 }

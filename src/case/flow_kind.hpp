@@ -11,7 +11,7 @@ namespace riffle {
 /// what its report shows follow from the kind.
 enum class FlowKind {
     uniform_channel,  ///< driven along a channel, the same everywhere along it
-    /// driven along a channel and around bodies, or through patches of vegetation, that stand in it
+    /// driven along a channel and around bodies, or through patches of vegetation or porous zones, that stand in it
     channel_with_bodies,
     open_channel,   ///< water enters at one end and leaves at the other, around bodies or not
     tank,           ///< nothing drives a steady flow along it: dam breaks, gates, sloshing, paddles, cavities
@@ -64,7 +64,7 @@ enum class FlowKind {
 /// Whether vegetation makes the flow change along the channel.
 [[nodiscard]] bool vegetation_varies_along(const Case& c);
 
-/// Whether the bed, or vegetation all over it, holds the water back.
+/// Whether the bed, or vegetation or a porous layer all over it, holds the water back.
 [[nodiscard]] bool channel_resists(const Case& c);
 
 /// Whether the closure of a case is a mixing length, which grows from the bed and follows the depth.

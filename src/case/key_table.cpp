@@ -5,6 +5,7 @@
 
 #include "case/channel_keys.hpp"
 #include "case/open_end_keys.hpp"
+#include "case/porous_keys.hpp"
 #include "case/probe_keys.hpp"
 #include "case/solid_keys.hpp"
 #include "case/units.hpp"
@@ -38,7 +39,8 @@ SectionKeys numerics() {
             .at_least(1)
             .at_most(4)
             .with_default_note(
-                "2 in two dimensions over spheres, beds by roughness and smooth ones, and with vegetation")
+                "2 in two dimensions over spheres, beds by roughness and smooth ones, with vegetation and with porous "
+                "zones")
             .because("fewer neighbours do not sum up, more are not worth their time"));
     s.keys.push_back(
         key("sound_speed", &Numerics::sound_speed, "Artificial speed of sound c0.")
@@ -389,7 +391,7 @@ SectionKeys measured() {
 std::vector<SectionKeys> make_table() {
     std::vector<SectionKeys> table = channel_keys();
     for (auto* const section : {inflow_keys, outflow_keys, numerics, start, stirring, run, output, measured,
-                                solid_keys, vegetation_keys, probe_keys}) {
+                                solid_keys, vegetation_keys, porous_keys, probe_keys}) {
         table.push_back(section());
     }
     return table;

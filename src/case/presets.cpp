@@ -104,7 +104,9 @@ void choose_resolution(Case& c, const GivenResolution& given) {
     }
     // Among stems as over rough beds: with fewer neighbours the rows leave their order.
     const bool grown = !c.vegetation.empty() && n.preset == Preset::riffle;
-    if ((has_wall_law(c) || grown) && !given.smoothing_ratio && !space) {
+    // The particles of water that moves into a medium stand farther apart there.
+    const bool porous = !c.porous.empty();
+    if ((has_wall_law(c) || grown || porous) && !given.smoothing_ratio && !space) {
         n.smoothing_ratio = 2.0;
     }
     if (!given.wall_layers) {

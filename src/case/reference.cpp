@@ -175,7 +175,7 @@ std::string unit_page() {
     for (const Dimension dimension :
          {Dimension::length, Dimension::time, Dimension::velocity, Dimension::acceleration,
           Dimension::kinematic_viscosity, Dimension::density, Dimension::discharge, Dimension::frequency,
-          Dimension::number_per_area}) {
+          Dimension::number_per_area, Dimension::area}) {
         const QuantityLimits limits = *quantity_limits(dimension);
         page += fmt::format("| {} | {} | {:g} | {:g} | {} |\n", dimension_name(dimension),
                             unit_list(dimension), limits.least, limits.most, limits.reason);

@@ -49,7 +49,7 @@ const std::vector<CheckList>& refusals() {
         side_wall_refusals(),  method_refusals(),   start_refusals(),   water_refusals(),
         run_refusals(),        output_refusals(),   solid_refusals(),   shape_refusals(),
         outline_refusals(),    mesh_refusals(),     motion_refusals(),  vegetation_refusals(),
-        probe_refusals()};
+        porous_refusals(),     probe_refusals()};
     return lists;
 }
 

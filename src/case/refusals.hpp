@@ -48,6 +48,7 @@ void refuse_to_run(const Case& c);
 [[nodiscard]] CheckList mesh_refusals();     ///< solids in three dimensions
 [[nodiscard]] CheckList motion_refusals();   ///< solids that move
 [[nodiscard]] CheckList vegetation_refusals();
+[[nodiscard]] CheckList porous_refusals();
 [[nodiscard]] CheckList probe_refusals();
 
 // What several of them ask.

@@ -24,9 +24,12 @@ constexpr std::array<Unit, 2> discharge_units{{{"m3/s", 1, 1}, {"l/s", 1, 1000}}
 constexpr std::array<Unit, 2> frequency_units{{{"Hz", 1, 1}, {"kHz", 1000, 1}}};
 constexpr std::array<Unit, 2> number_per_area_units{{{"1/m2", 1, 1}, {"1/cm2", 1e4, 1}}};
 
+constexpr std::array<Unit, 3> area_units{{{"m2", 1, 1}, {"cm2", 1, 1e4}, {"mm2", 1, 1e6}}};
+
 constexpr std::array dimensions{Dimension::length,       Dimension::time,      Dimension::velocity,
                                 Dimension::acceleration, Dimension::density,   Dimension::kinematic_viscosity,
-                                Dimension::discharge,    Dimension::frequency, Dimension::number_per_area};
+                                Dimension::discharge,    Dimension::frequency, Dimension::number_per_area,
+                                Dimension::area};
 
 void replace_all(std::string& text, std::string_view from, std::string_view to) {
     for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) {
@@ -66,6 +69,8 @@ std::span<const Unit> units_of(Dimension dimension) {
             return frequency_units;
         case Dimension::number_per_area:
             return number_per_area_units;
+        case Dimension::area:
+            return area_units;
     }
     return {};
 }
@@ -92,6 +97,8 @@ std::string_view dimension_name(Dimension dimension) {
             return "a frequency";
         case Dimension::number_per_area:
             return "a number per area";
+        case Dimension::area:
+            return "an area";
     }
     return "";
 }
@@ -132,6 +139,8 @@ std::optional<QuantityLimits> quantity_limits(Dimension dimension) {
             return {{1e-9, 1e9, "no step is shorter, and 1e9 s are thirty years"}};
         case Dimension::number_per_area:
             return {{1e-6, 1e8, "a dense lawn has 1e5 1/m2"}};
+        case Dimension::area:
+            return {{1e-20, 1e-2, "clay has a permeability of 1e-18 m2, boulders one of 1e-4 m2"}};
     }
     return std::nullopt;
 }

@@ -19,6 +19,7 @@ enum class Dimension {
     discharge,
     frequency,
     number_per_area,
+    area,
 };
 
 /// A unit: value in SI = value * multiplier / divisor. Two whole numbers, so that "50 mm" is exactly 0.05.

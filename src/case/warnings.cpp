@@ -8,6 +8,7 @@
 #include "case/flow_kind.hpp"
 #include "case/key_table.hpp"
 #include "case/outline_check.hpp"
+#include "case/porous_zone.hpp"
 #include "case/presets.hpp"
 #include "case/refusals.hpp"
 #include "case/solid_motion.hpp"
@@ -394,6 +395,30 @@ CheckList make_warnings() {
              return !has_mixing_length(c) &&
                     std::any_of(c.vegetation.begin(), c.vegetation.end(),
                                 [&c](const Vegetation& patch) { return patch.height < c.total_depth(); });
+         }},
+        {{"porous.edge", "porous.z_to", "porous.name"},
+         "a porous zone thinner than the edge over which its porosity changes",
+         "nowhere in it is the porosity that of the medium (docs/porous.md)",
+         "make the spacing smaller, or give a thinner edge",
+         [](const Case& c, const Porous& zone) {
+             const double edge = porous_edge(c, zone);
+             const double upright = zone.z_to.value_or(c.total_depth()) - zone.z_from.value_or(0.0);
+             const double along = zone.x_to.value_or(c.channel.length) - zone.x_from.value_or(0.0);
+             const double least = std::min(covers_length(c, zone) ? upright : along, upright);
+             return found_if(zone.x.empty() && zone.top_z.empty() && edge > least * (1 + small),
+                             "the edge has {}, and the zone {} in one direction", shown_length(edge),
+                             shown_length(least));
+         }},
+        {{"turbulence.zero", "porous.name"},
+         "a mixing length that begins below the top of a porous layer",
+         "it grows with the distance from where it begins, and the eddies above a layer grow from its top",
+         "give the height of the top",
+         [](const Case& c, const Porous& zone) {
+             const double top = zone.top_z.empty() ? zone.z_to.value_or(0.0) : zone.top_z.front();
+             return found_if(has_mixing_length(c) && covers_length(c, zone) && top < c.total_depth() &&
+                                 c.turbulence.zero < top * (1 - small),
+                             "the layer reaches to {}, and the mixing length begins at {}", shown_length(top),
+                             shown_length(c.turbulence.zero));
          }},
         {{"solid.motion", "channel.dimensions"},
          "a solid in three dimensions that moves faster than 1.5 sqrt(g H)",

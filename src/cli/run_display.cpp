@@ -126,6 +126,10 @@ void print_outcome(const RunOutcome& outcome, const Case& c, const RunFiles& fil
         print_value("vegetation over gravity", s.value(fields::summary.vegetation_over_gravity), none,
                     std::nullopt);
     }
+    if (!c.porous.empty()) {
+        print_value("porous zones over gravity", s.value(fields::summary.porous_over_gravity), none,
+                    std::nullopt);
+    }
     if (c.has_side_walls()) {
         print_value("side walls' drag over gravity", s.value(fields::summary.side_wall_over_gravity), none,
                     std::nullopt);

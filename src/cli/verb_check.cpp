@@ -78,6 +78,31 @@ nlohmann::ordered_json vegetation_json(const Forecast& f) {
     return list;
 }
 
+void print_porous(const Forecast& f) {
+    for (const PorousForecast& zone : f.porous) {
+        print_row("porous zone",
+                  fmt::format("{}: n = {:.3g}, K = {:.3g} m2, quadratic coefficient {:.4g} 1/m, "
+                              "q = {:.3g} m/s with a pore Reynolds number of {:.3g}, at which the quadratic part "
+                              "has {:.0f} %",
+                              zone.name, zone.porosity, zone.permeability, zone.quadratic, zone.speed, zone.reynolds,
+                              100.0 * zone.quadratic_share));
+    }
+}
+
+nlohmann::ordered_json porous_json(const Forecast& f) {
+    auto list = nlohmann::ordered_json::array();
+    for (const PorousForecast& zone : f.porous) {
+        list.push_back({{"name", zone.name},
+                        {"porosity", zone.porosity},
+                        {"permeability", zone.permeability},
+                        {"quadratic", zone.quadratic},
+                        {"speed", zone.speed},
+                        {"reynolds", zone.reynolds},
+                        {"quadratic_share", zone.quadratic_share}});
+    }
+    return list;
+}
+
 nlohmann::ordered_json parts_json(const Forecast& f) {
     auto list = nlohmann::ordered_json::array();
     for (const RecordForecast& part : f.parts) {
@@ -115,6 +140,7 @@ void print_forecast(const Case& c, const Forecast& f) {
         print_row("relaxation time", fmt::format("{:.3g} s", *f.relaxation_time));
     }
     print_vegetation(f);
+    print_porous(f);
     print_row("simulated time",
               c.run.until == RunUntil::converged
                   ? fmt::format("about {:.3g} s until converged, at most {:.3g} s", f.end_time, f.latest_end)
@@ -149,6 +175,7 @@ void print_json(const Case& c, const Forecast& f, const std::vector<std::string>
                                          {"replacing_bytes", f.replacing_bytes},
                                          {"disk_parts", parts_json(f)},
                                          {"vegetation", vegetation_json(f)},
+                                         {"porous", porous_json(f)},
                                          {"probes", probes_json(f)},
                                          {"probe_notes", f.probe_notes},
                                          {"solid_notes", c.solid_notes},

@@ -70,6 +70,9 @@ void print_summary(const Case& c, const ColumnResult& r) {
     if (!c.vegetation.empty()) {
         print_row("weight carried by the vegetation", "%", 100.0 * r.vegetation_share);
     }
+    if (!c.porous.empty()) {
+        print_row("weight carried by porous layers", "%", 100.0 * r.porous_share);
+    }
     if (r.depth_mean_velocity > 0.0) {
         print_row("friction factor f", "", r.friction_factor,
                   from_measured_velocity(c, [&](double u) { return friction_factor(weight, depth, u); }));
@@ -113,6 +116,7 @@ nlohmann::ordered_json to_json(const Case& c, const ColumnResult& r) {
     result["drag_share"] = r.drag_share;
     result["wall_share"] = r.wall_share;
     result["vegetation_share"] = r.vegetation_share;
+    result["porous_share"] = r.porous_share;
     result["friction_factor"] = r.friction_factor;
     result["manning"] = r.manning;
     result["chezy"] = r.chezy;

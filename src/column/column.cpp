@@ -94,6 +94,7 @@ ColumnProfile make_profile(const Case& c, const ColumnGrid& grid, const Momentum
     ColumnProfile p;
     p.z = grid.centre;
     p.velocity = u;
+    for (std::size_t i = 0; i < n; ++i) p.velocity[i] /= balance.porosity(i);
     p.mixing_length = balance.cell_mixing_length();
     p.velocity_gradient.resize(n);
     p.shear_stress.resize(n);
@@ -102,22 +103,23 @@ ColumnProfile make_profile(const Case& c, const ColumnGrid& grid, const Momentum
         // The stress is the smooth quantity; the gradient that carries it follows from the closure.
         const double at_centre = 0.5 * (stress[i] + stress[i + 1]);
         const double length = p.mixing_length[i];
-        p.velocity_gradient[i] = balance.gradient_from_stress(at_centre, length);
+        p.velocity_gradient[i] = balance.gradient_in_cell(at_centre, i);
         p.eddy_viscosity[i] = mixing_length_viscosity(length, std::abs(p.velocity_gradient[i]));
         p.shear_stress[i] = c.fluid.density * at_centre;
     }
     return p;
 }
 
-/// Mean over the cells whose centre lies above `from`, which is a face of the grid.
-double mean_above(const ColumnGrid& grid, const std::vector<double>& u, double from) {
+/// Mean over the water of the cells whose centre lies above `from`, which is a face of the grid.
+double mean_above(const ColumnGrid& grid, const MomentumBalance& balance, const std::vector<double>& u,
+                  double from) {
     double sum = 0.0;
     double length = 0.0;
     for (std::size_t i = 0; i < u.size(); ++i) {
         if (grid.centre[i] < from) continue;
         const double thickness = grid.face[i + 1] - grid.face[i];
         sum += u[i] * thickness;
-        length += thickness;
+        length += thickness * balance.porosity(i);
     }
     return sum / length;
 }
@@ -146,15 +148,15 @@ ColumnResult solve_column(const Case& c, int cells) {
     check_channel(c);
     const ColumnGrid grid = make_column_grid(c, cells);
     const MomentumBalance balance(c, grid);
-    const double weight = c.streamwise_gravity() * c.total_depth();
+    const double weight = c.porous.empty() ? c.streamwise_gravity() * c.total_depth() : balance.weight();
     const std::vector<double> u = solve_balance(balance);
     const std::vector<double> stress = balance.face_stress(u);
 
     ColumnResult result;
     result.profile = make_profile(c, grid, balance, u, stress);
     const ColumnProfile& p = result.profile;
-    result.depth_mean_velocity = mean_above(grid, u, c.datum());
-    result.total_mean_velocity = mean_above(grid, u, 0.0);
+    result.depth_mean_velocity = mean_above(grid, balance, u, c.datum());
+    result.total_mean_velocity = mean_above(grid, balance, u, 0.0);
     const bool wall_above = c.bed.kind == BedKind::no_slip && c.channel.top == Top::wall;
     result.surface_velocity =
         wall_above ? 0.0 : u.back() + p.velocity_gradient.back() * (grid.face.back() - grid.centre.back());
@@ -164,8 +166,9 @@ ColumnResult solve_column(const Case& c, int cells) {
     result.drag_share = has_wall_law(c) ? at_bed : balance.drag(u) / weight;
     result.wall_share = has_wall_law(c) ? 0.0 : at_bed;
     result.vegetation_share = balance.vegetation_drag(u) / weight;
+    result.porous_share = balance.porous_drag(u) / weight;
     result.relaxation_time = slowest_decay_time(balance, u);
-    const bool over_bed_alone = c.vegetation.empty();
+    const bool over_bed_alone = c.vegetation.empty() && c.porous.empty();
     if (over_bed_alone && (c.bed.kind == BedKind::spheres || has_wall_law(c)))
         result.log_law = fit_column_profile(c, result);
 

@@ -12,8 +12,8 @@ namespace riffle {
 /// Profile of the steady column on its grid (cell centres, from the bed level up). SI.
 struct ColumnProfile {
     std::vector<double> z;                  ///< height above the bed level
-    std::vector<double> velocity;           ///< u
-    std::vector<double> velocity_gradient;  ///< du/dz
+    std::vector<double> velocity;           ///< u, of the water in the pores of porous layers
+    std::vector<double> velocity_gradient;  ///< du/dz, in porous layers that of the discharge of an area n u
     std::vector<double> shear_stress;       ///< rho (nu0 + nu_t) du/dz, Pa
     std::vector<double> mixing_length;      ///< l_m
     std::vector<double> eddy_viscosity;     ///< nu_t
@@ -30,6 +30,7 @@ struct ColumnResult {
     double drag_share = 0;         ///< bed drag / weight component
     double wall_share = 0;        ///< wall friction at z = 0 / weight component (half of it under a top wall)
     double vegetation_share = 0;  ///< drag of the vegetation / weight component
+    double porous_share = 0;      ///< resistance of porous layers / weight component
     double friction_factor = 0;   ///< f (2.6)
     double manning = 0;           ///< n (2.7)
     double chezy = 0;             ///< C (2.8)

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "case/porous_zone.hpp"
 #include "turbulence/wall_law.hpp"
 
 namespace riffle {
@@ -38,6 +39,16 @@ std::vector<double> column_breakpoints(const Case& c) {
     }
     for (const Vegetation& stems : c.vegetation) {
         heights.push_back(stems.height);
+    }
+    for (const Porous& layer : c.porous) {
+        const double half = 0.5 * porous_edge(c, layer);
+        for (const auto& surface : {layer.z_from, layer.z_to}) {
+            if (!surface) continue;
+            for (const double height : {*surface - half, *surface, *surface + half}) heights.push_back(height);
+        }
+        if (!layer.top_z.empty()) {
+            for (const double part : {-half, 0.0, half}) heights.push_back(layer.top_z.front() + part);
+        }
     }
     if (const auto law = bed_wall_law(c)) {
         // The layers of the law, each ten times as high as the one below it.

@@ -55,6 +55,19 @@ MomentumBalance::MomentumBalance(const Case& c, const ColumnGrid& grid)
             stem_share_.push_back(patch.share_below_top(grid.centre[i], thickness_[i]));
         }
     }
+    if (const PorousMedia porous(c); !porous.empty()) {
+        for (const double z : grid.centre) media_.push_back(porous.at(0.0, 0.0, z));
+        for (std::size_t i = 0; i <= n; ++i) {
+            const double z = grid.face[i];
+            face_ratio_.push_back(porous.at(0.0, 0.0, z).viscosity_ratio);
+            const double limited = porous.limited(std::sqrt(length_squared_[i]), 0.0, 0.0, z);
+            length_squared_[i] = limited * limited;
+        }
+        for (std::size_t i = 0; i < n; ++i) {
+            cell_length_[i] = porous.limited(cell_length_[i], 0.0, 0.0, grid.centre[i]);
+            drag_coefficient_[i] /= media_[i].porosity;
+        }
+    }
 }
 
 double MomentumBalance::face_gradient(const std::vector<double>& u, std::size_t i) const {
@@ -69,6 +82,7 @@ std::vector<double> MomentumBalance::face_stress(const std::vector<double>& u) c
     for (std::size_t i = 0; i < stress.size(); ++i) {
         const double gradient = face_gradient(u, i);
         stress[i] = (viscosity_ + length_squared_[i] * std::abs(gradient)) * gradient;
+        if (!face_ratio_.empty()) stress[i] *= face_ratio_[i];
     }
     return stress;
 }
@@ -80,6 +94,11 @@ std::vector<double> MomentumBalance::residual(const std::vector<double>& u) cons
         force[i] = thickness_[i] * (weight_ - drag_coefficient_[i] * u[i] * std::abs(u[i])) + stress[i + 1] -
                    stress[i];
         if (stems_) force[i] -= thickness_[i] * stem_share_[i] * stems_->deceleration(u[i]);
+        if (!media_.empty()) {
+            const PorousMedia::At& at = media_[i];
+            force[i] -= thickness_[i] * ((1.0 - at.porosity) * weight_ +
+                                         at.along(std::abs(u[i])) * u[i]);
+        }
     }
     return force;
 }
@@ -90,10 +109,14 @@ Tridiagonal MomentumBalance::jacobian(const std::vector<double>& u) const {
     for (std::size_t i = 0; i < n; ++i) {
         matrix.diagonal[i] = 2.0 * thickness_[i] * drag_coefficient_[i] * std::abs(u[i]);
         if (stems_) matrix.diagonal[i] += thickness_[i] * stem_share_[i] * stems_->deceleration_slope(u[i]);
+        if (!media_.empty()) {
+            matrix.diagonal[i] +=
+                thickness_[i] * media_[i].along(2.0 * std::abs(u[i]));
+        }
     }
     for (std::size_t i = 0; i <= n; ++i) {
         const double stiffness =
-            (viscosity_ + 2.0 * length_squared_[i] * std::abs(face_gradient(u, i))) / distance_[i];
+            ratio(i) * (viscosity_ + 2.0 * length_squared_[i] * std::abs(face_gradient(u, i))) / distance_[i];
         if (i == 0) {
             if (wall_below_) matrix.diagonal[0] += stiffness;
         } else if (i == n) {
@@ -113,10 +136,16 @@ double MomentumBalance::functional(const std::vector<double>& u) const {
         const double speed = std::abs(u[i]);
         sum += thickness_[i] * (drag_coefficient_[i] * speed * speed * speed / 3.0 - weight_ * u[i]);
         if (stems_) sum += thickness_[i] * stem_share_[i] * stems_->deceleration_integral(u[i]);
+        if (!media_.empty()) {
+            const PorousMedia::At& at = media_[i];
+            sum += thickness_[i] * ((1.0 - at.porosity) * weight_ * u[i] +
+                                    u[i] * u[i] * at.along(speed * 2.0 / 3.0) / 2.0);
+        }
     }
     for (std::size_t i = 0; i <= u.size(); ++i) {
         const double gradient = std::abs(face_gradient(u, i));
-        sum += distance_[i] * gradient * gradient * (viscosity_ / 2.0 + length_squared_[i] * gradient / 3.0);
+        sum += ratio(i) * distance_[i] * gradient * gradient *
+               (viscosity_ / 2.0 + length_squared_[i] * gradient / 3.0);
     }
     return sum;
 }
@@ -135,6 +164,25 @@ double MomentumBalance::vegetation_drag(const std::vector<double>& u) const {
         sum += thickness_[i] * stem_share_[i] * stems_->deceleration(u[i]);
     }
     return sum;
+}
+
+double MomentumBalance::porous_drag(const std::vector<double>& u) const {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < media_.size(); ++i) {
+        sum += thickness_[i] * media_[i].along(std::abs(u[i])) * u[i];
+    }
+    return sum;
+}
+
+double MomentumBalance::weight() const {
+    double water = depth_;
+    for (std::size_t i = 0; i < media_.size(); ++i) water -= thickness_[i] * (1.0 - media_[i].porosity);
+    return weight_ * water;
+}
+
+double MomentumBalance::gradient_in_cell(double stress, std::size_t cell) const {
+    const double part = media_.empty() ? stress : stress / media_[cell].viscosity_ratio;
+    return gradient_from_stress(part, cell_length_[cell]);
 }
 
 double MomentumBalance::gradient_from_stress(double stress, double mixing_length) const {
@@ -156,6 +204,13 @@ std::vector<double> MomentumBalance::first_guess() const {
         height += thickness_[i];
         double coefficient = drag_coefficient_[i];
         if (stems_) coefficient += stem_share_[i] * stems_->coefficient(stems_->speed_at(weight_));
+        if (!media_.empty() && media_[i].along(1.0) > 0.0) {
+            // As that of a law that is quadratic alone and has the same discharge under the weight.
+            const PorousMedia::At& at = media_[i];
+            const double root = std::sqrt(at.linear * at.linear + 4.0 * at.quadratic * weight_);
+            const double q = 2.0 * weight_ / (at.linear + root);
+            coefficient += weight_ / (q * q);
+        }
         drag_sum += thickness_[i] * coefficient;
         if (coefficient > 0.0) drag_top = height;
     }

@@ -5,6 +5,7 @@
 
 #include "case/case.hpp"
 #include "column/column_grid.hpp"
+#include "roughness/porous_resistance.hpp"
 #include "roughness/stem_drag.hpp"
 
 namespace riffle {
@@ -23,7 +24,9 @@ struct Tridiagonal {
 /// with the closure, the bed drag and the drag of stems below their tops that the case names (the same
 /// objects as the particles'). No flux at z = 0 for sphere and slip beds, u(0) = 0 for no-slip beds and those
 /// by a wall law; no flux at the surface, u(H) = 0 under a top wall over a no-slip bed. Forces are per plan
-/// area and density, m2/s2.
+/// area and density, m2/s2. In porous layers the balance is that of the discharge of an area q = n u,
+///     n g S0 + d/dz[r (nu0 + l_m^2 |q'|) q'] - beta(z)/n q |q| - n (linear + quadratic |q|) q = 0
+/// (docs/theory.md, section 21); u stands for q in all functions of this class then.
 class MomentumBalance {
   public:
     MomentumBalance(const Case& c, const ColumnGrid& grid);
@@ -47,9 +50,19 @@ class MomentumBalance {
     [[nodiscard]] double drag(const std::vector<double>& u) const;
     /// Drag of the vegetation.
     [[nodiscard]] double vegetation_drag(const std::vector<double>& u) const;
+    /// Resistance of the porous layers.
+    [[nodiscard]] double porous_drag(const std::vector<double>& u) const;
+    /// Weight of the water along the bed.
+    [[nodiscard]] double weight() const;
+    /// Porosity of a cell, 1 in open water.
+    [[nodiscard]] double porosity(std::size_t cell) const {
+        return media_.empty() ? 1.0 : media_[cell].porosity;
+    }
 
     /// Gradient u' that carries the kinematic stress with mixing length l: the root of (nu0 + l^2 |u'|) u'.
     [[nodiscard]] double gradient_from_stress(double stress, double mixing_length) const;
+    /// The same in a cell.
+    [[nodiscard]] double gradient_in_cell(double stress, std::size_t cell) const;
 
     [[nodiscard]] const std::vector<double>& cell_mixing_length() const { return cell_length_; }
     [[nodiscard]] const std::vector<double>& thickness() const { return thickness_; }
@@ -69,7 +82,12 @@ class MomentumBalance {
     std::vector<double> drag_coefficient_;  ///< beta of the cells, 1/m
     std::optional<StemDrag> stems_;
     std::vector<double> stem_share_;  ///< of the cells that stands below the tops of the stems
+    std::vector<PorousMedia::At> media_;     ///< of the cells; empty without porous layers
+    std::vector<double> face_ratio_;         ///< r at the faces: Porous::viscosity_ratio; empty without
     double depth_ = 0.0;
+
+    /// r at a face.
+    [[nodiscard]] double ratio(std::size_t face) const { return face_ratio_.empty() ? 1.0 : face_ratio_[face]; }
 };
 
 }  // namespace riffle

@@ -33,7 +33,8 @@ Eigen::VectorXd first_guess(const Case& c, const SectionGrid& grid, const Sectio
     }
     const Eigen::VectorXd one = still.array() + 1.0;
     return std::sqrt(balance.weight() /
-                     (balance.bed_force(one) + balance.wall_force(one) + balance.vegetation_force(one))) *
+                     (balance.bed_force(one) + balance.wall_force(one) + balance.vegetation_force(one) +
+                      balance.porous_force(one))) *
            one;
 }
 
@@ -136,6 +137,25 @@ std::optional<std::string> lopsided_vegetation(const Case& c) {
     return std::nullopt;
 }
 
+/// So with porous zones.
+std::optional<std::string> lopsided_porosity(const Case& c) {
+    if (c.channel.sides == Sides::half || c.porous.empty()) return std::nullopt;
+    const PorosityField field(c);
+    const double width = c.channel.width;
+    constexpr int places = 50;
+    for (int i = 0; i < places; ++i) {
+        for (int j = 0; j < places; ++j) {
+            const double y = (i + 0.5) / places * width;
+            const double z = (j + 0.5) / places * c.total_depth();
+            if (std::abs(field.porosity(0.0, y, z) - field.porosity(0.0, width - y, z)) > 1e-6) {
+                return "the porous zones are not the same on both sides of the centreline, and the balance of the "
+                       "cross-section is solved over one half of a symmetric channel: set channel.sides = \"half\"";
+            }
+        }
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<std::string> why_no_section(const Case& c) {
@@ -144,6 +164,8 @@ std::optional<std::string> why_no_section(const Case& c) {
     Case resisting = c;
     resisting.bed.kind = BedKind::no_slip;
     if (auto reason = lopsided_vegetation(c)) return reason;
+    if (auto reason = lopsided_porosity(c)) return reason;
+    std::erase_if(resisting.porous, [&c](const Porous& zone) { return covers_length(c, zone); });
     std::erase_if(resisting.vegetation, [&c](const Vegetation& patch) { return covers_length(c, patch); });
     if (auto reason = why_no_column(resisting)) return reason;
     if (c.channel.top == Top::wall) {

@@ -28,6 +28,7 @@ struct SectionResult {
     double drag_share = 0.0;             ///< force on the bed / weight component
     double side_wall_share = 0.0;        ///< force on both side walls / weight component
     double vegetation_share = 0.0;       ///< force on the vegetation / weight component
+    double porous_share = 0.0;           ///< resistance of porous layers / weight component
     double bed_stress = 0.0;             ///< force on the bed per plan area, Pa
     double wall_stress = 0.0;            ///< force on a side wall per its area, Pa
     double side_wall_coefficient = 0.0;  ///< beta_w of the walls' layers, 1/m

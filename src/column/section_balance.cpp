@@ -75,6 +75,7 @@ SectionBalance::SectionBalance(const Case& c, const SectionGrid& grid)
     }
     add_vegetation(c, grid);
     add_faces(c, grid);
+    add_porous(c, grid);
 }
 
 void SectionBalance::add_vegetation(const Case& c, const SectionGrid& grid) {
@@ -140,6 +141,7 @@ void SectionBalance::add_faces(const Case& c, const SectionGrid& grid) {
             face.inverse_distance = 1.0 / (grid.z[iz + 1] - grid.z[iz]);
             face.length_squared = square(face_length[patch_of_[iy]][iz + 1] * cell_factor_[iy]);
             face.stress_weight = 1.0;
+            face.viscosity_ratio = 1.0;
             face.extent = bed_extent_[iy];
             vertical_faces_.push_back(face);
         }
@@ -161,10 +163,60 @@ void SectionBalance::add_faces(const Case& c, const SectionGrid& grid) {
                 0.5 * (cell_length_[patch_of_[iy]][iz] + cell_length_[patch_of_[iy + 1]][iz]);
             face.length_squared = square(length * face_factor[iy + 1]);
             face.stress_weight = lateral_weight;
+            face.viscosity_ratio = 1.0;
             face.extent = grid.z_face[iz + 1] - grid.z_face[iz];
             lateral_faces_.push_back(face);
         }
     }
+}
+
+void SectionBalance::add_porous(const Case& c, const SectionGrid& grid) {
+    const PorousMedia porous(c);
+    if (porous.empty()) return;
+    for (std::size_t iz = 0; iz < rows_; ++iz) {
+        for (std::size_t iy = 0; iy < columns_; ++iy) {
+            media_.push_back(porous.at(0.0, grid.y[iy], grid.z[iz]));
+            const double length = cell_length_[patch_of_[iy]][iz] * cell_factor_[iy];
+            pore_length_.push_back(porous.limited(length, 0.0, grid.y[iy], grid.z[iz]));
+            const auto i = static_cast<Eigen::Index>(grid.cell(iy, iz));
+            bed_drag_(i) /= media_.back().porosity;
+            layer_area_(i) /= media_.back().porosity;
+        }
+    }
+    const auto change = [&](Face& face, double y, double z) {
+        face.viscosity_ratio = porous.at(0.0, y, z).viscosity_ratio;
+        const double length = porous.limited(std::sqrt(face.length_squared), 0.0, y, z);
+        face.length_squared = length * length;
+    };
+    std::size_t k = 0;
+    for (std::size_t iz = 0; iz + 1 < rows_; ++iz) {
+        for (std::size_t iy = 0; iy < columns_; ++iy) {
+            change(vertical_faces_[k++], grid.y[iy], grid.z_face[iz + 1]);
+        }
+    }
+    k = 0;
+    for (std::size_t iz = 0; iz < rows_; ++iz) {
+        for (std::size_t iy = 0; iy + 1 < columns_; ++iy) {
+            change(lateral_faces_[k++], grid.y_face[iy + 1], grid.z[iz]);
+        }
+    }
+    const double at_bed = porous.limited(std::sqrt(bed_length_squared_), 0.0, grid.y.front(), 0.0);
+    bed_length_squared_ = at_bed * at_bed;
+}
+
+Eigen::VectorXd SectionBalance::water_area() const {
+    Eigen::VectorXd water = area_;
+    for (Eigen::Index i = 0; i < water.size(); ++i) water(i) *= porosity(i);
+    return water;
+}
+
+double SectionBalance::porous_force(const Eigen::VectorXd& u) const {
+    double force = 0.0;
+    for (Eigen::Index i = 0; !media_.empty() && i < u.size(); ++i) {
+        const PorousMedia::At& at = media_[static_cast<std::size_t>(i)];
+        force += area_(i) * at.along(std::abs(u(i))) * u(i);
+    }
+    return force;
 }
 
 SectionBalance::FaceFlow SectionBalance::flow(const Face& face, const Eigen::VectorXd& u) const {
@@ -175,7 +227,9 @@ SectionBalance::FaceFlow SectionBalance::flow(const Face& face, const Eigen::Vec
     const double factor = face.stress_weight * face.length_squared;
     const double steepening = rate > 0.0 ? factor * normal / rate : 0.0;
     const double viscosity = viscosity_ + factor * rate;
-    return {viscosity * normal, viscosity + steepening * normal, steepening * tangent};
+    const double ratio = face.viscosity_ratio;
+    return {ratio * (viscosity * normal), ratio * (viscosity + steepening * normal),
+            ratio * (steepening * tangent)};
 }
 
 SectionBalance::FaceFlow SectionBalance::bed_flow(std::size_t iy, const Eigen::VectorXd& u) const {
@@ -232,6 +286,11 @@ Eigen::VectorXd SectionBalance::residual(const Eigen::VectorXd& u) const {
             force(i) -= stem_area_(i) * stems_in(i).deceleration(u(i));
         }
     }
+    for (Eigen::Index i = 0; !media_.empty() && i < u.size(); ++i) {
+        const PorousMedia::At& at = media_[static_cast<std::size_t>(i)];
+        force(i) -= area_(i) * ((1.0 - at.porosity) * weight_ +
+                                at.along(std::abs(u(i))) * u(i));
+    }
     for (const auto* faces : {&vertical_faces_, &lateral_faces_}) {
         for (const Face& face : *faces) {
             const double exchange = face.extent * flow(face, u).stress;
@@ -256,6 +315,10 @@ SectionJacobian SectionBalance::jacobian(const Eigen::VectorXd& u) const {
         entries.emplace_back(i, i, 2.0 * std::abs(u(i)) * (bed_drag_(i) + wall * layer_area_(i)));
         if (stem_area_(i) > 0.0) {
             entries.emplace_back(i, i, stem_area_(i) * stems_in(i).deceleration_slope(u(i)));
+        }
+        if (!media_.empty()) {
+            const PorousMedia::At& at = media_[static_cast<std::size_t>(i)];
+            entries.emplace_back(i, i, area_(i) * at.along(2.0 * std::abs(u(i))));
         }
     }
     for (const auto* faces : {&vertical_faces_, &lateral_faces_}) {
@@ -309,7 +372,9 @@ SectionBalance::Stresses SectionBalance::stresses(const Eigen::VectorXd& u) cons
 }
 
 bool SectionBalance::has_friction() const {
-    return no_slip_ || bed_drag_.sum() > 0.0 || stem_area_.sum() > 0.0 ||
+    const bool porous = std::any_of(media_.begin(), media_.end(),
+                                    [](const PorousMedia::At& at) { return at.along(1.0) > 0.0; });
+    return no_slip_ || bed_drag_.sum() > 0.0 || stem_area_.sum() > 0.0 || porous ||
            fixed_coefficient_ * layer_area_.sum() > 0.0;
 }
 

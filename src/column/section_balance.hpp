@@ -2,12 +2,14 @@
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
 
 #include "case/case.hpp"
 #include "column/section_grid.hpp"
+#include "roughness/porous_resistance.hpp"
 #include "roughness/vegetation.hpp"
 
 namespace riffle {
@@ -26,7 +28,8 @@ struct SectionJacobian {
 /// nu_t = l^2 |S|, l = l_m(z) G(y), |S|^2 = (dU/dy)^2 + (dU/dz)^2, A = 1/2 (1 + q^2), with the closure, the
 /// bed drag (its mean over the plan) and the side walls' friction of the case. No flux at bed, surface, wall
 /// and plane of symmetry, but for no-slip beds U = 0 at z = 0. Velocities stand at the centres of the cells,
-/// in the order of the grid; forces are per length and density, m3/s2.
+/// in the order of the grid; forces are per length and density, m3/s2. In porous zones U stands for the
+/// discharge of an area, as in MomentumBalance.
 class SectionBalance {
   public:
     SectionBalance(const Case& c, const SectionGrid& grid);
@@ -51,12 +54,21 @@ class SectionBalance {
     [[nodiscard]] Stresses stresses(const Eigen::VectorXd& u) const;
 
     [[nodiscard]] const Eigen::VectorXd& area() const { return area_; }  ///< of the cells, m2
-    [[nodiscard]] double weight() const { return weight_ * area_.sum(); }
+    /// Area of the water of the cells, m2.
+    [[nodiscard]] Eigen::VectorXd water_area() const;
+    [[nodiscard]] double weight() const { return weight_ * (media_.empty() ? area_ : water_area()).sum(); }
+    /// Porosity of a cell, 1 in open water.
+    [[nodiscard]] double porosity(Eigen::Index cell) const {
+        return media_.empty() ? 1.0 : media_[static_cast<std::size_t>(cell)].porosity;
+    }
     [[nodiscard]] double mixing_length(std::size_t iy, std::size_t iz) const {
-        return cell_length_[patch_of_[iy]][iz] * cell_factor_[iy];
+        const double length = cell_length_[patch_of_[iy]][iz] * cell_factor_[iy];
+        return media_.empty() ? length : std::min(length, pore_length_[iz * columns_ + iy]);
     }
     /// Force of the flow on the vegetation.
     [[nodiscard]] double vegetation_force(const Eigen::VectorXd& u) const;
+    /// Resistance of the porous zones.
+    [[nodiscard]] double porous_force(const Eigen::VectorXd& u) const;
     /// Whether anything resists the flow. Without it there is no steady state.
     [[nodiscard]] bool has_friction() const;
 
@@ -69,6 +81,7 @@ class SectionBalance {
         double inverse_distance;
         double length_squared;
         double stress_weight;
+        double viscosity_ratio;  ///< Porous::viscosity_ratio
         double extent;
         [[nodiscard]] Eigen::Index minus() const { return cells[1]; }
         [[nodiscard]] Eigen::Index plus() const { return cells[4]; }
@@ -87,6 +100,8 @@ class SectionBalance {
     /// The stems in a cell that has some.
     [[nodiscard]] const StemDrag& stems_in(Eigen::Index cell) const;
     void add_faces(const Case& c, const SectionGrid& grid);
+    /// What porous zones make of cells and faces; after add_faces().
+    void add_porous(const Case& c, const SectionGrid& grid);
 
     std::size_t columns_;
     std::size_t rows_;
@@ -110,6 +125,8 @@ class SectionBalance {
     Eigen::VectorXd bed_drag_;    ///< area times beta_bed
     Eigen::VectorXd stem_area_;   ///< area below the tops of stems
     Eigen::VectorXd layer_area_;  ///< area in the wall's layer, else 0
+    std::vector<PorousMedia::At> media_;  ///< of the cells; empty without porous zones
+    std::vector<double> pore_length_;     ///< l_m of the cells with them, m
 };
 
 }  // namespace riffle

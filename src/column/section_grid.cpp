@@ -1,5 +1,6 @@
 #include "column/section_grid.hpp"
 
+#include "case/porous_zone.hpp"
 #include "column/column_grid.hpp"
 
 namespace riffle {
@@ -22,6 +23,13 @@ SectionGrid make_section_grid(const Case& c, int cells_across, int cells_over_de
     for (const Vegetation& stems : c.vegetation) {
         for (const auto& side : {stems.y_from, stems.y_to}) {
             if (side) across.push_back(*side);
+        }
+    }
+    for (const Porous& zone : c.porous) {
+        const double half = 0.5 * porous_edge(c, zone);
+        for (const auto& side : {zone.y_from, zone.y_to}) {
+            if (!side) continue;
+            for (const double part : {-half, 0.0, half}) across.push_back(*side + part);
         }
     }
     grid.y_face =

@@ -80,7 +80,8 @@ SectionResult section_result(const Case& c, const SectionGrid& grid, const Secti
             const bool mirrored = k >= columns;
             const std::size_t iy = mirrored ? 2 * columns - 1 - k : k;
             const std::size_t cell = grid.cell(iy, iz);
-            r.velocity.push_back(u(static_cast<Eigen::Index>(cell)));
+            const auto i = static_cast<Eigen::Index>(cell);
+            r.velocity.push_back(u(i) / balance.porosity(i));
             r.mixing_length.push_back(balance.mixing_length(iy, iz));
             r.shear_stress.push_back(density * stresses.vertical[cell]);
             r.lateral_shear_stress.push_back((mirrored ? -density : density) * stresses.lateral[cell]);
@@ -97,25 +98,27 @@ SectionResult section_result(const Case& c, const SectionGrid& grid, const Secti
             const double area = balance.area()(i);
             if (grid.z[iz] > c.datum()) {
                 above += area * u(i);
-                above_area += area;
+                above_area += area * balance.porosity(i);
             }
             if (grid.y[iy] < edge) {
                 layer += area * u(i);
-                layer_area += area;
+                layer_area += area * balance.porosity(i);
             }
         }
     }
-    r.bulk_velocity = balance.area().dot(u) / balance.area().sum();
+    const double water = balance.water_area().sum();
+    r.bulk_velocity = balance.area().dot(u) / water;
     r.depth_mean_velocity = above / above_area;
     r.centreline_velocity = r.depth_means(c.datum(), depth)[columns - 1];
-    r.maximum_velocity = u.maxCoeff();
+    r.maximum_velocity = *std::max_element(r.velocity.begin(), r.velocity.end());
     r.wall_layer_velocity = layer_area > 0.0 ? layer / layer_area : 0.0;
-    r.discharge = r.bulk_velocity * depth * width;
+    r.discharge = r.bulk_velocity * depth * width * (water / balance.area().sum());
     const double bed = balance.bed_force(u);
     const double wall = balance.wall_force(u);
     r.drag_share = bed / balance.weight();
     r.side_wall_share = wall / balance.weight();
     r.vegetation_share = balance.vegetation_force(u) / balance.weight();
+    r.porous_share = balance.porous_force(u) / balance.weight();
     r.bed_stress = density * bed / c.channel.centreline();
     r.wall_stress = density * wall / depth;
     r.side_wall_coefficient = balance.wall_coefficient(u);

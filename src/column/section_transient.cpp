@@ -31,6 +31,7 @@ SectionResult advance_section(const Case& c, const SectionResult& start, double 
     const Eigen::VectorXd& area = balance.area();
     const double total_area = area.sum();
     Eigen::VectorXd u = velocities_on(grid, start);
+    for (Eigen::Index i = 0; i < u.size(); ++i) u(i) *= balance.porosity(i);
     const auto report = [&](double at) {
         if (observe) observe(moment(section_result(c, grid, balance, u), at));
     };

@@ -11,6 +11,7 @@
 
 #include "base/error.hpp"
 #include "case/flow_kind.hpp"
+#include "case/porous_zone.hpp"
 #include "column/column.hpp"
 #include "turbulence/wall_law.hpp"
 
@@ -107,6 +108,7 @@ Case uniform_reach(const Case& c) {
     reach.outflow = {};
     reach.solids.clear();
     reach.probes.clear();
+    std::erase_if(reach.porous, [&c](const Porous& zone) { return !covers_length(c, zone); });
     std::erase_if(reach.vegetation, [&c](const Vegetation& patch) { return !covers_length(c, patch); });
     return reach;
 }

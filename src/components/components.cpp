@@ -10,6 +10,7 @@
 #include "components/further_pair_sums.hpp"
 #include "components/mixing_lengths.hpp"
 #include "components/open_ends.hpp"
+#include "components/porous_forces.hpp"
 #include "components/repulsion.hpp"
 #include "components/slow_correction.hpp"
 #include "components/solid_forces.hpp"
@@ -45,6 +46,7 @@ ComponentList<D, Real> make_components(FlowOf<D, Real>& flow, double celerity) {
     add(components, make_vegetation_drag(flow));
     add(components, make_stirring(flow, celerity));
     add(components, make_repulsion(flow));
+    add(components, make_porous_forces(flow));  // after all that adds forces, which it must know
     add(components, make_open_ends(flow));      // after all that adds forces, which buffers do not feel
     add(components, make_energy_budget(flow));  // after all that adds forces, before what changes velocities
     add(components, make_contact(flow));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <numeric>
 #include <vector>
 
@@ -152,6 +153,11 @@ class EnergyBudget final : public Component<D, Real> {
             const double mass = flow.particles.mass[i] / flow.scheme.density;
             flow.data.pressure[slot].viscosity_root = static_cast<Real>(viscosity_root(viscosity));
             flow.data.pressure[slot].weight = static_cast<Real>(corrected_ ? mass / density_ratio : mass);
+            if (!flow.porous.empty()) {
+                const PorousMedia::At& at = flow.porous_at[i];
+                flow.data.pressure[slot].viscosity_root *= static_cast<Real>(std::sqrt(at.viscosity_ratio));
+                flow.data.pressure[slot].weight /= static_cast<Real>(at.porosity);
+            }
         });
     }
 
@@ -200,18 +206,24 @@ class EnergyBudget final : public Component<D, Real> {
         double weight = 0.0;
         double further = 0.0;
         double stems = 0.0;
+        double grains = 0.0;
+        // As PorousForces has it of all viscous forces.
+        const double molecular_factor = flow.porous.empty() ? factor : factor / flow.porous_at[i].porosity;
         for (std::size_t k = 0; k < Flow::axes; ++k) {
             tensor += factor * u[k] * static_cast<double>(force.tensor[k][lane]);
             viscous += factor * u[k] * static_cast<double>(force.viscous[k][lane]);
             weight += mass * u[k] * flow.particle_data.gravity[k];
             if (two_point_) {
-                molecular += factor * u[k] * static_cast<double>(own.sums.force.viscous[k][lane]);
+                molecular += molecular_factor * u[k] * static_cast<double>(own.sums.force.viscous[k][lane]);
             }
             if (flow.inputs.acceleration) {
                 further += mass * u[k] * work.acceleration[k][lane];
             }
             if (flow.with_vegetation) {
                 stems += mass * u[k] * task.vegetation_acceleration[k][lane];
+            }
+            if (!flow.porous.empty()) {
+                grains += mass * u[k] * task.porous_acceleration[k][lane];
             }
         }
         double bed = flow.inputs.drag ? work.drag_force[lane] * u[0] : 0.0;
@@ -232,7 +244,8 @@ class EnergyBudget final : public Component<D, Real> {
         sum.bed_drag += mass * bed;
         sum.side_drag += mass * side;
         sum.vegetation += stems;
-        sum.further_forces += flow.with_vegetation ? further - stems : further;
+        sum.porous += grains;
+        sum.further_forces += flow.with_vegetation || !flow.porous.empty() ? further - stems - grains : further;
         if (flow.domain.periodic[0]) {
             sum.gravity += mass * u[0] * flow.particle_data.gravity[0];
         }

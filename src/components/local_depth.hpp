@@ -133,7 +133,8 @@ class LocalDepth {
                     } else {
                         spread(particles, i,
                                share_in_channel(particles, i) * per_mass * particles.mass[i] /
-                                   (1.0 + particles.density_deviation[i]),
+                                   ((1.0 + particles.density_deviation[i]) *
+                                    (flow.porous.empty() ? 1.0 : flow.porous_at[i].porosity)),
                                part);
                     }
                 }

@@ -15,8 +15,8 @@
 namespace riffle {
 
 /// Mixing lengths of the closure at the particles: in water of the depth of the case, or where the flow
-/// varies along the channel of the depth at each place; among stems and above them those of their canopy;
-/// beside solids at most kappa times the distance from them.
+/// varies along the channel of the depth at each place; among stems and above them those of their canopy; in
+/// porous zones at most that of their pores; beside solids at most kappa times the distance from them.
 template <int D, class Real>
 class MixingLengths final : public Component<D, Real> {
   public:
@@ -57,6 +57,9 @@ class MixingLengths final : public Component<D, Real> {
         }
         if (!canopies_.empty()) {
             follow_canopies(flow, first, count, lengths);
+        }
+        if (!flow.porous.empty()) {
+            limit_in_pores(flow, first, count, lengths);
         }
         if (!solids_.empty()) {
             limit_beside_solids(flow, first, count, lengths);
@@ -105,6 +108,15 @@ class MixingLengths final : public Component<D, Real> {
         for (std::size_t n = 0; n < count; ++n) {
             const std::size_t i = first + n;
             lengths[n] = closure_->mixing_length_in(position[Flow::vertical][i], water_over(flow, i));
+        }
+    }
+
+    static void limit_in_pores(const Flow& flow, std::size_t first, std::size_t count, double* lengths) {
+        const auto& position = flow.particles.position;
+        for (std::size_t n = 0; n < count; ++n) {
+            const std::size_t i = first + n;
+            lengths[n] = flow.porous.limited(lengths[n], position[0][i], D == 3 ? position[1][i] : 0.0,
+                                             position[Flow::vertical][i]);
         }
     }
 

@@ -1,5 +1,6 @@
 #include "engine/flow.hpp"
 
+#include <cmath>
 #include <utility>
 
 #include "engine/pair_setup.hpp"
@@ -14,7 +15,8 @@ FlowOf<D, Real>::FlowOf(const Case& c_, const ColumnResult* column, Particles<D>
       fixed_point(domain),
       column_width(cluster_column_spacings(D) * c_.numerics.spacing),
       loops(pair_loops<D, Real>(loop_options(c_))),
-      particle_loops(riffle::particle_loops<D, Real>()) {
+      particle_loops(riffle::particle_loops<D, Real>()),
+      porous(c_) {
     this->particles = std::move(water);
     this->scheme = make_scheme(c_, column);
     data.constants = pair_constants<D, Real>(c_, this->scheme, fixed_point);
@@ -57,10 +59,47 @@ bool FlowOf<D, Real>::stays(std::size_t particle) const {
 }
 
 template <int D, class Real>
-void FlowOf<D, Real>::repack() {
-    parallel_blocks(clusters.size(), light_block, [&](std::size_t begin, std::size_t end) {
-        particle_loops.pack(particle_data, data, &moved, begin, end);
+void FlowOf<D, Real>::pack(Displacement<D>* displacement, std::size_t begin, std::size_t end) {
+    particle_loops.pack(particle_data, data, displacement, begin, end);
+    if (porous.empty()) {
+        return;
+    }
+    const auto& position = this->particles.position;
+    for_particles(begin, end, [&](std::size_t i, std::size_t lane) {
+        const PorousMedia::At at = porous.at_with_normal(D, position[0][i], D == 3 ? position[1][i] : 0.0,
+                                                         position[vertical][i]);
+        porous_at[i] = at;
+        MotionRecord<D, Real>& record = data.motion[begin * cluster_size + lane];
+        for (Real& u : record.u) {
+            u *= static_cast<Real>(at.porosity);
+        }
+        record.volume /= static_cast<Real>(at.porosity);
     });
+}
+
+template <int D, class Real>
+void FlowOf<D, Real>::put_media_in_stress(std::size_t begin, std::size_t end) {
+    const auto change = [&](auto& records) {
+        for_particles(begin, end, [&](std::size_t i, std::size_t lane) {
+            auto& record = records[begin * cluster_size + lane];
+            record.weight /= static_cast<Real>(porous_at[i].porosity);
+            record.viscosity_root *= static_cast<Real>(std::sqrt(porous_at[i].viscosity_ratio));
+        });
+    };
+    if (!data.stress.empty()) {
+        change(data.stress);
+    } else {
+        change(data.pressure);
+    }
+}
+
+template <int D, class Real>
+void FlowOf<D, Real>::repack() {
+    if (!porous.empty()) {
+        porous_at.resize(this->particles.size());
+    }
+    parallel_blocks(clusters.size(), light_block,
+                    [&](std::size_t begin, std::size_t end) { pack(&moved, begin, end); });
     moved_known = true;
     fill_last_records();
 }

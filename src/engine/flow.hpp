@@ -16,6 +16,7 @@
 #include "particles/energy_rates.hpp"
 #include "particles/force_on_solid.hpp"
 #include "particles/particles.hpp"
+#include "roughness/porous_resistance.hpp"
 #include "sph/pair_loops.hpp"
 #include "sph/particle_loops.hpp"
 
@@ -78,6 +79,8 @@ struct BlockTask {
     std::array<LaneArray<double>, static_cast<std::size_t>(D)> wall_acceleration;
     /// The part of it that vegetation holds back with, m/s2; where FlowOf::with_vegetation.
     std::array<LaneArray<double>, static_cast<std::size_t>(D)> vegetation_acceleration;
+    /// The part of it that the grains of porous zones hold back with, m/s2; where there are such zones.
+    std::array<LaneArray<double>, static_cast<std::size_t>(D)> porous_acceleration;
 };
 
 /// A flow with the records, lists and loops that its passes work with. Passes, components, wall treatments
@@ -107,6 +110,10 @@ struct FlowOf : FlowIn<D> {
     AdvanceOptions inputs;        ///< what the components add to the motion; the steps are those of a stage
     bool with_side_drag = false;  ///< side walls with drag
     bool with_vegetation = false;
+    /// Of a case with porous zones: what they are, and what they make of the place of each particle, found
+    /// when its records are packed. Empty without zones.
+    PorousMedia porous;
+    std::vector<PorousMedia::At> porous_at;
     bool motion_summed = true;                    ///< Method::sums_motion()
     bool density_filtered = false;                ///< at the begin of the step in progress
     std::vector<AdvanceResult<D>> block_advance;  ///< by block
@@ -121,8 +128,14 @@ struct FlowOf : FlowIn<D> {
     [[nodiscard]] double force_factor(std::size_t particle) const {
         return particle_data.corrected ? 1.0 / (1.0 + this->particles.density_deviation[particle]) : 1.0;
     }
+    /// Motion records of the moved particles of a block, and their displacements unless null. Within porous
+    /// zones they hold the discharge of an area n u in place of the velocity, and the room that the particle
+    /// takes up with the grains around it, m/(n rho).
+    void pack(Displacement<D>* displacement, std::size_t begin, std::size_t end);
     /// Make the motion records anew, with the displacements.
     void repack();
+    /// Of the stress records of a block within porous zones: the same room, and the viscosity of the medium.
+    void put_media_in_stress(std::size_t begin, std::size_t end);
     /// The records behind the last particle, which fill up turns of the loops.
     void fill_last_records();
 

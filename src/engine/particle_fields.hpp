@@ -21,6 +21,7 @@ struct ParticleFields {
     SparseValues wall_acceleration_z;            ///< the same, normal to the bed
     SparseValues drag_acceleration_x;            ///< of the bed drag (negative for u > 0)
     SparseValues vegetation_acceleration_x;      ///< of the drag of stems, where there are any
+    SparseValues porous_acceleration_x;          ///< of the resistance of porous zones, where there are any
     std::vector<double> shear_stress;            ///< tau_xz of viscosity and closure, Pa
     // Three dimensions only, else empty.
     SparseValues drag_acceleration_y;       ///< of the bed drag

@@ -16,9 +16,12 @@ class BedForce final : public Instrument {
           open_(c.channel.ends == Ends::open),
           space_(c.channel.dimensions == 3),
           vegetation_(!c.vegetation.empty()),
+          porous_(!c.porous.empty()),
           solids_(c.solids.size()) {
         for (const Field& field : fields_of(fields::forces)) {
-            if (vegetation_ || !(field == fields::forces.vegetation_drag)) add_record(field, {}, true);
+            const bool left_out = (field == fields::forces.vegetation_drag && !vegetation_) ||
+                                  (field == fields::forces.porous_drag && !porous_);
+            if (!left_out) add_record(field, {}, true);
         }
         for (std::size_t k = 0; k < solids_; ++k) {
             for (const Field& field : fields_of(fields::solid_forces))
@@ -34,6 +37,7 @@ class BedForce final : public Instrument {
         double normal = 0.0;
         double sides = 0.0;
         double stems = 0.0;
+        double grains = 0.0;
         for (std::size_t i = 0; i < mass.size(); ++i) {
             if (open_ && !in_channel(parameters_, state.x[i])) {
                 continue;  // water beyond the ends, which moves as it is told
@@ -44,10 +48,12 @@ class BedForce final : public Instrument {
             normal += mass[i] * (*state.wall_z)[i];  // what pushes the water up presses on the bed
             if (space_) sides -= mass[i] * (*state.side_wall_x)[i];
             if (vegetation_) stems -= mass[i] * (*state.vegetation_x)[i];
+            if (porous_) grains -= mass[i] * (*state.porous_x)[i];
         }
         std::vector<double> row = {state.time, drag, wall, normal, total * state.streamwise_gravity};
         if (space_) row.push_back(sides);
         if (vegetation_) row.push_back(stems);
+        if (porous_) row.push_back(grains);
         for (std::size_t k = 0; k < solids_; ++k) {
             const ForceOnSolid force = k < state.solids.size() ? state.solids[k] : ForceOnSolid{};
             row.push_back(force.pressure[0] + force.friction[0]);
@@ -69,6 +75,7 @@ class BedForce final : public Instrument {
     bool open_;   ///< ends
     bool space_;  ///< three dimensions
     bool vegetation_;
+    bool porous_;
     std::size_t solids_;
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "case/porous_zone.hpp"
 #include "particles/lattice.hpp"
 #include "sph/correction.hpp"
 #include "sph/free_surface.hpp"
@@ -155,6 +156,13 @@ FluidViewIn<D>::FluidViewIn(const Case& c, const Particles<D>& particles, double
     const std::size_t n = particles.size();
     for (std::size_t i = 0; i < n; ++i) {
         volume_[i] = particles.mass[i] / (c.fluid.density * (1.0 + particles.density_deviation[i]));
+    }
+    // With the grains around it.
+    if (const PorosityField pores(c); !pores.empty()) {
+        for (std::size_t i = 0; i < n; ++i) {
+            porosity_.push_back(pores.porosity(vector_of(particles.position, i)));
+            volume_[i] /= porosity_[i];
+        }
     }
     for (std::size_t i = 0; i < mirrored_.of.size(); ++i) {
         volume_[n + i] = volume_[mirrored_.of[i]];
@@ -315,7 +323,8 @@ FluidView::Section FluidViewIn<D>::section_at(double x) const {
     Section section{0.0, 0.0};
     weigh_section(x, [&](std::size_t j, double weight) {
         const double area = volume_[j] * weight;
-        section.flow_rate += area * particles_.velocity[0][j];
+        const double of_water = porosity_.empty() ? 1.0 : porosity_[j];
+        section.flow_rate += of_water * area * particles_.velocity[0][j];
         section.depth += area;
     });
     section.depth /= width_;

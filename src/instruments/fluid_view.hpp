@@ -131,7 +131,8 @@ class FluidViewIn final : public FluidView {
     SurfaceDetection detection_;
     double surface_threshold_;
     Mirrored mirrored_;
-    std::vector<double> volume_;  ///< of each particle, m2 or m3; then of each image
+    std::vector<double> volume_;    ///< of each particle, m2 or m3; then of each image
+    std::vector<double> porosity_;  ///< at each particle; empty without porous zones
     ParticleCells<D> cells_;
 };
 

@@ -31,6 +31,7 @@ struct FlowState {
     const SparseValues* wall_z = nullptr;
     const SparseValues* side_wall_x = nullptr;
     const SparseValues* vegetation_x = nullptr;  ///< of the stems, where there are any
+    const SparseValues* porous_x = nullptr;      ///< of the resistance of porous zones, where there are any
     const WorkingValues* pressure = nullptr;
     std::span<const double> shear_stress = {};
     std::span<const ForceOnSolid> solids = {};  ///< so, by solid

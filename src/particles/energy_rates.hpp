@@ -11,6 +11,7 @@ struct EnergyRates {
     double bed_drag = 0.0;           ///< by the drag of the bed
     double side_drag = 0.0;          ///< by that of the side walls
     double vegetation = 0.0;         ///< by the drag of stems
+    double porous = 0.0;             ///< by the resistance of porous zones
     double closure = 0.0;            ///< by the eddy stresses
     double viscosity = 0.0;          ///< by the molecular viscosity, and friction on walls
     double density_diffusion = 0.0;  ///< of the compression, by the density diffusion
@@ -25,7 +26,7 @@ struct EnergyRates {
 
 inline constexpr std::array energy_rate_parts{&EnergyRates::gravity,           &EnergyRates::bed_drag,
                                               &EnergyRates::side_drag,         &EnergyRates::vegetation,
-                                              &EnergyRates::closure,           &EnergyRates::viscosity,
+                                              &EnergyRates::porous,            &EnergyRates::closure,           &EnergyRates::viscosity,
                                               &EnergyRates::density_diffusion, &EnergyRates::pressure,
                                               &EnergyRates::further_forces,    &EnergyRates::solids,
                                               &EnergyRates::kinetic,           &EnergyRates::compression};

@@ -36,6 +36,9 @@ void draw_legend(SvgSheet& sheet, const Case& c, double y) {
     if (!c.vegetation.empty()) {
         swatch(fmt::format(R"(fill="{0}" fill-opacity="0.4" stroke="{0}")", stem_colour), "vegetation");
     }
+    if (!c.porous.empty()) {
+        swatch(fmt::format(R"(fill="{0}" fill-opacity="0.4" stroke="{0}")", porous_colour), "porous zones");
+    }
     if (c.bed.roughness_height > 0.0) {
         swatch(R"(fill="#c2a878" fill-opacity="0.45" stroke="#8a6d3b" stroke-dasharray="3 3")",
                "roughness zone, datum (long dashes)");

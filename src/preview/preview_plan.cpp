@@ -278,6 +278,16 @@ void draw_plan(SvgSheet& sheet, const Case& c, const PreviewPlan& plan, const Sh
                         along * view.scale_u(), std::abs(view.y(right + across) - view.y(right)),
                         fmt::format(R"(fill="{0}" fill-opacity="0.22" stroke="{0}")", stem_colour));
     }
+    for (const Porous& zone : c.porous) {
+        const bool outlined = !zone.x.empty();
+        const double begin = outlined ? Extent(zone.x).low : zone.x_from.value_or(0.0);
+        const double end = outlined ? Extent(zone.x).high : zone.x_to.value_or(length);
+        const double right = zone.y_from.value_or(0.0);
+        const double left = std::min(width, zone.y_to.value_or(width));
+        sheet.rectangle(view.x(begin), std::min(view.y(right), view.y(left)), (end - begin) * view.scale_u(),
+                        std::abs(view.y(left) - view.y(right)),
+                        fmt::format(R"(fill="{0}" fill-opacity="0.3" stroke="{0}")", porous_colour));
+    }
     draw_probes_in_plan(sheet, c, view);
     const double x = view.x(0.06 * length);
     sheet.dimension(x, view.y(0.0), x, view.y(width), plan.unit.text(width));

@@ -9,6 +9,7 @@
 #include "case/end_buffers.hpp"
 #include "case/end_floor.hpp"
 #include "case/outline_check.hpp"
+#include "case/porous_zone.hpp"
 #include "case/solid_mesh.hpp"
 #include "case/solid_shapes.hpp"
 #include "preview/preview_views.hpp"
@@ -39,6 +40,12 @@ class UprightView {
                 draw_stems(patch, patch.x_from.value_or(-beyond), patch.x_to.value_or(length + beyond));
             }
         }
+        for (const Porous& zone : c_.porous) {
+            if (!space_ ||
+                (plan_.y >= zone.y_from.value_or(plan_.y) && plan_.y <= zone.y_to.value_or(plan_.y))) {
+                draw_porous_along(zone);
+            }
+        }
         for (std::size_t k = 0; k < c_.solids.size(); ++k) {
             draw_solid_along(k);
         }
@@ -64,6 +71,15 @@ class UprightView {
         for (const Vegetation& patch : c_.vegetation) {
             if (x >= patch.x_from.value_or(x) && x <= patch.x_to.value_or(x)) {
                 draw_stems(patch, patch.y_from.value_or(0.0), std::min(width, patch.y_to.value_or(width)));
+            }
+        }
+        for (const Porous& zone : c_.porous) {
+            const PorousZone shape(c_, zone);
+            const double top = std::min(shape.top_at(x), plan_.top);
+            const double bottom = std::max(zone.z_from.value_or(0.0), 0.0);
+            if (top > bottom && zone.x.empty()) {
+                rectangle(zone.y_from.value_or(0.0), std::min(width, zone.y_to.value_or(width)), bottom, top,
+                          porous_style());
             }
         }
         for (std::size_t k = 0; k < c_.solids.size(); ++k) {
@@ -162,6 +178,44 @@ class UprightView {
                 u, 0.0, u, patch.height,
                 fmt::format(R"(stroke="{}" stroke-opacity="0.7" stroke-width="{:.1f}")", stem_colour, width));
         }
+    }
+
+    static std::string porous_style() {
+        return fmt::format(R"(fill="{0}" fill-opacity="0.35" stroke="{0}")", porous_colour);
+    }
+
+    /// A porous zone with its name.
+    void draw_porous_along(const Porous& zone) {
+        std::vector<SheetPoint> corners;
+        const double begin = zone.x_from.value_or(0.0);
+        const double end = zone.x_to.value_or(c_.channel.length);
+        const double bottom = std::max(zone.z_from.value_or(0.0), 0.0);
+        if (!zone.x.empty()) {
+            for (std::size_t i = 0; i < zone.x.size(); ++i) {
+                corners.push_back({zone.x[i], zone.z[i]});
+            }
+        } else if (!zone.top_x.empty()) {
+            const PorousZone shape(c_, zone);
+            corners.push_back({begin, bottom});
+            corners.push_back({end, bottom});
+            constexpr int pieces = 200;
+            for (int i = pieces; i >= 0; --i) {
+                const double x = begin + (end - begin) * i / pieces;
+                corners.push_back({x, shape.top_at(x)});
+            }
+        } else {
+            const double top = std::min(zone.z_to.value_or(plan_.top), plan_.top);
+            corners = {{begin, bottom}, {end, bottom}, {end, top}, {begin, top}};
+        }
+        sheet_.polygon(view_, corners, porous_style());
+        double u = 0.0;
+        double v = 0.0;
+        for (const SheetPoint& corner : corners) {
+            u += corner.x / static_cast<double>(corners.size());
+            v += corner.y / static_cast<double>(corners.size());
+        }
+        sheet_.text(view_.x(u), view_.y(v), zone.name,
+                    R"(class="halo" text-anchor="middle" font-weight="600")");
     }
 
     void draw_slices(std::size_t solid, const std::vector<std::vector<SheetPoint>>& polygons) {

@@ -56,6 +56,7 @@ enum Condition : unsigned {
     with_local_depth = 1U << 18U,  ///< turbulence.depth
     slow_correction = 1U << 19U,   ///< numerics.pressure_correction_time
     with_vegetation = 1U << 20U,
+    with_porous_zones = 1U << 21U,
 };
 
 /// Who reads a field.

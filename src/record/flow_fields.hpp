@@ -52,6 +52,11 @@ struct TimeSeries {
     Field vegetation_power =
         series("vegetation_power", {"W/m", "W"}, "work of the vegetation's drag on the water",
                {.written = with_vegetation});
+    Field porous_over_gravity =
+        series("porous_over_gravity", "1", "resistance of porous zones over the weight component",
+               {.written = with_porous_zones});
+    Field porous_power = series("porous_power", {"W/m", "W"}, "work of the resistance of porous zones on the water",
+                                {.written = with_porous_zones});
     Field mean_level = series("mean_level", "m", "mean surface level above the bed level");
     Field maximum_velocity =
         series("maximum_velocity", "m/s", "largest particle speed", {.averaging = Averaging::none});
@@ -204,7 +209,7 @@ struct ProfileFields {
     ProfileField vertical_velocity_rms =
         profile("vertical_velocity_rms", "m/s", "rms fluctuation of w", &Profiles::vertical_velocity_rms);
     ProfileField drag =
-        profile("drag", "N/m3", "drag of bed and vegetation per unit volume", &Profiles::drag);
+        profile("drag", "N/m3", "drag of bed, vegetation and porous zones per unit volume", &Profiles::drag);
     ProfileField spanwise_velocity =
         profile("spanwise_velocity", "m/s", "time-mean spanwise velocity", &Profiles::spanwise_velocity,
                 {.written = three_dimensions, .reader = Reader::users});

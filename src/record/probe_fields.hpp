@@ -202,6 +202,10 @@ struct Forces {
                                   {"drag of the water on the vegetation, downstream, per unit width",
                                    "drag of the water on the vegetation, downstream"},
                                   {.written = with_vegetation});
+    Field porous_drag = force("porous_drag",
+                              {"resistance of porous zones to the water, downstream, per unit width",
+                               "resistance of porous zones to the water, downstream"},
+                              {.written = with_porous_zones});
 };
 inline constexpr Forces forces;
 

@@ -79,6 +79,8 @@ struct Summary {
     Field wall_over_gravity = outcome("wall_over_gravity", "1", "wall force over the weight component");
     Field vegetation_over_gravity = outcome("vegetation_over_gravity", "1", "mean of the series of this name",
                                             {.written = with_vegetation});
+    Field porous_over_gravity = outcome("porous_over_gravity", "1", "mean of the series of this name",
+                                        {.written = with_porous_zones});
     Field mean_level = outcome("mean_level", "m", "mean surface level above the bed level");
     Field velocity_fluctuation = outcome("velocity_fluctuation", "m/s", "mean of the series of this name");
     Field particle_order = outcome("particle_order", "1", "mean of the series of this name");

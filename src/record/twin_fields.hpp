@@ -50,6 +50,9 @@ struct ColumnNumbers {
     Field vegetation_share =
         column_number("vegetation_share", "1", "drag of the vegetation over the weight component",
                       {.written = with_vegetation});
+    Field porous_share =
+        column_number("porous_share", "1", "resistance of porous zones over the weight component",
+                      {.written = with_porous_zones});
     Field friction_factor =
         column_number("friction_factor", "1", "friction factor", {.reader = Reader::users});
     Field manning = column_number("manning", "s/m^(1/3)", "Manning's n", {.reader = Reader::users});
@@ -94,6 +97,9 @@ struct SectionNumbers {
     Field vegetation_share =
         section_number("vegetation_share", "1", "drag of the vegetation over the weight component",
                        {.written = with_vegetation});
+    Field porous_share =
+        section_number("porous_share", "1", "resistance of porous zones over the weight component",
+                       {.written = with_porous_zones});
     Field bed_stress = section_number("bed_stress", "Pa", "mean stress on the bed");
     Field wall_stress = section_number("wall_stress", "Pa", "mean stress on the side walls");
     Field side_wall_coefficient = section_number("side_wall_coefficient", "1/m", "beta of the walls' layers",

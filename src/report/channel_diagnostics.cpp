@@ -25,6 +25,7 @@ class ChannelRows : public DiagnosticRows {
           space_(data.flow.channel.dimensions == 3),
           bodies_(!data.flow.solids.empty()),
           vegetation_(!data.flow.vegetation.empty()),
+          porous_(!data.flow.porous.empty()),
           open_(data.flow.channel.ends == Ends::open) {}
 
     void interval() {
@@ -105,9 +106,11 @@ class ChannelRows : public DiagnosticRows {
         if (!drag || data_.flow.channel.slope <= 0) return;
         const double wall = value(fields::summary.wall_over_gravity).value_or(0.0);
         const double share = *drag + wall + value(fields::summary.side_wall_over_gravity).value_or(0.0) +
-                             value(fields::summary.vegetation_over_gravity).value_or(0.0);
+                             value(fields::summary.vegetation_over_gravity).value_or(0.0) +
+                             value(fields::summary.porous_over_gravity).value_or(0.0);
         add({"force_budget",
              bodies_       ? "Force on bed, walls and bodies over the weight component"
+             : porous_     ? "Resistance of porous zones, bed drag and wall friction over the weight component"
              : vegetation_ ? "Drag of vegetation and bed and wall friction over the weight component"
                            : "Drag and wall friction over the weight component",
              percent(share), "100 ± 1 %",
@@ -325,6 +328,7 @@ class ChannelRows : public DiagnosticRows {
     bool space_;
     bool bodies_;
     bool vegetation_;
+    bool porous_;
     bool open_;  ///< ends
 };
 

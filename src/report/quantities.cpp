@@ -243,6 +243,14 @@ void add_forces(Table& table, const ReportData& data) {
                              ? find_value(data.section, fields::section_numbers.vegetation_share)
                              : find_value(data.column, fields::column_numbers.vegetation_share))});
     }
+    if (const auto grains = find_value(data.summary, fields::summary.porous_over_gravity)) {
+        table.add(row_of("porous_over_gravity", "Resistance of porous zones / weight component", "", "1"),
+                  {plain(grains),
+                   {},
+                   plain(data.flow.has_side_walls()
+                             ? find_value(data.section, fields::section_numbers.porous_share)
+                             : find_value(data.column, fields::column_numbers.porous_share))});
+    }
     // A bed that acts by its elements alone has no wall friction to report.
     const auto wall = find_value(data.summary, fields::summary.wall_over_gravity);
     const auto column_wall = find_value(data.column, fields::column_numbers.wall_share);
@@ -257,7 +265,8 @@ void add_forces_on_bodies(Table& table, const ReportData& data, const Analysis& 
          {std::pair{of.drag_over_gravity, "Drag of the bed elements / weight component"},
           std::pair{of.wall_over_gravity, "Force of walls and bodies / weight component"},
           std::pair{of.side_wall_over_gravity, "Drag of the side walls / weight component"},
-          std::pair{of.vegetation_over_gravity, "Drag of the vegetation / weight component"}}) {
+          std::pair{of.vegetation_over_gravity, "Drag of the vegetation / weight component"},
+          std::pair{of.porous_over_gravity, "Resistance of porous zones / weight component"}}) {
         const auto value = find_value(data.summary, field);
         if (value.value_or(0.0) != 0.0) table.add(row_of(field.name, label, "", "1"), {plain(value), {}, {}});
     }

@@ -30,6 +30,7 @@ void complete_column(ReportData& data) {
     set(of.drag_share, column.drag_share);
     set(of.wall_share, column.wall_share);
     if (!data.flow.vegetation.empty()) set(of.vegetation_share, column.vegetation_share);
+    if (!data.flow.porous.empty()) set(of.porous_share, column.porous_share);
     set(of.relaxation_time, column.relaxation_time);
     if (column.log_law.valid) {
         set(of.equivalent_roughness, column.log_law.equivalent_roughness);

@@ -14,6 +14,7 @@
 #include "output/file_update.hpp"
 #include "output/results_file.hpp"
 #include "particles/lattice.hpp"
+#include "roughness/porous_resistance.hpp"
 #include "roughness/vegetation.hpp"
 #include "solver/profile_blocks.hpp"
 #include "solver/recorder.hpp"
@@ -207,6 +208,21 @@ Forecast forecast_in(const Case& c) {
         const ReferenceDrag reference = reference_drag(c, stems);
         f.vegetation.push_back({stems.name, stems.frontal_area(), stems.solid_fraction(), reference.speed,
                                 reference.drag_coefficient, displacement_height(stems)});
+    }
+    for (const Porous& zone : c.porous) {
+        const PorousResistance resistance(zone, c.fluid.kinematic_viscosity);
+        // On a slope that under the weight, else that of a tenth of it.
+        constexpr double gradient_without_slope = 0.1;
+        const double gravity = c.streamwise_gravity() > 0.0 ? c.streamwise_gravity()
+                                                            : gradient_without_slope * c.fluid.gravity;
+        const double q = resistance.discharge_at(gravity);
+        const bool resists = std::isfinite(q);
+        f.porous.push_back({zone.name, zone.porosity, permeability_of(zone), resistance.quadratic(),
+                            resists ? q : 0.0,
+                            resists && c.fluid.kinematic_viscosity > 0.0
+                                ? q * grain_size_of(zone) / c.fluid.kinematic_viscosity
+                                : 0.0,
+                            resists ? resistance.quadratic() * q * q / resistance.of(q) : 0.0});
     }
     if (f.relaxation_time) {
         if (c.run.until == RunUntil::converged) {

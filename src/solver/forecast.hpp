@@ -31,6 +31,17 @@ struct VegetationForecast {
     double displacement = 0.0;  ///< where the mixing length above the stems begins, above the bed level, m
 };
 
+/// What follows from the keys of a porous zone.
+struct PorousForecast {
+    std::string name;
+    double porosity = 0.0;
+    double permeability = 0.0;     ///< K, m2; infinite where nothing resists
+    double quadratic = 0.0;        ///< what multiplies |q| q in the resistance, 1/m
+    double speed = 0.0;            ///< discharge of an area q, a likely one, m/s
+    double reynolds = 0.0;         ///< of the grains, q d/nu, at it
+    double quadratic_share = 0.0;  ///< of the resistance at it
+};
+
 /// What a part of the records of a run takes.
 struct RecordForecast {
     std::string name;
@@ -59,6 +70,7 @@ struct Forecast {
     std::vector<RecordForecast> parts;  ///< of disk_bytes
     std::optional<double> relaxation_time;
     std::vector<VegetationForecast> vegetation;
+    std::vector<PorousForecast> porous;
     std::vector<ProbeForecast> probes;
     std::vector<std::string> probe_notes;  ///< what the standard instruments leave out, and why
 };

@@ -62,6 +62,7 @@ FlowState flow_state(const SimulationIn<D>& simulation, const FluidView* fluid) 
             .wall_z = &fields.wall_acceleration_z,
             .side_wall_x = &fields.side_wall_acceleration_x,
             .vegetation_x = &fields.vegetation_acceleration_x,
+            .porous_x = &fields.porous_acceleration_x,
             .pressure = &fields.pressure,
             .shear_stress = fields.shear_stress,
             .solids = simulation.solid_forces(),

@@ -17,7 +17,8 @@ namespace riffle {
 
 namespace {
 
-void add_column(Content& content, const ColumnResult& column, int dimensions, bool with_vegetation) {
+void add_column(Content& content, const ColumnResult& column, const Case& c) {
+    const int dimensions = c.channel.dimensions;
     const ColumnProfile& p = column.profile;
     const auto profile = [&](const Field& field, const std::vector<double>& values) {
         add_field(content, field, dimensions, values);
@@ -39,7 +40,8 @@ void add_column(Content& content, const ColumnResult& column, int dimensions, bo
     number(numbers.zero_plane, column.log_law.zero_plane);
     number(numbers.drag_share, column.drag_share);
     number(numbers.wall_share, column.wall_share);
-    if (with_vegetation) number(numbers.vegetation_share, column.vegetation_share);
+    if (!c.vegetation.empty()) number(numbers.vegetation_share, column.vegetation_share);
+    if (!c.porous.empty()) number(numbers.porous_share, column.porous_share);
     number(numbers.friction_factor, column.friction_factor);
     number(numbers.manning, column.manning);
     number(numbers.chezy, column.chezy);
@@ -48,8 +50,8 @@ void add_column(Content& content, const ColumnResult& column, int dimensions, bo
     number(numbers.relaxation_time, column.relaxation_time);
 }
 
-/// `density`: of the water, kg/m3.
-void add_section(Content& content, const SectionResult& section, double density, bool with_vegetation) {
+void add_section(Content& content, const SectionResult& section, const Case& c) {
+    const double density = c.fluid.density;
     add_field(content, fields::section.y, 3, section.y);
     add_field(content, fields::section.z, 3, section.z);
     const auto plane = [&](const Field& field, const std::vector<double>& values) {
@@ -69,7 +71,8 @@ void add_section(Content& content, const SectionResult& section, double density,
     number(numbers.discharge, section.discharge);
     number(numbers.drag_share, section.drag_share);
     number(numbers.side_wall_share, section.side_wall_share);
-    if (with_vegetation) number(numbers.vegetation_share, section.vegetation_share);
+    if (!c.vegetation.empty()) number(numbers.vegetation_share, section.vegetation_share);
+    if (!c.porous.empty()) number(numbers.porous_share, section.porous_share);
     number(numbers.bed_stress, section.bed_stress);
     number(numbers.wall_stress, section.wall_stress);
     number(numbers.side_wall_coefficient, section.side_wall_coefficient);
@@ -103,10 +106,10 @@ Content run_head(const Case& c, const Twins& twins) {
     add_field(content, file.created, fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))));
     content.datasets.push_back(case_dataset(c));
     if (twins.column) {
-        add_column(content, *twins.column, c.channel.dimensions, !c.vegetation.empty());
+        add_column(content, *twins.column, c);
     }
     if (twins.section) {
-        add_section(content, *twins.section, c.fluid.density, !c.vegetation.empty());
+        add_section(content, *twins.section, c);
     }
     return content;
 }

@@ -367,6 +367,9 @@ void RunSession<D>::report_progress() {
     if (!case_.vegetation.empty()) {
         progress.drag_over_gravity += series.last(fields::time_series.vegetation_over_gravity);
     }
+    if (!case_.porous.empty()) {
+        progress.drag_over_gravity += series.last(fields::time_series.porous_over_gravity);
+    }
     progress.particle_order = series.last(fields::time_series.particle_order);
     progress.velocity_fluctuation = series.last(fields::time_series.velocity_fluctuation);
     progress.density_deviation_maximum = series.last(fields::time_series.density_deviation_maximum);

@@ -33,7 +33,7 @@ struct Layer {
 struct Totals {
     double mass = 0.0, momentum = 0.0, above = 0.0, above_mass = 0.0, energy = 0.0;
     double drag = 0.0, wall = 0.0, pairs = 0.0;
-    double vegetation = 0.0, side_wall = 0.0, centre = 0.0, centre_mass = 0.0, secondary = 0.0;
+    double vegetation = 0.0, porous = 0.0, side_wall = 0.0, centre = 0.0, centre_mass = 0.0, secondary = 0.0;
     double potential = 0.0, elastic = 0.0, volume = 0.0;
     double fastest = 0.0;
     std::int64_t particles = 0;
@@ -46,7 +46,7 @@ struct Totals {
     void add(const Totals& other) {
         for (double Totals::*const sum :
              {&Totals::mass, &Totals::momentum, &Totals::above, &Totals::above_mass, &Totals::energy,
-              &Totals::drag, &Totals::wall, &Totals::pairs, &Totals::vegetation, &Totals::side_wall,
+              &Totals::drag, &Totals::wall, &Totals::pairs, &Totals::vegetation, &Totals::porous, &Totals::side_wall,
               &Totals::centre, &Totals::centre_mass, &Totals::secondary, &Totals::potential, &Totals::elastic,
               &Totals::volume}) {
             this->*sum += other.*sum;
@@ -121,6 +121,7 @@ Totals sums_over(const SimulationIn<D>& simulation, const Case& c, std::size_t b
         sum.above_mass += above;
         sum.drag -= mass * f.drag_acceleration_x[i];
         sum.vegetation -= mass * f.vegetation_acceleration_x[i];
+        sum.porous -= mass * f.porous_acceleration_x[i];
         sum.wall -= mass * f.wall_acceleration_x[i];
         sum.pairs += mass * (f.pair_acceleration_x[i] + f.viscous_acceleration_x[i]);
         sum.s_low = std::min(sum.s_low, p.density_deviation[i]);
@@ -164,7 +165,8 @@ TimeSeries::TimeSeries(const Case& c) : case_(c), end_floors_(end_floors(c)) {
     for (const Field& field : fields_of(fields::time_series)) {
         const bool written = (field.written & three_dimensions) == 0 || c.channel.dimensions == 3;
         const bool grown = (field.written & with_vegetation) == 0 || !c.vegetation.empty();
-        if (written && grown && ((field.written & with_open_ends) == 0 || c.channel.ends == Ends::open)) {
+        const bool filled = (field.written & with_porous_zones) == 0 || !c.porous.empty();
+        if (written && grown && filled && ((field.written & with_open_ends) == 0 || c.channel.ends == Ends::open)) {
             columns_.push_back({.field = field, .values = {}});
         }
     }
@@ -242,7 +244,7 @@ void TimeSeries::sample(const SimulationIn<D>& simulation, double mean_level) {
     add(series.drag_over_gravity, over_weight(sum.drag));
     add(series.wall_over_gravity, over_weight(sum.wall));
     add(series.acceleration_over_gravity,
-        over_weight(weight + sum.pairs - sum.drag - sum.side_wall - sum.vegetation));
+        over_weight(weight + sum.pairs - sum.drag - sum.side_wall - sum.vegetation - sum.porous));
     add(series.mean_level, mean_level);
     add(series.maximum_velocity, std::sqrt(sum.fastest));
     add(series.density_deviation_minimum, sum.s_low);
@@ -270,6 +272,10 @@ void TimeSeries::sample(const SimulationIn<D>& simulation, double mean_level) {
     if (!case_.vegetation.empty()) {
         add(series.vegetation_over_gravity, over_weight(sum.vegetation));
         add(series.vegetation_power, rates.vegetation);
+    }
+    if (!case_.porous.empty()) {
+        add(series.porous_over_gravity, over_weight(sum.porous));
+        add(series.porous_power, rates.porous);
     }
     if (case_.channel.ends == Ends::open) {
         sample_ends(simulation);

@@ -170,6 +170,9 @@ void SimulationOf<D, Real>::evaluate_gradients(Task& task, const Stage& stage, s
     }
     flow_.particle_loops.stress(flow_.particle_data, flow_.data, task.sums, task.particles, stage.density,
                                 begin, end);
+    if (!flow_.porous.empty()) {
+        flow_.put_media_in_stress(begin, end);
+    }
     method_->keep_rates(flow_, task, begin, end);
     if (flow_.keep_fields) {
         keep_stress_fields(task, begin, end);
@@ -221,6 +224,11 @@ void SimulationOf<D, Real>::evaluate_forces(Task& task, const Stage& stage, std:
             along_axis.fill(0.0);
         }
     }
+    if (!flow_.porous.empty()) {
+        for (auto& along_axis : task.porous_acceleration) {
+            along_axis.fill(0.0);
+        }
+    }
     for (const auto& component : components_) {
         component->add_forces(flow_, task, begin, end);
     }
@@ -237,8 +245,7 @@ template <int D, class Real>
 void SimulationOf<D, Real>::pack(std::size_t begin, std::size_t end) {
     // A faulty position may have no integer code; it is reported by gather_motion().
     if (!flow_.block_advance[begin / block_clusters].fault || can_be_packed(begin, end)) {
-        flow_.particle_loops.pack(flow_.particle_data, flow_.data,
-                                  finds_displacements_ ? &flow_.moved : nullptr, begin, end);
+        flow_.pack(finds_displacements_ ? &flow_.moved : nullptr, begin, end);
     }
 }
 
@@ -293,6 +300,8 @@ void SimulationOf<D, Real>::keep_force_fields(const Task& task, std::size_t begi
         fields.drag_acceleration_x.set(i, inputs.drag ? work.drag_force[lane] : 0.0);
         fields.vegetation_acceleration_x.set(
             i, flow_.with_vegetation ? task.vegetation_acceleration[0][lane] : 0.0);
+        fields.porous_acceleration_x.set(i,
+                                         flow_.porous.empty() ? 0.0 : task.porous_acceleration[0][lane]);
         if constexpr (D == 3) {
             const bool side = flow_.with_side_drag;
             fields.drag_acceleration_y.set(i, inputs.drag ? work.drag_force_across[lane] : 0.0);

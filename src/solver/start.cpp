@@ -8,6 +8,7 @@
 #include "case/end_floor.hpp"
 #include "case/flow_kind.hpp"
 #include "case/outline.hpp"
+#include "case/porous_zone.hpp"
 #include "ends/end_input.hpp"
 #include "particles/lattice.hpp"
 #include "solver/start_packing.hpp"
@@ -177,6 +178,9 @@ Particles<D> initial_particles(const Case& c, const Scheme& scheme, const Column
         extra_pressure.assign(n, c.channel.lid_velocity * c.channel.lid_velocity);
     }
     const Domain<D> domain = domain_of<D>(c);
+    // The lattice stands in porous zones as elsewhere: with the grains around it a particle takes up the same
+    // room, of which its mass is that of the water.
+    const PorosityField pores(c);
     for (std::size_t i = 0; i < n; ++i) {
         const bool drawn_out = open && c.start.water_x.empty();  // rows to the depth of each column
         const double surface = drawn_out ? open->depth(particles.position[0][i])
@@ -187,6 +191,9 @@ Particles<D> initial_particles(const Case& c, const Scheme& scheme, const Column
         const double row_share = drawn_out ? rows_below(lattice, surface).height / lattice.dz : 1.0;
         const double share = packing.share.empty() ? row_share : packing.share[i];
         particles.mass[i] = scheme.density * (1.0 + s) * (share * lattice.volume<D>());
+        if (!pores.empty()) {
+            particles.mass[i] *= pores.porosity(vector_of(particles.position, i));
+        }
         if (c.start.kind == StartKind::section) {
             if constexpr (D == 3) {
                 particles.velocity[0][i] = section(particles.position[1][i], particles.position[2][i]);

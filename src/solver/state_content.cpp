@@ -250,6 +250,12 @@ Particles<D> particles_from_results(const Case& c, const Scheme& scheme, const R
             file_name, other.channel.length, other.total_depth(), other.numerics.spacing, c.channel.length,
             c.total_depth(), c.numerics.spacing));
     }
+    if (other.porous != c.porous) {
+        throw InputError(fmt::format(
+            "[start] file = \"{}\" was run with other [[porous]] zones: its particles fill other pores; start from "
+            "a run of the same zones, or from the column",
+            file_name));
+    }
     const std::vector<std::size_t> shape = results.shape(state.id.path());
     const std::size_t n = shape.empty() ? 0 : shape[0];
     const auto doubles = [&](const std::string& path) {

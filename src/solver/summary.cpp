@@ -214,6 +214,9 @@ Numbers summarise(const Case& c, const Twins& twins, const TimeSeries& series, c
     if (!c.vegetation.empty()) {
         set_mean(outcomes.vegetation_over_gravity, of_series.vegetation_over_gravity);
     }
+    if (!c.porous.empty()) {
+        set_mean(outcomes.porous_over_gravity, of_series.porous_over_gravity);
+    }
     set_mean(outcomes.mean_level, of_series.mean_level);
     set_mean(outcomes.velocity_fluctuation, of_series.velocity_fluctuation);
     set_mean(outcomes.particle_order, of_series.particle_order);

@@ -48,6 +48,7 @@ const std::vector<TwinName>& twin_names() {
         {of.wall_over_gravity, column.wall_share, std::nullopt},
         {of.side_wall_over_gravity, std::nullopt, section.side_wall_share},
         {of.vegetation_over_gravity, column.vegetation_share, section.vegetation_share},
+        {of.porous_over_gravity, column.porous_share, section.porous_share},
     };
     return names;
 }
@@ -168,6 +169,8 @@ const std::vector<Outcome>& known_outcomes() {
         {of.wall_over_gravity.name, "wall force over weight component", "1", "1", 1, value, false},
         {of.side_wall_over_gravity.name, "side walls' drag over weight component", "1", "1", 1, value, false},
         {of.vegetation_over_gravity.name, "vegetation's drag over weight component", "1", "1", 1, value,
+         false},
+        {of.porous_over_gravity.name, "resistance of porous zones over weight component", "1", "1", 1, value,
          false},
         {of.mean_level.name, "mean surface level", "m", "mm", 1e3, value, true, true},
         {surface_deviation, "standard deviation of the surface", "m", "mm", 1e3, value, true, true},

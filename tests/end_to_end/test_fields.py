@@ -19,6 +19,13 @@ stems_per_area = "400 1/m2"
 stem_diameter = "6 mm"
 height = "30 mm"
 '''
+POROUS = '''
+[[porous]]
+name = "gravel"
+porosity = 0.4
+grain_size = "5 mm"
+z_to = "25 mm"
+'''
 CONDUIT = {"three_dimensions", "free_surface", "column_twin", "section_twin", "closure", "spheres", "asked", "end", "profiles", "slope"}
 # What hangs on the numbers of the run; it may be written, and may not.
 MAYBE = {"samples", "fitted"}
@@ -27,6 +34,7 @@ ELSEWHERE = {
     ("/", "failure"): "a sweep, of runs that failed",
     ("/column", "total_mean_velocity"): "a sweep, as the twin of an outcome",
     ("/column", "vegetation_share"): "the forces of channels without side walls",
+    ("/column", "porous_share"): "so",
     ("/section", "bulk_velocity"): "a sweep in three dimensions, as the twin of an outcome",
     ("/summary", "secondary_velocity"): "a sweep in three dimensions",
     ("/summary", "lost_share"): "the diagnostics, where water was lost",
@@ -49,7 +57,8 @@ class Fields(CommandLineTest):
         cls.shared = Path(tempfile.mkdtemp(prefix="riffle-fields-"))
         cls.addClassCleanup(shutil.rmtree, cls.shared, ignore_errors=True)
         cls.groups = json.loads(riffle("schema", "--results").stdout)["groups"]
-        plane, space, bare = (cls.shared / f"{name}.toml" for name in ("plane", "space", "bare"))
+        plane, space, bare, bed = (cls.shared / f"{name}.toml" for name in ("plane", "space", "bare", "bed"))
+        bed.write_text(SPACE_CASE + POROUS)
         bare.write_text(SPACE_CASE)
         plane.write_text(CASE.read_text() + PROBES + FREQUENCY)
         space.write_text(SPACE_CASE + SPACE_PROBES + FREQUENCY + VEGETATION)
@@ -60,6 +69,7 @@ class Fields(CommandLineTest):
                       {"free_surface", "column_twin", "no_section_twin", "closure", "asked", "end", "profiles", "slope"}),
             "space": ([space, *until(0.5), *snapshots, "--set", "channel.sides=half", "--set", 'channel.width="86.6 mm"',
                        "--set", "start.kind=section"], CONDUIT | {"vegetation"}),
+            "bed": ([bed, *until(0.5), *snapshots, "--set", "channel.sides=half", "--set", 'channel.width="86.6 mm"'], CONDUIT | {"porous"}),
             "gate": ([SOURCE / "cases/checks/gate.toml", "--set", "numerics.spacing=5mm", *until(0.35), *every(snapshot=0.1)],
                      {"free_surface", "no_section_twin", "solids", "moving_solids", "asked", "end", "profiles"}),
             "block": ([SOURCE / "cases/violent/box-3d.toml", "--set", "numerics.spacing=40mm", "--set",

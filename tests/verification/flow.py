@@ -114,7 +114,7 @@ def momentum_budget(flow):
     span = [first.time, last.time]
     force = flow.forces
     weight = flow.mass.sum() * flow.gravity_z
-    held = [force[name] for name in ("bed_drag", "wall_force", "vegetation_drag") if name in force]
+    held = [force[name] for name in ("bed_drag", "wall_force", "vegetation_drag", "porous_drag") if name in force]
     along = force["weight_component"] - sum(held)
     sizes = numpy.abs(force["weight_component"]) + sum(numpy.abs(each) for each in held)
     change_x = (flow.mass * (last.u - first.u)).sum() - _impulse(flow, span, along)

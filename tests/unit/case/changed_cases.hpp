@@ -169,6 +169,38 @@ inline Case with_vegetation() {
     return c;
 }
 
+/// Two porous zones one behind the other.
+inline Case with_porous() {
+    Case c = tank();
+    c.numerics.wall = WallKind::dummy;
+    Porous gravel;
+    gravel.name = "gravel";
+    gravel.porosity = 0.4;
+    gravel.grain_size = 0.003;
+    gravel.x_from = 0.05;
+    gravel.x_to = 0.1;
+    Porous sand;
+    sand.name = "sand";
+    sand.porosity = 0.3;
+    sand.permeability = 1e-9;
+    sand.x_from = 0.1;
+    sand.x_to = 0.15;
+    c.porous = {gravel, sand};
+    return c;
+}
+
+/// A porous zone with an outline.
+inline Case with_porous_outline() {
+    Case c = with_porous();
+    c.porous.pop_back();
+    Porous& zone = c.porous.front();
+    zone.x_from.reset();
+    zone.x_to.reset();
+    zone.x = {0.05, 0.1, 0.1, 0.05};
+    zone.z = {0.0, 0.0, 0.03, 0.03};
+    return c;
+}
+
 inline Case with_solid() {
     Case c = tank();
     Solid weir;

@@ -32,6 +32,8 @@ using test::plates;
 using test::tank;
 using test::with_keys;
 using test::with_mesh;
+using test::with_porous;
+using test::with_porous_outline;
 using test::with_probe;
 using test::with_shape;
 using test::with_solid;
@@ -294,6 +296,47 @@ std::vector<Wrong> wrong_vegetation() {
     };
 }
 
+std::vector<Wrong> wrong_porous() {
+    Case beside_solid = with_solid();
+    beside_solid.porous = with_porous().porous;
+    beside_solid.porous.pop_back();
+    beside_solid.porous.front().x_from = 0.12;
+    beside_solid.porous.front().x_to = 0.16;
+    Case between_ends = open_channel();
+    between_ends.porous = with_porous().porous;
+    return {
+        {with_porous(), "channel.ends = periodic; channel.top = periodic; fluid.gravity = 0"},
+        {with_porous(),
+         "vegetation[0].name = reeds; vegetation[0].stems_per_area = 400; vegetation[0].stem_diameter = 6 mm; vegetation[0].height = 30 mm"},
+        {with_porous(), "numerics.pressure_form = symmetric"},
+        {with_porous(), "numerics.stepping = verlet"},
+        {with_porous(), "numerics.wall = dynamic"},
+        {with_porous(), "numerics.viscosity = lo-shao"},
+        {with_porous(), "turbulence.closure = nezu-rodi; numerics.eddy_stress = stress-divergence"},
+        {with_porous(), "numerics.xsph = 0.1; numerics.stepping = semi-implicit-euler"},
+        {with_porous(), "numerics.density_filter = shepard"},
+        {with_porous(), "porous[1].name = \"\""},
+        {with_porous(), "porous[1].name = gravel"},
+        {with_porous(), "porous[0].permeability = 1e-9"},
+        {with_porous(), "porous[1].permeability = none"},
+        {with_porous(), "porous[0].forchheimer = 0.5"},
+        {with_porous(), "porous[1].laminar_coefficient = 180"},
+        {with_porous(), "porous[0].x = [0.05, 0.1, 0.1]; porous[0].z = [0, 0, 0.03]"},
+        {with_porous_outline(), "porous[0].x = [0.05, 0.1, 0.1]"},
+        {with_porous_outline(), "porous[0].x = [0.05, 0.1]; porous[0].z = [0, 0.03]"},
+        {with_porous_outline(), "porous[0].z = [0, 0.03, 0, 0.03]"},
+        {with_porous(), "porous[0].top_x = [0.05, 0.1]; porous[0].top_z = 0.03"},
+        {with_porous(), "porous[0].top_x = [0.1, 0.05]; porous[0].top_z = [0.03, 0.03]"},
+        {with_porous(), "porous[1].x_to = 0.3"},
+        {with_porous(), "porous[0].z_from = 0.02; porous[0].z_to = 0.01"},
+        {with_porous(), "porous[0].x_from = 99 mm"},
+        {with_porous(), "porous[0].grain_size = 60 mm"},
+        {between_ends, "porous[0].x_from = 10 mm"},
+        {beside_solid, "porous[0].x_from = 0.1"},
+        {with_porous(), "porous[0].x_to = 120 mm"},
+    };
+}
+
 std::vector<Wrong> wrong_probes() {
     using enum ProbeKind;
     Case on_circle = with_shape(SolidShape::circle);
@@ -336,7 +379,8 @@ std::vector<Wrong> wrong_probes() {
 std::vector<Wrong> all_wrongs() {
     std::vector<Wrong> all;
     for (auto* const wrongs : {wrong_geometry, wrong_open_ends, wrong_methods, wrong_starts_and_runs,
-                               wrong_solids, wrong_shapes, wrong_vegetation, wrong_probes}) {
+                               wrong_solids, wrong_shapes, wrong_vegetation, wrong_porous,
+                               wrong_probes}) {
         for (Wrong& wrong : wrongs()) {
             all.push_back(std::move(wrong));
         }

@@ -1,0 +1,157 @@
+// Where porous zones are, and how their porosity changes at their edges.
+
+#include "case/porous_zone.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "case/flow_kind.hpp"
+#include "changed_cases.hpp"
+
+namespace riffle::porous_zone_test {
+namespace {
+
+Porous medium(double porosity) {
+    Porous zone;
+    zone.name = "medium";
+    zone.porosity = porosity;
+    zone.permeability = 1e-8;
+    zone.edge = 0.01;
+    return zone;
+}
+
+Case with_zone(Porous zone) {
+    Case c = test::tank();
+    c.channel.length = 0.2;
+    c.porous = {std::move(zone)};
+    return c;
+}
+
+/// Mean of 1 - n over a stretch of x at a height.
+double mean_solid(const PorosityField& field, double from, double to, double z) {
+    constexpr int places = 4000;
+    double sum = 0.0;
+    for (int i = 0; i < places; ++i) {
+        sum += 1.0 - field.porosity(from + (i + 0.5) / places * (to - from), 0.0, z);
+    }
+    return sum / places;
+}
+
+TEST(PorousZone, HasHalfOfItsSolidAtAnEdgeAndAllOfItWithin) {
+    Porous zone = medium(0.4);
+    zone.x_from = 0.05;
+    zone.x_to = 0.1;
+    const PorosityField field(with_zone(zone));
+    EXPECT_NEAR(field.porosity(0.05, 0.0, 0.02), 0.7, 1e-12);
+    EXPECT_NEAR(field.porosity(0.075, 0.0, 0.02), 0.4, 1e-12);
+    EXPECT_EQ(field.porosity(0.04, 0.0, 0.02), 1.0);
+    // What the edges take from one side they give to the other.
+    EXPECT_NEAR(mean_solid(field, 0.0, 0.2, 0.02), 0.6 * 0.05 / 0.2, 1e-6);
+}
+
+TEST(PorousZone, ThinnerThanItsEdgeKeepsItsSolid) {
+    Porous zone = medium(0.4);
+    zone.x_from = 0.098;
+    zone.x_to = 0.102;
+    EXPECT_NEAR(mean_solid(PorosityField(with_zone(zone)), 0.0, 0.2, 0.02), 0.6 * 0.004 / 0.2, 1e-6);
+}
+
+TEST(PorousZone, HasNoEdgeAtEndsAndBed) {
+    Porous zone = medium(0.4);
+    zone.x_from = 0.0;
+    zone.x_to = 0.1;
+    zone.z_from = 0.0;
+    const PorosityField field(with_zone(zone));
+    EXPECT_NEAR(field.porosity(0.0, 0.0, 0.0), 0.4, 1e-12);
+    EXPECT_NEAR(field.porosity(0.0, 0.0, 1.0), 0.4, 1e-12);
+    EXPECT_NEAR(field.porosity(0.1, 0.0, 0.0), 0.7, 1e-12);
+}
+
+TEST(PorousZone, HasNoEdgeAtASolidAndEndsThere) {
+    Case c = test::with_solid();  // from x = 80 to 120 mm, 30 mm high
+    Porous zone = medium(0.4);
+    zone.x_from = 0.04;
+    zone.x_to = 0.08;
+    zone.z_to = 0.02;
+    c.porous = {zone};
+    const PorosityField field(c);
+    EXPECT_NEAR(field.porosity(0.0799, 0.0, 0.005), 0.4, 1e-12);
+    EXPECT_EQ(field.porosity(0.125, 0.0, 0.005), 1.0);
+    // Not so where the solid ends below the zone.
+    c.porous.front().z_to = 0.05;
+    EXPECT_NEAR(PorosityField(c).porosity(0.08, 0.0, 0.005), 0.7, 1e-12);
+}
+
+TEST(PorousZone, ByAnOutlineIsThatOfTheBox) {
+    Porous box = medium(0.4);
+    box.x_from = 0.05;
+    box.x_to = 0.1;
+    box.z_to = 0.03;
+    Porous outlined = medium(0.4);
+    outlined.x = {0.05, 0.1, 0.1, 0.05};
+    outlined.z = {0.0, 0.0, 0.03, 0.03};
+    for (int turn = 0; turn < 2; ++turn) {
+        const PorosityField a(with_zone(box));
+        const PorosityField b(with_zone(outlined));
+        for (const double x : {0.02, 0.049, 0.051, 0.075, 0.1, 0.103}) {
+            EXPECT_NEAR(a.porosity(x, 0.0, 0.0), b.porosity(x, 0.0, 0.0), 1e-12) << x;
+        }
+        for (const double z : {0.0, 0.01, 0.027, 0.03, 0.034, 0.05}) {
+            EXPECT_NEAR(a.porosity(0.075, 0.0, z), b.porosity(0.075, 0.0, z), 1e-12) << z;
+        }
+        std::reverse(outlined.x.begin(), outlined.x.end());
+        std::reverse(outlined.z.begin(), outlined.z.end());
+    }
+}
+
+TEST(PorousZone, HasATopByHeights) {
+    Porous zone = medium(0.4);
+    zone.top_x = {0.0, 0.1, 0.2};
+    zone.top_z = {0.02, 0.04, 0.04};
+    const PorousZone shape(with_zone(zone), zone);
+    EXPECT_NEAR(shape.share(0.05, 0.0, 0.03), 0.5, 1e-6);
+    EXPECT_NEAR(shape.share(0.15, 0.0, 0.04), 0.5, 1e-6);
+    EXPECT_TRUE(shape.holds(0.15, 0.0, 0.039));
+    EXPECT_FALSE(shape.holds(0.05, 0.0, 0.031));
+    EXPECT_NEAR(shape.top_at(0.05), 0.03, 1e-12);
+}
+
+TEST(PorousZone, ComesAgainAtPeriodicEnds) {
+    Porous zone = medium(0.4);
+    zone.x_from = 0.15;
+    zone.x_to = 0.2;
+    Case c = with_zone(zone);
+    c.channel.ends = Ends::periodic;
+    const PorosityField field(c);
+    EXPECT_NEAR(field.porosity(0.0, 0.0, 0.02), 0.7, 1e-12);
+    EXPECT_NEAR(field.porosity(0.2, 0.0, 0.02), 0.7, 1e-12);
+    EXPECT_NEAR(field.porosity(0.199, 0.0, 0.02), field.porosity(0.151, 0.0, 0.02), 1e-12);
+}
+
+TEST(PorousZone, ZonesBesideEachOtherMeetWithoutAGap) {
+    const PorosityField field(with_zone(medium(1.0)));
+    EXPECT_EQ(field.porosity(0.1, 0.0, 0.02), 1.0);
+    Case c = test::with_porous();
+    c.porous.back().porosity = 0.4;
+    for (const double x : {0.095, 0.1, 0.1003}) {
+        EXPECT_NEAR(PorosityField(c).porosity(x, 0.0, 0.02), 0.4, 1e-12) << x;
+    }
+}
+
+TEST(PorousZone, AllAlongTheChannelIsALayer) {
+    Porous zone = medium(0.4);
+    zone.z_to = 0.02;
+    Case c = with_zone(zone);
+    EXPECT_FALSE(porosity_varies_along(c));
+    c.channel.ends = Ends::periodic;
+    c.channel.slope = 0.01;
+    EXPECT_EQ(flow_kind(c), FlowKind::uniform_channel);
+    EXPECT_FALSE(why_no_column(c).has_value());
+    c.porous.front().x_from = 0.1;
+    EXPECT_TRUE(porosity_varies_along(c));
+    EXPECT_EQ(flow_kind(c), FlowKind::channel_with_bodies);
+}
+
+}  // namespace
+}  // namespace riffle::porous_zone_test
