@@ -47,11 +47,24 @@ void add_instruments(const FlowRecord& record, const char* kind, Figure figure, 
         "drag), and away from the bed; the weight of still water on their tops is in them.",
         figure.y.unit == "N" ? "of the whole channel" : "per unit width");
     solids.source = "";
+    Figure moments = solids;
+    moments.key = "solid_moments";
+    moments.title = "Moments on the bodies";
+    moments.caption = fmt::format(
+        "Moments of the water's forces on each solid about a point of it (moment_about, else its centroid), {}, "
+        "and those of the pressure on its faces; a positive one about y turns z towards x.",
+        figure.y.unit == "N" ? "of the whole channel" : "per unit width");
+    moments.y = figure.y.unit == "N" ? make_axis("moment", "N m") : make_axis("moment per unit width", "N");
+    const auto is_moment = [](const ScalarProbe& probe) {
+        return probe.quantity.rfind("solid_", 0) == 0 && probe.quantity.find("moment_") != std::string::npos;
+    };
     constexpr std::size_t most = 3000;
     int variant = 0;
     for (const ScalarProbe& probe : record.scalar_probes()) {
-        if (probe.kind != kind || probe.unit != figure.y.unit || probe.value.size() < 2) continue;
-        (probe.quantity.rfind("solid_", 0) == 0               ? solids
+        const std::string& unit = is_moment(probe) ? moments.y.unit : figure.y.unit;
+        if (probe.kind != kind || probe.unit != unit || probe.value.size() < 2) continue;
+        (is_moment(probe)                                     ? moments
+         : probe.quantity.rfind("solid_", 0) == 0             ? solids
          : probe.quantity.find("normal") != std::string::npos ? normal
                                                               : figure)
             .curves.push_back(make_curve(probe.label, record.origin(), Mark::line, thinned(probe.time, most),
@@ -66,6 +79,7 @@ void add_instruments(const FlowRecord& record, const char* kind, Figure figure, 
         analysis.findings.push_back(std::move(finding));
     }
     if (!solids.curves.empty()) analysis.figures.push_back(std::move(solids));
+    if (!moments.curves.empty()) analysis.figures.push_back(std::move(moments));
     if (!figure.curves.empty()) analysis.figures.push_back(std::move(figure));
     if (!normal.curves.empty()) analysis.figures.push_back(std::move(normal));
 }

@@ -56,7 +56,7 @@ const std::map<std::string_view, std::vector<std::string_view>>& keys_of_chapter
           "depth_cross_correlation", "quadrant_profile", "quadrant_holes"}},
         {chapters::forces,
          {"force_history", "force_instruments", "force_instruments_wall_normal", "flow_rate_history",
-          "solid_forces", "pressure_gauges"}},
+          "solid_forces", "solid_moments", "pressure_gauges"}},
         {chapters::energy, {"energy_budget"}},
         {chapters::section,
          {"section_velocity_map", "section_twin_map", "section_secondary_map", "section_stress_map",

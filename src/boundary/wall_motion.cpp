@@ -18,7 +18,9 @@ std::vector<BodyState> WallMotion::at(double time) const {
     bodies[lid_body].velocity[0] = lid_velocity_;
     for (const Solid& solid : solids_) {
         const SolidMotionState state = solid_motion(solid, time);
-        bodies.push_back({state.displacement, state.velocity, state.acceleration});
+        bodies.push_back({.displacement = state.displacement,
+                          .velocity = state.velocity,
+                          .acceleration = state.acceleration});
     }
     return bodies;
 }

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "boundary/body_state.hpp"
 #include "case/case.hpp"
-#include "particles/domain.hpp"
 
 namespace riffle {
 
@@ -13,23 +13,6 @@ namespace riffle {
 inline constexpr std::int32_t resting_body = 0;
 inline constexpr std::int32_t lid_body = 1;
 inline constexpr std::int32_t first_solid = 2;
-
-/// Where a body is against its place at t = 0, and how it moves; SI.
-struct BodyState {
-    Vec<3> displacement{};
-    Vec<3> velocity{};
-    Vec<3> acceleration{};
-};
-
-/// A vector of a body as one of a flow in D dimensions.
-template <int D>
-[[nodiscard]] Vec<D> in_flow(const Vec<3>& v) {
-    if constexpr (D == 3) {
-        return v;
-    } else {
-        return {v[0], v[2]};
-    }
-}
 
 /// The prescribed motion of the walls and solids of a case.
 class WallMotion {

@@ -302,6 +302,7 @@ struct Solid {
     std::optional<double> level;  ///< spheres: height of their centres, m; unset: they lie on the bed
     long long seed = 1;           ///< spheres, random
     SolidSurface surface = SolidSurface::no_slip;
+    std::vector<double> moment_about;  ///< x, y, z of a point of it at t = 0, m; in 2D x, z; empty: centroid
     SolidMotion motion = SolidMotion::fixed;
     double start = 0.0;          ///< time at which it starts to move, s
     std::optional<double> stop;  ///< time at which it stops, s; unset: never

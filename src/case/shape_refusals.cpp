@@ -129,6 +129,15 @@ CheckList shape_refusals() {
              return solid.origin.empty() ? Findings{} : wrong_count(c, "origin", solid.origin);
          },
          true},
+        {{"solid.moment_about"},
+         "`moment_about` without as many values as the case has dimensions",
+         "",
+         "give x, y and z of the point, in two dimensions x and z alone, or remove the key for the centroid",
+         [](const Case& c, const Solid& solid) {
+             return solid.moment_about.empty() ? Findings{}
+                                               : wrong_count(c, "moment_about", solid.moment_about);
+         },
+         true},
         {{"solid.blend", "channel.ends"},
          "`blend` without periodic ends or sides",
          "there is nothing to join",

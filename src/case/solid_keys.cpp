@@ -178,6 +178,14 @@ SectionKeys solid_keys() {
     add_shape_keys(s);
     add_bed_keys(s);
     s.keys.push_back(key("surface", &Solid::surface, "What the water does at it."));
+    s.keys.push_back(
+        key("moment_about", &Solid::moment_about,
+            "Point that the moments of the forces on it are about, where it is at t = 0: x, y and z in three "
+            "dimensions, x and z in two. It moves with the solid.")
+            .measured_in(length)
+            .may_be_empty()
+            .with_default_note("the solid's centroid")
+            .with_example(R"(["120 mm", "0 mm"])"));
     s.keys.push_back(key("motion", &Solid::motion, "Whether and how it moves."));
     s.keys.push_back(key("start", &Solid::start, "Simulated time at which it starts to move.")
                          .measured_in(time)

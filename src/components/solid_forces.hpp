@@ -3,19 +3,28 @@
 #include <algorithm>
 #include <vector>
 
+#include "boundary/solid_surface.hpp"
 #include "boundary/wall_motion.hpp"
+#include "case/solid_volume.hpp"
+#include "components/solid_feet.hpp"
 #include "engine/component.hpp"
 #include "engine/pass_order.hpp"
 
 namespace riffle {
 
-/// The forces of the water on each solid, in steps that keep the fields: the force pass again, with the walls
-/// of one solid and no fluid.
+/// The forces of the water on each solid and their moments, in steps that keep the fields: the force pass
+/// again, with the walls of one solid and no fluid.
 template <int D, class Real>
 class SolidForces final : public Component<D, Real> {
   public:
     using typename Component<D, Real>::Flow;
     using typename Component<D, Real>::Task;
+
+    explicit SolidForces(const Case& c) : surfaces_(c) {
+        for (const Solid& solid : c.solids) {
+            points_.push_back(moment_point(c, solid));
+        }
+    }
 
     void begin_step(Flow& flow, double /*dt*/) override {
         if (flow.keep_fields && listed_ != flow.clock.list_builds) {
@@ -32,7 +41,6 @@ class SolidForces final : public Component<D, Real> {
         if (work.slots.size() < task.sums.slots.size()) {
             work.slots.resize(task.sums.slots.size());
         }
-        const std::vector<double>& mass = flow.particles.mass;
         for (std::size_t solid = 0; solid < lists_.size(); ++solid) {
             ForceOnSolid& sum = block_forces_[begin / block_clusters * lists_.size() + solid];
             sum = {};
@@ -45,15 +53,7 @@ class SolidForces final : public Component<D, Real> {
             work.fluid_fluid = &no_list_;
             work.fluid_wall = &list;
             flow.loops.force(flow.data, begin, end, work);
-            flow.for_particles(begin, end, [&](std::size_t i, std::size_t lane) {
-                // What pushes the water one way pushes the solid the other.
-                const double factor = -mass[i] * flow.force_factor(i);
-                for (std::size_t k = 0; k < Flow::axes; ++k) {
-                    const std::size_t axis = k == Flow::vertical ? 2 : k;
-                    sum.pressure[axis] += factor * static_cast<double>(work.force.tensor[k][lane]);
-                    sum.friction[axis] += factor * static_cast<double>(work.force.viscous[k][lane]);
-                }
-            });
+            add_block(flow, work.force, solid, begin, end, sum);
         }
     }
 
@@ -64,11 +64,7 @@ class SolidForces final : public Component<D, Real> {
         }
         flow.solid_forces.assign(lists_.size(), ForceOnSolid{});
         for (std::size_t i = 0; i < block_forces_.size(); ++i) {
-            ForceOnSolid& sum = flow.solid_forces[i % lists_.size()];
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-                sum.pressure[axis] += block_forces_[i].pressure[axis];
-                sum.friction[axis] += block_forces_[i].friction[axis];
-            }
+            flow.solid_forces[i % lists_.size()] += block_forces_[i];
         }
     }
 
@@ -83,6 +79,44 @@ class SolidForces final : public Component<D, Real> {
             keep_solid(flow, first_solid + static_cast<std::int32_t>(solid), lists_[solid]);
         }
         block_forces_.assign(blocks_of(flow.clusters.size()) * lists_.size(), ForceOnSolid{});
+        const std::vector<BodyState> listed = flow.motion.at(flow.clock.listed_time);
+        feet_.resize(lists_.size());
+        for (std::size_t solid = 0; solid < lists_.size(); ++solid) {
+            feet_[solid].find(flow, surfaces_, solid, listed[first_solid + solid], lists_[solid]);
+        }
+    }
+
+    /// The sums of a block with the pairs of one solid.
+    void add_block(const Flow& flow, const ForceResult<D, Real>& force, std::size_t solid, std::size_t begin,
+                   std::size_t end, ForceOnSolid& sum) const {
+        static const BodyState rest;
+        const BodyState& body = flow.bodies.empty() ? rest : flow.bodies[first_solid + solid];
+        const auto add = [](std::array<double, 3>& part, const Vec<3>& v) {
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                part[axis] += v[axis];
+            }
+        };
+        flow.for_particles(begin, end, [&](std::size_t i, std::size_t lane) {
+            // What pushes the water one way pushes the solid the other.
+            const double factor = -flow.particles.mass[i] * flow.force_factor(i);
+            Vec<D> pressure{};
+            Vec<D> friction{};
+            for (std::size_t k = 0; k < Flow::axes; ++k) {
+                pressure[k] = factor * static_cast<double>(force.tensor[k][lane]);
+                friction[k] = factor * static_cast<double>(force.viscous[k][lane]);
+            }
+            add(sum.pressure, in_space_of<D>(pressure));
+            add(sum.friction, in_space_of<D>(friction));
+            const std::size_t cluster = begin + lane / cluster_size;
+            if (feet_[solid].has(cluster)) {
+                const Vec<3> place =
+                    body.place_at_start(in_space_of<D>(vector_of(flow.particles.position, i)));
+                const Vec<3> arm = body.turned(
+                    feet_[solid].arm(surfaces_, cluster, lane % cluster_size, place, points_[solid]));
+                add(sum.pressure_moment, vector_product(arm, in_space_of<D>(pressure)));
+                add(sum.friction_moment, vector_product(arm, in_space_of<D>(friction)));
+            }
+        });
     }
 
     /// Take all particles but those of a body out of a list of walls.
@@ -111,11 +145,14 @@ class SolidForces final : public Component<D, Real> {
     NeighbourList no_list_;                   ///< without any neighbour, for as many clusters
     std::int64_t listed_ = -1;                ///< SimulationClock::list_builds of these lists
     std::vector<ForceOnSolid> block_forces_;  ///< by block and solid
+    SolidSurfaces surfaces_;
+    std::vector<Vec<3>> points_;  ///< of each solid, the one that its moments are about, at t = 0
+    std::vector<SolidFeet<D, Real>> feet_;
 };
 
 template <int D, class Real>
 std::unique_ptr<Component<D, Real>> make_solid_forces(FlowOf<D, Real>& flow) {
-    return flow.c.solids.empty() ? nullptr : std::make_unique<SolidForces<D, Real>>();
+    return flow.c.solids.empty() ? nullptr : std::make_unique<SolidForces<D, Real>>(flow.c);
 }
 
 }  // namespace riffle

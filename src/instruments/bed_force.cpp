@@ -60,6 +60,11 @@ class BedForce final : public Instrument {
             row.push_back(force.pressure[0]);
             row.push_back(force.pressure[2] + force.friction[2]);
             if (space_) row.push_back(force.pressure[1] + force.friction[1]);
+            for (const std::size_t axis : {1U, 0U, 2U}) {
+                if (axis != 1 && !space_) continue;
+                row.push_back(force.pressure_moment[axis] + force.friction_moment[axis]);
+                row.push_back(force.pressure_moment[axis]);
+            }
         }
         for (std::size_t k = 0; k < records().size(); ++k) {
             record(k).add(row[k]);

@@ -209,7 +209,11 @@ struct Forces {
 };
 inline constexpr Forces forces;
 
-/// Forces on a solid: their names end in its number, and their meanings name it.
+consteval Field moment(const char* name, Wording meaning, const FieldRule& rule) {
+    return make_field(groups::forces, name, {"N", "N m"}, meaning, rule, "time", Averaging::over_rows);
+}
+/// Forces on a solid and their moments about a point of it (`moment_about`): their names end in its number,
+/// and their meanings name it.
 struct SolidForces {
     Field force = fields::force("solid_force_N",
                                 {"force of the water on the solid, downstream, per unit width",
@@ -225,6 +229,25 @@ struct SolidForces {
                                {.written = with_solids});
     Field side_force = fields::force("solid_side_force_N", "force of the water on the solid, along y",
                                      {.written = with_solids | three_dimensions});
+    Field moment_y = moment("solid_moment_y_N",
+                            {"moment of the water on the solid about y, per unit width; positive turns z "
+                             "towards x",
+                             "moment of the water on the solid about y; positive turns z towards x"},
+                            {.written = with_solids});
+    Field pressure_moment_y = moment("solid_pressure_moment_y_N",
+                                     {"moment of the pressure on the solid about y, per unit width",
+                                      "moment of the pressure on the solid about y"},
+                                     {.written = with_solids});
+    Field moment_x = moment("solid_moment_x_N", "moment of the water on the solid about x",
+                            {.written = with_solids | three_dimensions});
+    Field pressure_moment_x =
+        moment("solid_pressure_moment_x_N", "moment of the pressure on the solid about x",
+               {.written = with_solids | three_dimensions});
+    Field moment_z = moment("solid_moment_z_N", "moment of the water on the solid about z",
+                            {.written = with_solids | three_dimensions});
+    Field pressure_moment_z =
+        moment("solid_pressure_moment_z_N", "moment of the pressure on the solid about z",
+               {.written = with_solids | three_dimensions});
 };
 inline constexpr SolidForces solid_forces;
 

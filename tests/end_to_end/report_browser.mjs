@@ -25,7 +25,7 @@ const tank = ['level_lines', 'level_history', 'energy_history', 'volume_history'
 const expected = {
   uniform: ['velocity_profile', 'log_law', 'velocity_gradient_profile', 'velocity_error_profile', 'stress_profile', 'pressure_profile', 'velocity_history', 'force_history', 'field',
     'surface_map', 'fluctuation_history', 'order_history', 'density_history'],
-  bodies: ['long_profile', 'velocity_along', 'froude_along', 'solid_forces', 'force_history', 'velocity_history', 'field', 'density_history'],
+  bodies: ['long_profile', 'velocity_along', 'froude_along', 'solid_forces', 'solid_moments', 'force_history', 'velocity_history', 'field', 'density_history'],
   tank: [...tank, 'front_history'],
   wave: [...tank, 'mode_history'],
   box: ['energy_history', 'volume_history', 'field', 'density_history'],

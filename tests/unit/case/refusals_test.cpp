@@ -262,6 +262,7 @@ std::vector<Wrong> wrong_shapes() {
         {with_shape(box), "solid[0].size = []"},
         {with_shape(box), "solid[0].size = [0.03, 0, 0.03]"},
         {with_shape(cylinder), "solid[0].diameter = 0"},
+        {with_shape(box), "solid[0].moment_about = [0.1, 0.05]"},
         {with_shape(cylinder), "solid[0].length = 0"},
         {with_shape(cylinder), "solid[0].centre = [0.01, 0.05, 0.02]"},
         {with_shape(bed), "solid[0].heights = \"\""},

@@ -61,6 +61,32 @@ TEST(SolidForce, OfStillWaterIsTheWeightAboveEach) {
     }
 }
 
+TEST(SolidForce, MomentsOfStillWaterAreThoseOfItsPressure) {
+    // The first block leans on the end wall: water on its top and on its right face alone.
+    Case c = tank_with_blocks();
+    c.solids[0].x = {0.0, 0.04, 0.04, 0.0};
+    c.solids[0].moment_about = {0.0, 0.0};
+    const auto simulation = started(c);
+    const std::vector<ForceOnSolid>& forces = simulation->solid_forces();
+    ASSERT_EQ(forces.size(), 2U);
+    const double weight = c.fluid.density * c.fluid.gravity;
+    const double depth = 0.05;
+    const double height = 0.02;
+    const double on_top = weight * (depth - height) * 0.04;
+    const double on_side = weight * (depth * height - height * height / 2.0);
+    EXPECT_NEAR(forces[0].pressure[0], -on_side, 0.05 * on_side);
+    // About y: z F_x - x F_z. As exact as the forces above.
+    const double side_moment = weight * (depth * height * height / 2.0 - height * height * height / 3.0);
+    EXPECT_NEAR(forces[0].pressure_moment[1], 0.02 * on_top - side_moment, 0.05 * 0.02 * on_top);
+    // The second one's about its centroid: its sides balance, and its top has the middle there.
+    EXPECT_NEAR(forces[1].pressure_moment[1], 0.0, 0.01 * weight * 0.04 * 0.03 * 0.03);
+    for (const ForceOnSolid& force : forces) {
+        EXPECT_EQ(force.pressure_moment[0], 0.0);
+        EXPECT_EQ(force.pressure_moment[2], 0.0);
+        EXPECT_EQ(force.friction_moment[1], 0.0);  // slip faces
+    }
+}
+
 TEST(SolidForce, OfAllWallsAsSolidsIsTheForceOfTheWalls) {
     // Two blocks that cover the whole bed, which no water reaches: what they bear is all that the walls bear.
     Case c = tank_with_blocks();
