@@ -41,14 +41,11 @@ class PressureGauges final : public Instrument {
     }
 
     void sample(const FlowState& state) override {
-        const Vec<3> moved = displacement(state);
+        const BodyState body = body_of(state);
         std::vector<FluidView::Pressure> pressure(points_.size());
         parallel_blocks(points_.size(), 16, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
-                Vec<3> place = points_[i];
-                for (std::size_t k = 0; k < 3; ++k) {
-                    place[k] += moved[k];
-                }
+                const Vec<3> place = body.placed(points_[i]);
                 pressure[i] = solid_ ? state.fluid->pressure_on_solid(place, *state.pressure, weight_)
                                      : state.fluid->pressure_at(place, *state.pressure, weight_);
             }
@@ -71,10 +68,10 @@ class PressureGauges final : public Instrument {
     [[nodiscard]] std::size_t points() const override { return points_.size(); }
 
   private:
-    /// Of the solid that the gauges sit on, from the start.
-    [[nodiscard]] Vec<3> displacement(const FlowState& state) const {
+    /// The solid that the gauges sit on, where it is now.
+    [[nodiscard]] BodyState body_of(const FlowState& state) const {
         const std::size_t body = first_solid + solid_.value_or(0);
-        return solid_ && body < state.bodies.size() ? state.bodies[body].displacement : Vec<3>{};
+        return solid_ && body < state.bodies.size() ? state.bodies[body] : BodyState{};
     }
 
     double weight_;                     ///< rho g cos(theta), Pa/m
