@@ -82,8 +82,8 @@ class SolidsBehind {
         });
     }
     /// Whether holds(place) for places evenly over two stretches.
-    template <class Place>
-    [[nodiscard]] bool all(const SoftRange& first, const SoftRange& second, const Place& place) const {
+    template <class MakePlace>
+    [[nodiscard]] bool all(const SoftRange& first, const SoftRange& second, const MakePlace& place) const {
         constexpr int most = 9;
         const int across = space_ ? most : 1;
         for (int i = 0; i < most; ++i) {
@@ -169,7 +169,7 @@ void PorousZone::end_at_solids(const Case& c) {
     const SoftRange x = within(along_, c.channel.length);
     const SoftRange y = within(across_, c.channel.simulated_width());
     const SoftRange z = within(upright_, top_z_.empty() ? height : *std::min_element(top_z_.begin(), top_z_.end()));
-    using Place = std::array<double, 3>;
+    using Point = std::array<double, 3>;
     const auto end = [&](double& at, bool& hard, double outward, const auto& is_behind) {
         if (std::isfinite(at) && is_behind(at + outward * beyond)) {
             // A particle may touch the face.
@@ -182,14 +182,14 @@ void PorousZone::end_at_solids(const Case& c) {
         end(range.to, range.hard_to, 1.0, is_behind);
     };
     end_both(along_, [&](double at) {
-        return solids.all(z, y, [&](double up, double across) { return Place{at, across, up}; });
+        return solids.all(z, y, [&](double up, double across) { return Point{at, across, up}; });
     });
     end_both(upright_, [&](double at) {
-        return solids.all(x, y, [&](double along, double across) { return Place{along, across, at}; });
+        return solids.all(x, y, [&](double along, double across) { return Point{along, across, at}; });
     });
     if (c.channel.dimensions == 3) {
         end_both(across_, [&](double at) {
-            return solids.all(x, z, [&](double along, double up) { return Place{along, at, up}; });
+            return solids.all(x, z, [&](double along, double up) { return Point{along, at, up}; });
         });
     }
 }
