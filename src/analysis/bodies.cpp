@@ -13,10 +13,13 @@ std::vector<Outline> outlines_at(const Case& c, double time) {
     if (c.channel.dimensions != 2) return outlines;
     const std::vector<BodyState> bodies = WallMotion(c).at(time);
     for (std::size_t k = 0; k < c.solids.size(); ++k) {
-        const Vec<3>& shift = bodies[static_cast<std::size_t>(first_solid) + k].displacement;
+        const BodyState& body = bodies[static_cast<std::size_t>(first_solid) + k];
         Outline outline{c.solids[k].x, c.solids[k].z};
-        for (double& x : outline.x) x += shift[0];
-        for (double& z : outline.z) z += shift[2];
+        for (std::size_t i = 0; i < outline.size(); ++i) {
+            const Vec<3> corner = body.placed({outline.x[i], 0.0, outline.z[i]});
+            outline.x[i] = corner[0];
+            outline.z[i] = corner[2];
+        }
         outlines.push_back(std::move(outline));
     }
     return outlines;
@@ -26,6 +29,7 @@ std::vector<Curve> body_curves(const Case& c, double time) {
     std::vector<Curve> curves;
     const std::vector<Outline> outlines = outlines_at(c, time);
     for (std::size_t k = 0; k < outlines.size(); ++k) {
+        if (c.solids[k].motion == SolidMotion::free) continue;
         Curve curve;
         curve.name = c.solids[k].name;
         curve.origin = Origin::reference;

@@ -9,10 +9,12 @@
 
 namespace riffle {
 
-/// Outlines of the solids of a case in two dimensions, where they stand at a time (s). Empty in three.
+/// Outlines of the solids of a case in two dimensions, where they stand at a time (s), free bodies where they
+/// start. Empty in three.
 [[nodiscard]] std::vector<Outline> outlines_at(const Case& c, double time);
 
-/// The same as filled curves of a figure whose axes are x and the height above the bed level.
+/// The same as filled curves of a figure whose axes are x and the height above the bed level; without free
+/// bodies.
 [[nodiscard]] std::vector<Curve> body_curves(const Case& c, double time);
 
 /// Length of the upright line at x that lies in solids, from the bed level up to a height, m.

@@ -133,7 +133,8 @@ void add_velocity(const LongProfile& profile, const Heads& heads, Analysis& anal
 void compare_with_varied_flow(const FlowRecord& record, const LongProfile& profile, Figure& figure,
                               Analysis& analysis) {
     const Case& c = *record.flow();
-    if (!c.solids.empty() || vegetation_varies_along(c) || porosity_varies_along(c) || !channel_resists(c) || !c.inflow_unit_discharge())
+    if (!c.solids.empty() || vegetation_varies_along(c) || porosity_varies_along(c) || !channel_resists(c) ||
+        !c.inflow_unit_discharge())
         return;
     std::vector<double> depth;
     try {

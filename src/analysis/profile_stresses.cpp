@@ -17,8 +17,8 @@ namespace riffle {
 
 namespace {
 
-/// Part of the weight above z that bed elements, vegetation and porous zones above z carry, per plan area, at the
-/// upper edges of the bins, Pa.
+/// Part of the weight above z that bed elements, vegetation and porous zones above z carry, per plan area, at
+/// the upper edges of the bins, Pa.
 std::vector<double> drag_above(const Profiles& p) {
     std::vector<double> result(p.drag.size());
     double sum = 0.0;
@@ -68,7 +68,8 @@ void add_stresses(const FlowRecord& record, const Profiles& p, Analysis& analysi
     const bool elements = c.bed.kind == BedKind::spheres || grown;
     if (elements && p.drag.size() == p.z.size() && p.bin_lower.size() == p.z.size())
         add(!c.porous.empty() ? "carried by porous zones and bed above z"
-            : grown           ? "carried by vegetation and bed above z" : "carried by the bed elements above z",
+            : grown           ? "carried by vegetation and bed above z"
+                              : "carried by the bed elements above z",
             drag_above(p), 4);
     if (!p.analytic_stress.empty()) {
         figure.curves.push_back(profile_curve(grown ? "balance with the drag" : "balance with the bed drag",
@@ -150,7 +151,8 @@ void add_drag(const FlowRecord& record, const Profiles& p, Analysis& analysis) {
     const Vegetation* const stems = vegetation_everywhere(c);
     const std::unique_ptr<const VegetationPatch> canopy =
         stems != nullptr ? std::make_unique<VegetationPatch>(c, *stems) : nullptr;
-    if (record.column() != nullptr && (law != nullptr || canopy != nullptr || !porous.empty()) && !between_side_walls(record)) {
+    if (record.column() != nullptr && (law != nullptr || canopy != nullptr || !porous.empty()) &&
+        !between_side_walls(record)) {
         const ColumnProfile& column = record.column()->profile;
         std::vector<double> of_column;
         for (std::size_t i = 0; i < column.z.size(); ++i)

@@ -59,6 +59,14 @@ double MeshContact::room_at(std::size_t solid, const Vec<3>& place) const {
 }
 
 Vec<3> MeshContact::in_body(std::size_t solid, const BodyState& state, Vec<3> position) const {
+    if (state.turns) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double centre = state.centre[k] + state.displacement[k];
+            position[k] -=
+                period_[k] > 0.0 ? period_[k] * std::round((position[k] - centre) / period_[k]) : 0.0;
+        }
+        return state.place_at_start(position);
+    }
     const Point3& lower = (*meshes_)[solid].lower();
     for (std::size_t k = 0; k < 3; ++k) {
         position[k] -= state.displacement[k];
@@ -80,7 +88,8 @@ double MeshContact::depth(std::size_t solid, const std::vector<BodyState>& now,
     return foot ? foot->distance : 0.0;
 }
 
-double MeshContact::resolve(const std::vector<BodyState>& now, Vec<3>& position, Vec<3>& velocity) const {
+double MeshContact::resolve(const std::vector<BodyState>& now, Vec<3>& position, Vec<3>& velocity,
+                            const Push& push) const {
     double furthest = 0.0;
     for (std::size_t solid = 0; meshes_ && solid < meshes_->size(); ++solid) {
         const SolidMesh& mesh = (*meshes_)[solid];
@@ -98,9 +107,11 @@ double MeshContact::resolve(const std::vector<BodyState>& now, Vec<3>& position,
             continue;
         }
         const auto near = mesh.nearest(place, spacing_, [&](const Vec<3>& foot) {
+            const Vec<3> from = state.turned(place);
+            const Vec<3> to = state.turned(foot);
             Vec<3> now_at{};
             for (std::size_t k = 0; k < 3; ++k) {
-                now_at[k] = before[k] + foot[k] - place[k];
+                now_at[k] = before[k] + to[k] - from[k];
             }
             return std::all_of(planes_.begin(), planes_.end(), [&](const BoundaryPlane& plane) {
                 return plane.distance<3>(now_at) > 0.5 * hair;
@@ -118,13 +129,20 @@ double MeshContact::resolve(const std::vector<BodyState>& now, Vec<3>& position,
         if (way <= 0.0) {
             continue;
         }
+        foot.direction = state.turned(foot.direction);
+        const Vec<3> at = state.placed(place);
+        const Vec<3> solid_velocity = state.velocity_at(at);
         double outward = 0.0;
         for (std::size_t k = 0; k < 3; ++k) {
-            outward += (velocity[k] - state.velocity[k]) * foot.direction[k];
+            outward += (velocity[k] - solid_velocity[k]) * foot.direction[k];
         }
         for (std::size_t k = 0; k < 3; ++k) {
             position[k] += (way + 1e-6 * spacing_) * foot.direction[k];
             velocity[k] -= std::min(outward, 0.0) * foot.direction[k];
+        }
+        if (push) {
+            const double gain = -std::min(outward, 0.0);
+            push(solid, at, {gain * foot.direction[0], gain * foot.direction[1], gain * foot.direction[2]});
         }
         furthest = std::max(furthest, way);
     }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "boundary/boundary_planes.hpp"
+#include "boundary/push.hpp"
 #include "boundary/wall_motion.hpp"
 #include "case/case.hpp"
 #include "case/solid_mesh.hpp"
@@ -29,7 +30,8 @@ class MeshContact {
     /// shortest way out, and take from its velocity what still leads into the solid. `now`: the bodies,
     /// WallMotion::at(). Returns how far it was put back, m; 0 where it may stand; deeper it stays where it
     /// is.
-    double resolve(const std::vector<BodyState>& now, Vec<3>& position, Vec<3>& velocity) const;
+    double resolve(const std::vector<BodyState>& now, Vec<3>& position, Vec<3>& velocity,
+                   const Push& push = {}) const;
 
     /// How deep a place is behind the surface of a solid, m; 0 outside.
     [[nodiscard]] double depth(std::size_t solid, const std::vector<BodyState>& now,

@@ -26,13 +26,19 @@ SolidContact::SolidContact(const Case& c)
 
 std::optional<Vec<2>> SolidContact::inside(const Body& body, const BodyState& state,
                                            const Vec<2>& position) const {
-    double x = position[0] - state.displacement[0];
-    double z = position[1] - state.displacement[2];
+    double beside = position[0];
+    if (state.turns && period_ > 0.0) {
+        const double centre = state.centre[0] + state.displacement[0];
+        beside -= period_ * std::round((beside - centre) / period_);
+    }
+    const Vec<3> start = state.place_at_start({beside, 0.0, position[1]});
+    double x = start[0];
+    double z = start[2];
     // A drop that has hit the bed and is squeezed into it must not slip under what stands on it.
     if (body.stands_on_bed) {
         z = std::max(z, 1e-6 * spacing_);
     }
-    if (period_ > 0.0) {
+    if (period_ > 0.0 && !state.turns) {
         x -= period_ * std::floor((x - body.left) / period_);
     }
     return x < body.left || x > body.right || !contains(body.outline, x, z) ? std::nullopt
@@ -46,7 +52,8 @@ double SolidContact::depth(std::size_t solid, const std::vector<BodyState>& now,
     return place ? distance_from_outline(body.outline, (*place)[0], (*place)[1]) : 0.0;
 }
 
-double SolidContact::resolve(const std::vector<BodyState>& now, Vec<2>& position, Vec<2>& velocity) const {
+double SolidContact::resolve(const std::vector<BodyState>& now, Vec<2>& position, Vec<2>& velocity,
+                             const Push& push) const {
     double deepest = 0.0;
     for (std::size_t k = 0; k < bodies_.size(); ++k) {
         const Body& body = bodies_[k];
@@ -71,12 +78,17 @@ double SolidContact::resolve(const std::vector<BodyState>& now, Vec<2>& position
         const std::size_t end = body.outline.next(edge);
         const double dx = body.outline.x[end] - body.outline.x[edge];
         const double dz = body.outline.z[end] - body.outline.z[edge];
-        const Vec<2> normal{dz / std::hypot(dx, dz), -dx / std::hypot(dx, dz)};
-        const double inward =
-            (velocity[0] - state.velocity[0]) * normal[0] + (velocity[1] - state.velocity[2]) * normal[1];
+        const Vec<2> normal =
+            in_flow<2>(state.turned({dz / std::hypot(dx, dz), 0.0, -dx / std::hypot(dx, dz)}));
+        const Vec<3> solid = state.velocity_at(state.placed({(*place)[0], 0.0, (*place)[1]}));
+        const double inward = (velocity[0] - solid[0]) * normal[0] + (velocity[1] - solid[2]) * normal[1];
         for (std::size_t axis = 0; axis < 2; ++axis) {
             position[axis] += (depth + 1e-6 * spacing_) * normal[axis];
             velocity[axis] -= std::min(inward, 0.0) * normal[axis];
+        }
+        if (push) {
+            const double gain = -std::min(inward, 0.0);
+            push(k, state.placed({(*place)[0], 0.0, (*place)[1]}), {gain * normal[0], 0.0, gain * normal[1]});
         }
     }
     return deepest;

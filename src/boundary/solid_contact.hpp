@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "boundary/push.hpp"
 #include "boundary/wall_motion.hpp"
 #include "case/case.hpp"
 #include "case/outline.hpp"
@@ -21,7 +22,8 @@ class SolidContact {
     /// Put a particle that is up to a spacing deep in a solid back onto the nearest face that water touches,
     /// and take from its velocity what still leads into the solid. `now`: the bodies, WallMotion::at().
     /// Returns how deep it was, m; 0 outside; beyond a spacing it stays where it is.
-    double resolve(const std::vector<BodyState>& now, Vec<2>& position, Vec<2>& velocity) const;
+    double resolve(const std::vector<BodyState>& now, Vec<2>& position, Vec<2>& velocity,
+                   const Push& push = {}) const;
 
     /// How deep a place is behind the outline of a solid, m; 0 outside.
     [[nodiscard]] double depth(std::size_t solid, const std::vector<BodyState>& now,

@@ -79,8 +79,9 @@ double SolidDistance<D>::at(const std::vector<BodyState>& now, const Vec<D>& pos
     for (std::size_t k = 0; k < grids_.size(); ++k) {
         const Grid& grid = grids_[k];
         const std::size_t body = static_cast<std::size_t>(first_solid) + k;
-        const Vec<D> moved = body < now.size() ? in_flow<D>(now[body].displacement) : Vec<D>{};
-        Vec<D> place = position;
+        const bool turns = body < now.size() && now[body].turns;
+        const Vec<D> moved = body < now.size() && !turns ? in_flow<D>(now[body].displacement) : Vec<D>{};
+        Vec<D> place = turns ? turned_back(now[body], position) : position;
         for (std::size_t axis = 0; axis < D; ++axis) {
             place[axis] -= moved[axis];
             if (period_[axis] > 0.0) {
@@ -92,6 +93,19 @@ double SolidDistance<D>::at(const std::vector<BodyState>& now, const Vec<D>& pos
         nearest = std::min(nearest, in_grid(grid, place));
     }
     return nearest;
+}
+
+template <int D>
+Vec<D> SolidDistance<D>::turned_back(const BodyState& body, Vec<D> position) const {
+    const Vec<D> centre = in_flow<D>(body.centre);
+    const Vec<D> moved = in_flow<D>(body.displacement);
+    for (std::size_t axis = 0; axis < D; ++axis) {
+        if (period_[axis] > 0.0) {
+            const double middle = centre[axis] + moved[axis];
+            position[axis] -= period_[axis] * std::round((position[axis] - middle) / period_[axis]);
+        }
+    }
+    return in_flow<D>(body.place_at_start(in_space_of<D>(position)));
 }
 
 template <int D>

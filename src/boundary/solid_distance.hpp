@@ -30,6 +30,8 @@ class SolidDistance {
         std::array<std::size_t, static_cast<std::size_t>(D)> count{};  ///< of its points
         std::vector<double> distance;
     };
+    /// The place at t = 0 of a point beside a solid that turns.
+    [[nodiscard]] Vec<D> turned_back(const BodyState& body, Vec<D> position) const;
     [[nodiscard]] double in_grid(const Grid& grid, const Vec<D>& place) const;
 
     double limit_ = 0.0;

@@ -29,6 +29,9 @@ class SolidSurfaces {
     /// which the foot then is. Nothing where no surface is nearer than `limit`, m.
     [[nodiscard]] std::optional<Foot> nearest(std::size_t solid, const Vec<3>& place, double limit) const;
 
+    /// The same of a place in a solid; nothing outside of it.
+    [[nodiscard]] std::optional<Foot> inside(std::size_t solid, const Vec<3>& place) const;
+
     /// The image of a place that is nearest to another one.
     [[nodiscard]] Vec<3> image_near(const Vec<3>& other, Vec<3> place) const;
 

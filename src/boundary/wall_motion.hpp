@@ -1,10 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
-#include "boundary/body_state.hpp"
+#include "boundary/free_body.hpp"
+#include "case/body_state.hpp"
 #include "case/case.hpp"
+#include "particles/domain.hpp"
 
 namespace riffle {
 
@@ -14,7 +17,28 @@ inline constexpr std::int32_t resting_body = 0;
 inline constexpr std::int32_t lid_body = 1;
 inline constexpr std::int32_t first_solid = 2;
 
-/// The prescribed motion of the walls and solids of a case.
+/// A vector of a body as one of a flow in D dimensions.
+template <int D>
+[[nodiscard]] Vec<D> in_flow(const Vec<3>& v) {
+    if constexpr (D == 3) {
+        return v;
+    } else {
+        return {v[0], v[2]};
+    }
+}
+
+/// A vector of a flow in D dimensions as one of a body.
+template <int D>
+[[nodiscard]] Vec<3> in_space_of(const Vec<D>& v) {
+    if constexpr (D == 3) {
+        return v;
+    } else {
+        return {v[0], 0.0, v[1]};
+    }
+}
+
+/// The motion of the walls and solids of a case: of free bodies as far as the case prescribes it, their
+/// start.
 class WallMotion {
   public:
     WallMotion() = default;
@@ -24,11 +48,19 @@ class WallMotion {
     [[nodiscard]] bool any() const { return lid_velocity_ != 0.0 || solids_move_; }
     /// Whether wall particles change their place.
     [[nodiscard]] bool displaces() const { return solids_move_; }
-    /// State of all bodies at a time, by body (case/solid_motion.hpp).
-    [[nodiscard]] std::vector<BodyState> at(double time) const;
+    /// State of all bodies at a time, by body (case/solid_motion.hpp). `free`: of the free ones, in the order
+    /// of the case, where they are known.
+    [[nodiscard]] std::vector<BodyState> at(double time, std::span<const FreeBodyState> free = {}) const;
 
   private:
+    /// What does not change of the turning of a solid.
+    struct Turning {
+        bool turns = false;
+        Point3 axis{};
+        Point3 centre{};
+    };
     std::vector<Solid> solids_;
+    std::vector<Turning> turning_;
     double lid_velocity_ = 0.0;
     bool solids_move_ = false;
 };

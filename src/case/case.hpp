@@ -312,7 +312,31 @@ struct Solid {
     double amplitude_x = 0.0;  ///< oscillating: x = amplitude sin(2 pi frequency (t - start)), m
     double amplitude_y = 0.0;  ///< 3D
     double amplitude_z = 0.0;
-    double frequency = 0.0;  ///< Hz
+    double frequency = 0.0;         ///< Hz
+    double angular_velocity = 0.0;  ///< constant, or free at its start: about its axis, rad/s
+    double amplitude_angle = 0.0;   ///< oscillating: degrees
+    std::vector<double> times;      ///< table: s
+    std::vector<double> shifts_x;   ///< table: from its place at t = 0, m; empty: none
+    std::vector<double> shifts_y;   ///< 3D
+    std::vector<double> shifts_z;
+    std::vector<double> angles;          ///< table: degrees; empty: none
+    std::vector<double> rotation_axis;   ///< 3D: direction; empty: y
+    std::vector<double> rotation_about;  ///< point at t = 0, m; in 2D x, z; empty: the centroid
+    std::optional<double> density;       ///< free: kg/m3
+    std::optional<double> mass;          ///< free: kg; in 2D kg/m
+    std::vector<double> centre_of_mass;  ///< free: at t = 0, m; in 2D x, z; empty: the centroid
+    std::vector<double> inertia;         ///< free: about x, y, z, kg m2; in 2D one, kg m; empty: of the shape
+    bool moves_x = true;                 ///< free: which of its degrees of freedom it has
+    bool moves_y = true;
+    bool moves_z = true;
+    bool turns_x = true;
+    bool turns_y = true;
+    bool turns_z = true;
+    double spring_x = 0.0;  ///< free: stiffness of a spring to its place at t = 0, N/m; in 2D per width
+    double spring_y = 0.0;
+    double spring_z = 0.0;
+    double restitution = 0.5;  ///< free: of contact
+    double friction = 0.3;     ///< free: of contact
 
     bool operator==(const Solid&) const = default;
 };
@@ -360,10 +384,10 @@ struct Porous {
     std::optional<double> y_to;
     std::optional<double> z_from;
     std::optional<double> z_to;
-    std::vector<double> x;        ///< corners of an outline, m, in place of x and z from and to
-    std::vector<double> z;        ///< m above the bed level
-    std::vector<double> top_x;    ///< places along the channel where its top has the heights `top_z`, m
-    std::vector<double> top_z;    ///< m above the bed level, in place of z_to
+    std::vector<double> x;      ///< corners of an outline, m, in place of x and z from and to
+    std::vector<double> z;      ///< m above the bed level
+    std::vector<double> top_x;  ///< places along the channel where its top has the heights `top_z`, m
+    std::vector<double> top_z;  ///< m above the bed level, in place of z_to
 
     bool operator==(const Porous&) const = default;
 };

@@ -51,7 +51,8 @@ std::optional<std::string> patchy_porosity(const Case& c) {
 /// Whether a porous layer all over the channel holds the water back.
 bool layer_resists(const Case& c) {
     return std::any_of(c.porous.begin(), c.porous.end(), [&c](const Porous& zone) {
-        const bool resists = zone.permeability || zone.laminar_coefficient > 0.0 || zone.inertial_coefficient > 0.0;
+        const bool resists =
+            zone.permeability || zone.laminar_coefficient > 0.0 || zone.inertial_coefficient > 0.0;
         return resists && zone.porosity < 1.0 && covers_length(c, zone) && covers_width(c, zone);
     });
 }
@@ -96,14 +97,17 @@ bool vegetation_varies_along(const Case& c) {
                        [&c](const Vegetation& patch) { return !covers_length(c, patch); });
 }
 
-bool channel_resists(const Case& c) { return bed_resists(c.bed) || vegetation_everywhere(c) != nullptr || layer_resists(c); }
+bool channel_resists(const Case& c) {
+    return bed_resists(c.bed) || vegetation_everywhere(c) != nullptr || layer_resists(c);
+}
 
 FlowKind flow_kind(const Case& c) {
     if (c.channel.top == Top::periodic) return FlowKind::periodic_box;
     if (c.start.kind == StartKind::standing_wave) return FlowKind::standing_wave;
     if (c.channel.ends == Ends::open) return FlowKind::open_channel;
     if (c.channel.ends != Ends::periodic || !is_driven(c)) return FlowKind::tank;
-    if (!c.solids.empty() || vegetation_varies_along(c) || porosity_varies_along(c)) return FlowKind::channel_with_bodies;
+    if (!c.solids.empty() || vegetation_varies_along(c) || porosity_varies_along(c))
+        return FlowKind::channel_with_bodies;
     return c.start.water_x.empty() ? FlowKind::uniform_channel : FlowKind::tank;
 }
 

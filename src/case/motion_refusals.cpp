@@ -1,7 +1,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
 
+#include "case/body_state.hpp"
 #include "case/outline_check.hpp"
 #include "case/refusals.hpp"
 #include "case/solid_mesh.hpp"
@@ -37,8 +41,52 @@ struct Range {
     double high = 0.0;
 };
 
+/// Corners of a solid at t = 0.
+std::vector<std::array<double, 3>> corners_of(const Case& c, const Solid& solid) {
+    std::vector<std::array<double, 3>> corners;
+    if (const SolidMesh* const mesh = in_space(c) ? mesh_of(c, solid) : nullptr) {
+        for (const Triangle& t : mesh->tree().triangles()) {
+            corners.insert(corners.end(), t.begin(), t.end());
+        }
+        return corners;
+    }
+    for (std::size_t i = 0; i < solid.x.size(); ++i) {
+        corners.push_back({solid.x[i], 0.0, solid.z[i]});
+    }
+    return corners;
+}
+
+/// The same of one that turns or follows a table, by its corners at many times: steps of a degree, up to two
+/// turns of one that goes on for ever.
+Range along_its_way(const Case& c, const Solid& solid, std::size_t axis) {
+    const std::vector<std::array<double, 3>> corners = corners_of(c, solid);
+    const std::array<double, 3> point = rotation_point(c, solid);
+    const double last = solid.motion == SolidMotion::free ? 0.0 : c.run.time;
+    constexpr int steps = 720;
+    const double rate = std::abs(solid.angular_velocity);
+    const double turning = moves_on(solid) && is_zero(velocity_of(solid)) && rate > 0.0
+                               ? solid.start + 4.0 * std::numbers::pi / rate
+                               : last;
+    Range range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+    for (int step = 0; step <= steps; ++step) {
+        const SolidMotionState state = solid_motion(solid, std::min(last, turning) * step / steps);
+        BodyState body{.displacement = state.displacement};
+        body.turns = turns(c, solid);
+        body.centre = point;
+        body.rotation = rotation_about(rotation_axis(solid), state.angle);
+        for (const auto& corner : corners) {
+            const double x = body.placed(corner)[axis];
+            range = {std::min(range.low, x), std::max(range.high, x)};
+        }
+    }
+    return range;
+}
+
 /// What a solid takes up along axis x, y or z, with its way.
 Range in_motion(const Case& c, const Solid& solid, std::size_t axis) {
+    if (turns(c, solid) || solid.motion == SolidMotion::table) {
+        return along_its_way(c, solid, axis);
+    }
     const double way = moves_on(solid) ? time_of_motion(c, solid) * velocity_of(solid)[axis] : 0.0;
     const double swing = swings(solid) ? std::abs(amplitude_of(solid)[axis]) : 0.0;
     const Extent start = *extent_of(c, solid, axis);
@@ -58,8 +106,12 @@ Findings motion_through_walls(const Case& c, const Solid& solid) {
     const bool ends = c.channel.ends == Ends::walls;
     const bool sides = in_space(c) && c.channel.sides != Sides::periodic;
     const double width = c.channel.simulated_width();
+    if (solid.motion == SolidMotion::free) {
+        return {};  // looked at below
+    }
     // Where it sinks to is looked at below.
-    const double lowest = swings(solid) ? in_motion(c, solid, 2).low : extent_of(c, solid, 2)->low;
+    const bool sinks = moves_on(solid) && !turns(c, solid);
+    const double lowest = sinks ? extent_of(c, solid, 2)->low : in_motion(c, solid, 2).low;
     const bool outside = lowest < -1e-9 * c.numerics.spacing ||
                          (ends && leaves(c, in_motion(c, solid, 0), c.channel.length)) ||
                          (sides && leaves(c, in_motion(c, solid, 1), width));
@@ -107,28 +159,33 @@ bool have_shapes(const Case& c) {
 CheckList motion_refusals() {
     return {
         {
-            {{"solid.velocity_y", "solid.amplitude_y", "channel.dimensions"},
-             "`velocity_y` or `amplitude_y` in two dimensions",
+            {{"solid.velocity_y", "solid.amplitude_y", "solid.shifts_y", "solid.spring_y",
+              "solid.rotation_axis", "channel.dimensions"},
+             "`velocity_y`, `amplitude_y`, `shifts_y`, `spring_y` or `rotation_axis` in two dimensions",
              "nothing moves across a plane",
              "remove the key, or set [channel] dimensions = 3",
              [](const Case& c, const Solid& solid) {
-                 return found_if(!in_space(c) && (solid.velocity_y != 0.0 || solid.amplitude_y != 0.0),
-                                 "moves across the channel");
+                 const bool across = solid.velocity_y != 0.0 || solid.amplitude_y != 0.0 ||
+                                     solid.spring_y != 0.0 || !solid.shifts_y.empty() ||
+                                     !solid.rotation_axis.empty();
+                 return found_if(!in_space(c) && across, "moves across the channel");
              }},
             {{"solid.motion"},
              "`motion = \"constant\"` without a velocity",
              "",
-             "give velocity_x, velocity_z or, in three dimensions, velocity_y; or motion = \"fixed\"",
+             "give velocity_x, velocity_z, angular_velocity or, in three dimensions, velocity_y; or motion = \"fixed\"",
              [](const Case&, const Solid& solid) {
-                 return found_if(moves_on(solid) && is_zero(velocity_of(solid)), "moves at no velocity");
+                 return found_if(
+                     moves_on(solid) && is_zero(velocity_of(solid)) && solid.angular_velocity == 0.0,
+                     "moves at no velocity");
              }},
             {{"solid.motion"},
              "`motion = \"oscillating\"` without an amplitude or a frequency",
              "",
-             "give amplitude_x, amplitude_z or, in three dimensions, amplitude_y and frequency; or motion = \"fixed\"",
+             "give amplitude_x, amplitude_z, amplitude_angle or, in three dimensions, amplitude_y and frequency; or motion = \"fixed\"",
              [](const Case&, const Solid& solid) {
-                 return found_if(swings(solid) && (is_zero(amplitude_of(solid)) || solid.frequency <= 0.0),
-                                 "swings by nothing");
+                 const bool still = is_zero(amplitude_of(solid)) && solid.amplitude_angle == 0.0;
+                 return found_if(swings(solid) && (still || solid.frequency <= 0.0), "swings by nothing");
              }},
             {{"solid.start"},
              "`start` at the end of the run or later",
@@ -158,7 +215,7 @@ CheckList motion_refusals() {
              "",
              "make it slower, or let it stop before (stop)",
              [](const Case& c, const Solid& solid) {
-                 return found_if(moves_on(solid) && solid.velocity_z < 0.0 &&
+                 return found_if(moves_on(solid) && !turns(c, solid) && solid.velocity_z < 0.0 &&
                                      in_motion(c, solid, 2).low < -1e-9 * c.numerics.spacing,
                                  "reaches the bed before the end of the run");
              }},

@@ -58,7 +58,7 @@ enum class SolidShape { free_form, box, sphere, cylinder, rectangle, circle, bed
 enum class SolidAxis { x, y, z };
 enum class SolidPacking { hexagonal, square, random };
 enum class SolidSurface { no_slip, slip };
-enum class SolidMotion { fixed, constant, oscillating };
+enum class SolidMotion { fixed, constant, oscillating, table, free };
 enum class RunUntil { time, converged };
 enum class ProbeKind { velocity, wave, surface_line, grid, flow_rate, pressure, force };
 

@@ -24,9 +24,10 @@ void add_medium_keys(SectionKeys& s) {
                          .is_required()
                          .with_example("0.4"));
     s.keys.push_back(
-        porous_key("grain_size", &Porous::grain_size,
-                   "Diameter d of the grains, from which the resistance follows: per weight of water "
-                   "A (1 - n)^2 nu q/(n^3 d^2) + B (1 - n) |q| q/(n^3 d), q the discharge of an area (Ergun 1952).")
+        porous_key(
+            "grain_size", &Porous::grain_size,
+            "Diameter d of the grains, from which the resistance follows: per weight of water "
+            "A (1 - n)^2 nu q/(n^3 d^2) + B (1 - n) |q| q/(n^3 d), q the discharge of an area (Ergun 1952).")
             .measured_in(length)
             .greater_than(0)
             .unset_by("none", "the medium is given by its permeability"));
@@ -75,19 +76,20 @@ void add_place_keys(SectionKeys& s) {
     s.keys.push_back(
         bound("x_from", &Porous::x_from, "Where the zone begins along the channel.", "at its start"));
     s.keys.push_back(bound("x_to", &Porous::x_to, "Where it ends along the channel.", "at its end"));
-    s.keys.push_back(across(bound("y_from", &Porous::y_from,
-                                  "Where it begins across a three-dimensional channel.",
-                                  "at its side, y = 0")));
+    s.keys.push_back(
+        across(bound("y_from", &Porous::y_from, "Where it begins across a three-dimensional channel.",
+                     "at its side, y = 0")));
     s.keys.push_back(
         across(bound("y_to", &Porous::y_to, "Where it ends across the channel.", "at the other side")));
     s.keys.push_back(bound("z_from", &Porous::z_from, "Height of its bottom above the bed level.",
                            "it stands on the bed"));
-    s.keys.push_back(bound("z_to", &Porous::z_to, "Height of its top above the bed level.",
-                           "it reaches above all water"));
     s.keys.push_back(
-        porous_key("x", &Porous::x,
-                   "Corners of the outline of the zone seen from the side, in either sense of rotation, in place "
-                   "of x_from, x_to, z_from and z_to. In three dimensions it is the same across the channel.")
+        bound("z_to", &Porous::z_to, "Height of its top above the bed level.", "it reaches above all water"));
+    s.keys.push_back(
+        porous_key(
+            "x", &Porous::x,
+            "Corners of the outline of the zone seen from the side, in either sense of rotation, in place "
+            "of x_from, x_to, z_from and z_to. In three dimensions it is the same across the channel.")
             .measured_in(length)
             .may_be_empty()
             .with_default_note("a box")
@@ -98,8 +100,9 @@ void add_place_keys(SectionKeys& s) {
                          .with_default_note("a box")
                          .with_example(R"(["0 mm", "0 mm", "80 mm", "80 mm"])"));
     s.keys.push_back(
-        porous_key("top_x", &Porous::top_x,
-                   "Places along the channel, one after the other, of heights of the zone's top, in place of z_to.")
+        porous_key(
+            "top_x", &Porous::top_x,
+            "Places along the channel, one after the other, of heights of the zone's top, in place of z_to.")
             .measured_in(length)
             .may_be_empty()
             .with_default_note("a level top")
@@ -112,8 +115,9 @@ void add_place_keys(SectionKeys& s) {
             .with_default_note("a level top")
             .with_example(R"(["20 mm", "35 mm", "25 mm"])"));
     s.keys.push_back(
-        porous_key("edge", &Porous::edge,
-                   "Thickness over which the porosity changes from that of the medium to 1, half of it on either side.")
+        porous_key(
+            "edge", &Porous::edge,
+            "Thickness over which the porosity changes from that of the medium to 1, half of it on either side.")
             .measured_in(length)
             .greater_than(0)
             .unset_by("auto", "2.4 smoothing lengths, over which the kernel smooths a step"));
@@ -122,11 +126,12 @@ void add_place_keys(SectionKeys& s) {
 }  // namespace
 
 SectionKeys porous_keys() {
-    SectionKeys s{"porous",
-                  "A part of the channel that a porous medium fills: grains at rest, and water in their pores. Any "
-                  "number of zones beside each other, each under [[porous]].",
-                  {},
-                  [](const Case& c) { return c.porous.size(); }};
+    SectionKeys s{
+        "porous",
+        "A part of the channel that a porous medium fills: grains at rest, and water in their pores. Any "
+        "number of zones beside each other, each under [[porous]].",
+        {},
+        [](const Case& c) { return c.porous.size(); }};
     s.keys.push_back(porous_key("name", &Porous::name, "Name of the zone, for messages and figures.")
                          .is_required()
                          .with_example("\"gravel\""));

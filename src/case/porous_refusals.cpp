@@ -45,8 +45,8 @@ std::array<ZoneRange, 3> ranges_of(const Case& c, const Porous& zone) {
         return {{{x.low, x.high}, across, {z.low, z.high}}};
     }
     const double bottom = zone.z_from.value_or(0.0);
-    const double top =
-        zone.top_z.empty() ? zone.z_to.value_or(std::max(height_of_case(c), bottom)) : Extent(zone.top_z).high;
+    const double top = zone.top_z.empty() ? zone.z_to.value_or(std::max(height_of_case(c), bottom))
+                                          : Extent(zone.top_z).high;
     return {{{zone.x_from.value_or(0.0), zone.x_to.value_or(c.channel.length)}, across, {bottom, top}}};
 }
 
@@ -255,8 +255,8 @@ CheckList porous_refusals() {
                        "give one of the two",
                        [](const Case&, const Porous& zone) {
                            const bool both = zone.grain_size && zone.permeability;
-                           return found_if(zone.grain_size.has_value() == zone.permeability.has_value(),
-                                           "{}", both ? "both are given" : "neither is given");
+                           return found_if(zone.grain_size.has_value() == zone.permeability.has_value(), "{}",
+                                           both ? "both are given" : "neither is given");
                        }),
             medium_row({"porous.forchheimer", "porous.grain_size"}, "`forchheimer` with `grain_size`",
                        "the quadratic resistance of grains is that of inertial_coefficient",
@@ -283,8 +283,7 @@ CheckList porous_refusals() {
              "keep one of them",
              two_shapes,
              true},
-            outline_row(OutlineFault::uneven, {"porous.x", "porous.z"},
-                        "not as many values of `x` as of `z`",
+            outline_row(OutlineFault::uneven, {"porous.x", "porous.z"}, "not as many values of `x` as of `z`",
                         [](const Case&, const Porous& zone) {
                             return outline_findings(outline_of(zone), OutlineFault::uneven);
                         }),
@@ -293,12 +292,12 @@ CheckList porous_refusals() {
                             return zone.x.empty() ? Findings{}
                                                   : outline_findings(outline_of(zone), OutlineFault::few);
                         }),
-            outline_row(OutlineFault::crossing, {"porous.x", "porous.z"},
-                        "an outline that crosses or touches itself",
-                        [](const Case&, const Porous& zone) {
-                            return zone.x.empty() ? Findings{}
-                                                  : outline_findings(outline_of(zone), OutlineFault::crossing);
-                        }),
+            outline_row(
+                OutlineFault::crossing, {"porous.x", "porous.z"}, "an outline that crosses or touches itself",
+                [](const Case&, const Porous& zone) {
+                    return zone.x.empty() ? Findings{}
+                                          : outline_findings(outline_of(zone), OutlineFault::crossing);
+                }),
             {{"porous.top_x", "porous.top_z"},
              "`top_x`, `top_z` of one place, of different lengths or not in order",
              "the top runs straight from place to place",

@@ -74,8 +74,9 @@ class SolidsBehind {
     }
     [[nodiscard]] bool holds(double x, double y, double z) const {
         if (space_) {
-            return meshes_ && std::any_of(meshes_->begin(), meshes_->end(),
-                                          [&](const SolidMesh& mesh) { return mesh.contains({x, y, z}); });
+            return meshes_ && std::any_of(meshes_->begin(), meshes_->end(), [&](const SolidMesh& mesh) {
+                       return mesh.contains({x, y, z});
+                   });
         }
         return std::any_of(c_.solids.begin(), c_.solids.end(), [&](const Solid& solid) {
             return is_simple({solid.x, solid.z}) && contains({solid.x, solid.z}, x, z);
@@ -168,7 +169,8 @@ void PorousZone::end_at_solids(const Case& c) {
     }
     const SoftRange x = within(along_, c.channel.length);
     const SoftRange y = within(across_, c.channel.simulated_width());
-    const SoftRange z = within(upright_, top_z_.empty() ? height : *std::min_element(top_z_.begin(), top_z_.end()));
+    const SoftRange z =
+        within(upright_, top_z_.empty() ? height : *std::min_element(top_z_.begin(), top_z_.end()));
     using Point = std::array<double, 3>;
     const auto end = [&](double& at, bool& hard, double outward, const auto& is_behind) {
         if (std::isfinite(at) && is_behind(at + outward * beyond)) {

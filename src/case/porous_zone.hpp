@@ -15,7 +15,7 @@ namespace riffle {
 struct SoftRange {
     double from = -std::numeric_limits<double>::infinity();
     double to = std::numeric_limits<double>::infinity();
-    double period = 0.0;  ///< after which it comes again, m; 0: never
+    double period = 0.0;     ///< after which it comes again, m; 0: never
     bool hard_from = false;  ///< an end at a solid: all of a place within, nothing of one beyond
     bool hard_to = false;
 

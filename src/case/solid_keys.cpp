@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "case/motion_keys.hpp"
 #include "case/units.hpp"
 
 namespace riffle {
@@ -138,7 +139,6 @@ SectionKeys solid_keys() {
     const auto key = [](const char* name, auto member, const char* meaning) {
         return make_key("solid", name, &Case::solids, member, meaning);
     };
-    const std::string motion = "solid.motion";
     const std::string shape = "solid.shape";
     s.keys.push_back(key("name", &Solid::name, "Name of the solid, for messages.")
                          .is_required()
@@ -187,39 +187,8 @@ SectionKeys solid_keys() {
             .with_default_note("the solid's centroid")
             .with_example(R"(["120 mm", "0 mm"])"));
     s.keys.push_back(key("motion", &Solid::motion, "Whether and how it moves."));
-    s.keys.push_back(key("start", &Solid::start, "Simulated time at which it starts to move.")
-                         .measured_in(time)
-                         .at_least(0)
-                         .applies_with(motion, {"constant", "oscillating"}, true));
-    s.keys.push_back(key("stop", &Solid::stop, "Simulated time at which it stops, for good.")
-                         .measured_in(time)
-                         .at_least(0)
-                         .unset_by("never", "it moves to the end of the run")
-                         .applies_with(motion, {"constant", "oscillating"}, true));
-    s.keys.push_back(key("velocity_x", &Solid::velocity_x, "Its velocity along the channel.")
-                         .measured_in(velocity)
-                         .applies_with(motion, {"constant"}, true));
-    s.keys.push_back(
-        key("velocity_y", &Solid::velocity_y, "Its velocity across the channel, in three dimensions.")
-            .measured_in(velocity)
-            .applies_with(motion, {"constant"}, true));
-    s.keys.push_back(key("velocity_z", &Solid::velocity_z, "Its velocity upward.")
-                         .measured_in(velocity)
-                         .applies_with(motion, {"constant"}, true));
-    s.keys.push_back(key("amplitude_x", &Solid::amplitude_x, "Amplitude of its swing along the channel.")
-                         .measured_in(length)
-                         .applies_with(motion, {"oscillating"}, true));
-    s.keys.push_back(key("amplitude_y", &Solid::amplitude_y,
-                         "Amplitude of its swing across the channel, in three dimensions.")
-                         .measured_in(length)
-                         .applies_with(motion, {"oscillating"}, true));
-    s.keys.push_back(key("amplitude_z", &Solid::amplitude_z, "Amplitude of its swing upward.")
-                         .measured_in(length)
-                         .applies_with(motion, {"oscillating"}, true));
-    s.keys.push_back(key("frequency", &Solid::frequency, "Swings per time.")
-                         .measured_in(frequency)
-                         .at_least(0)
-                         .applies_with(motion, {"oscillating"}, true));
+    add_motion_keys(s);
+    add_free_body_keys(s);
     return s;
 }
 

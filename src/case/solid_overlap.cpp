@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "case/body_state.hpp"
 #include "case/outline.hpp"
 #include "case/solid_mesh.hpp"
 #include "case/solid_motion.hpp"
@@ -14,15 +15,26 @@ namespace riffle {
 
 namespace {
 
-/// An outline at another place.
-Outline moved(Outline outline, double x, double z) {
-    for (double& corner : outline.x) {
-        corner += x;
-    }
-    for (double& corner : outline.z) {
-        corner += z;
+/// An outline at another place, turned with its body.
+Outline moved(Outline outline, const BodyState& body, const Point3& shift) {
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        const Point3 corner = body.placed({outline.x[i], 0.0, outline.z[i]});
+        outline.x[i] = corner[0] + shift[0];
+        outline.z[i] = corner[2] + shift[2];
     }
     return outline;
+}
+
+/// Where a solid stands at a time by its prescribed motion.
+BodyState standing(const Case& c, const Solid& solid, double time) {
+    const SolidMotionState state = solid_motion(solid, time);
+    BodyState body{.displacement = state.displacement};
+    if (turns(c, solid)) {
+        body.turns = true;
+        body.centre = rotation_point(c, solid);
+        body.rotation = rotation_about(rotation_axis(solid), state.angle);
+    }
+    return body;
 }
 
 /// Least distance of the corners of either outline from the other one: of outlines that do not meet, their
@@ -93,14 +105,16 @@ class Outlines {
     Outlines(const Case& c, std::size_t first, std::size_t second)
         : first_{c.solids[first].x, c.solids[first].z}, second_{c.solids[second].x, c.solids[second].z} {}
 
-    /// `shift`: of the second solid against the first, from their places at t = 0.
-    [[nodiscard]] Meeting meeting(const Point3& shift, double tolerance) const {
-        const Outline second = moved(second_, shift[0], shift[2]);
-        auto place = place_inside(second, first_, tolerance);
+    /// `shift`: of the second one to an image of it next door.
+    [[nodiscard]] Meeting meeting(const BodyState& a, const BodyState& b, const Point3& shift,
+                                  double tolerance) const {
+        const Outline first = moved(first_, a, {});
+        const Outline second = moved(second_, b, shift);
+        auto place = place_inside(second, first, tolerance);
         if (!place) {
-            place = place_inside(first_, second, tolerance);
+            place = place_inside(first, second, tolerance);
         }
-        return {place, gap(first_, second)};
+        return {place, gap(first, second)};
     }
 
   private:
@@ -120,15 +134,16 @@ class Surfaces {
           on_first_(places_on(first_, between_)),
           on_second_(places_on(second_, between_)) {}
 
-    [[nodiscard]] Meeting meeting(const Point3& shift, double tolerance) const {
-        const double apart = box_distance(shift);
+    [[nodiscard]] Meeting meeting(const BodyState& a, const BodyState& b, const Point3& shift,
+                                  double tolerance) const {
+        const double apart = ball_distance(a, b, shift);
         if (apart > 0.0) {
             return {std::nullopt, apart};
         }
         const Point3 back{-shift[0], -shift[1], -shift[2]};
-        Meeting found = look(on_second_, shift, first_, tolerance);
+        Meeting found = look(on_second_, b, shift, first_, a, tolerance);
         if (!found.place) {
-            const Meeting other = look(on_first_, back, second_, tolerance);
+            const Meeting other = look(on_first_, a, back, second_, b, tolerance);
             found.distance = std::min(found.distance, other.distance);
             if (other.place) {
                 found.place = plus(*other.place, shift);
@@ -163,26 +178,46 @@ class Surfaces {
         return places;
     }
 
-    /// Distance of the boxes around both, 0 where they meet.
-    [[nodiscard]] double box_distance(const Point3& shift) const {
+    /// Distance of what surely holds both, 0 where they meet: the boxes around solids that do not turn, else
+    /// the balls around these.
+    [[nodiscard]] double ball_distance(const BodyState& a, const BodyState& b, const Point3& shift) const {
         double squared = 0.0;
+        const bool turn = a.turns || b.turns;
+        double radii = 0.0;
+        for (const SolidMesh* const mesh : {&first_, &second_}) {
+            const Point3 size = minus(mesh->upper(), mesh->lower());
+            radii += 0.5 * std::sqrt(dot(size, size));
+        }
         for (std::size_t k = 0; k < 3; ++k) {
-            const double between = std::max({second_.lower()[k] + shift[k] - first_.upper()[k],
-                                             first_.lower()[k] - second_.upper()[k] - shift[k], 0.0});
+            const double way = shift[k] + b.displacement[k] - a.displacement[k];
+            const double between = std::max({second_.lower()[k] + way - first_.upper()[k],
+                                             first_.lower()[k] - second_.upper()[k] - way, 0.0});
             squared += between * between;
         }
-        return std::sqrt(squared);
+        if (!turn) {
+            return std::sqrt(squared);
+        }
+        const auto middle = [](const SolidMesh& mesh, const BodyState& body) {
+            Point3 m{};
+            for (std::size_t k = 0; k < 3; ++k) {
+                m[k] = 0.5 * (mesh.lower()[k] + mesh.upper()[k]);
+            }
+            return body.placed(m);
+        };
+        const Point3 between = minus(plus(middle(second_, b), shift), middle(first_, a));
+        return std::max(0.0, std::sqrt(dot(between, between)) - radii);
     }
 
-    /// Places of one surface, moved by a shift, against the other solid.
-    static Meeting look(const std::vector<Point3>& places, const Point3& shift, const SolidMesh& solid,
-                        double tolerance) {
+    /// Places of one surface with its body, moved by a shift, against the other solid.
+    static Meeting look(const std::vector<Point3>& places, const BodyState& body, const Point3& shift,
+                        const SolidMesh& solid, const BodyState& other, double tolerance) {
         Meeting found;
         for (const Point3& place : places) {
-            const Point3 p = plus(place, shift);
+            const Point3 now = plus(body.placed(place), shift);
+            const Point3 p = other.place_at_start(now);
             if (solid.contains(p)) {
                 if (!solid.nearest(p, tolerance)) {
-                    return {p, 0.0};
+                    return {now, 0.0};
                 }
                 found.distance = 0.0;
             } else if (found.distance > 0.0) {
@@ -202,16 +237,26 @@ class Surfaces {
 };
 
 double last_motion(const Solid& solid, double end) {
-    return solid.motion == SolidMotion::fixed ? 0.0 : std::min(end, solid.stop.value_or(end));
+    switch (solid.motion) {
+        case SolidMotion::fixed:
+        case SolidMotion::free:  // nobody knows its way
+            return 0.0;
+        case SolidMotion::table:
+            return solid.times.empty() ? 0.0 : std::min(end, solid.start + solid.times.back());
+        case SolidMotion::constant:
+        case SolidMotion::oscillating:
+            break;
+    }
+    return std::min(end, solid.stop.value_or(end));
 }
 
-/// A shift and its images in the neighbouring periods.
-std::vector<Point3> images_of(const Case& c, const Point3& shift) {
-    std::vector<Point3> images = {shift};
+/// Shifts to the images in the neighbouring periods of what stands so far from another solid, m.
+std::vector<Point3> images_of(const Case& c, const Point3& apart) {
+    std::vector<Point3> images = {Point3{}};
     const auto repeat = [&](bool periodic, std::size_t axis, double extent) {
         std::vector<Point3> repeated;
         for (Point3 image : images) {
-            image[axis] -= periodic ? extent * std::floor(image[axis] / extent) : 0.0;
+            image[axis] -= periodic ? extent * std::floor(apart[axis] / extent) : 0.0;
             for (const double beside :
                  periodic ? std::vector<double>{-extent, 0.0, extent} : std::vector<double>{0.0}) {
                 repeated.push_back(image);
@@ -232,16 +277,17 @@ std::optional<SolidOverlap> overlap_of(const Case& c, std::size_t i, std::size_t
     const Solid& a = c.solids[i];
     const Solid& b = c.solids[j];
     const double tolerance = 0.1 * c.numerics.spacing;
-    const double speed = largest_speed(a) + largest_speed(b);
-    const double end = std::max(last_motion(a, c.run.time), last_motion(b, c.run.time));
+    const double speed = largest_speed(c, a) + largest_speed(c, b);
+    const bool free = a.motion == SolidMotion::free || b.motion == SolidMotion::free;
+    const double end = free ? 0.0 : std::max(last_motion(a, c.run.time), last_motion(b, c.run.time));
     for (double time = 0.0;;) {
-        const Point3 at_a = solid_motion(a, time).displacement;
+        const BodyState now_a = standing(c, a, time);
+        const BodyState now_b = standing(c, b, time);
         double distance = std::numeric_limits<double>::infinity();
-        for (const Point3& image : images_of(c, minus(solid_motion(b, time).displacement, at_a))) {
-            const Meeting meeting = shapes.meeting(image, tolerance);
+        for (const Point3& image : images_of(c, minus(now_b.displacement, now_a.displacement))) {
+            const Meeting meeting = shapes.meeting(now_a, now_b, image, tolerance);
             if (meeting.place) {
-                const Point3& place = *meeting.place;
-                return SolidOverlap{i, j, time, {place[0] + at_a[0], place[1] + at_a[1], place[2] + at_a[2]}};
+                return SolidOverlap{i, j, time, *meeting.place};
             }
             distance = std::min(distance, meeting.distance);
         }
@@ -258,7 +304,7 @@ std::optional<SolidOverlap> first_overlap(const Case& c) {
     std::optional<SolidOverlap> first;
     for (std::size_t i = 0; i < c.solids.size(); ++i) {
         for (std::size_t j = i + 1; j < c.solids.size(); ++j) {
-            if (largest_speed(c.solids[i]) + largest_speed(c.solids[j]) == 0.0) {
+            if (c.solids[i].motion == SolidMotion::fixed && c.solids[j].motion == SolidMotion::fixed) {
                 continue;  // both at rest
             }
             const auto overlap =

@@ -1,5 +1,7 @@
 #include "case/solid_volume.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include "case/outline.hpp"
@@ -97,7 +99,28 @@ SolidVolume solid_volume(const Case& c, const Solid& solid) {
         return of_outline(solid);
     }
     const SolidMesh* const mesh = mesh_of(c, solid);
-    return of_mesh(mesh != nullptr ? *mesh : SolidMesh(c, solid));
+    return mesh != nullptr ? of_mesh(*mesh) : of_mesh(SolidMesh(c, solid));
+}
+
+double reach_from(const Case& c, const Solid& solid, const std::array<double, 3>& point) {
+    double squared = 0.0;
+    const auto look = [&](const Point3& place) {
+        const Point3 apart = minus(place, point);
+        squared = std::max(squared, dot(apart, apart));
+    };
+    for (std::size_t i = 0; c.channel.dimensions == 2 && i < solid.x.size(); ++i) {
+        look({solid.x[i], 0.0, solid.z[i]});
+    }
+    if (c.channel.dimensions == 3) {
+        const auto look_at = [&](const SolidMesh& mesh) {
+            for (const Triangle& t : mesh.tree().triangles()) {
+                std::for_each(t.begin(), t.end(), look);
+            }
+        };
+        const SolidMesh* const read = mesh_of(c, solid);
+        read != nullptr ? look_at(*read) : look_at(SolidMesh(c, solid));
+    }
+    return std::sqrt(squared);
 }
 
 std::array<double, 3> moment_point(const Case& c, const Solid& solid) {

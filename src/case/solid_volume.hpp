@@ -22,6 +22,9 @@ struct SolidVolume {
 /// (Mirtich 1996 gives the integrals over polyhedra). What lies in two shells of a surface counts twice.
 [[nodiscard]] SolidVolume solid_volume(const Case& c, const Solid& solid);
 
+/// Largest distance of a place of a solid from a point, both at t = 0, m.
+[[nodiscard]] double reach_from(const Case& c, const Solid& solid, const std::array<double, 3>& point);
+
 /// The point of a solid that moments of the water's forces on it are about, where it is at t = 0, m: the one
 /// that the case gives, or the centroid.
 [[nodiscard]] std::array<double, 3> moment_point(const Case& c, const Solid& solid);

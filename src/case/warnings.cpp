@@ -426,8 +426,9 @@ CheckList make_warnings() {
          "verified up to sqrt(g H); let it move more slowly",
          [](const Case& c, const Solid& solid) {
              const double wave = std::sqrt(c.normal_gravity() * c.total_depth());
-             return found_if(in_space(c) && largest_speed(solid) > 1.5 * wave,
-                             "moves at {:.3g} m/s, and waves run at {:.3g} m/s", largest_speed(solid), wave);
+             return found_if(in_space(c) && largest_speed(c, solid) > 1.5 * wave,
+                             "moves at {:.3g} m/s, and waves run at {:.3g} m/s", largest_speed(c, solid),
+                             wave);
          }},
     }};
 }

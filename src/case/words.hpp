@@ -267,7 +267,7 @@ struct Words<SolidSurface> {
 
 template <>
 struct Words<SolidMotion> {
-    static constexpr std::array<Word, 3> list{{
+    static constexpr std::array<Word, 5> list{{
         {"fixed", "it stands still"},
         {"constant", "it moves at a constant velocity from its start",
          "u_w in the continuity equation, (g - a_w).r in the wall pressure (Adami, Hu & Adams 2012, eq. 27)",
@@ -275,6 +275,12 @@ struct Words<SolidMotion> {
         {"oscillating", "it swings harmonically from its start",
          "displacement amplitude sin(2 pi frequency (t - start)); at full speed from the start",
          "wavemakers, with h = 2 dx"},
+        {"table", "it follows a table of places and angles in time",
+         "cubic pieces through the values, with the slopes of the parabolas through three of them: velocities "
+         "without jumps"},
+        {"free", "the water, its weight and what it touches move it",
+         "M dv/dt = F, I dw/dt + w x I w = T, with the water's step; soft contacts (Cundall & Strack 1979)",
+         "docs/bodies.md"},
     }};
 };
 

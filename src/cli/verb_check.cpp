@@ -80,12 +80,13 @@ nlohmann::ordered_json vegetation_json(const Forecast& f) {
 
 void print_porous(const Forecast& f) {
     for (const PorousForecast& zone : f.porous) {
-        print_row("porous zone",
-                  fmt::format("{}: n = {:.3g}, K = {:.3g} m2, quadratic coefficient {:.4g} 1/m, "
-                              "q = {:.3g} m/s with a pore Reynolds number of {:.3g}, at which the quadratic part "
-                              "has {:.0f} %",
-                              zone.name, zone.porosity, zone.permeability, zone.quadratic, zone.speed, zone.reynolds,
-                              100.0 * zone.quadratic_share));
+        print_row(
+            "porous zone",
+            fmt::format("{}: n = {:.3g}, K = {:.3g} m2, quadratic coefficient {:.4g} 1/m, "
+                        "q = {:.3g} m/s with a pore Reynolds number of {:.3g}, at which the quadratic part "
+                        "has {:.0f} %",
+                        zone.name, zone.porosity, zone.permeability, zone.quadratic, zone.speed,
+                        zone.reynolds, 100.0 * zone.quadratic_share));
     }
 }
 

@@ -96,8 +96,7 @@ std::vector<double> MomentumBalance::residual(const std::vector<double>& u) cons
         if (stems_) force[i] -= thickness_[i] * stem_share_[i] * stems_->deceleration(u[i]);
         if (!media_.empty()) {
             const PorousMedia::At& at = media_[i];
-            force[i] -= thickness_[i] * ((1.0 - at.porosity) * weight_ +
-                                         at.along(std::abs(u[i])) * u[i]);
+            force[i] -= thickness_[i] * ((1.0 - at.porosity) * weight_ + at.along(std::abs(u[i])) * u[i]);
         }
     }
     return force;
@@ -110,8 +109,7 @@ Tridiagonal MomentumBalance::jacobian(const std::vector<double>& u) const {
         matrix.diagonal[i] = 2.0 * thickness_[i] * drag_coefficient_[i] * std::abs(u[i]);
         if (stems_) matrix.diagonal[i] += thickness_[i] * stem_share_[i] * stems_->deceleration_slope(u[i]);
         if (!media_.empty()) {
-            matrix.diagonal[i] +=
-                thickness_[i] * media_[i].along(2.0 * std::abs(u[i]));
+            matrix.diagonal[i] += thickness_[i] * media_[i].along(2.0 * std::abs(u[i]));
         }
     }
     for (std::size_t i = 0; i <= n; ++i) {
@@ -138,8 +136,8 @@ double MomentumBalance::functional(const std::vector<double>& u) const {
         if (stems_) sum += thickness_[i] * stem_share_[i] * stems_->deceleration_integral(u[i]);
         if (!media_.empty()) {
             const PorousMedia::At& at = media_[i];
-            sum += thickness_[i] * ((1.0 - at.porosity) * weight_ * u[i] +
-                                    u[i] * u[i] * at.along(speed * 2.0 / 3.0) / 2.0);
+            sum += thickness_[i] *
+                   ((1.0 - at.porosity) * weight_ * u[i] + u[i] * u[i] * at.along(speed * 2.0 / 3.0) / 2.0);
         }
     }
     for (std::size_t i = 0; i <= u.size(); ++i) {

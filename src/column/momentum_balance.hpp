@@ -81,13 +81,15 @@ class MomentumBalance {
     std::vector<double> cell_length_;       ///< l_m at the centres, m
     std::vector<double> drag_coefficient_;  ///< beta of the cells, 1/m
     std::optional<StemDrag> stems_;
-    std::vector<double> stem_share_;  ///< of the cells that stands below the tops of the stems
-    std::vector<PorousMedia::At> media_;     ///< of the cells; empty without porous layers
-    std::vector<double> face_ratio_;         ///< r at the faces: Porous::viscosity_ratio; empty without
+    std::vector<double> stem_share_;      ///< of the cells that stands below the tops of the stems
+    std::vector<PorousMedia::At> media_;  ///< of the cells; empty without porous layers
+    std::vector<double> face_ratio_;      ///< r at the faces: Porous::viscosity_ratio; empty without
     double depth_ = 0.0;
 
     /// r at a face.
-    [[nodiscard]] double ratio(std::size_t face) const { return face_ratio_.empty() ? 1.0 : face_ratio_[face]; }
+    [[nodiscard]] double ratio(std::size_t face) const {
+        return face_ratio_.empty() ? 1.0 : face_ratio_[face];
+    }
 };
 
 }  // namespace riffle

@@ -32,9 +32,8 @@ Eigen::VectorXd first_guess(const Case& c, const SectionGrid& grid, const Sectio
         return from_profile(grid, [&column](double z) { return column.velocity_at(z); });
     }
     const Eigen::VectorXd one = still.array() + 1.0;
-    return std::sqrt(balance.weight() /
-                     (balance.bed_force(one) + balance.wall_force(one) + balance.vegetation_force(one) +
-                      balance.porous_force(one))) *
+    return std::sqrt(balance.weight() / (balance.bed_force(one) + balance.wall_force(one) +
+                                         balance.vegetation_force(one) + balance.porous_force(one))) *
            one;
 }
 

@@ -288,8 +288,7 @@ Eigen::VectorXd SectionBalance::residual(const Eigen::VectorXd& u) const {
     }
     for (Eigen::Index i = 0; !media_.empty() && i < u.size(); ++i) {
         const PorousMedia::At& at = media_[static_cast<std::size_t>(i)];
-        force(i) -= area_(i) * ((1.0 - at.porosity) * weight_ +
-                                at.along(std::abs(u(i))) * u(i));
+        force(i) -= area_(i) * ((1.0 - at.porosity) * weight_ + at.along(std::abs(u(i))) * u(i));
     }
     for (const auto* faces : {&vertical_faces_, &lateral_faces_}) {
         for (const Face& face : *faces) {

@@ -122,9 +122,9 @@ class SectionBalance {
     std::vector<Face> vertical_faces_;  ///< between rows, row by row
     std::vector<Face> lateral_faces_;   ///< between columns, row by row
     Eigen::VectorXd area_;
-    Eigen::VectorXd bed_drag_;    ///< area times beta_bed
-    Eigen::VectorXd stem_area_;   ///< area below the tops of stems
-    Eigen::VectorXd layer_area_;  ///< area in the wall's layer, else 0
+    Eigen::VectorXd bed_drag_;            ///< area times beta_bed
+    Eigen::VectorXd stem_area_;           ///< area below the tops of stems
+    Eigen::VectorXd layer_area_;          ///< area in the wall's layer, else 0
     std::vector<PorousMedia::At> media_;  ///< of the cells; empty without porous zones
     std::vector<double> pore_length_;     ///< l_m of the cells with them, m
 };

@@ -7,6 +7,7 @@
 #include "components/crowds.hpp"
 #include "components/density_filter.hpp"
 #include "components/energy_budget.hpp"
+#include "components/free_bodies.hpp"
 #include "components/further_pair_sums.hpp"
 #include "components/mixing_lengths.hpp"
 #include "components/open_ends.hpp"
@@ -50,6 +51,7 @@ ComponentList<D, Real> make_components(FlowOf<D, Real>& flow, double celerity) {
     add(components, make_open_ends(flow));      // after all that adds forces, which buffers do not feel
     add(components, make_energy_budget(flow));  // after all that adds forces, before what changes velocities
     add(components, make_contact(flow));
+    add(components, make_free_bodies(flow));  // after all that acts on them
     return components;
 }
 

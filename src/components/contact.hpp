@@ -34,7 +34,7 @@ class Contact final : public Component<D, Real> {
     /// Error where water stands more than a spacing deep in a solid.
     void particles_sorted(const Flow& flow) override {
         const double spacing = flow.c.numerics.spacing;
-        const std::vector<BodyState> bodies = flow.motion.at(flow.clock.time);
+        const std::vector<BodyState> bodies = flow.bodies_now();
         for (std::size_t k = 0; k < flow.c.solids.size(); ++k) {
             for (std::size_t i = 0; i < flow.particles.size(); ++i) {
                 if (solids_.depth(k, bodies, vector_of(flow.particles.position, i)) > spacing) {
@@ -46,6 +46,7 @@ class Contact final : public Component<D, Real> {
 
     void begin_evaluation(Flow& flow, const Stage& /*stage*/) override {
         depth_.assign(flow.block_advance.size(), 0.0);
+        impulses_.assign(flow.free.empty() ? 0 : flow.block_advance.size() * flow.free.size(), BodyLoad{});
     }
 
     void after_motion(Flow& flow, Task& /*task*/, const Stage& stage, std::size_t begin,
@@ -56,7 +57,7 @@ class Contact final : public Component<D, Real> {
                 continue;
             }
             flow.for_particles(cluster, cluster + 1, [&](std::size_t i, std::size_t) {
-                deepest = std::max(deepest, put_back(flow, i, stage.motion));
+                deepest = std::max(deepest, put_back(flow, i, stage.motion, begin / block_clusters));
             });
         }
         depth_[begin / block_clusters] = deepest;
@@ -66,11 +67,19 @@ class Contact final : public Component<D, Real> {
         if (!depth_.empty()) {
             flow.clock.displacement_bound += 2.0 * *std::max_element(depth_.begin(), depth_.end());
         }
+        flow.contact_impulses.assign(flow.free.size(), BodyLoad{});
+        for (std::size_t n = 0; n < impulses_.size(); ++n) {
+            BodyLoad& sum = flow.contact_impulses[n % flow.free.size()];
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                sum.force[axis] += impulses_[n].force[axis];
+                sum.moment[axis] += impulses_[n].moment[axis];
+            }
+        }
     }
 
   private:
     /// Returns how far a particle was put back, m.
-    double put_back(Flow& flow, std::size_t i, double step) const {
+    double put_back(Flow& flow, std::size_t i, double step, std::size_t block) {
         constexpr std::size_t vertical = Flow::vertical;
         Particles<D>& particles = flow.particles;
         Vec<D> x = vector_of(particles.position, i);
@@ -78,7 +87,9 @@ class Contact final : public Component<D, Real> {
         const Vec<D> before = u;
         double depth = planes_.resolve(x, u);
         if (!solids_.empty()) {
-            depth = std::max(depth, solids_.resolve(flow.bodies_after, x, u));
+            depth = std::max(depth, flow.free.empty() ? solids_.resolve(flow.bodies_after, x, u)
+                                                      : solids_.resolve(flow.bodies_after, x, u,
+                                                                        impulse_on(flow, i, block)));
         }
         if (depth > 0.0 && flow.keep_fields) {
             // What the wall takes from the velocity is a force of the wall.
@@ -94,19 +105,47 @@ class Contact final : public Component<D, Real> {
         return depth;
     }
 
+    /// Books what the water's velocity gains on the free body that put it back.
+    Push impulse_on(const Flow& flow, std::size_t i, std::size_t block) {
+        return [this, &flow, i, block](std::size_t solid, const Vec<3>& place, const Vec<3>& gain) {
+            for (std::size_t n = 0; n < flow.free.size(); ++n) {
+                if (flow.free[n].solid() != solid) {
+                    continue;
+                }
+                const BodyState& body = flow.bodies_after[first_solid + solid];
+                const Point3& centre = flow.free[n].centre_of_mass();
+                const double mass = flow.particles.mass[i];
+                Point3 arm{};
+                Point3 impulse{};
+                for (std::size_t k = 0; k < 3; ++k) {
+                    arm[k] = place[k] - centre[k] - body.displacement[k];
+                    impulse[k] = -mass * gain[k];
+                }
+                BodyLoad& sum = impulses_[block * flow.free.size() + n];
+                const Point3 moment = cross(arm, impulse);
+                for (std::size_t k = 0; k < 3; ++k) {
+                    sum.force[k] += impulse[k];
+                    sum.moment[k] += moment[k];
+                }
+            }
+        };
+    }
+
     static std::string entered(const Flow& flow, const Solid& solid, std::size_t i) {
         const Particles<D>& p = flow.particles;
         return fmt::format(
             "water has entered the solid \"{}\": particle {} at x = {:.6g} m, z = {:.6g} m, velocity ({:.4g}, {:.4g}) m/s, at t = {:.6g} s; take a smaller step ([numerics] courant_number){}",
             solid.name, p.id[i], p.position[0][i], p.position[Flow::vertical][i], p.velocity[0][i],
             p.velocity[Flow::vertical][i], flow.clock.time,
-            solid.motion == SolidMotion::fixed ? " or spacing"
-                                               : ", a smaller spacing, or let the solid move more slowly");
+            solid.motion == SolidMotion::fixed  ? " or spacing"
+            : solid.motion == SolidMotion::free ? " or a smaller spacing"
+                                                : ", a smaller spacing, or let the solid move more slowly");
     }
 
     std::conditional_t<D == 2, SolidContact, MeshContact> solids_;
     PlaneContact<D> planes_;
-    std::vector<double> depth_;  ///< by block, the largest of the evaluation, m
+    std::vector<double> depth_;       ///< by block, the largest of the evaluation, m
+    std::vector<BodyLoad> impulses_;  ///< by block and free body, N s and N m s
 };
 
 template <int D, class Real>

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "boundary/wall_motion.hpp"
+#include "case/solid_volume.hpp"
 #include "engine/component.hpp"
 #include "engine/pair_setup.hpp"
 #include "engine/pass_order.hpp"
@@ -29,6 +30,9 @@ class EnergyBudget final : public Component<D, Real> {
         options.gradients = false;
         options.directional = false;  // a weight of the eddies alone
         molecular_loops_ = pair_loops<D, Real>(options);
+        for (const Solid& solid : flow.c.solids) {
+            points_.push_back(moment_point(flow.c, solid));
+        }
     }
 
     void begin_evaluation(Flow& flow, const Stage& stage) override {
@@ -245,22 +249,28 @@ class EnergyBudget final : public Component<D, Real> {
         sum.side_drag += mass * side;
         sum.vegetation += stems;
         sum.porous += grains;
-        sum.further_forces += flow.with_vegetation || !flow.porous.empty() ? further - stems - grains : further;
+        sum.further_forces +=
+            flow.with_vegetation || !flow.porous.empty() ? further - stems - grains : further;
         if (flow.domain.periodic[0]) {
             sum.gravity += mass * u[0] * flow.particle_data.gravity[0];
         }
     }
 
     /// Solids that move work on the water by pressure and friction, of which the sums above know no cause.
-    static void add_solids(Flow& flow) {
+    void add_solids(Flow& flow) const {
         for (std::size_t n = 0; !flow.bodies.empty() && n < flow.solid_forces.size(); ++n) {
-            const auto& velocity = flow.bodies[static_cast<std::size_t>(first_solid) + n].velocity;
+            const BodyState& body = flow.bodies[static_cast<std::size_t>(first_solid) + n];
+            const auto velocity = body.turns ? body.velocity_at(body.placed(points_[n])) : body.velocity;
             const auto& force = flow.solid_forces[n];
             double pressure = 0.0;
             double friction = 0.0;
             for (std::size_t axis = 0; axis < 3; ++axis) {
                 pressure -= force.pressure[axis] * velocity[axis];
                 friction -= force.friction[axis] * velocity[axis];
+            }
+            for (std::size_t axis = 0; body.turns && axis < 3; ++axis) {
+                pressure -= force.pressure_moment[axis] * body.angular_velocity[axis];
+                friction -= force.friction_moment[axis] * body.angular_velocity[axis];
             }
             flow.energy_rates.solids += pressure + friction;
             flow.energy_rates.pressure -= pressure;
@@ -272,6 +282,7 @@ class EnergyBudget final : public Component<D, Real> {
     bool two_point_;  ///< an eddy viscosity acts between pairs
     bool tensor_;     ///< or in the stress tensor
     PairLoops<D, Real> molecular_loops_;
+    std::vector<Point3> points_;  ///< of each solid, that the moments on it are about, at t = 0
     Stage stage_;
     std::vector<EnergyRates> blocks_;
     WorkingValues strain_work_;  ///< 1/s2, by particle

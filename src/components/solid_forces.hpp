@@ -5,6 +5,7 @@
 
 #include "boundary/solid_surface.hpp"
 #include "boundary/wall_motion.hpp"
+#include "case/solid_motion.hpp"
 #include "case/solid_volume.hpp"
 #include "components/solid_feet.hpp"
 #include "engine/component.hpp"
@@ -13,28 +14,38 @@
 namespace riffle {
 
 /// The forces of the water on each solid and their moments, in steps that keep the fields: the force pass
-/// again, with the walls of one solid and no fluid.
+/// again, with the walls of one solid and no fluid. Of free bodies in all steps: they move by them.
 template <int D, class Real>
 class SolidForces final : public Component<D, Real> {
   public:
     using typename Component<D, Real>::Flow;
     using typename Component<D, Real>::Task;
 
-    explicit SolidForces(const Case& c) : surfaces_(c) {
+    explicit SolidForces(const Case& c)
+        : surfaces_(c), lists_(c.solids.size()), feet_(c.solids.size()), listed_(c.solids.size(), -1) {
         for (const Solid& solid : c.solids) {
             points_.push_back(moment_point(c, solid));
+            volumes_.push_back(solid.surface == SolidSurface::no_slip && turns(c, solid)
+                                   ? solid_volume(c, solid).volume
+                                   : 0.0);
+            free_.push_back(solid.motion == SolidMotion::free);
         }
+        any_free_ = std::find(free_.begin(), free_.end(), true) != free_.end();
     }
 
     void begin_step(Flow& flow, double /*dt*/) override {
-        if (flow.keep_fields && listed_ != flow.clock.list_builds) {
-            listed_ = flow.clock.list_builds;
-            list(flow);
+        for (std::size_t solid = 0; solid < lists_.size(); ++solid) {
+            if (wanted(flow, solid) && listed_[solid] != flow.clock.list_builds) {
+                list(flow, solid);
+            }
+        }
+        if (flow.keep_fields || any_free_) {
+            block_forces_.assign(blocks_of(flow.clusters.size()) * lists_.size(), ForceOnSolid{});
         }
     }
 
     void add_forces(Flow& flow, Task& task, std::size_t begin, std::size_t end) override {
-        if (!flow.keep_fields) {
+        if (!flow.keep_fields && !any_free_) {
             return;
         }
         thread_local BlockWork<D, Real> work;
@@ -44,6 +55,9 @@ class SolidForces final : public Component<D, Real> {
         for (std::size_t solid = 0; solid < lists_.size(); ++solid) {
             ForceOnSolid& sum = block_forces_[begin / block_clusters * lists_.size() + solid];
             sum = {};
+            if (!wanted(flow, solid)) {
+                continue;
+            }
             const NeighbourList& list = lists_[solid];
             const std::uint8_t* const masks = list.masks.data();
             if (std::all_of(masks + list.mask_begin[begin], masks + list.mask_begin[end],
@@ -58,31 +72,64 @@ class SolidForces final : public Component<D, Real> {
     }
 
     /// The sums over the blocks, in their order.
-    void end_step(Flow& flow) override {
-        if (!flow.keep_fields) {
+    void end_evaluation(Flow& flow) override {
+        if (!flow.keep_fields && !any_free_) {
             return;
         }
         flow.solid_forces.assign(lists_.size(), ForceOnSolid{});
         for (std::size_t i = 0; i < block_forces_.size(); ++i) {
             flow.solid_forces[i % lists_.size()] += block_forces_[i];
         }
+        for (std::size_t solid = 0; solid < lists_.size(); ++solid) {
+            if (volumes_[solid] > 0.0 && wanted(flow, solid)) {
+                add_spin(flow, solid, flow.solid_forces[solid]);
+            }
+        }
+    }
+
+    [[nodiscard]] std::size_t bytes() const override {
+        std::size_t sum = block_forces_.capacity() * sizeof(ForceOnSolid);
+        for (std::size_t solid = 0; solid < lists_.size(); ++solid) {
+            sum += lists_[solid].bytes() + feet_[solid].bytes();
+        }
+        return sum;
     }
 
   private:
-    /// Lists of the walls of each solid alone, and room for the sums; once for each build of the lists.
-    void list(const Flow& flow) {
+    [[nodiscard]] bool wanted(const Flow& flow, std::size_t solid) const {
+        return flow.keep_fields || free_[solid];
+    }
+
+    /// The list of the walls of one solid alone, once for each build of the lists.
+    void list(const Flow& flow, std::size_t solid) {
+        listed_[solid] = flow.clock.list_builds;
         no_list_.run_begin.assign(flow.clusters.size() + 1, 0);
         no_list_.mask_begin.assign(flow.clusters.size() + 1, 0);
         no_list_.empty_slot = flow.fluid_fluid.empty_slot;
-        lists_.assign(flow.c.solids.size(), flow.fluid_wall);
-        for (std::size_t solid = 0; solid < lists_.size(); ++solid) {
-            keep_solid(flow, first_solid + static_cast<std::int32_t>(solid), lists_[solid]);
+        lists_[solid] = flow.fluid_wall;
+        keep_solid(flow, first_solid + static_cast<std::int32_t>(solid), lists_[solid]);
+        feet_[solid].find(flow, surfaces_, solid, flow.bodies_listed()[first_solid + solid], lists_[solid]);
+    }
+
+    /// Morris' friction of a pair goes by the difference of the velocities, and so feels the turning of water
+    /// that turns with the body as one stiff piece, where no friction is: over a whole surface the moment
+    /// integral of r x (mu n x omega) = -2 mu V omega, which is taken off; of the wet share of the body.
+    void add_spin(const Flow& flow, std::size_t solid, ForceOnSolid& force) const {
+        double wet = 0.0;
+        double all = 0.0;
+        for (std::size_t slot = 0; slot < flow.wall_clusters.slots(); ++slot) {
+            const std::int32_t particle = flow.wall_clusters.particle_of(slot);
+            if (particle >= 0 && flow.walls.body[static_cast<std::size_t>(particle)] ==
+                                     first_solid + static_cast<std::int32_t>(solid)) {
+                wet += static_cast<double>(flow.data.wall_force[slot].viscous_weight);
+                all += flow.walls.volume[static_cast<std::size_t>(particle)];
+            }
         }
-        block_forces_.assign(blocks_of(flow.clusters.size()) * lists_.size(), ForceOnSolid{});
-        const std::vector<BodyState> listed = flow.motion.at(flow.clock.listed_time);
-        feet_.resize(lists_.size());
-        for (std::size_t solid = 0; solid < lists_.size(); ++solid) {
-            feet_[solid].find(flow, surfaces_, solid, listed[first_solid + solid], lists_[solid]);
+        const double viscosity = flow.scheme.density * flow.scheme.viscosity;
+        const double factor = all > 0.0 ? -2.0 * viscosity * volumes_[solid] * wet / all : 0.0;
+        const Vec<3>& spin = flow.bodies[first_solid + solid].angular_velocity;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            force.friction_moment[axis] += factor * spin[axis];
         }
     }
 
@@ -113,8 +160,8 @@ class SolidForces final : public Component<D, Real> {
                     body.place_at_start(in_space_of<D>(vector_of(flow.particles.position, i)));
                 const Vec<3> arm = body.turned(
                     feet_[solid].arm(surfaces_, cluster, lane % cluster_size, place, points_[solid]));
-                add(sum.pressure_moment, vector_product(arm, in_space_of<D>(pressure)));
-                add(sum.friction_moment, vector_product(arm, in_space_of<D>(friction)));
+                add(sum.pressure_moment, cross(arm, in_space_of<D>(pressure)));
+                add(sum.friction_moment, cross(arm, in_space_of<D>(friction)));
             }
         });
     }
@@ -141,13 +188,16 @@ class SolidForces final : public Component<D, Real> {
         }
     }
 
-    std::vector<NeighbourList> lists_;        ///< of FlowOf::fluid_wall, the pairs with each solid
-    NeighbourList no_list_;                   ///< without any neighbour, for as many clusters
-    std::int64_t listed_ = -1;                ///< SimulationClock::list_builds of these lists
-    std::vector<ForceOnSolid> block_forces_;  ///< by block and solid
     SolidSurfaces surfaces_;
-    std::vector<Vec<3>> points_;  ///< of each solid, the one that its moments are about, at t = 0
+    std::vector<Vec<3>> points_;   ///< of each solid, the one that its moments are about, at t = 0
+    std::vector<double> volumes_;  ///< of those that turn and hold the water, m3; else 0
+    std::vector<bool> free_;
+    bool any_free_ = false;
+    std::vector<NeighbourList> lists_;  ///< of FlowOf::fluid_wall, the pairs with each solid
+    NeighbourList no_list_;             ///< without any neighbour, for as many clusters
     std::vector<SolidFeet<D, Real>> feet_;
+    std::vector<std::int64_t> listed_;        ///< SimulationClock::list_builds of each list
+    std::vector<ForceOnSolid> block_forces_;  ///< by block and solid
 };
 
 template <int D, class Real>

@@ -36,6 +36,10 @@ struct SimulationClock {
     double displacement_bound = 0.0;          ///< bound of the relative motion since the last list build, m
     double side_wall_drag_coefficient = 0.0;  ///< beta of the side walls' layers in the next step, 1/m
     double listed_time = 0.0;                 ///< of the last list build, where solids move, s
+    std::vector<FreeBodyState> free_bodies;   ///< in the order of the case
+    std::vector<FreeBodyState> listed_free_bodies;  ///< at the last list build
+    /// Tangential springs of the contacts of free bodies (boundary/body_contact.hpp), m.
+    std::vector<Point3> contact_springs;
     OpenEndsState open_ends;
 };
 
@@ -43,7 +47,10 @@ struct SimulationClock {
 /// is sampled of them.
 template <int D>
 struct FlowIn {
-    explicit FlowIn(const Case& c_) : c(c_), motion(c_) {}
+    explicit FlowIn(const Case& c_) : c(c_), motion(c_), free(riffle::free_bodies(c_)) {
+        clock.free_bodies.resize(free.size());
+        clock.listed_free_bodies = clock.free_bodies;
+    }
 
     Case c;
     Scheme scheme;
@@ -51,12 +58,25 @@ struct FlowIn {
     Particles<D> particles;
     WallParticles<D> walls;
     WallMotion motion;                       ///< of the bodies that walls and solids belong to
+    std::vector<FreeBody> free;              ///< those that the water moves
     std::vector<BodyState> bodies;           ///< at the evaluation in progress; empty where no wall moves
     std::vector<BodyState> bodies_after;     ///< at the end of its motion; empty without solids
     bool keep_fields = true;                 ///< in the step in progress
     ParticleFields fields;                   ///< where they are kept
     std::vector<ForceOnSolid> solid_forces;  ///< at the same times; empty without solids
     EnergyRates energy_rates;                ///< at the same times
+    /// What free bodies have taken of the momentum of water that was put back before them in the evaluation
+    /// in progress, N s and N m s.
+    std::vector<BodyLoad> contact_impulses;
+
+    /// All bodies at the time of the clock.
+    [[nodiscard]] std::vector<BodyState> bodies_now() const {
+        return motion.at(clock.time, clock.free_bodies);
+    }
+    /// All bodies where they were when the lists were built.
+    [[nodiscard]] std::vector<BodyState> bodies_listed() const {
+        return motion.at(clock.listed_time, clock.listed_free_bodies);
+    }
 };
 
 /// What an evaluation of the rates advances by how much, s.

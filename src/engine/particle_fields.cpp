@@ -6,11 +6,10 @@ namespace riffle {
 
 std::span<SparseValues ParticleFields::*const> ParticleFields::near_walls(int dimensions) {
     static constexpr std::array<SparseValues ParticleFields::*, 8> all = {
-        &ParticleFields::wall_acceleration_x,     &ParticleFields::wall_acceleration_z,
-        &ParticleFields::drag_acceleration_x,     &ParticleFields::vegetation_acceleration_x,
-        &ParticleFields::porous_acceleration_x,
-        &ParticleFields::drag_acceleration_y,     &ParticleFields::side_wall_acceleration_x,
-        &ParticleFields::side_wall_acceleration_z};
+        &ParticleFields::wall_acceleration_x,      &ParticleFields::wall_acceleration_z,
+        &ParticleFields::drag_acceleration_x,      &ParticleFields::vegetation_acceleration_x,
+        &ParticleFields::porous_acceleration_x,    &ParticleFields::drag_acceleration_y,
+        &ParticleFields::side_wall_acceleration_x, &ParticleFields::side_wall_acceleration_z};
     return std::span(all).first(dimensions == 3 ? all.size() : 5);
 }
 

@@ -6,6 +6,7 @@
 
 #include "boundary/wall_motion.hpp"
 #include "case/flow_kind.hpp"
+#include "case/outline_check.hpp"
 #include "ends/end_input.hpp"
 #include "particles/lattice.hpp"
 
@@ -13,11 +14,25 @@ namespace riffle {
 
 namespace {
 
+/// Half the speed at which free bodies that start in the air reach the bed, m/s: the sound is then five times
+/// as fast, as of water that falls.
+double largest_free_speed(const Case& c) {
+    double fall = 0.0;
+    for (const Solid& solid : c.solids) {
+        const auto z = solid.motion == SolidMotion::free ? extent_of(c, solid, 2) : std::nullopt;
+        if (z && z->low > c.total_depth()) {
+            fall = std::max(fall, z->low);
+        }
+    }
+    return std::sqrt(0.5 * c.fluid.gravity * fall);
+}
+
 double expected_velocity(const Case& c, const ColumnResult* column, const EndExtremes& ends) {
     if (c.start.kind == StartKind::standing_wave) {
         return c.start.amplitude * std::sqrt(c.fluid.gravity / c.total_depth());
     }
-    double velocity = std::max(c.start.velocity.value_or(0.0), largest_wall_speed(c));
+    double velocity =
+        std::max({c.start.velocity.value_or(0.0), largest_wall_speed(c), largest_free_speed(c)});
     if (!c.start.water_z.empty()) {
         // Half the speed of Ritter's front, 2 sqrt(g h): the sound is ten times as fast as that. Water that
         // stands above the bed falls on it.

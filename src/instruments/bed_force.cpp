@@ -27,6 +27,11 @@ class BedForce final : public Instrument {
             for (const Field& field : fields_of(fields::solid_forces))
                 add_record_of_solid(field, k + 1, c.solids[k].name);
         }
+        for (const FreeBody& body : free_bodies(c)) {
+            for (const Field& field : fields_of(fields::body_motion))
+                add_record_of_solid(field, body.solid() + 1, c.solids[body.solid()].name);
+            centres_.push_back(body.centre_of_mass());
+        }
     }
 
     void sample(const FlowState& state) override {
@@ -66,6 +71,25 @@ class BedForce final : public Instrument {
                 row.push_back(force.pressure_moment[axis]);
             }
         }
+        for (std::size_t n = 0; n < centres_.size(); ++n) {
+            const FreeBodyState body = n < state.free_bodies.size() ? state.free_bodies[n] : FreeBodyState{};
+            const auto add_place = [&](std::size_t axis) {
+                row.push_back(centres_[n][axis] + body.displacement[axis]);
+            };
+            add_place(0);
+            add_place(2);
+            row.push_back(body.velocity[0]);
+            row.push_back(body.velocity[2]);
+            row.push_back(body.angle[1]);
+            row.push_back(body.angular_velocity[1]);
+            if (!space_) continue;
+            add_place(1);
+            row.push_back(body.velocity[1]);
+            for (const std::size_t axis : {0U, 2U}) {
+                row.push_back(body.angle[axis]);
+                row.push_back(body.angular_velocity[axis]);
+            }
+        }
         for (std::size_t k = 0; k < records().size(); ++k) {
             record(k).add(row[k]);
         }
@@ -82,6 +106,7 @@ class BedForce final : public Instrument {
     bool vegetation_;
     bool porous_;
     std::size_t solids_;
+    std::vector<Point3> centres_;  ///< of mass, of the free bodies at t = 0
 };
 
 }  // namespace

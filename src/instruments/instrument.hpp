@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "boundary/free_body.hpp"
 #include "boundary/wall_motion.hpp"
 #include "case/case.hpp"
 #include "instruments/fluid_view.hpp"
@@ -34,8 +35,9 @@ struct FlowState {
     const SparseValues* porous_x = nullptr;      ///< of the resistance of porous zones, where there are any
     const WorkingValues* pressure = nullptr;
     std::span<const double> shear_stress = {};
-    std::span<const ForceOnSolid> solids = {};  ///< so, by solid
-    std::span<const BodyState> bodies = {};     ///< by body; empty where there are no solids
+    std::span<const ForceOnSolid> solids = {};        ///< so, by solid
+    std::span<const BodyState> bodies = {};           ///< by body; empty where there are no solids
+    std::span<const FreeBodyState> free_bodies = {};  ///< of the free ones
 };
 
 /// An array that an instrument fills: one row per sample, or per averaging window.

@@ -17,6 +17,11 @@ struct Domain {
     Vec<D> upper{};
     std::array<bool, static_cast<std::size_t>(D)> periodic{};
 
+    /// The image of a coordinate along an axis that is nearest to another one.
+    [[nodiscard]] double image_near(double other, double x, std::size_t k) const {
+        return periodic[k] ? x - (upper[k] - lower[k]) * std::round((x - other) / (upper[k] - lower[k])) : x;
+    }
+
     [[nodiscard]] double extent(int axis) const {
         const auto k = static_cast<std::size_t>(axis);
         return upper[k] - lower[k];

@@ -24,12 +24,13 @@ struct EnergyRates {
     double compression = 0.0;     ///< by the continuity on the energy of the compression
 };
 
-inline constexpr std::array energy_rate_parts{&EnergyRates::gravity,           &EnergyRates::bed_drag,
-                                              &EnergyRates::side_drag,         &EnergyRates::vegetation,
-                                              &EnergyRates::porous,            &EnergyRates::closure,           &EnergyRates::viscosity,
-                                              &EnergyRates::density_diffusion, &EnergyRates::pressure,
-                                              &EnergyRates::further_forces,    &EnergyRates::solids,
-                                              &EnergyRates::kinetic,           &EnergyRates::compression};
+inline constexpr std::array energy_rate_parts{&EnergyRates::gravity,    &EnergyRates::bed_drag,
+                                              &EnergyRates::side_drag,  &EnergyRates::vegetation,
+                                              &EnergyRates::porous,     &EnergyRates::closure,
+                                              &EnergyRates::viscosity,  &EnergyRates::density_diffusion,
+                                              &EnergyRates::pressure,   &EnergyRates::further_forces,
+                                              &EnergyRates::solids,     &EnergyRates::kinetic,
+                                              &EnergyRates::compression};
 
 inline EnergyRates operator+(EnergyRates sum, const EnergyRates& other) {
     for (double EnergyRates::*const part : energy_rate_parts) {

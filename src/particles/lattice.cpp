@@ -10,6 +10,8 @@
 #include "case/end_buffers.hpp"
 #include "case/outline.hpp"
 #include "case/solid_mesh.hpp"
+#include "case/solid_motion.hpp"
+#include "case/solid_volume.hpp"
 
 namespace riffle {
 
@@ -81,7 +83,14 @@ double highest_part(const Case& c) {
     for (std::size_t k = 0; k < c.solids.size(); ++k) {
         const Solid& solid = c.solids[k];
         // With where it moves to, but not beyond as much again: a gate leaves the water for good.
-        const double reach = solid.motion == SolidMotion::oscillating ? std::abs(solid.amplitude_z) : 0.0;
+        double reach = solid.motion == SolidMotion::oscillating ? std::abs(solid.amplitude_z) : 0.0;
+        for (const double shift : solid.shifts_z) {
+            reach = std::max(reach, shift);
+        }
+        if (turns(c, solid)) {
+            const Point3 point = rotation_point(c, solid);
+            top = std::max(top, point[2] + reach_from(c, solid, point) + reach);
+        }
         for (const double z : solid.z) {
             top = std::max(top, z + reach);
         }

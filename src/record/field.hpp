@@ -57,6 +57,7 @@ enum Condition : unsigned {
     slow_correction = 1U << 19U,   ///< numerics.pressure_correction_time
     with_vegetation = 1U << 20U,
     with_porous_zones = 1U << 21U,
+    with_free_bodies = 1U << 22U,
 };
 
 /// Who reads a field.

@@ -41,6 +41,7 @@ constexpr ConditionWords condition_words[] = {
     {with_open_ends, "open_ends", "with open ends"},
     {with_vegetation, "vegetation", "with vegetation"},
     {with_porous_zones, "porous", "with porous zones"},
+    {with_free_bodies, "free_bodies", "with free bodies"},
     {with_local_depth, "local_depth", "where mixing lengths follow the local depth"},
     {slow_correction, "slow_correction", "with `numerics.pressure_correction_time` above 0"},
 };

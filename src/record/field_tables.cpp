@@ -54,7 +54,7 @@ const std::vector<FieldTable>& field_tables() {
         table_of(groups::velocity_plane, velocity_plane),
         table_of(groups::flow_rate, flow_rate),
         table_of(groups::pressure_gauges, pressure_gauges),
-        table_of(groups::forces, forces, solid_forces),
+        table_of(groups::forces, forces, solid_forces, body_motion),
         table_of(groups::snapshot, snapshot),
         table_of(groups::walls, walls),
         table_of(groups::solids, solids),

@@ -55,8 +55,9 @@ struct TimeSeries {
     Field porous_over_gravity =
         series("porous_over_gravity", "1", "resistance of porous zones over the weight component",
                {.written = with_porous_zones});
-    Field porous_power = series("porous_power", {"W/m", "W"}, "work of the resistance of porous zones on the water",
-                                {.written = with_porous_zones});
+    Field porous_power =
+        series("porous_power", {"W/m", "W"}, "work of the resistance of porous zones on the water",
+               {.written = with_porous_zones});
     Field mean_level = series("mean_level", "m", "mean surface level above the bed level");
     Field maximum_velocity =
         series("maximum_velocity", "m/s", "largest particle speed", {.averaging = Averaging::none});

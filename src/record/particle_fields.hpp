@@ -184,6 +184,11 @@ struct State {
                  "state of the open ends: the sections, the streams that enter and the account of "
                  "what has crossed them, in SI units",
                  at_the_end | with_open_ends, "number");
+    Field free_bodies =
+        of_state("free_bodies", "1",
+                 "state of the free bodies: places, velocities and turns now and when the lists were built, "
+                 "and the springs of what they touch, in SI units",
+                 at_the_end | with_free_bodies, "number");
     Field id = of_state("id", "1", "particle number");
 };
 inline constexpr State state;

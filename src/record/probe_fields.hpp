@@ -48,7 +48,7 @@ inline constexpr Group pressure_gauges{
 inline constexpr Group forces{
     probes, "Forces", when_asked, "force",
     "On the whole channel, and the sums over the pairs of particles with each solid alone, in the order of the "
-    "case."};
+    "case; the motion of those that are free."};
 }  // namespace groups
 
 struct Probe {
@@ -250,5 +250,33 @@ struct SolidForces {
                {.written = with_solids | three_dimensions});
 };
 inline constexpr SolidForces solid_forces;
+
+consteval Field motion(const char* name, const char* unit, const char* meaning,
+                       unsigned written = every_run) {
+    return make_field(groups::forces, name, unit, meaning, {.written = with_free_bodies | written}, "time",
+                      Averaging::over_rows);
+}
+/// Where a free body is and how it moves: their names end in the number of its solid, and their meanings name
+/// it.
+struct BodyMotion {
+    Field x = motion("body_x_N", "m", "place along x of the centre of mass of the solid");
+    Field z = motion("body_z_N", "m", "place along z of the centre of mass of the solid");
+    Field velocity_x = motion("body_velocity_x_N", "m/s", "velocity along x of the solid");
+    Field velocity_z = motion("body_velocity_z_N", "m/s", "velocity along z of the solid");
+    Field angle_y = motion("body_angle_y_N", "rad", "angle by which the solid has turned about y");
+    Field angular_velocity_y =
+        motion("body_angular_velocity_y_N", "rad/s", "angular velocity about y of the solid");
+    Field y = motion("body_y_N", "m", "place along y of the centre of mass of the solid", three_dimensions);
+    Field velocity_y = motion("body_velocity_y_N", "m/s", "velocity along y of the solid", three_dimensions);
+    Field angle_x = motion("body_angle_x_N", "rad", "sum of the angles by which the solid has turned about x",
+                           three_dimensions);
+    Field angular_velocity_x = motion("body_angular_velocity_x_N", "rad/s",
+                                      "angular velocity about x of the solid", three_dimensions);
+    Field angle_z = motion("body_angle_z_N", "rad", "sum of the angles by which the solid has turned about z",
+                           three_dimensions);
+    Field angular_velocity_z = motion("body_angular_velocity_z_N", "rad/s",
+                                      "angular velocity about z of the solid", three_dimensions);
+};
+inline constexpr BodyMotion body_motion;
 
 }  // namespace riffle::fields

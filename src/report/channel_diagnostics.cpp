@@ -109,8 +109,8 @@ class ChannelRows : public DiagnosticRows {
                              value(fields::summary.vegetation_over_gravity).value_or(0.0) +
                              value(fields::summary.porous_over_gravity).value_or(0.0);
         add({"force_budget",
-             bodies_       ? "Force on bed, walls and bodies over the weight component"
-             : porous_     ? "Resistance of porous zones, bed drag and wall friction over the weight component"
+             bodies_   ? "Force on bed, walls and bodies over the weight component"
+             : porous_ ? "Resistance of porous zones, bed drag and wall friction over the weight component"
              : vegetation_ ? "Drag of vegetation and bed and wall friction over the weight component"
                            : "Drag and wall friction over the weight component",
              percent(share), "100 ± 1 %",

@@ -154,6 +154,24 @@ std::vector<Circle> sphere_cuts(const Case& c, double y) {
     return circles;
 }
 
+/// Outlines of the solids in a snapshot: those that it holds, for free bodies go where no law says.
+std::vector<Outline> outlines_in(const RunResults& results, const std::string& group, const Case& c,
+                                 double time) {
+    std::vector<Outline> outlines = outlines_at(c, time);
+    const std::vector<double> vertices = results.values({group, fields::snapshot.solid_vertices});
+    std::size_t corners = 0;
+    for (const Outline& outline : outlines) corners += outline.size();
+    if (vertices.size() != 3 * corners) return outlines;
+    auto place = vertices.begin();
+    for (Outline& outline : outlines) {
+        for (std::size_t i = 0; i < outline.size(); ++i, place += 3) {
+            outline.x[i] = *place;
+            outline.z[i] = *(place + 2);
+        }
+    }
+    return outlines;
+}
+
 }  // namespace
 
 double falling_height(const Case& c) { return bed_ends(c) ? open_end_clearance(c) : 0.0; }
@@ -166,7 +184,8 @@ std::optional<FieldPicture> read_field(const RunResults& results, const Case& c,
     for (const std::string& group : chosen_snapshots(results, c, frames)) {
         FieldFrame frame = read_frame(results, group, c);
         if (frame.x.empty()) continue;
-        frame.bodies = space ? solid_cuts(results, group, *picture.y) : outlines_at(c, frame.time);
+        frame.bodies =
+            space ? solid_cuts(results, group, *picture.y) : outlines_in(results, group, c, frame.time);
         picture.frames.push_back(std::move(frame));
     }
     if (picture.frames.empty()) return std::nullopt;

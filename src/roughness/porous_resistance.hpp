@@ -62,16 +62,17 @@ class PorousMedia {
     };
     /// All that the zones make of a place. In the edge of a zone the resistance is not the same in all
     /// directions: water that passes through it feels one medium after the other, and has the share of the
-    /// pressure gradient; water that flows along it feels them side by side, and has the share of the force on
-    /// the volume. Each leaves out the error of the first order of the edge's thickness that the other makes.
+    /// pressure gradient; water that flows along it feels them side by side, and has the share of the force
+    /// on the volume. Each leaves out the error of the first order of the edge's thickness that the other
+    /// makes.
     struct At {
         double porosity = 1.0;
-        double linear = 0.0;              ///< of the pressure gradient, with the share of the place, 1/s
-        double quadratic = 0.0;           ///< 1/m
-        double force_linear = 0.0;        ///< the same of n times it, 1/s
-        double force_quadratic = 0.0;     ///< 1/m
-        double viscosity_ratio = 1.0;     ///< of the shear stress
-        std::array<double, 3> normal{};   ///< of the edge; zero where there is none, or not asked for
+        double linear = 0.0;             ///< of the pressure gradient, with the share of the place, 1/s
+        double quadratic = 0.0;          ///< 1/m
+        double force_linear = 0.0;       ///< the same of n times it, 1/s
+        double force_quadratic = 0.0;    ///< 1/m
+        double viscosity_ratio = 1.0;    ///< of the shear stress
+        std::array<double, 3> normal{};  ///< of the edge; zero where there is none, or not asked for
 
         /// n times what multiplies q in the pressure gradient of flow across an edge, 1/s.
         [[nodiscard]] double across(double size_of_q) const {

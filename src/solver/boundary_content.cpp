@@ -1,6 +1,7 @@
 #include "solver/boundary_content.hpp"
 
 #include <array>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -49,6 +50,8 @@ Dataset numbered(const Field& field, std::size_t rows) {
 
 BoundaryContent::BoundaryContent(const Case& c) : motion_(c) {
     const bool space = c.channel.dimensions == 3;
+    period_ = c.channel.ends == Ends::periodic ? c.channel.length : 0.0;
+    width_ = space && c.channel.sides == Sides::periodic ? c.channel.simulated_width() : 0.0;
     if (space) {
         add_walls<3>(c, wall_, wall_body_);
     } else {
@@ -111,11 +114,25 @@ void BoundaryContent::add(Content& content) const {
 }
 
 std::vector<float> BoundaryContent::displaced(const std::vector<float>& points,
-                                              const std::vector<std::int32_t>& bodies, double time) const {
-    const std::vector<BodyState> states = motion_.at(time);
+                                              const std::vector<std::int32_t>& bodies,
+                                              const std::vector<BodyState>& states) const {
     std::vector<float> moved = points;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
-        const Vec<3>& shift = states[static_cast<std::size_t>(bodies[i])].displacement;
+        const BodyState& body = states[static_cast<std::size_t>(bodies[i])];
+        if (body.turns) {
+            Vec<3> start{points[3 * i], points[3 * i + 1], points[3 * i + 2]};
+            const auto beside = [&](std::size_t k, double period) {
+                start[k] -= period > 0.0 ? period * std::round((start[k] - body.centre[k]) / period) : 0.0;
+            };
+            beside(0, period_);
+            beside(1, width_);
+            const Vec<3> now = body.placed(start);
+            for (std::size_t k = 0; k < 3; ++k) {
+                moved[3 * i + k] = static_cast<float>(now[k]);
+            }
+            continue;
+        }
+        const Vec<3>& shift = body.displacement;
         for (std::size_t k = 0; k < 3; ++k) {
             moved[3 * i + k] += static_cast<float>(shift[k]);
         }
@@ -123,14 +140,16 @@ std::vector<float> BoundaryContent::displaced(const std::vector<float>& points,
     return moved;
 }
 
-std::size_t BoundaryContent::add_moved(Content& content, const std::string& snapshot, double time) const {
+std::size_t BoundaryContent::add_moved(Content& content, const std::string& snapshot, double time,
+                                       std::span<const FreeBodyState> free) const {
     if (!motion_.displaces()) return 0;
+    const std::vector<BodyState> states = motion_.at(time, free);
     const auto add = [&](const Field& field, std::vector<float> points) {
         content.datasets.push_back(rows_of_three(field, std::move(points)));
         content.datasets.back().path = field.path_in(snapshot);
     };
-    add(fields::snapshot.wall_position, displaced(wall_, wall_body_, time));
-    add(fields::snapshot.solid_vertices, displaced(vertex_, vertex_body_, time));
+    add(fields::snapshot.wall_position, displaced(wall_, wall_body_, states));
+    add(fields::snapshot.solid_vertices, displaced(vertex_, vertex_body_, states));
     return sizeof(float) * (wall_.size() + vertex_.size());
 }
 

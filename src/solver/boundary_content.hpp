@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,8 +21,9 @@ class BoundaryContent {
     void add(Content& content) const;
 
     /// Where walls and solids stand at a time, into the group of a snapshot; nothing where no solid moves.
-    /// Gives the bytes added.
-    std::size_t add_moved(Content& content, const std::string& snapshot, double time) const;
+    /// `free`: the free bodies then. Gives the bytes added.
+    std::size_t add_moved(Content& content, const std::string& snapshot, double time,
+                          std::span<const FreeBodyState> free = {}) const;
 
     [[nodiscard]] bool moves() const { return motion_.displaces(); }
     [[nodiscard]] std::size_t walls() const { return wall_.size() / 3; }
@@ -34,9 +36,12 @@ class BoundaryContent {
   private:
     /// Points displaced by the bodies they belong to.
     [[nodiscard]] std::vector<float> displaced(const std::vector<float>& points,
-                                               const std::vector<std::int32_t>& bodies, double time) const;
+                                               const std::vector<std::int32_t>& bodies,
+                                               const std::vector<BodyState>& states) const;
 
     WallMotion motion_;
+    double period_ = 0.0;                                ///< of periodic ends, m; 0: none
+    double width_ = 0.0;                                 ///< of periodic sides, m; 0: none
     std::vector<float> wall_, vertex_, sphere_;          ///< x, y, z of each point, m
     std::vector<std::int32_t> wall_body_, vertex_body_;  ///< by point (boundary/wall_motion.hpp)
     std::vector<std::int32_t> triangle_;                 ///< vertices of each, three dimensions

@@ -213,8 +213,8 @@ Forecast forecast_in(const Case& c) {
         const PorousResistance resistance(zone, c.fluid.kinematic_viscosity);
         // On a slope that under the weight, else that of a tenth of it.
         constexpr double gradient_without_slope = 0.1;
-        const double gravity = c.streamwise_gravity() > 0.0 ? c.streamwise_gravity()
-                                                            : gradient_without_slope * c.fluid.gravity;
+        const double gravity =
+            c.streamwise_gravity() > 0.0 ? c.streamwise_gravity() : gradient_without_slope * c.fluid.gravity;
         const double q = resistance.discharge_at(gravity);
         const bool resists = std::isfinite(q);
         f.porous.push_back({zone.name, zone.porosity, permeability_of(zone), resistance.quadratic(),

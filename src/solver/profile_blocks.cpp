@@ -123,8 +123,8 @@ void ProfileSampler::add_particles(const SimulationIn<D>& simulation, std::size_
         add(LayerQuantity::mass, mass);
         add(LayerQuantity::pair_force, mass * f.pair_acceleration_x[i]);
         add(LayerQuantity::viscous_force, mass * f.viscous_acceleration_x[i]);
-        add(LayerQuantity::drag_force, mass * (f.drag_acceleration_x[i] + f.vegetation_acceleration_x[i] +
-                                                f.porous_acceleration_x[i]));
+        add(LayerQuantity::drag_force,
+            mass * (f.drag_acceleration_x[i] + f.vegetation_acceleration_x[i] + f.porous_acceleration_x[i]));
         if constexpr (D == 3) {
             const double v = p.velocity[1][i];
             add(LayerQuantity::v, v);

@@ -66,7 +66,8 @@ FlowState flow_state(const SimulationIn<D>& simulation, const FluidView* fluid) 
             .pressure = &fields.pressure,
             .shear_stress = fields.shear_stress,
             .solids = simulation.solid_forces(),
-            .bodies = simulation.bodies()};
+            .bodies = simulation.bodies(),
+            .free_bodies = simulation.clock().free_bodies};
 }
 
 template FlowState flow_state(const SimulationIn<2>&, const FluidView*);

@@ -46,9 +46,9 @@ struct Totals {
     void add(const Totals& other) {
         for (double Totals::*const sum :
              {&Totals::mass, &Totals::momentum, &Totals::above, &Totals::above_mass, &Totals::energy,
-              &Totals::drag, &Totals::wall, &Totals::pairs, &Totals::vegetation, &Totals::porous, &Totals::side_wall,
-              &Totals::centre, &Totals::centre_mass, &Totals::secondary, &Totals::potential, &Totals::elastic,
-              &Totals::volume}) {
+              &Totals::drag, &Totals::wall, &Totals::pairs, &Totals::vegetation, &Totals::porous,
+              &Totals::side_wall, &Totals::centre, &Totals::centre_mass, &Totals::secondary,
+              &Totals::potential, &Totals::elastic, &Totals::volume}) {
             this->*sum += other.*sum;
         }
         fastest = std::max(fastest, other.fastest);
@@ -166,7 +166,8 @@ TimeSeries::TimeSeries(const Case& c) : case_(c), end_floors_(end_floors(c)) {
         const bool written = (field.written & three_dimensions) == 0 || c.channel.dimensions == 3;
         const bool grown = (field.written & with_vegetation) == 0 || !c.vegetation.empty();
         const bool filled = (field.written & with_porous_zones) == 0 || !c.porous.empty();
-        if (written && grown && filled && ((field.written & with_open_ends) == 0 || c.channel.ends == Ends::open)) {
+        if (written && grown && filled &&
+            ((field.written & with_open_ends) == 0 || c.channel.ends == Ends::open)) {
             columns_.push_back({.field = field, .values = {}});
         }
     }

@@ -300,8 +300,7 @@ void SimulationOf<D, Real>::keep_force_fields(const Task& task, std::size_t begi
         fields.drag_acceleration_x.set(i, inputs.drag ? work.drag_force[lane] : 0.0);
         fields.vegetation_acceleration_x.set(
             i, flow_.with_vegetation ? task.vegetation_acceleration[0][lane] : 0.0);
-        fields.porous_acceleration_x.set(i,
-                                         flow_.porous.empty() ? 0.0 : task.porous_acceleration[0][lane]);
+        fields.porous_acceleration_x.set(i, flow_.porous.empty() ? 0.0 : task.porous_acceleration[0][lane]);
         if constexpr (D == 3) {
             const bool side = flow_.with_side_drag;
             fields.drag_acceleration_y.set(i, inputs.drag ? work.drag_force_across[lane] : 0.0);

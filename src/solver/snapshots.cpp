@@ -146,7 +146,7 @@ void SnapshotRecorder::record(const SimulationIn<D>& simulation) {
         }
     }
     new_.attributes.push_back({.path = group, .name = of.time.name, .value = entry.time});
-    new_bytes_ += boundaries_.add_moved(new_, group, entry.time);
+    new_bytes_ += boundaries_.add_moved(new_, group, entry.time, simulation.clock().free_bodies);
     entries_.push_back(entry);
 }
 

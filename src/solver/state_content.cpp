@@ -79,6 +79,38 @@ std::vector<std::int64_t> whole_numbers(const ContentReader& file, const std::st
     return *saved;
 }
 
+/// The free bodies now and when the lists were built, then their springs.
+std::vector<double> free_body_numbers(const SimulationClock& clock) {
+    std::vector<double> numbers;
+    for (const auto* const states : {&clock.free_bodies, &clock.listed_free_bodies}) {
+        for (const FreeBodyState& state : *states) {
+            const auto own = state.numbers();
+            numbers.insert(numbers.end(), own.begin(), own.end());
+        }
+    }
+    for (const Point3& spring : clock.contact_springs) {
+        numbers.insert(numbers.end(), spring.begin(), spring.end());
+    }
+    return numbers;
+}
+
+/// The other way; as many numbers as free_body_numbers() gives.
+void put_free_body_numbers(const std::vector<double>& numbers, SimulationClock& clock) {
+    auto place = numbers.begin();
+    for (auto* const states : {&clock.free_bodies, &clock.listed_free_bodies}) {
+        for (FreeBodyState& state : *states) {
+            std::array<double, FreeBodyState::count> own{};
+            std::copy_n(place, own.size(), own.begin());
+            place += static_cast<std::ptrdiff_t>(own.size());
+            state = FreeBodyState::from(own);
+        }
+    }
+    for (Point3& spring : clock.contact_springs) {
+        std::copy_n(place, 3, spring.begin());
+        place += 3;
+    }
+}
+
 constexpr std::int64_t largest_id = std::numeric_limits<std::int32_t>::max();
 
 std::vector<LostParticle> saved_lost_particles(const CheckpointReader& checkpoint) {
@@ -147,6 +179,9 @@ void add_clock(Content& content, const SimulationIn<D>& simulation) {
     if (clock.open_ends.begun) {
         add_field(content, fields::state.open_ends, D, clock.open_ends.numbers());
     }
+    if (!clock.free_bodies.empty()) {
+        add_field(content, fields::state.free_bodies, D, free_body_numbers(clock));
+    }
     if (clock.listed_time > 0.0) {
         add_field(content, of.listed_time, clock.listed_time);
     }
@@ -207,6 +242,13 @@ void restore_state(const CheckpointReader& checkpoint, SimulationIn<D>& simulati
         } catch (const std::invalid_argument& wrong) {
             throw FileError(fmt::format("the checkpoint's {}: {}", state.open_ends.path(), wrong.what()));
         }
+    }
+    clock.free_bodies = simulation.clock().free_bodies;
+    clock.listed_free_bodies = clock.free_bodies;
+    clock.contact_springs = simulation.clock().contact_springs;
+    if (!clock.free_bodies.empty()) {
+        const std::size_t numbers = free_body_numbers(clock).size();
+        put_free_body_numbers(checkpoint.doubles(state.free_bodies.path(), numbers), clock);
     }
     clock.listed_time = present(of.listed_time) ? number(of.listed_time) : 0.0;
     if (D == 3) {

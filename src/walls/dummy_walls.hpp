@@ -33,6 +33,18 @@ class DummyWalls final : public WallTreatment<D, Real> {
         return flow.bodies.empty() ? nullptr : &flow.bodies[static_cast<std::size_t>(flow.walls.body[i])];
     }
 
+    /// The place of a wall particle, or a point behind its surface, beside its body.
+    static Vec<3> beside(const Flow& flow, const BodyState& body, std::size_t i, double before) {
+        const Vec<D> centre = in_flow<D>(body.centre);
+        const Vec<D> moved = in_flow<D>(body.displacement);
+        Vec<D> place{};
+        for (std::size_t k = 0; k < Flow::axes; ++k) {
+            place[k] = flow.domain.image_near(centre[k] + moved[k], flow.walls.position[k][i], k) +
+                       before * flow.walls.normal[k][i];
+        }
+        return in_space_of<D>(place);
+    }
+
     /// Adami et al. (2012), eq. 27: p_w = [sum p_f W + (g - a_w) . sum rho r_wf W] / sum W.
     double pressure(Flow& flow, const WallResult<D, Real>& sums, std::size_t lane, std::size_t slot,
                     std::size_t i) const {
@@ -41,7 +53,8 @@ class DummyWalls final : public WallTreatment<D, Real> {
         const auto offset = static_cast<double>(sums.offset[vertical][lane]);
         double pressure = static_cast<double>(sums.pressure[lane]) - flow.scheme.normal_gravity * offset;
         if (const BodyState* const body = body_of(flow, i)) {
-            const Vec<D> acceleration = in_flow<D>(body->acceleration);
+            const Vec<D> acceleration = in_flow<D>(
+                body->turns ? body->acceleration_at(beside(flow, *body, i, 0.0)) : body->acceleration);
             double product = 0.0;
             for (std::size_t k = 0; k < Flow::axes; ++k) {
                 product += acceleration[k] * static_cast<double>(sums.offset[k][lane]);
@@ -68,7 +81,10 @@ class DummyWalls final : public WallTreatment<D, Real> {
                                                                   std::size_t lane, std::size_t i) {
         const auto weight = static_cast<double>(sums.weight[lane]);
         const BodyState* const body = body_of(flow, i);
-        const Vec<D> surface = body == nullptr ? Vec<D>{} : in_flow<D>(body->velocity);
+        const Vec<D> surface =
+            body == nullptr ? Vec<D>{}
+            : body->turns   ? in_flow<D>(body->velocity_at(beside(flow, *body, i, flow.walls.depth[i])))
+                            : in_flow<D>(body->velocity);
         double height = -flow.walls.depth[i] * weight;
         for (std::size_t k = 0; k < Flow::axes; ++k) {
             height -= flow.walls.normal[k][i] * static_cast<double>(sums.offset[k][lane]);

@@ -30,11 +30,12 @@ void Walls<D, Real>::place_at_start(Flow& flow) {
     }
     if (flow.motion.displaces()) {
         reference_ = flow.walls;
+        measure_reach(flow);
         order_.resize(flow.walls.size());
         for (std::size_t i = 0; i < order_.size(); ++i) {
             order_[i] = static_cast<std::int32_t>(i);
         }
-        place(flow, flow.clock.time);
+        place(flow, flow.bodies_now());
         set_hydrostatic(flow);  // again, where they stand now
     } else {
         sort(flow);
@@ -47,9 +48,26 @@ void Walls<D, Real>::place_at_start(Flow& flow) {
 }
 
 template <int D, class Real>
+void Walls<D, Real>::measure_reach(const Flow& flow) {
+    const std::vector<BodyState> bodies = flow.motion.at(0.0);
+    reach_.assign(bodies.size(), 0.0);
+    for (std::size_t i = 0; i < reference_.size(); ++i) {
+        const auto b = static_cast<std::size_t>(reference_.body[i]);
+        const Vec<D> centre = in_flow<D>(bodies[b].centre);
+        double squared = 0.0;
+        for (std::size_t k = 0; k < Flow::axes; ++k) {
+            const double apart = flow.domain.image_near(centre[k], reference_.position[k][i], k) - centre[k];
+            squared += apart * apart;
+        }
+        // The surface is half a spacing before its first particles.
+        reach_[b] = std::max(reach_[b], std::sqrt(squared) + flow.c.numerics.spacing);
+    }
+}
+
+template <int D, class Real>
 void Walls<D, Real>::restore(Flow& flow, std::vector<double> deviation) {
     if (flow.motion.displaces()) {
-        place(flow, flow.clock.listed_time);
+        place(flow, flow.bodies_listed());
     }
     flow.walls.density_deviation.swap(deviation);
     if (flow.clock.steps > 0 || starts_beside_dry_walls(flow.c)) {
@@ -61,7 +79,8 @@ template <int D, class Real>
 void Walls<D, Real>::place_for_lists(Flow& flow) {
     if (flow.motion.displaces()) {
         flow.clock.listed_time = flow.clock.time;
-        place(flow, flow.clock.listed_time);
+        flow.clock.listed_free_bodies = flow.clock.free_bodies;
+        place(flow, flow.bodies_listed());
     }
 }
 
@@ -83,21 +102,17 @@ std::vector<std::int32_t> Walls<D, Real>::sort(Flow& flow) {
     return order;
 }
 
-// Always sorted from the same order, so that where the walls stand follows from the time alone, in a resumed
-// run too.
+// Always sorted from the same order, so that where the walls stand follows from the bodies alone, in a
+// resumed run too.
 template <int D, class Real>
-void Walls<D, Real>::place(Flow& flow, double time) {
+void Walls<D, Real>::place(Flow& flow, const std::vector<BodyState>& bodies) {
     WallParticles<D>& walls = flow.walls;
     for (std::size_t i = 0; i < walls.size(); ++i) {
         reference_.density_deviation[static_cast<std::size_t>(order_[i])] = walls.density_deviation[i];
     }
     walls = reference_;
-    const std::vector<BodyState> bodies = flow.motion.at(time);
     for (std::size_t i = 0; i < walls.size(); ++i) {
-        const BodyState& body = bodies[static_cast<std::size_t>(walls.body[i])];
-        for (std::size_t k = 0; k < Flow::axes; ++k) {
-            walls.position[k][i] = displaced(flow, walls.position[k][i], body, k);
-        }
+        stand(flow, i, i, bodies[static_cast<std::size_t>(walls.body[i])]);
     }
     order_ = sort(flow);
     pack_wall_records<D, Real>(flow.c, flow.scheme, walls, flow.wall_clusters, flow.data);
@@ -106,9 +121,31 @@ void Walls<D, Real>::place(Flow& flow, double time) {
 }
 
 template <int D, class Real>
-double Walls<D, Real>::displaced(const Flow& flow, double x, const BodyState& body, std::size_t k) {
+Vec<3> Walls<D, Real>::stand(Flow& flow, std::size_t i, std::size_t reference, const BodyState& body) const {
+    WallParticles<D>& walls = flow.walls;
+    Vec<D> start = vector_of(reference_.position, reference);
+    if (body.turns) {
+        const Vec<D> centre = in_flow<D>(body.centre);
+        for (std::size_t k = 0; k < Flow::axes; ++k) {
+            start[k] = flow.domain.image_near(centre[k], start[k], k);
+        }
+        const Vec<D> normal =
+            in_flow<D>(body.turned(in_space_of<D>(vector_of(reference_.normal, reference))));
+        for (std::size_t k = 0; k < Flow::axes; ++k) {
+            walls.normal[k][i] = normal[k];
+        }
+    }
+    const Vec<3> now = body.placed(in_space_of<D>(start));
+    const Vec<D> place = in_flow<D>(now);
+    for (std::size_t k = 0; k < Flow::axes; ++k) {
+        walls.position[k][i] = within(flow, place[k], k);
+    }
+    return body.velocity_at(now);
+}
+
+template <int D, class Real>
+double Walls<D, Real>::within(const Flow& flow, double x, std::size_t k) {
     const Domain<D>& domain = flow.domain;
-    x += in_flow<D>(body.displacement)[k];
     if (domain.periodic[k]) {
         const double extent = domain.upper[k] - domain.lower[k];
         x -= extent * std::floor((x - domain.lower[k]) / extent);
@@ -121,12 +158,17 @@ double Walls<D, Real>::displaced(const Flow& flow, double x, const BodyState& bo
 template <int D, class Real>
 void Walls<D, Real>::move(Flow& flow, const Stage& stage) {
     if (!flow.c.solids.empty()) {
-        flow.bodies_after = flow.motion.at(flow.clock.time + stage.motion);
+        const double kick = stage.kick < 0.0 ? stage.motion : stage.kick;
+        std::vector<FreeBodyState> after = flow.clock.free_bodies;
+        for (std::size_t n = 0; n < after.size(); ++n) {
+            flow.free[n].predict(after[n], kick, stage.motion);
+        }
+        flow.bodies_after = flow.motion.at(flow.clock.time + stage.motion, after);
     }
     if (!flow.motion.any()) {
         return;
     }
-    flow.bodies = flow.motion.at(flow.clock.time);
+    flow.bodies = flow.bodies_now();
     if (!flow.motion.displaces()) {
         return;
     }
@@ -142,9 +184,8 @@ void Walls<D, Real>::move(Flow& flow, const Stage& stage) {
         const BodyState& body = flow.bodies[static_cast<std::size_t>(walls.body[i])];
         const auto reference = static_cast<std::size_t>(order_[i]);
         auto& gradient = data.wall_gradient[slot];
-        const Vec<D> velocity = in_flow<D>(body.velocity);
+        const Vec<D> velocity = in_flow<D>(stand(flow, i, reference, body));
         for (std::size_t k = 0; k < Flow::axes; ++k) {
-            walls.position[k][i] = displaced(flow, reference_.position[k][reference], body, k);
             gradient.x[k] = flow.fixed_point.encode(walls.position[k][i], k);
             double drift = 0.0;
             for (std::size_t l = 0; l < Flow::axes; ++l) {
@@ -157,17 +198,27 @@ void Walls<D, Real>::move(Flow& flow, const Stage& stage) {
 }
 
 template <int D, class Real>
-void Walls<D, Real>::add_motion(const Flow& flow, double step, Vec<D>& slowest, Vec<D>& fastest) {
+double Walls<D, Real>::last_spin(const Flow& flow, std::size_t body) {
+    const Vec<3>& spin = flow.bodies[body].angular_velocity;
+    return std::sqrt(dot(spin, spin));
+}
+
+template <int D, class Real>
+void Walls<D, Real>::add_motion(const Flow& flow, double step, Vec<D>& slowest, Vec<D>& fastest) const {
     if (!flow.motion.displaces() || step <= 0.0) {
         return;
     }
     for (std::size_t b = first_solid; b < flow.bodies_after.size(); ++b) {
         const Vec<D> from = in_flow<D>(flow.bodies[b].displacement);
         const Vec<D> to = in_flow<D>(flow.bodies_after[b].displacement);
+        const Vec<3>& spin = flow.bodies_after[b].angular_velocity;
+        const double around = flow.bodies_after[b].turns
+                                  ? reach_[b] * std::max(std::sqrt(dot(spin, spin)), last_spin(flow, b))
+                                  : 0.0;
         for (std::size_t k = 0; k < Flow::axes; ++k) {
             const double speed = (to[k] - from[k]) / step;
-            slowest[k] = std::min(slowest[k], speed);
-            fastest[k] = std::max(fastest[k], speed);
+            slowest[k] = std::min(slowest[k], speed - around);
+            fastest[k] = std::max(fastest[k], speed + around);
         }
     }
 }

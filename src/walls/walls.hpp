@@ -28,7 +28,7 @@ class Walls {
     /// Where the walls stand at the time of an evaluation, and how they move, into their records.
     void move(Flow& flow, const Stage& stage);
     /// Widen the range of velocities by those of the solids in the step that begins now.
-    static void add_motion(const Flow& flow, double step, Vec<D>& slowest, Vec<D>& fastest);
+    void add_motion(const Flow& flow, double step, Vec<D>& slowest, Vec<D>& fastest) const;
 
     /// Whether the lists hold by the bound of all velocities alone: walls change their place, or what they
     /// look at is in no list of clusters.
@@ -48,14 +48,22 @@ class Walls {
     void set_hydrostatic(Flow& flow) const;
     /// Sort the walls in space and cut them into clusters; the order that they had before.
     static std::vector<std::int32_t> sort(Flow& flow);
-    /// Put the walls where they stand at a time, sort and pack them.
-    void place(Flow& flow, double time);
-    /// Coordinate along axis k of a wall particle that is displaced with its body.
-    static double displaced(const Flow& flow, double x, const BodyState& body, std::size_t k);
+    /// Put the walls where they stand with their bodies, sort and pack them.
+    void place(Flow& flow, const std::vector<BodyState>& bodies);
+    /// Place and normal of a wall particle with its body; returns its velocity. `reference`: its number at
+    /// t = 0.
+    Vec<3> stand(Flow& flow, std::size_t i, std::size_t reference, const BodyState& body) const;
+    /// A coordinate along axis k in the domain.
+    static double within(const Flow& flow, double x, std::size_t k);
+    /// How far the particles of each body are from the point that it turns about.
+    void measure_reach(const Flow& flow);
+    /// Angular speed of a body at the begin of the step, rad/s.
+    static double last_spin(const Flow& flow, std::size_t body);
 
     std::unique_ptr<WallTreatment<D, Real>> treatment_;
     WallParticles<D> reference_;       ///< at t = 0 in their first order; only where walls change place
     std::vector<std::int32_t> order_;  ///< of the flow's walls: number in reference_
+    std::vector<double> reach_;        ///< of each body, m
 };
 
 }  // namespace riffle

@@ -326,6 +326,51 @@ TEST(SolidContact, LeavesByAWettedFaceAndAcrossPeriodicEnds) {
     EXPECT_NEAR(x[0], 0.09, 1e-8);
 }
 
+TEST(WallMotion, TurnsAndFollowsItsTableWithTheVelocitiesOfItsPlaces) {
+    Case c;
+    Solid solid;
+    solid.name = "rotor";
+    solid.x = {0.1, 0.2, 0.2, 0.1};
+    solid.z = {0.0, 0.0, 0.04, 0.04};
+    solid.motion = SolidMotion::table;
+    solid.start = 0.5;
+    solid.times = {0.0, 0.4, 1.0, 1.5};
+    solid.shifts_x = {0.0, 0.02, 0.05, 0.03};
+    solid.angles = {0.0, 30.0, -20.0, 45.0};
+    c.solids = {solid};
+    solid.name = "swing";
+    solid.motion = SolidMotion::oscillating;
+    solid.amplitude_angle = 25.0;
+    solid.frequency = 0.7;
+    solid.rotation_about = {0.1, 0.0};
+    c.solids.push_back(solid);
+    const WallMotion motion(c);
+    const Vec<3> corner{0.2, 0.0, 0.04};
+    const double step = 1e-5;
+    for (const double t : {0.55, 0.8, 1.2, 1.7}) {
+        for (std::size_t body = first_solid; body < first_solid + 2U; ++body) {
+            const BodyState now = motion.at(t)[body];
+            const Vec<3> here = now.placed(corner);
+            const Vec<3> before = motion.at(t - step)[body].placed(corner);
+            const Vec<3> after = motion.at(t + step)[body].placed(corner);
+            const Vec<3> start = now.place_at_start(here);
+            for (std::size_t k = 0; k < 3; ++k) {
+                EXPECT_NEAR(start[k], corner[k], 1e-14);
+                EXPECT_NEAR((after[k] - before[k]) / (2 * step), now.velocity_at(here)[k], 1e-6);
+                EXPECT_NEAR((after[k] - 2 * here[k] + before[k]) / (step * step),
+                            now.acceleration_at(here)[k], 1e-3);
+            }
+        }
+    }
+    // Ninety degrees about y take z to x.
+    const Rotation quarter = rotation_about({0.0, 1.0, 0.0}, std::numbers::pi / 2);
+    EXPECT_NEAR(quarter[2], 1.0, 1e-15);
+    // At its rows the table is met, and behind them it rests.
+    EXPECT_NEAR(motion.at(0.9)[first_solid].displacement[0], 0.02, 1e-12);
+    EXPECT_NEAR(motion.at(9.0)[first_solid].displacement[0], 0.03, 1e-12);
+    EXPECT_EQ(motion.at(9.0)[first_solid].angular_velocity, (Vec<3>{}));
+}
+
 TEST(WallMotion, NothingMovesInAPlainCase) {
     const Case c = tank({});
     EXPECT_FALSE(WallMotion(c).any());

@@ -43,6 +43,13 @@ using test::with_water;
 using testing::HasSubstr;
 using testing::Not;
 
+Case with_free_body() {
+    Case c = with_solid();
+    c.solids[0].motion = SolidMotion::free;
+    c.solids[0].density = 700.0;
+    return c;
+}
+
 /// A case that is right, and keys that make it wrong.
 struct Wrong {
     Case right;
@@ -243,6 +250,22 @@ std::vector<Wrong> wrong_solids() {
         {with_two_solids(), "solid[1].x = [0.08, 0.12, 0.12, 0.08]"},
         {with_solid(),
          "solid[0].motion = constant; solid[0].velocity_x = 1 mm/s; solid[0].velocity_y = 1 mm/s"},
+        {with_solid(), "solid[0].motion = table; solid[0].times = [0, 1]; solid[0].shifts_x = [0.01, 0.02]"},
+        {with_shape(SolidShape::box),
+         "solid[0].motion = constant; solid[0].angular_velocity = 1; solid[0].rotation_axis = [0, 0, 0]"},
+        {with_free_body(),
+         "solid[0].motion = constant; solid[0].density = auto; solid[0].angular_velocity = 1; "
+         "solid[0].rotation_about = 0.1"},
+        {with_free_body(), "solid[0].centre_of_mass = 0.1"},
+        {with_free_body(), "solid[0].inertia = [1, 1]"},
+        {with_free_body(), "solid[0].density = auto"},
+        {with_free_body(), "solid[0].mass = 1"},
+        {with_free_body(), "solid[0].restitution = 0.1"},
+        {with_free_body(), "solid[0].moves_x = false; solid[0].moves_z = false; solid[0].turns_y = false"},
+        {with_free_body(), "numerics.stepping = verlet"},
+        {with_free_body(), "solid[0].z = [-0.002, -0.002, 0.03, 0.03]"},
+        {with_free_body(), "channel.ends = periodic; solid[0].x = [0.001, 0.199, 0.199, 0.001]"},
+        {open_channel_with_solid(), "solid[0].motion = free; solid[0].density = 700"},
         {with_mesh(), "solid[0].file = \"\""},
         {with_mesh(), "solid[0].place = 50 mm"},
         {with_mesh(), "solid[0].place = [0.19, 0.02, 0]"},
@@ -380,8 +403,7 @@ std::vector<Wrong> wrong_probes() {
 std::vector<Wrong> all_wrongs() {
     std::vector<Wrong> all;
     for (auto* const wrongs : {wrong_geometry, wrong_open_ends, wrong_methods, wrong_starts_and_runs,
-                               wrong_solids, wrong_shapes, wrong_vegetation, wrong_porous,
-                               wrong_probes}) {
+                               wrong_solids, wrong_shapes, wrong_vegetation, wrong_porous, wrong_probes}) {
         for (Wrong& wrong : wrongs()) {
             all.push_back(std::move(wrong));
         }

@@ -163,7 +163,9 @@ TEST(Warnings, EachRowHasACase) {
         with_keys(with_vegetation(),
                   "bed.kind = slip; turbulence.closure = none; vegetation[0].height = 5 mm"),
         with_keys(with_porous(), "porous[0].edge = 60 mm"),
-        with_keys(gravel(), "porous[0].name = p; porous[0].porosity = 0.4; porous[0].grain_size = 2 mm; porous[0].z_to = 20 mm"),
+        with_keys(
+            gravel(),
+            "porous[0].name = p; porous[0].porosity = 0.4; porous[0].grain_size = 2 mm; porous[0].z_to = 20 mm"),
         with_keys(cell(), "start.lattice = body-centred"),
         with_keys(between_side_walls(), "turbulence.closure = sps; numerics.stepping = semi-implicit-euler"),
         with_keys(with_solid(),

@@ -47,8 +47,8 @@ void expect_darcys_discharge() {
     const ChannelIn<D> channel(filled(D));
     channel.advance(30);
     const Case& c = channel.parameters;
-    const double q = PorousResistance(c.porous.front(), c.fluid.kinematic_viscosity)
-                         .discharge_at(c.streamwise_gravity());
+    const double q =
+        PorousResistance(c.porous.front(), c.fluid.kinematic_viscosity).discharge_at(c.streamwise_gravity());
     for (const double u : channel.simulation->particles().velocity[0]) {
         EXPECT_NEAR(u, q / 0.4, 2e-3 * q);
     }

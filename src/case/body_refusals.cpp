@@ -1,0 +1,210 @@
+// What solids that turn, follow a table or are free are refused for.
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <utility>
+#include <vector>
+
+#include "case/outline_check.hpp"
+#include "case/refusals.hpp"
+#include "case/solid_mesh.hpp"
+#include "case/solid_motion.hpp"
+#include "case/solid_volume.hpp"
+#include "case/units.hpp"
+#include "case/words.hpp"
+
+namespace riffle {
+
+namespace {
+
+bool is_free(const Solid& solid) { return solid.motion == SolidMotion::free; }
+
+/// The least restitution of soft contacts with critical damping, exp(-2) (boundary/body_contact.hpp).
+constexpr double least_restitution = 0.1354;
+
+Findings wrong_point(const Case& c, const char* key, const std::vector<double>& values) {
+    return found_if(!values.empty() && values.size() != static_cast<std::size_t>(c.channel.dimensions),
+                    "{} holds {} {}; expected {}", key, values.size(),
+                    values.size() == 1 ? "value" : "values",
+                    in_space(c) ? "three: x, y and z" : "two: x and z");
+}
+
+Findings wrong_table(const Case&, const Solid& solid) {
+    if (solid.motion != SolidMotion::table) {
+        return {};
+    }
+    const std::vector<double>& times = solid.times;
+    if (times.size() < 2) {
+        return found_if(true, "times holds {} values: expected two or more", times.size());
+    }
+    if (times.front() != 0.0 ||
+        std::adjacent_find(times.begin(), times.end(), std::greater_equal<>()) != times.end()) {
+        return found_if(true, "times do not grow from 0");
+    }
+    const std::array columns{std::pair("shifts_x", &solid.shifts_x), std::pair("shifts_y", &solid.shifts_y),
+                             std::pair("shifts_z", &solid.shifts_z), std::pair("angles", &solid.angles)};
+    bool moves = false;
+    for (const auto& [name, values] : columns) {
+        if (values->empty()) {
+            continue;
+        }
+        if (values->size() != times.size()) {
+            return found_if(true, "{} holds {} values, and times {}", name, values->size(), times.size());
+        }
+        if (values->front() != 0.0) {
+            return found_if(true, "{} begins with {:.6g}, not with 0", name, values->front());
+        }
+        moves = moves || std::any_of(values->begin(), values->end(), [](double v) { return v != 0.0; });
+    }
+    return found_if(!moves, "the table moves it by nothing");
+}
+
+Findings wrong_axis(const Case& c, const Solid& solid) {
+    const std::vector<double>& axis = solid.rotation_axis;
+    const bool zero = std::all_of(axis.begin(), axis.end(), [](double v) { return v == 0.0; });
+    return found_if(in_space(c) && !axis.empty() && (axis.size() != 3 || zero),
+                    "rotation_axis is no direction of three numbers");
+}
+
+/// Where the channel repeats itself a body that turns must not meet its image.
+Findings meets_itself(const Case& c, const Solid& solid) {
+    if (!turns(c, solid)) {
+        return {};
+    }
+    const double across = 2.0 * reach_from(c, solid, rotation_point(c, solid));
+    const auto meets = [&](bool periodic, double period) {
+        return periodic && across > period - kernel_support(c);
+    };
+    return found_if(meets(c.channel.ends == Ends::periodic, c.channel.length) ||
+                        meets(in_space(c) && c.channel.sides == Sides::periodic, c.channel.simulated_width()),
+                    "takes up {} as it turns", shown_length(across));
+}
+
+/// How far a free body stands behind a wall at the start, m; up to a hair it touches it.
+Findings starts_in_a_wall(const Case& c, const Solid& solid) {
+    if (!is_free(solid)) {
+        return {};
+    }
+    const double slack = 1e-3 * c.numerics.spacing;
+    const auto behind = [&](std::size_t axis, double extent) {
+        const auto range = extent_of(c, solid, axis);
+        return range && (range->low < -slack || range->high > extent + slack);
+    };
+    const auto z = extent_of(c, solid, 2);
+    return found_if(
+        (z && z->low < -slack) || (c.channel.top == Top::wall && z && z->high > c.total_depth() + slack) ||
+            (c.channel.ends == Ends::walls && behind(0, c.channel.length)) ||
+            (in_space(c) && c.channel.sides != Sides::periodic && behind(1, c.channel.simulated_width())),
+        "starts in the bed or a wall");
+}
+
+/// Whether the shapes of all solids are known: else another check has said what is missing.
+bool have_shapes(const Case& c) {
+    return in_space(c) ? c.meshes && c.meshes->size() == c.solids.size()
+                       : std::all_of(c.solids.begin(), c.solids.end(), [](const Solid& solid) {
+                             return is_simple({solid.x, solid.z});
+                         });
+}
+
+}  // namespace
+
+CheckList turning_refusals() {
+    return {{
+        {{"solid.times", "solid.shifts_x", "solid.shifts_y", "solid.shifts_z", "solid.angles"},
+         "a table of a motion whose `times` do not grow from 0, or whose columns are not as long or do not begin "
+         "with 0",
+         "it starts where it stands",
+         "give as many values of shifts_x, shifts_z or angles as of times, the first of each 0",
+         wrong_table},
+        {{"solid.rotation_axis"},
+         "a `rotation_axis` that is no direction",
+         "",
+         "give three numbers, not all of them 0, for example rotation_axis = [0, 0, 1]",
+         wrong_axis},
+        {{"solid.rotation_about"},
+         "`rotation_about` without as many values as the case has dimensions",
+         "",
+         "give x, y and z of the point, in two dimensions x and z alone, or remove the key for the centroid",
+         [](const Case& c, const Solid& solid) {
+             return wrong_point(c, "rotation_about", solid.rotation_about);
+         }},
+        {{"solid.centre_of_mass"},
+         "`centre_of_mass` without as many values as the case has dimensions",
+         "",
+         "give x, y and z of the point, in two dimensions x and z alone, or remove the key for the centroid",
+         [](const Case& c, const Solid& solid) {
+             return wrong_point(c, "centre_of_mass", solid.centre_of_mass);
+         }},
+        {{"solid.inertia"},
+         "`inertia` without three values in three dimensions, one in two",
+         "",
+         "give the moments of inertia about x, y and z, in two dimensions the one about y alone, or remove the key",
+         [](const Case& c, const Solid& solid) {
+             const std::size_t expected = in_space(c) ? 3 : 1;
+             return found_if(!solid.inertia.empty() && solid.inertia.size() != expected,
+                             "inertia holds {} values", solid.inertia.size());
+         }},
+        {{"solid.density", "solid.mass", "solid.motion"},
+         "a free body with neither a `density` nor a `mass`, or with both",
+         "one of them says what it weighs",
+         "give one, for example density = 700",
+         [](const Case&, const Solid& solid) {
+             return found_if(is_free(solid) && solid.density.has_value() == solid.mass.has_value(), "has {}",
+                             solid.density ? "a density and a mass" : "no density and no mass");
+         }},
+        {{"solid.restitution"},
+         "a `restitution` below 0.1354",
+         "exp(-2) is what critical damping leaves",
+         "make it larger",
+         [](const Case&, const Solid& solid) {
+             return found_if(is_free(solid) && solid.restitution < least_restitution, "restitution is {:.4g}",
+                             solid.restitution);
+         }},
+        {{"solid.moves_x", "solid.moves_y", "solid.moves_z", "solid.turns_x", "solid.turns_y",
+          "solid.turns_z"},
+         "a free body without any degree of freedom",
+         "it would stand still",
+         "set one of them to true, or motion = \"fixed\"",
+         [](const Case& c, const Solid& solid) {
+             const bool moves = solid.moves_x || solid.moves_z || (in_space(c) && solid.moves_y);
+             return found_if(is_free(solid) && !moves && !turns(c, solid), "is not free to move");
+         }},
+    }};
+}
+
+CheckList free_body_refusals() {
+    return {
+        {
+            {{"solid.motion", "numerics.stepping"},
+             "a free body with a method of two stages or of rates of the step before",
+             "bodies take one step with the water, by forces of one evaluation",
+             R"(set [numerics] stepping = "leapfrog" or "semi-implicit-euler")",
+             [](const Case& c) {
+                 const bool fused = c.numerics.stepping == Stepping::leapfrog ||
+                                    c.numerics.stepping == Stepping::semi_implicit_euler;
+                 return !fused && std::any_of(c.solids.begin(), c.solids.end(), is_free);
+             }},
+            {{"solid.motion", "channel.ends"},
+             "a free body in a channel with open ends",
+             "no section can let it through",
+             R"(hold it (motion = "fixed"), or set [channel] ends = "walls" or "periodic")",
+             [](const Case& c) {
+                 return c.channel.ends == Ends::open &&
+                        std::any_of(c.solids.begin(), c.solids.end(), is_free);
+             }},
+            {{"solid.motion", "channel.length", "channel.width"},
+             "a solid that turns and takes up more than a periodic channel less one kernel support of 2 h",
+             "it would meet its own image",
+             "make it smaller or the channel longer",
+             meets_itself},
+            {{"solid.motion", "channel.depth"},
+             "a free body that starts in the bed or a wall",
+             "contact would throw it out",
+             "move it",
+             starts_in_a_wall},
+        },
+        have_shapes};
+}
+
+}  // namespace riffle

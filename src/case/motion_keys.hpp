@@ -1,0 +1,11 @@
+#pragma once
+
+#include "case/key_table.hpp"
+
+namespace riffle {
+
+/// The keys of [[solid]] that say how it moves: as prescribed, or freely.
+void add_motion_keys(SectionKeys& s);
+void add_free_body_keys(SectionKeys& s);
+
+}  // namespace riffle

@@ -1,0 +1,101 @@
+"""Bodies in a stream: forces of the water, pressures on the surface, the rhythm of the wake."""
+
+import json
+import math
+import subprocess
+
+import h5py
+import numpy
+
+import figures
+from check import Check
+from open_end_checks import account
+from options import options_text
+
+# Schaefer & Turek (1996), test cases 2D-1 and 2D-2: the middle of the intervals that they give.
+STEADY = {"drag": 5.58, "lift": 0.0107, "pressure": 0.1174}
+SHEDDING = {"drag": 3.23, "lift": 1.00, "strouhal": 0.300}
+
+
+def _forces(flow, start, velocity, diameter):
+    """Time and the coefficients of drag, form drag and lift of the first solid from `start` on."""
+    head = 0.5 * flow.density * velocity**2 * diameter
+    with h5py.File(flow.folder / "results.h5", "r") as file:
+        group = file["/probes/standard_force"]
+        time = group["time"][:]
+        late = time >= start
+        return [time[late]] + [group[name][:][late] / head for name in ("solid_force_1", "solid_form_drag_1", "solid_lift_1")]
+
+
+def _harmonic(time, value, frequency):
+    """Amplitude of a record at a frequency, by least squares with its mean."""
+    phase = 2 * math.pi * frequency * time
+    matrix = numpy.column_stack([numpy.cos(phase), numpy.sin(phase), numpy.ones_like(phase)])
+    return math.hypot(*numpy.linalg.lstsq(matrix, value, rcond=None)[0][:2])
+
+
+def _gauges(flow, start):
+    with h5py.File(flow.folder / "results.h5", "r") as file:
+        group = file["/probes/pressure"]
+        return group["pressure"][:][group["time"][:] >= start].mean(axis=0)
+
+
+def _budget(study, flow):
+    """What the momentum budget of `riffle analyse` leaves open, over what passes from the ends to the forces."""
+    analysis = flow.folder / "analysis.json"
+    subprocess.run([study.riffle, "analyse", flow.folder, "--chapter", "forces", "--json", analysis], check=True, capture_output=True)
+    findings = json.loads(analysis.read_text())["analyses"][0]["findings"]
+    return next(f["value"] for f in findings if f["key"] == "momentum_residual_share")
+
+
+def cylinder(study):
+    check = Check("cylinder", "Cylinder in a duct",
+                  "Laminar flow past a cylinder between two walls against Schäfer &amp; Turek (1996), Re of the mean velocity and the diameter: "
+                  "at 20 steady (2D-1), at 100 a vortex street (2D-2). Sound swings the forces about these values.")
+    diameter = 0.1
+    steady = "cases/solids/cylinder.toml"
+    for spacing in [None] if study.quick else [None, "10 mm", "3.3333 mm"]:
+        flow = study.run("cylinder_re20" + ("" if spacing is None else "_" + spacing[:2].strip()), steady, {} if spacing is None else {"numerics.spacing": f'"{spacing}"'})
+        time, drag, form, lift = _forces(flow, 6.0, 0.2, diameter)
+        pressure = _gauges(flow, 6.0)
+        name = f"Re 20, {diameter / flow.spacing:.0f} spacings across"
+        bar = 0.03 if spacing is None else None
+        check.norm(f"{name}: drag coefficient ({drag.mean():.3f}) against {STEADY['drag']}", drag.mean() / STEADY["drag"] - 1, bar)
+        check.norm(f"{name}: form drag over the drag", form.mean() / drag.mean(), None, "", 3)
+        check.norm(f"{name}: lift coefficient, {STEADY['lift']} there", lift.mean(), None, "", 2)
+        check.norm(f"{name}: pressure before less that behind the cylinder, by gauges on it, against {STEADY['pressure']}",
+                   (pressure[0] - pressure[1]) / flow.density / STEADY["pressure"] - 1, bar)
+        check.norm(f"{name}: standard deviation of the drag, by sound", drag.std() / drag.mean())
+        if spacing is None:
+            check.norm(f"{name}: momentum between the ends that the budget leaves open", _budget(study, flow), 0.01)
+            check.best, check.cost = options_text(flow), flow.cost_text
+            account(check, flow)
+    if study.quick:
+        return check
+    figure = figures.Figure(2, width=8)
+    for axes, label, index in ((figure.panel("time (s)", "drag coefficient", "Re 100"), "drag", 1), (figure.panel("time (s)", "lift coefficient"), "lift", 3)):
+        for number, spacing in enumerate((None, "5 mm")):
+            flow = study.run("cylinder_re100" + ("" if spacing is None else "_5"), "cases/solids/cylinder-re100.toml", {} if spacing is None else {"numerics.spacing": f'"{spacing}"'})
+            record = _forces(flow, 4.0, 1.0, diameter)
+            time, drag, form, lift = record
+            if label == "drag":
+                frequencies = numpy.arange(2.7, 3.3, 0.001)
+                frequency = frequencies[numpy.argmax([_harmonic(time, lift, f) for f in frequencies])]
+                largest = drag.mean() + _harmonic(time, drag, 2 * frequency)
+                name = f"Re 100, {diameter / flow.spacing:.0f} spacings across"
+                bar = 0.03 if spacing is None else None
+                check.norm(f"{name}: largest drag coefficient, mean and second harmonic ({largest:.3f}), against {SHEDDING['drag']}", largest / SHEDDING["drag"] - 1, bar)
+                check.norm(f"{name}: Strouhal number ({frequency * diameter:.4f}) against {SHEDDING['strouhal']}", frequency * diameter / SHEDDING["strouhal"] - 1, bar)
+                check.norm(f"{name}: largest lift coefficient, first harmonic, against {SHEDDING['lift']:.2f}", _harmonic(time, lift, frequency) / SHEDDING["lift"] - 1)
+                check.norm(f"{name}: form drag over the drag", form.mean() / drag.mean(), None, "", 3)
+                check.norm(f"{name}: momentum between the ends that the budget leaves open", _budget(study, flow), 0.02 if spacing is None else None)
+            # Means over a tenth of a period, which leave the sound out.
+            width = max(1, round(0.033 / (time[1] - time[0])))
+            smooth = numpy.convolve(record[index], numpy.ones(width) / width, "valid")
+            figures.simulated(axes, time[:smooth.size] + 0.5 * width * (time[1] - time[0]), smooth, f"{diameter / flow.spacing:.0f} spacings across", figures.COLOURS[number], most=400)
+        figures.exact(axes, [4, 8], [SHEDDING[label]] * 2, "largest, Schäfer & Turek (1996)")
+    check.figures.append((figure.svg(check.name), "Forces on the cylinder at Re 100, running means over a tenth of a period."))
+    return check
+
+
+CHECKS = {"cylinder": cylinder}
