@@ -10,36 +10,18 @@ namespace riffle {
 
 namespace {
 
-/// The place of edge i that is nearest to a point.
-Vec<3> nearest_on_edge(const Outline& outline, std::size_t i, const Vec<3>& place) {
-    const std::size_t j = outline.next(i);
-    const double dx = outline.x[j] - outline.x[i];
-    const double dz = outline.z[j] - outline.z[i];
-    const double along = (place[0] - outline.x[i]) * dx + (place[2] - outline.z[i]) * dz;
-    const double share = std::clamp(along / (dx * dx + dz * dz), 0.0, 1.0);
-    return {outline.x[i] + share * dx, 0.0, outline.z[i] + share * dz};
-}
-
 SolidSurfaces::Foot foot_on_outline(const Outline& outline, const Vec<3>& place) {
-    SolidSurfaces::Foot foot{.distance = std::numeric_limits<double>::infinity()};
-    std::size_t edge = 0;
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-        const Vec<3> on_edge = nearest_on_edge(outline, i, place);
-        const double distance = std::hypot(place[0] - on_edge[0], place[2] - on_edge[2]);
-        if (distance < foot.distance) {
-            foot = {.place = on_edge, .distance = distance};
-            edge = i;
-        }
-    }
+    const OutlinePlace near = nearest_on_outline(outline, place[0], place[2]);
+    SolidSurfaces::Foot foot{.place = {near.x, 0.0, near.z}, .distance = near.distance};
     const double side = contains(outline, place[0], place[2]) ? -1.0 : 1.0;
     if (foot.distance > 0.0) {
         foot.normal = {side * (place[0] - foot.place[0]) / foot.distance, 0.0,
                        side * (place[2] - foot.place[2]) / foot.distance};
     } else {
         // outline_of() has the solid on the left of its edges.
-        const std::size_t end = outline.next(edge);
-        const double dx = outline.x[end] - outline.x[edge];
-        const double dz = outline.z[end] - outline.z[edge];
+        const std::size_t end = outline.next(near.edge);
+        const double dx = outline.x[end] - outline.x[near.edge];
+        const double dz = outline.z[end] - outline.z[near.edge];
         foot.normal = {dz / std::hypot(dx, dz), 0.0, -dx / std::hypot(dx, dz)};
     }
     foot.distance *= side;

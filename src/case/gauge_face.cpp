@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <stdexcept>
 
@@ -13,27 +12,13 @@ namespace riffle {
 
 namespace {
 
-SurfacePlace nearest_on_outline(const Outline& outline, const Point3& point) {
-    SurfacePlace best;
-    best.distance = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-        const std::size_t j = outline.next(i);
-        const double along_x = outline.x[j] - outline.x[i];
-        const double along_z = outline.z[j] - outline.z[i];
-        const double length = std::hypot(along_x, along_z);
-        if (length == 0.0) {
-            continue;
-        }
-        const double share = std::clamp(
-            ((point[0] - outline.x[i]) * along_x + (point[2] - outline.z[i]) * along_z) / (length * length),
-            0.0, 1.0);
-        const Point3 place{outline.x[i] + share * along_x, 0.0, outline.z[i] + share * along_z};
-        const double distance = std::hypot(point[0] - place[0], point[2] - place[2]);
-        if (distance < best.distance) {
-            best = {place, {along_z / length, 0.0, -along_x / length}, distance};
-        }
-    }
-    return best;
+SurfacePlace place_on_outline(const Outline& outline, const Point3& point) {
+    const OutlinePlace near = nearest_on_outline(outline, point[0], point[2]);
+    const std::size_t next = outline.next(near.edge);
+    const double along_x = outline.x[next] - outline.x[near.edge];
+    const double along_z = outline.z[next] - outline.z[near.edge];
+    const double length = std::hypot(along_x, along_z);
+    return {{near.x, 0.0, near.z}, {along_z / length, 0.0, -along_x / length}, near.distance};
 }
 
 /// Two directions of length 1 in the plane that a normal stands on, at right angles.
@@ -92,7 +77,7 @@ std::optional<SurfacePlace> nearest_on_solid(const Case& c, const Solid& solid, 
         if (solid.x.size() < 3 || solid.x.size() != solid.z.size()) {
             return std::nullopt;
         }
-        return nearest_on_outline({solid.x, solid.z}, point);
+        return place_on_outline({solid.x, solid.z}, point);
     }
     const SolidMesh* const mesh = mesh_of(c, solid);
     const auto foot = mesh == nullptr ? std::nullopt : mesh->nearest(point);

@@ -62,22 +62,39 @@ bool contains(const Outline& outline, double x, double z) {
     return inside;
 }
 
-double distance_from_edge(const Outline& outline, std::size_t i, double x, double z) {
+namespace {
+
+OutlinePlace nearest_on_edge(const Outline& outline, std::size_t i, double x, double z) {
     const Point a = corner(outline, i);
     const Point b = corner(outline, outline.next(i));
     const double squared = (b.x - a.x) * (b.x - a.x) + (b.z - a.z) * (b.z - a.z);
     const double t = squared > 0.0
                          ? std::clamp(((x - a.x) * (b.x - a.x) + (z - a.z) * (b.z - a.z)) / squared, 0.0, 1.0)
                          : 0.0;
-    return std::hypot(x - a.x - t * (b.x - a.x), z - a.z - t * (b.z - a.z));
+    const Point place{a.x + t * (b.x - a.x), a.z + t * (b.z - a.z)};
+    return {i, place.x, place.z, std::hypot(x - place.x, z - place.z)};
+}
+
+}  // namespace
+
+double distance_from_edge(const Outline& outline, std::size_t i, double x, double z) {
+    return nearest_on_edge(outline, i, x, z).distance;
+}
+
+OutlinePlace nearest_on_outline(const Outline& outline, double x, double z) {
+    OutlinePlace best;
+    best.distance = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        const OutlinePlace place = nearest_on_edge(outline, i, x, z);
+        if (place.distance < best.distance) {
+            best = place;
+        }
+    }
+    return best;
 }
 
 double distance_from_outline(const Outline& outline, double x, double z) {
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-        least = std::min(least, distance_from_edge(outline, i, x, z));
-    }
-    return least;
+    return nearest_on_outline(outline, x, z).distance;
 }
 
 std::optional<std::pair<std::size_t, std::size_t>> crossing_edges(const Outline& outline) {

@@ -26,6 +26,16 @@ struct Outline {
 /// Distance of a point from edge i, from corner i to the next one, m.
 [[nodiscard]] double distance_from_edge(const Outline& outline, std::size_t i, double x, double z);
 
+/// The place of an outline that is nearest to a point.
+struct OutlinePlace {
+    std::size_t edge = 0;
+    double x = 0.0;         ///< m
+    double z = 0.0;         ///< m
+    double distance = 0.0;  ///< from the point, m
+};
+/// Of edges that are equally near the first; an infinite distance for an outline without corners.
+[[nodiscard]] OutlinePlace nearest_on_outline(const Outline& outline, double x, double z);
+
 /// Distance of a point from the outline, m.
 [[nodiscard]] double distance_from_outline(const Outline& outline, double x, double z);
 

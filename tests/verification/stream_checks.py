@@ -74,8 +74,8 @@ def cylinder(study):
         return check
     figure = figures.Figure(2, width=8)
     for axes, label, index in ((figure.panel("time (s)", "drag coefficient", "Re 100"), "drag", 1), (figure.panel("time (s)", "lift coefficient"), "lift", 3)):
-        for number, spacing in enumerate((None, "5 mm")):
-            flow = study.run("cylinder_re100" + ("" if spacing is None else "_5"), "cases/solids/cylinder-re100.toml", {} if spacing is None else {"numerics.spacing": f'"{spacing}"'})
+        for number, spacing in enumerate((None, "3.3333 mm")):
+            flow = study.run("cylinder_re100" + ("" if spacing is None else "_3"), "cases/solids/cylinder-re100.toml", {} if spacing is None else {"numerics.spacing": f'"{spacing}"'})
             record = _forces(flow, 4.0, 1.0, diameter)
             time, drag, form, lift = record
             if label == "drag":
