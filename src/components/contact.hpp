@@ -52,12 +52,15 @@ class Contact final : public Component<D, Real> {
     void after_motion(Flow& flow, Task& /*task*/, const Stage& stage, std::size_t begin,
                       std::size_t end) override {
         double deepest = 0.0;
+        std::size_t particle = 0;
+        const Push push = flow.free.empty() ? Push{} : impulse_on(flow, particle, begin / block_clusters);
         for (std::size_t cluster = begin; cluster < end; ++cluster) {
             if (flow.fluid_wall.run_begin[cluster] == flow.fluid_wall.run_begin[cluster + 1]) {
                 continue;
             }
             flow.for_particles(cluster, cluster + 1, [&](std::size_t i, std::size_t) {
-                deepest = std::max(deepest, put_back(flow, i, stage.motion, begin / block_clusters));
+                particle = i;
+                deepest = std::max(deepest, put_back(flow, i, stage.motion, push));
             });
         }
         depth_[begin / block_clusters] = deepest;
@@ -79,7 +82,7 @@ class Contact final : public Component<D, Real> {
 
   private:
     /// Returns how far a particle was put back, m.
-    double put_back(Flow& flow, std::size_t i, double step, std::size_t block) {
+    double put_back(Flow& flow, std::size_t i, double step, const Push& push) const {
         constexpr std::size_t vertical = Flow::vertical;
         Particles<D>& particles = flow.particles;
         Vec<D> x = vector_of(particles.position, i);
@@ -87,9 +90,7 @@ class Contact final : public Component<D, Real> {
         const Vec<D> before = u;
         double depth = planes_.resolve(x, u);
         if (!solids_.empty()) {
-            depth = std::max(depth, flow.free.empty() ? solids_.resolve(flow.bodies_after, x, u)
-                                                      : solids_.resolve(flow.bodies_after, x, u,
-                                                                        impulse_on(flow, i, block)));
+            depth = std::max(depth, solids_.resolve(flow.bodies_after, x, u, push));
         }
         if (depth > 0.0 && flow.keep_fields) {
             // What the wall takes from the velocity is a force of the wall.
@@ -105,9 +106,9 @@ class Contact final : public Component<D, Real> {
         return depth;
     }
 
-    /// Books what the water's velocity gains on the free body that put it back.
-    Push impulse_on(const Flow& flow, std::size_t i, std::size_t block) {
-        return [this, &flow, i, block](std::size_t solid, const Vec<3>& place, const Vec<3>& gain) {
+    /// Books what the velocity of a particle gains on the free body that put it back.
+    Push impulse_on(const Flow& flow, const std::size_t& i, std::size_t block) {
+        return [this, &flow, &i, block](std::size_t solid, const Vec<3>& place, const Vec<3>& gain) {
             for (std::size_t n = 0; n < flow.free.size(); ++n) {
                 if (flow.free[n].solid() != solid) {
                     continue;

@@ -58,16 +58,20 @@ class SolidForces final : public Component<D, Real> {
             if (!wanted(flow, solid)) {
                 continue;
             }
-            const NeighbourList& list = lists_[solid];
-            const std::uint8_t* const masks = list.masks.data();
-            if (std::all_of(masks + list.mask_begin[begin], masks + list.mask_begin[end],
-                            [](std::uint8_t mask) { return mask == 0; })) {
-                continue;
-            }
             work.fluid_fluid = &no_list_;
-            work.fluid_wall = &list;
-            flow.loops.force(flow.data, begin, end, work);
-            add_block(flow, work.force, solid, begin, end, sum);
+            work.fluid_wall = &lists_[solid];
+            // Runs of clusters that have pairs with it.
+            for (std::size_t first = begin; first < end; ++first) {
+                std::size_t last = first;
+                while (last < end && feet_[solid].has(last)) {
+                    ++last;
+                }
+                if (last > first) {
+                    flow.loops.force(flow.data, first, last, work);
+                    add_clusters(flow, work.force, solid, first, last, sum);
+                    first = last;
+                }
+            }
         }
     }
 
@@ -133,8 +137,8 @@ class SolidForces final : public Component<D, Real> {
         }
     }
 
-    /// The sums of a block with the pairs of one solid.
-    void add_block(const Flow& flow, const ForceResult<D, Real>& force, std::size_t solid, std::size_t begin,
+    /// The sums of clusters that have pairs with a solid.
+    void add_clusters(const Flow& flow, const ForceResult<D, Real>& force, std::size_t solid, std::size_t begin,
                    std::size_t end, ForceOnSolid& sum) const {
         static const BodyState rest;
         const BodyState& body = flow.bodies.empty() ? rest : flow.bodies[first_solid + solid];
@@ -155,14 +159,11 @@ class SolidForces final : public Component<D, Real> {
             add(sum.pressure, in_space_of<D>(pressure));
             add(sum.friction, in_space_of<D>(friction));
             const std::size_t cluster = begin + lane / cluster_size;
-            if (feet_[solid].has(cluster)) {
-                const Vec<3> place =
-                    body.place_at_start(in_space_of<D>(vector_of(flow.particles.position, i)));
-                const Vec<3> arm = body.turned(
-                    feet_[solid].arm(surfaces_, cluster, lane % cluster_size, place, points_[solid]));
-                add(sum.pressure_moment, cross(arm, in_space_of<D>(pressure)));
-                add(sum.friction_moment, cross(arm, in_space_of<D>(friction)));
-            }
+            const Vec<3> place = body.place_at_start(in_space_of<D>(vector_of(flow.particles.position, i)));
+            const Vec<3> arm =
+                body.turned(feet_[solid].arm(surfaces_, cluster, lane % cluster_size, place, points_[solid]));
+            add(sum.pressure_moment, cross(arm, in_space_of<D>(pressure)));
+            add(sum.friction_moment, cross(arm, in_space_of<D>(friction)));
         });
     }
 

@@ -79,6 +79,8 @@ class Fields(CommandLineTest):
                       "--set", "run.average_from=auto", *until(0.7), *snapshots],
                      {"free_surface", "no_section_twin", "closure", "asked", "end", "profiles", "slope", "open_ends", "local_depth", "spheres"}),
         }
+        runs["float"] = ([SOURCE / "cases/bodies/floating-box-3d.toml", "--set", "numerics.spacing=10mm", *until(0.05), *every(snapshot=0.02)],
+                         {"three_dimensions", "free_surface", "no_section_twin", "solids", "moving_solids", "free_bodies", "asked", "end"})
         runs["slow"] = ([bare, *until(0.02), "--set", 'numerics.pressure_correction_time="0.1 s"'],
                         CONDUIT - {"section_twin", "profiles"} | {"no_section_twin", "slow_correction"})
         for stepping in ("verlet", "beeman"):
