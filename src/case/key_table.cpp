@@ -39,8 +39,8 @@ SectionKeys numerics() {
             .at_least(1)
             .at_most(4)
             .with_default_note(
-                "2 in two dimensions over spheres, beds by roughness and smooth ones, with vegetation and with porous "
-                "zones")
+                "2 in two dimensions over spheres, beds by roughness and smooth ones, and with vegetation; with porous "
+                "zones 2.5 in two dimensions and 2 in three")
             .because("fewer neighbours do not sum up, more are not worth their time"));
     s.keys.push_back(
         key("sound_speed", &Numerics::sound_speed, "Artificial speed of sound c0.")

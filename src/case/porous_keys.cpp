@@ -26,7 +26,7 @@ void add_medium_keys(SectionKeys& s) {
     s.keys.push_back(
         porous_key(
             "grain_size", &Porous::grain_size,
-            "Diameter d of the grains, from which the resistance follows: per weight of water "
+            "Diameter d of the grains, from which the resistance follows, a pressure gradient over the density of "
             "A (1 - n)^2 nu q/(n^3 d^2) + B (1 - n) |q| q/(n^3 d), q the discharge of an area (Ergun 1952).")
             .measured_in(length)
             .greater_than(0)

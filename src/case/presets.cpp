@@ -104,10 +104,12 @@ void choose_resolution(Case& c, const GivenResolution& given) {
     }
     // Among stems as over rough beds: with fewer neighbours the rows leave their order.
     const bool grown = !c.vegetation.empty() && n.preset == Preset::riffle;
-    // The particles of water that moves into a medium stand farther apart there.
-    const bool porous = !c.porous.empty();
-    if ((has_wall_law(c) || grown || porous) && !given.smoothing_ratio && !space) {
+    if ((has_wall_law(c) || grown) && !given.smoothing_ratio && !space) {
         n.smoothing_ratio = 2.0;
+    }
+    // The particles of water that flows into a medium stand farther apart there, along its way.
+    if (!c.porous.empty() && !given.smoothing_ratio) {
+        n.smoothing_ratio = space ? 2.0 : 2.5;
     }
     if (!given.wall_layers) {
         n.wall_layers = static_cast<int>(std::ceil(2.0 * n.smoothing_ratio - 1e-9));

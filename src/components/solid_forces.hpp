@@ -138,8 +138,8 @@ class SolidForces final : public Component<D, Real> {
     }
 
     /// The sums of clusters that have pairs with a solid.
-    void add_clusters(const Flow& flow, const ForceResult<D, Real>& force, std::size_t solid, std::size_t begin,
-                   std::size_t end, ForceOnSolid& sum) const {
+    void add_clusters(const Flow& flow, const ForceResult<D, Real>& force, std::size_t solid,
+                      std::size_t begin, std::size_t end, ForceOnSolid& sum) const {
         static const BodyState rest;
         const BodyState& body = flow.bodies.empty() ? rest : flow.bodies[first_solid + solid];
         const auto add = [](std::array<double, 3>& part, const Vec<3>& v) {
