@@ -60,11 +60,11 @@ def cylinder(study):
         pressure = _gauges(flow, 6.0)
         name = f"Re 20, {diameter / flow.spacing:.0f} spacings across"
         bar = 0.03 if spacing is None else None
-        check.norm(f"{name}: drag coefficient ({drag.mean():.3f}) against {STEADY['drag']}", drag.mean() / STEADY["drag"] - 1, bar)
+        check.norm(f"{name}: drag coefficient against {STEADY['drag']}", drag.mean() / STEADY["drag"] - 1, bar)
         check.norm(f"{name}: form drag over the drag", form.mean() / drag.mean(), None, "", 3)
         check.norm(f"{name}: lift coefficient, {STEADY['lift']} there", lift.mean(), None, "", 2)
         check.norm(f"{name}: pressure before less that behind the cylinder, by gauges on it, against {STEADY['pressure']}",
-                   (pressure[0] - pressure[1]) / flow.density / STEADY["pressure"] - 1, bar)
+                   (pressure[0] - pressure[1]) / flow.density / STEADY["pressure"] - 1)
         check.norm(f"{name}: standard deviation of the drag, by sound", drag.std() / drag.mean())
         if spacing is None:
             check.norm(f"{name}: momentum between the ends that the budget leaves open", _budget(study, flow), 0.01)
@@ -78,8 +78,8 @@ def cylinder(study):
     frequency = frequencies[numpy.argmax([_harmonic(time, lift, f) for f in frequencies])]
     largest = drag.mean() + _harmonic(time, drag, 2 * frequency)
     name = f"Re 100, {diameter / flow.spacing:.0f} spacings across"
-    check.norm(f"{name}: largest drag coefficient, mean and second harmonic ({largest:.3f}), against {SHEDDING['drag']}", largest / SHEDDING["drag"] - 1, 0.03)
-    check.norm(f"{name}: Strouhal number ({frequency * diameter:.4f}) against {SHEDDING['strouhal']}", frequency * diameter / SHEDDING["strouhal"] - 1, 0.03)
+    check.norm(f"{name}: largest drag coefficient, mean and second harmonic, against {SHEDDING['drag']}", largest / SHEDDING["drag"] - 1, 0.03)
+    check.norm(f"{name}: Strouhal number against {SHEDDING['strouhal']}", frequency * diameter / SHEDDING["strouhal"] - 1, 0.03)
     check.norm(f"{name}: largest lift coefficient, first harmonic, against {SHEDDING['lift']:.2f}", _harmonic(time, lift, frequency) / SHEDDING["lift"] - 1)
     check.norm(f"{name}: form drag over the drag", form.mean() / drag.mean(), None, "", 3)
     check.norm(f"{name}: momentum between the ends that the budget leaves open", _budget(study, flow), 0.02)
