@@ -74,10 +74,7 @@ class BodyContact {
 };
 
 /// Share of critical damping with which a spring that does not pull leaves an impact at `restitution` times
-/// its speed; `restitution` from exp(-2) on (Schwager & Poeschel 2007, eq. 19).
+/// its speed; `restitution` from exp(-2) on, which critical damping leaves (Schwager & Poeschel 2007).
 [[nodiscard]] double damping_ratio(double restitution);
-
-/// The least restitution that the damping reaches without creeping: that of critical damping, exp(-2).
-inline constexpr double least_restitution = 0.1354;
 
 }  // namespace riffle

@@ -230,10 +230,9 @@ struct SolidForces {
     Field side_force = fields::force("solid_side_force_N", "force of the water on the solid, along y",
                                      {.written = with_solids | three_dimensions});
     Field moment_y = moment("solid_moment_y_N",
-                            {"moment of the water on the solid about y, per unit width; positive turns z "
-                             "towards x",
-                             "moment of the water on the solid about y; positive turns z towards x"},
-                            {.written = with_solids});
+                            {"moment of the water on the solid about y, per unit width",
+                             "moment of the water on the solid about y"},
+                            {.written = with_solids, .note = "positive: it turns z towards x"});
     Field pressure_moment_y = moment("solid_pressure_moment_y_N",
                                      {"moment of the pressure on the solid about y, per unit width",
                                       "moment of the pressure on the solid about y"},
