@@ -82,7 +82,7 @@ def swing(study, name, case, coefficients, mass, stiffness, value_of):
     value = value_of(flow)
     period, damping = _swing(flow.forces["time"], value)
     expected, share = floating.natural_period(mass, stiffness, coefficients)
-    check.norm("period over that of linear theory with its damping, less one", period / (expected / math.sqrt(1 - share**2)) - 1, 0.05)
+    check.norm("period over that of linear theory with its damping, less one", period / (expected / math.sqrt(1 - share**2)) - 1, 0.03)
     check.norm("share of critical damping, less that of linear theory", damping - share, None)
     figure = figures.Figure(1, width=7)
     panel = figure.panel("t, s", "swing", "from rest")
