@@ -2,6 +2,7 @@
 
 import math
 
+import h5py
 import numpy
 
 import figures
@@ -14,6 +15,12 @@ GRAVITY = 9.81
 
 def _late(flow, name, begin):
     return float(flow.forces[name][flow.forces["time"] > begin].mean())
+
+
+def _water_volume(flow):
+    """The volume of the water by the density of its particles, which its own weight presses together."""
+    with h5py.File(flow.folder / "results.h5", "r") as file:
+        return float(file["/time_series/water_volume"][:].mean())
 
 
 def plate(study):
@@ -57,7 +64,7 @@ def draught(study):
         base = flow.length * (flow.parameters["channel"]["width"] if space else 1.0)
         area = solid["size"][0] * (solid["size"][1] if space else 1.0)
         # The water's volume and what the box has of it in the end make the level.
-        level = (float(flow.mass.sum()) / flow.density + area * height * density / flow.density) / base
+        level = (_water_volume(flow) + area * height * density / flow.density) / base
         bottom = _late(flow, "body_z_1", flow.forces["time"][-1] - 1.0) - height / 2
         of = height * density / flow.density
         check.norm(f"draught less that of Archimedes, over the height{name}" if space else f"draught over that of Archimedes, less one{name}",
@@ -97,7 +104,7 @@ def swing(study, name, case, coefficients, mass, stiffness, value_of):
 
 def heave(study):
     return swing(study, "floating_heave", "cases/bodies/heaving-box.toml", lambda w: floating.radiation(0.2, 0.1, 0.45, w, "heave"), 500 * 0.2 * 0.2, 1000 * GRAVITY * 0.2,
-                 lambda flow: flow.forces["body_z_1"] - (float(flow.mass.sum()) / flow.density + 0.5 * 0.2**2) / flow.length)
+                 lambda flow: flow.forces["body_z_1"] - (_water_volume(flow) + 0.5 * 0.2**2) / flow.length)
 
 
 def roll(study):
