@@ -23,7 +23,7 @@ SurfacePlace place_on_outline(const Outline& outline, const Point3& point) {
 
 /// Two directions of length 1 in the plane that a normal stands on, at right angles.
 std::array<Point3, 2> directions_across(const Point3& normal) {
-    const std::size_t least = static_cast<std::size_t>(
+    const auto least = static_cast<std::size_t>(
         std::min_element(normal.begin(), normal.end(),
                          [](double a, double b) { return std::abs(a) < std::abs(b); }) -
         normal.begin());

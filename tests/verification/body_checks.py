@@ -92,12 +92,13 @@ def swing(study, name, case, coefficients, mass, stiffness, value_of):
     check.norm("period over that of linear theory with its damping, less one", period / (expected / math.sqrt(1 - share**2)) - 1, 0.03)
     check.norm("share of critical damping, less that of linear theory", damping - share, None)
     figure = figures.Figure(1, width=7)
-    panel = figure.panel("t, s", "swing", "from rest")
+    motion = name.split("_")[1]
+    panel = figure.panel("time (s)", f"{motion} ({'m' if motion == 'heave' else 'rad'})")
     figures.simulated(panel, flow.forces["time"][::4], value[::4], "particles", figures.COLOURS[0])
     frequency = 2 * math.pi / expected
     t = flow.forces["time"]
-    figures.exact(panel, t, value[0] * numpy.exp(-share * frequency * t) * numpy.cos(frequency * math.sqrt(1 - share**2) * t), "damped swing of that period and damping")
-    check.figures.append((figure.svg(check.name), "The swing of the box, and that of one mass and damping."))
+    figures.exact(panel, t, value[0] * numpy.exp(-share * frequency * t) * numpy.cos(frequency * math.sqrt(1 - share**2) * t), "linear theory at its natural frequency")
+    check.figures.append((figure.svg(check.name), "The swing of the box, and that of one mass and damping. The first waves come back from the ends of the tank after some 1.4 s."))
     check.best, check.cost = options_text(flow), flow.cost_text
     return check
 
