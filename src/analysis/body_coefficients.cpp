@@ -12,6 +12,7 @@
 #include "case/flow_kind.hpp"
 #include "case/outline_check.hpp"
 #include "case/solid_mesh.hpp"
+#include "engine/scheme.hpp"
 #include "record/flow_fields.hpp"
 #include "record/probe_fields.hpp"
 #include "statistics/confidence.hpp"
@@ -113,7 +114,18 @@ std::optional<Oscillation> shedding(const FlowRecord& record, std::size_t number
         const auto found = dominant_oscillation(force->value, interval, highest);
         if (found && (!strongest || found->amplitude > strongest->amplitude)) strongest = found;
     }
-    return strongest && strongest->share >= 0.5 && strongest->periods >= 4.0 ? strongest : std::nullopt;
+    // What leaks below the limit from sound above it is a small part of all.
+    const bool rules = strongest && strongest->share >= 0.5 && strongest->whole_share >= 0.1;
+    return rules && strongest->periods >= 4.0 ? strongest : std::nullopt;
+}
+
+/// The highest frequency that is looked at: bodies shed at 0.1 to 0.4 U/D. Above stands sound, in a duct from
+/// its first wave across the height, c0/(2 H), on.
+double highest_shedding(const Case& c, double velocity, double extent) {
+    const double of_body = 0.5 * velocity / extent;
+    if (c.channel.top != Top::wall) return of_body;
+    const double sound = make_scheme(c, nullptr).state.sound_speed;
+    return std::min(of_body, 0.8 * sound / (2.0 * c.total_depth()));
 }
 
 }  // namespace
@@ -147,8 +159,7 @@ void add_body_coefficients(const FlowRecord& record, Analysis& analysis) {
             Top::free_surface) {  // else it carries the weight of the water that it displaces
             add(fields::solid_forces.lift, "lift_coefficient", "lift coefficient");
         }
-        // Nothing that a body sheds comes faster than the stream passes it; sound does.
-        const auto swing = shedding(record, k + 1, *velocity / front->extent);
+        const auto swing = shedding(record, k + 1, highest_shedding(c, *velocity, front->extent));
         if (!swing) continue;
         Finding strouhal = make_finding(chapters::forces, fmt::format("strouhal_number_{}", k + 1),
                                         fmt::format("Strouhal number of \"{}\", f D/U", name), "1",

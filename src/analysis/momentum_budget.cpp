@@ -87,6 +87,7 @@ void add_momentum_budget(const FlowRecord& record, Analysis& analysis) {
     if (!whole) return;
     budget.add(forces, of.side_wall_drag.name, -1.0, "side_walls", "drag of the side walls");
     budget.add(forces, of.vegetation_drag.name, -1.0, "vegetation", "drag of the vegetation");
+    budget.add(forces, of.porous_drag.name, -1.0, "porous_zones", "resistance of the porous zones");
     std::vector<double> on_walls = budget.values_of(forces, of.wall_force.name);
     for (std::size_t k = 0; k < c.solids.size(); ++k) {
         const std::string force = numbered_name(fields::solid_forces.force, k + 1);
@@ -124,12 +125,16 @@ void add_momentum_budget(const FlowRecord& record, Analysis& analysis) {
                                     std::nullopt));
     // The ends give as much as the forces take: half of both is what passes through the budget.
     size = 0.5 * (size + std::abs(ends_sum));
-    Finding rest = make_finding(chapters::forces, "momentum_residual", "momentum budget: what does not close",
+    // Grains are pressed on too where the porosity changes, which nothing records.
+    const bool grains = !c.porous.empty();
+    Finding rest = make_finding(chapters::forces, "momentum_residual",
+                                grains ? "momentum budget: pressure on the grains, and what does not close"
+                                       : "momentum budget: what does not close",
                                 unit, sum, std::nullopt);
-    if (size > 0.0)
+    if (size > 0.0 && !grains)
         rest.remark = fmt::format("{:.3g} of what passes from the ends to the forces", sum / size);
     findings.push_back(std::move(rest));
-    if (size > 0.0) {
+    if (size > 0.0 && !grains) {
         findings.push_back(against(make_finding(chapters::forces, "momentum_residual_share",
                                                 "the same over what passes from the ends to the forces", "1",
                                                 sum / size, std::nullopt),

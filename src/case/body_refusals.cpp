@@ -99,6 +99,80 @@ Findings starts_in_a_wall(const Case& c, const Solid& solid) {
         "starts in the bed or a wall");
 }
 
+/// What is given of a motion that a free body cannot make.
+Findings along_what_is_held(const Case& c, const Solid& solid) {
+    if (!is_free(solid)) {
+        return {};
+    }
+    struct Along {
+        const char* moves;
+        bool free;
+        double velocity;
+        double spring;
+    };
+    for (const Along& along : {Along{"x", solid.moves_x, solid.velocity_x, solid.spring_x},
+                               Along{"y", solid.moves_y, solid.velocity_y, solid.spring_y},
+                               Along{"z", solid.moves_z, solid.velocity_z, solid.spring_z}}) {
+        if (!along.free && (along.velocity != 0.0 || along.spring != 0.0)) {
+            return found_if(true, "moves_{} is false, and velocity_{} or spring_{} is given", along.moves,
+                            along.moves, along.moves);
+        }
+    }
+    const bool about_all = solid.turns_y && (!in_space(c) || (solid.turns_x && solid.turns_z));
+    if (turns(c, solid) && (about_all || solid.angular_velocity == 0.0)) {
+        return {};
+    }
+    const auto axis = rotation_axis(solid);
+    const bool held = !turns(c, solid) || (axis[0] != 0.0 && !solid.turns_x) ||
+                      (axis[1] != 0.0 && !solid.turns_y) || (axis[2] != 0.0 && !solid.turns_z);
+    return found_if(held && (solid.angular_velocity != 0.0 || (!turns(c, solid) && !solid.inertia.empty())),
+                    "is not free to turn, and angular_velocity or inertia is given");
+}
+
+Findings centre_outside(const Case& c, const Solid& solid) {
+    const std::vector<double>& centre = solid.centre_of_mass;
+    const std::size_t dimensions = in_space(c) ? 3 : 2;
+    if (!is_free(solid) || centre.size() != dimensions) {
+        return {};
+    }
+    for (std::size_t k = 0; k < dimensions; ++k) {
+        const auto range = extent_of(c, solid, dimensions == 2 && k == 1 ? 2 : k);
+        if (range && (centre[k] < range->low || centre[k] > range->high)) {
+            return found_if(true, "is {} along {}, and the body reaches from {} to {}",
+                            shown_length(centre[k]),
+                            k == 0                      ? "x"
+                            : dimensions == 2 || k == 2 ? "z"
+                                                        : "y",
+                            shown_length(range->low), shown_length(range->high));
+        }
+    }
+    return {};
+}
+
+Findings impossible_inertia(const Case& c, const Solid& solid) {
+    const std::vector<double>& inertia = solid.inertia;
+    if (!is_free(solid) || inertia.size() != (in_space(c) ? 3U : 1U)) {
+        return {};
+    }
+    const double mass =
+        solid.mass ? *solid.mass : solid.density.value_or(0.0) * solid_volume(c, solid).volume;
+    const double size = reach_from(c, solid, rotation_point(c, solid));
+    const double least = 1e-3 * mass * size * size;
+    for (const double moment : inertia) {
+        if (moment < least) {
+            return found_if(true, "holds {:.4g} {}: expected {:.4g} or more of its mass {:.4g} {}", moment,
+                            in_space(c) ? "kg m2" : "kg m", least, mass, in_space(c) ? "kg" : "kg/m");
+        }
+    }
+    if (inertia.size() == 3) {
+        const double sum = inertia[0] + inertia[1] + inertia[2];
+        const double largest = *std::max_element(inertia.begin(), inertia.end());
+        return found_if(largest > (sum - largest) * (1 + 1e-9),
+                        "holds {:.4g} kg m2, more than both others together", largest);
+    }
+    return {};
+}
+
 /// Whether the shapes of all solids are known: else another check has said what is missing.
 bool have_shapes(const Case& c) {
     return in_space(c) ? c.meshes && c.meshes->size() == c.solids.size()
@@ -176,6 +250,29 @@ CheckList turning_refusals() {
 CheckList free_body_refusals() {
     return {
         {
+            {{"solid.moves_x", "solid.moves_y", "solid.moves_z", "solid.turns_x", "solid.turns_y",
+              "solid.turns_z"},
+             "a velocity, a spring, an angular velocity or moments of inertia of a free body for a motion that it is not free to make",
+             "they would do nothing",
+             "remove the key, or free the motion",
+             along_what_is_held},
+            {{"solid.centre_of_mass"},
+             "a `centre_of_mass` outside of the box around its body",
+             "no distribution of its mass puts it there",
+             "correct it: it is a place in the channel, not one from the body's middle",
+             centre_outside},
+            {{"solid.inertia"},
+             "moments of inertia far below those of the mass, or such that no body has",
+             "the largest is at most the sum of the others, and a body with none of its mass away from its centre has no size",
+             "correct them, or remove the key for those of the shape",
+             impossible_inertia},
+            {{"solid.motion", "porous.name"},
+             "a free body beside a porous zone",
+             "grains do not hold bodies back: it would sink through them",
+             R"(hold it (motion = "fixed"), or give the grains as a [[solid]])",
+             [](const Case& c) {
+                 return !c.porous.empty() && std::any_of(c.solids.begin(), c.solids.end(), is_free);
+             }},
             {{"solid.motion", "numerics.stepping"},
              "a free body with a method of two stages or of rates of the step before",
              "bodies take one step with the water, by forces of one evaluation",

@@ -7,6 +7,7 @@
 
 #include "case/body_state.hpp"
 #include "case/outline_check.hpp"
+#include "case/porous_zone.hpp"
 #include "case/refusals.hpp"
 #include "case/solid_mesh.hpp"
 #include "case/solid_motion.hpp"
@@ -121,6 +122,32 @@ Findings motion_through_walls(const Case& c, const Solid& solid) {
                     in_space(c) ? ", y from 0 to " + shown_length(width) : std::string());
 }
 
+/// A zone, of places on a lattice in what a solid takes up with its way, that holds one of them.
+Findings motion_through_a_zone(const Case& c, const Solid& solid) {
+    if (!moves(solid) || solid.motion == SolidMotion::free || c.porous.empty()) {
+        return {};
+    }
+    constexpr int most = 40;
+    const Range x = in_motion(c, solid, 0);
+    const Range z = in_motion(c, solid, 2);
+    const Range y = in_space(c) ? in_motion(c, solid, 1) : Range{0.0, 0.0};
+    const auto at = [](const Range& range, int i, int of) {
+        return range.low + (i + 0.5) / of * (range.high - range.low);
+    };
+    for (const Porous& porous : c.porous) {
+        const PorousZone zone(c, porous);
+        for (int i = 0; i < most * most; ++i) {
+            for (int j = 0; j < (in_space(c) ? most : 1); ++j) {
+                if (zone.holds(at(x, i % most, most), in_space(c) ? at(y, j, most) : 0.0,
+                               at(z, i / most, most))) {
+                    return found_if(true, "moves through the porous zone \"{}\"", porous.name);
+                }
+            }
+        }
+    }
+    return {};
+}
+
 /// Solids that move through each other press the water between them out of the world.
 Findings overlap(const Case& c) {
     const auto overlap = first_overlap(c);
@@ -219,6 +246,11 @@ CheckList motion_refusals() {
                                      in_motion(c, solid, 2).low < -1e-9 * c.numerics.spacing,
                                  "reaches the bed before the end of the run");
              }},
+            {{"solid.motion", "porous.name"},
+             "a motion through a porous zone",
+             "the water would be pressed out of the grains as out of nothing",
+             "let it stop before (stop), give it another way, or move the zone",
+             motion_through_a_zone},
             {{"solid.motion"},
              "a motion through another solid",
              "it would move through it",

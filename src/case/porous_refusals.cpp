@@ -83,6 +83,14 @@ Findings beyond_channel(const Case& c, const Porous& zone) {
     constexpr std::array keys{"porous.x_to", "porous.y_to", "porous.z_to"};
     const double infinite = std::numeric_limits<double>::infinity();
     const std::array extent{c.channel.length, c.channel.simulated_width(), infinite};
+    // A zone without a top is as high as what may come; one that begins higher than water gets is a slip.
+    const double highest =
+        c.channel.top == Top::free_surface ? std::max(wave_height(c), height_of_case(c)) : c.total_depth();
+    if (ranges[2].from >= highest) {
+        return {{.detail = fmt::format("begins at z = {}: expected a place where water comes, below {}",
+                                       shown_length(ranges[2].from), shown_length(highest)),
+                 .key = "porous.z_from"}};
+    }
     for (std::size_t k = 0; k < axes.size(); ++k) {
         if (k == 1 && !in_space(c)) {
             continue;

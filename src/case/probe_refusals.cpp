@@ -191,31 +191,45 @@ Findings faces_in_the_water(const Case& c, const Probe& p) {
     return found;
 }
 
-/// Faces of which a part reaches beyond the channel.
+/// Across so many spacings a face may reach at most: it is read at two points a spacing.
+constexpr double widest_face = 100.0;
+
+Findings faces_too_wide(const Case& c, const Probe& p) {
+    return found_if(p.kind == ProbeKind::pressure && p.diameter > widest_face * c.numerics.spacing,
+                    "diameter is {}: expected at most {}", shown_length(p.diameter),
+                    shown_length(widest_face * c.numerics.spacing));
+}
+
+/// Faces of which a part reaches beyond the channel, or beside the solid that they sit on.
 Findings faces_beyond(const Case& c, const Probe& p) {
     Findings found;
     if (p.kind != ProbeKind::pressure || p.diameter == 0.0 || !has_as_many_points(p) ||
-        (!p.solid.empty() && !has_surface_place(c, p)) || p.diameter > c.channel.length) {
+        (!p.solid.empty() && !has_surface_place(c, p)) || !faces_too_wide(c, p).empty()) {
         return found;
     }
+    const auto beyond = [](double place, double extent) { return place < -1e-9 || place > extent + 1e-9; };
+    const Solid* const solid = p.solid.empty() ? nullptr : &c.solids[*solid_named(c, p.solid)];
     const auto outside = [&](const Point3& place) {
-        return place[2] < -1e-9 ||
-               (c.channel.ends != Ends::periodic &&
-                (place[0] < -1e-9 || place[0] > c.channel.length + 1e-9)) ||
-               (in_space(c) && c.channel.sides != Sides::periodic &&
-                (place[1] < -1e-9 || place[1] > c.channel.simulated_width() + 1e-9));
+        const bool side_walls = in_space(c) && c.channel.sides != Sides::periodic;
+        return place[2] < -1e-9 || (c.channel.top == Top::wall && beyond(place[2], c.total_depth())) ||
+               (c.channel.ends != Ends::periodic && beyond(place[0], c.channel.length)) ||
+               // Behind a plane of symmetry the water is its mirror image.
+               (side_walls && (place[1] < -1e-9 || (c.channel.sides == Sides::walls &&
+                                                    beyond(place[1], c.channel.simulated_width())))) ||
+               (solid != nullptr && nearest_on_solid(c, *solid, place)->distance > c.numerics.spacing);
     };
     for (const Point3& point : probe_points(c, p)) {
-        const bool sits = p.solid.empty()
-                              ? place_on_walls(c, point).has_value()
-                              : nearest_on_solid(c, c.solids[*solid_named(c, p.solid)], point).has_value();
+        const bool sits = solid == nullptr ? place_on_walls(c, point).has_value()
+                                           : nearest_on_solid(c, *solid, point).has_value();
         if (!sits) {
             continue;
         }
         const GaugeFace face = gauge_face(c, p, point);
         if (std::any_of(face.points.begin(), face.points.end(), outside)) {
-            found.push_back({.detail = fmt::format("the face of {} around {} reaches beyond a wall",
-                                                   shown_length(p.diameter), place_text(c, face.middle))});
+            found.push_back(
+                {.detail = fmt::format("the face of {} around {} reaches beyond a wall, or stands "
+                                       "off its solid by more than a spacing",
+                                       shown_length(p.diameter), place_text(c, face.middle))});
         }
     }
     return found;
@@ -312,9 +326,14 @@ CheckList probe_refusals() {
          "a face needs a wall or a solid to lie in",
          "move it onto the bed, an end wall or a side wall, name its solid, or remove the diameter",
          faces_in_the_water},
+        {{"probe.diameter", "numerics.spacing"},
+         "a `diameter` of more than a hundred spacings",
+         "it is read at two points a spacing, and no transducer is as wide",
+         "make it smaller, or take several gauges",
+         faces_too_wide},
         {{"probe.diameter"},
-         "a face of a gauge that reaches beyond a wall of the channel",
-         "there is no water to press on it",
+         "a face of a gauge that reaches beyond a wall of the channel, or beside its solid",
+         "a part of it would be no part of that surface",
          "move it or make it smaller",
          faces_beyond},
         {{"probe.sampling_length"},

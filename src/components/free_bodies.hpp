@@ -1,10 +1,13 @@
 #pragma once
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
 #include <vector>
 
+#include "base/error.hpp"
 #include "boundary/body_contact.hpp"
 #include "case/solid_volume.hpp"
 #include "engine/component.hpp"
@@ -62,6 +65,7 @@ class FreeBodies final : public Component<D, Real> {
                 }
             }
             body.advance(states[n], load, kick, stage_.motion, smoothing_);
+            watch(flow, states[n], body);
             widen_bound(flow, states[n], flow.bodies_after[first_solid + solid], body.reach());
         }
     }
@@ -93,6 +97,41 @@ class FreeBodies final : public Component<D, Real> {
             load.moment[k] += more[k];
         }
         return load;
+    }
+
+    /// Throws RunError where a body is no longer finite, faster than sound, or beyond the walls.
+    static void watch(const Flow& flow, const FreeBodyState& state, const FreeBody& body) {
+        Point3 place = body.centre_of_mass();
+        bool finite = true;
+        for (std::size_t k = 0; k < 3; ++k) {
+            place[k] += state.displacement[k];
+            finite = finite && std::isfinite(place[k]) && std::isfinite(state.velocity[k]) &&
+                     std::isfinite(state.angular_velocity[k]);
+        }
+        const Channel& channel = flow.c.channel;
+        const double reach = body.reach();
+        const auto beyond = [&](std::size_t axis, double extent) {
+            return place[axis] < -reach || place[axis] > extent + reach;
+        };
+        const double speed = std::sqrt(dot(state.velocity, state.velocity)) +
+                             reach * std::sqrt(dot(state.angular_velocity, state.angular_velocity));
+        const char* what = nullptr;
+        if (!finite) {
+            what = "is no longer finite";
+        } else if (speed > flow.scheme.state.sound_speed) {
+            what = "moves faster than the sound of the water";
+        } else if (place[2] < -reach || (channel.ends == Ends::walls && beyond(0, channel.length)) ||
+                   (D == 3 && channel.sides == Sides::walls && beyond(1, channel.simulated_width()))) {
+            what = "has left the channel";
+        }
+        if (what != nullptr) {
+            throw RunError(fmt::format(
+                "the free body \"{}\" {}: its centre of mass at x = {:.6g} m, z = {:.6g} m, velocity ({:.4g}, "
+                "{:.4g}) m/s, at t = {:.6g} s. Its mass, moments of inertia or springs may be too extreme for "
+                "the time step, or the walls too low for it",
+                flow.c.solids[body.solid()].name, what, place[0], place[2], state.velocity[0],
+                state.velocity[2], flow.clock.time));
+        }
     }
 
     /// The lists were told how far a body would go; now it is known.

@@ -60,6 +60,11 @@ std::optional<Oscillation> dominant_oscillation(std::span<const double> record, 
     found.frequency = (static_cast<double>(peak) + shift) * step;
     found.amplitude = 2.0 * std::sqrt(power(peak)) / window_sum;
     found.share = within / total;
+    double all = 0.0;
+    for (std::size_t k = 1; k < transform.size(); ++k) {
+        all += power(k);
+    }
+    found.whole_share = within / all;
     found.periods = found.frequency * static_cast<double>(n) * interval;
     return found;
 }

@@ -7,10 +7,11 @@ namespace riffle {
 
 /// An oscillation that rules a record, up to a frequency.
 struct Oscillation {
-    double frequency = 0.0;  ///< Hz
-    double amplitude = 0.0;  ///< in the record's unit
-    double share = 0.0;      ///< of the variance below the limit that its peak holds, 0 to 1
-    double periods = 0.0;    ///< how many of them the record holds
+    double frequency = 0.0;    ///< Hz
+    double amplitude = 0.0;    ///< in the record's unit
+    double share = 0.0;        ///< of the variance below the limit that its peak holds, 0 to 1
+    double whole_share = 0.0;  ///< the same of the variance at all frequencies
+    double periods = 0.0;      ///< how many of them the record holds
 };
 
 /// The strongest oscillation of a record below a frequency, from its transform with a Hann window, padded

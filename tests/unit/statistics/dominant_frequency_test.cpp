@@ -42,6 +42,7 @@ TEST(DominantOscillation, DoesNotLookAboveItsLimit) {
     ASSERT_TRUE(below);
     EXPECT_NEAR(below->frequency, 2.0, 0.01);
     EXPECT_GT(below->share, 0.95);
+    EXPECT_NEAR(below->whole_share, 0.1, 0.01);  // 1 of 1 + 9
     EXPECT_NEAR(dominant_oscillation(values, interval, 40.0)->frequency, 15.0, 0.01);
 }
 
