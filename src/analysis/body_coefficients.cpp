@@ -93,21 +93,12 @@ std::optional<double> approach_velocity(const FlowRecord& record) {
     return *discharge / (width * *depth);
 }
 
-/// The first record of a force on a body.
-const ScalarProbe* force_on(const FlowRecord& record, const Field& field, std::size_t number) {
-    for (const ScalarProbe& probe : record.scalar_probes()) {
-        if (probe.kind == "force" && probe.quantity == numbered_name(field, number) && probe.value.size() > 1)
-            return &probe;
-    }
-    return nullptr;
-}
-
 /// The swing of a body that vortices make which leave it in turn: the strongest of lift and side force, where
 /// it rules what is slower than the time of passing the body, in at least four periods.
 std::optional<Oscillation> shedding(const FlowRecord& record, std::size_t number, double highest) {
     std::optional<Oscillation> strongest;
     for (const Field& field : {fields::solid_forces.lift, fields::solid_forces.side_force}) {
-        const ScalarProbe* const force = force_on(record, field, number);
+        const ScalarProbe* const force = find_scalar(record, numbered_name(field, number));
         if (force == nullptr) continue;
         const double interval =
             (force->time.back() - force->time.front()) / static_cast<double>(force->time.size() - 1);
@@ -141,7 +132,7 @@ void add_body_coefficients(const FlowRecord& record, Analysis& analysis) {
         const double head = 0.5 * c.fluid.density * *velocity * *velocity * front->area;
         const std::string& name = c.solids[k].name;
         const auto add = [&](const Field& field, const char* key, const char* label) {
-            const ScalarProbe* const force = force_on(record, field, k + 1);
+            const ScalarProbe* const force = find_scalar(record, numbered_name(field, k + 1));
             if (force == nullptr) return;
             const MeanEstimate mean = mean_with_confidence(force->value);
             Finding finding = make_finding(chapters::forces, fmt::format("{}_{}", key, k + 1),

@@ -10,6 +10,7 @@
 #include "analysis/gauges.hpp"
 #include "analysis/momentum_budget.hpp"
 #include "record/flow_fields.hpp"
+#include "record/probe_fields.hpp"
 #include "record/twin_fields.hpp"
 #include "roughness/side_wall_partition.hpp"
 #include "statistics/confidence.hpp"
@@ -87,11 +88,8 @@ void add_instruments(const FlowRecord& record, const char* kind, Figure figure, 
 /// Means of the forces on all solids and of their pressure's part over the weight component, from the first
 /// instrument that has them.
 void add_solid_shares(const FlowRecord& record, Analysis& analysis) {
-    const ScalarProbe* weight = nullptr;
-    for (const ScalarProbe& probe : record.scalar_probes()) {
-        if (probe.quantity == "weight_component" && weight == nullptr) weight = &probe;
-    }
-    if (weight == nullptr || weight->value.size() < 2) return;
+    const ScalarProbe* const weight = find_scalar(record, fields::forces.weight_component.name);
+    if (weight == nullptr) return;
     const MeanEstimate whole = mean_with_confidence(weight->value);
     if (!(whole.mean > 0.0)) return;
     const auto add = [&](const char* prefix, const char* key, const char* label) {

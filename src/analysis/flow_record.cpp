@@ -106,6 +106,17 @@ std::vector<double> within_window(const FlowRecord& record, const Field& field) 
     return result;
 }
 
+const ScalarProbe* find_scalar(const FlowRecord& record, const std::string& quantity,
+                               const std::string& instrument) {
+    for (const ScalarProbe& probe : record.scalar_probes()) {
+        if (probe.quantity == quantity && (instrument.empty() || probe.name == instrument) &&
+            probe.value.size() > 1) {
+            return &probe;
+        }
+    }
+    return nullptr;
+}
+
 double bulk_velocity(const FlowRecord& record) {
     const std::vector<double> velocity = within_window(record, fields::time_series.depth_mean_velocity);
     if (!velocity.empty()) {

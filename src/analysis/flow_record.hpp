@@ -165,6 +165,11 @@ class FlowRecord {
 /// The part of a series within the window; empty if there is no such series.
 [[nodiscard]] std::vector<double> within_window(const FlowRecord& record, const Field& field);
 
+/// The first record of a scalar instrument of that quantity, and of that instrument where it is named, with
+/// at least two samples; null where there is none.
+[[nodiscard]] const ScalarProbe* find_scalar(const FlowRecord& record, const std::string& quantity,
+                                             const std::string& instrument = "");
+
 /// Velocity that the flow is scaled with, m/s: the simulated depth-mean velocity over the window; of a
 /// laboratory profile its own depth mean above the datum (profile_depth_mean), of other laboratory records
 /// the measured one of their case. 0 where none is known.

@@ -24,38 +24,60 @@ struct MomentumTerm {
     std::vector<double> value;
 };
 
-class MomentumTerms {
-  public:
-    explicit MomentumTerms(const FlowRecord& record) : record_(record) {}
+/// The samples of a quantity of an instrument times a factor; empty where there are none.
+std::vector<double> samples(const FlowRecord& record, const std::string& instrument,
+                            const std::string& quantity, double factor) {
+    const ScalarProbe* const found = find_scalar(record, quantity, instrument);
+    std::vector<double> values = found != nullptr ? found->value : std::vector<double>{};
+    for (double& value : values) value *= factor;
+    return values;
+}
 
-    /// Adds a record of an instrument times a factor; returns whether it is there.
-    bool add(const std::string& instrument, const std::string& quantity, double factor, std::string key,
-             std::string label, const std::string& less = "") {
-        std::vector<double> values = values_of(instrument, quantity);
-        if (values.empty()) return false;
-        if (!less.empty()) {
-            const std::vector<double> other = values_of(instrument, less);
-            if (other.size() != values.size()) return false;
-            for (std::size_t i = 0; i < values.size(); ++i) values[i] -= other[i];
-        }
-        for (double& value : values) value *= factor;
-        terms_.push_back({std::move(key), std::move(label), std::move(values)});
-        return true;
+/// What remains of samples less others; empty where there are not as many of both.
+std::vector<double> less(std::vector<double> values, const std::vector<double>& others) {
+    if (values.size() != others.size()) return {};
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] -= others[i];
+    return values;
+}
+
+/// What comes in and goes out with the water and by its pressure at the sections of both ends.
+std::vector<MomentumTerm> terms_at_ends(const FlowRecord& record) {
+    const auto at = [&](const Field& field, const char* number, double sign) {
+        return samples(record, "standard_end_sections", field.name + std::string(number), sign);
+    };
+    const auto& of = fields::flow_rate;
+    return {
+        {"inflow", "momentum that flows in", at(of.momentum_flux, "_1", 1.0)},
+        {"inflow_pressure", "pressure on the section at the inflow", at(of.pressure_force, "_1", 1.0)},
+        {"outflow", "momentum that flows out", at(of.momentum_flux, "_2", -1.0)},
+        {"outflow_pressure", "pressure on the section at the outflow", at(of.pressure_force, "_2", -1.0)}};
+}
+
+/// The forces on the water between the ends.
+std::vector<MomentumTerm> terms_between(const FlowRecord& record, const Case& c) {
+    const auto of_force = [&](const std::string& quantity, double sign) {
+        return samples(record, "standard_force", quantity, sign);
+    };
+    const auto& of = fields::forces;
+    std::vector<MomentumTerm> terms = {
+        {"weight", "weight down the slope", of_force(of.weight_component.name, 1.0)},
+        {"bed_drag", "drag of the bed elements", of_force(of.bed_drag.name, -1.0)},
+        {"side_walls", "drag of the side walls", of_force(of.side_wall_drag.name, -1.0)},
+        {"vegetation", "drag of the vegetation", of_force(of.vegetation_drag.name, -1.0)},
+        {"porous_zones", "resistance of the porous zones", of_force(of.porous_drag.name, -1.0)}};
+    std::vector<double> walls = of_force(of.wall_force.name, -1.0);
+    for (std::size_t k = 0; k < c.solids.size(); ++k) {
+        const std::vector<double> all = of_force(numbered_name(fields::solid_forces.force, k + 1), -1.0);
+        const std::vector<double> form = of_force(numbered_name(fields::solid_forces.form_drag, k + 1), -1.0);
+        const std::string& name = c.solids[k].name;
+        terms.push_back({fmt::format("form_drag_{}", k + 1), fmt::format("form drag of \"{}\"", name), form});
+        terms.push_back({fmt::format("solid_friction_{}", k + 1), fmt::format("friction on \"{}\"", name),
+                         less(all, form)});
+        if (!all.empty()) walls = less(std::move(walls), all);
     }
-    [[nodiscard]] std::vector<MomentumTerm>& terms() { return terms_; }
-
-    [[nodiscard]] std::vector<double> values_of(const std::string& instrument,
-                                                const std::string& quantity) const {
-        for (const ScalarProbe& probe : record_.scalar_probes()) {
-            if (probe.name == instrument && probe.quantity == quantity) return probe.value;
-        }
-        return {};
-    }
-
-  private:
-    const FlowRecord& record_;
-    std::vector<MomentumTerm> terms_;
-};
+    terms.push_back({"walls", "force of bed and walls, without the bodies", std::move(walls)});
+    return terms;
+}
 
 /// Rate of change of the stored momentum over the window, from its first to its last sample.
 double rate_of_change(const FlowRecord& record) {
@@ -70,61 +92,39 @@ double rate_of_change(const FlowRecord& record) {
 void add_momentum_budget(const FlowRecord& record, Analysis& analysis) {
     const Case& c = *record.flow();
     if (c.channel.ends != Ends::open) return;
-    const std::string ends = "standard_end_sections";
-    const std::string forces = "standard_force";
-    const auto& of = fields::forces;
-    MomentumTerms budget(record);
-    const std::string flux = fields::flow_rate.momentum_flux.name;
-    const std::string pressure = fields::flow_rate.pressure_force.name;
-    const bool whole =
-        budget.add(ends, flux + "_1", 1.0, "inflow", "momentum that flows in") &&
-        budget.add(ends, pressure + "_1", 1.0, "inflow_pressure", "pressure on the section at the inflow") &&
-        budget.add(ends, flux + "_2", -1.0, "outflow", "momentum that flows out") &&
-        budget.add(ends, pressure + "_2", -1.0, "outflow_pressure",
-                   "pressure on the section at the outflow") &&
-        budget.add(forces, of.weight_component.name, 1.0, "weight", "weight down the slope") &&
-        budget.add(forces, of.bed_drag.name, -1.0, "bed_drag", "drag of the bed elements");
-    if (!whole) return;
-    budget.add(forces, of.side_wall_drag.name, -1.0, "side_walls", "drag of the side walls");
-    budget.add(forces, of.vegetation_drag.name, -1.0, "vegetation", "drag of the vegetation");
-    budget.add(forces, of.porous_drag.name, -1.0, "porous_zones", "resistance of the porous zones");
-    std::vector<double> on_walls = budget.values_of(forces, of.wall_force.name);
-    for (std::size_t k = 0; k < c.solids.size(); ++k) {
-        const std::string force = numbered_name(fields::solid_forces.force, k + 1);
-        const std::string form_drag = numbered_name(fields::solid_forces.form_drag, k + 1);
-        const std::string& name = c.solids[k].name;
-        budget.add(forces, form_drag, -1.0, fmt::format("form_drag_{}", k + 1),
-                   fmt::format("form drag of \"{}\"", name));
-        budget.add(forces, force, -1.0, fmt::format("solid_friction_{}", k + 1),
-                   fmt::format("friction on \"{}\"", name), form_drag);
-        const std::vector<double> on_solid = budget.values_of(forces, force);
-        for (std::size_t i = 0; i < on_walls.size() && on_solid.size() == on_walls.size(); ++i)
-            on_walls[i] -= on_solid[i];
+    const std::vector<MomentumTerm> at_ends = terms_at_ends(record);
+    const std::vector<MomentumTerm> between = terms_between(record, c);
+    const auto missing = [](const MomentumTerm& term) { return term.value.empty(); };
+    if (std::any_of(at_ends.begin(), at_ends.end(), missing) ||
+        std::all_of(between.begin(), between.end(), missing)) {
+        return;
     }
-    for (double& value : on_walls) value = -value;
-    budget.terms().push_back({"walls", "force of bed and walls, without the bodies", std::move(on_walls)});
-
-    double sum = -rate_of_change(record);
-    double size = std::abs(sum);
     std::vector<Finding> findings;
     const char* const unit = c.channel.dimensions == 3 ? "N" : "N/m";
-    double ends_sum = 0.0;
-    for (const MomentumTerm& term : budget.terms()) {
-        if (term.value.size() < 2) continue;
+    const auto add = [&](const MomentumTerm& term) {
+        if (term.value.empty()) return 0.0;
         const MeanEstimate mean = mean_with_confidence(term.value);
-        sum += mean.mean;
-        const bool at_end = term.key.find("flow") != std::string::npos;
-        (at_end ? ends_sum : size) += at_end ? mean.mean : std::abs(mean.mean);
-        if (mean.mean == 0.0) continue;
-        findings.push_back(make_finding(chapters::forces, "momentum_" + term.key,
-                                        "momentum budget: " + term.label, unit, mean.mean,
-                                        trusted_half_width(mean)));
+        if (mean.mean != 0.0) {
+            findings.push_back(make_finding(chapters::forces, "momentum_" + term.key,
+                                            "momentum budget: " + term.label, unit, mean.mean,
+                                            trusted_half_width(mean)));
+        }
+        return mean.mean;
+    };
+    const double stored = -rate_of_change(record);
+    double ends = 0.0;
+    for (const MomentumTerm& term : at_ends) ends += add(term);
+    double sum = stored + ends;
+    double sizes = std::abs(stored);
+    for (const MomentumTerm& term : between) {
+        const double mean = add(term);
+        sum += mean;
+        sizes += std::abs(mean);
     }
     findings.push_back(make_finding(chapters::forces, "momentum_change",
-                                    "momentum budget: what the water stored", unit, -rate_of_change(record),
-                                    std::nullopt));
+                                    "momentum budget: what the water stored", unit, stored, std::nullopt));
     // The ends give as much as the forces take: half of both is what passes through the budget.
-    size = 0.5 * (size + std::abs(ends_sum));
+    const double size = 0.5 * (sizes + std::abs(ends));
     // Grains are pressed on too where the porosity changes, which nothing records.
     const bool grains = !c.porous.empty();
     Finding rest = make_finding(chapters::forces, "momentum_residual",

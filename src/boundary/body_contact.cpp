@@ -44,9 +44,7 @@ std::vector<Point3> points_on(const SolidMesh& mesh, double apart) {
     for (const Triangle& t : mesh.tree().triangles()) {
         const Point3 a = minus(t[1], t[0]);
         const Point3 b = minus(t[2], t[0]);
-        const Point3 c = minus(t[2], t[1]);
-        const double longest = std::sqrt(std::max({dot(a, a), dot(b, b), dot(c, c)}));
-        const int parts = std::max(1, static_cast<int>(std::ceil(longest / apart)));
+        const int parts = parts_of_edges(t, apart);
         for (int i = 0; i <= parts; ++i) {
             for (int j = 0; i + j <= parts; ++j) {
                 Point3 place = t[0];

@@ -40,6 +40,14 @@ struct BodyLoad {
     Point3 moment{};
 };
 
+inline BodyLoad& operator+=(BodyLoad& sum, const BodyLoad& other) {
+    for (std::size_t k = 0; k < 3; ++k) {
+        sum.force[k] += other.force[k];
+        sum.moment[k] += other.moment[k];
+    }
+    return sum;
+}
+
 /// A free rigid body of a case: what it weighs, and which ways it is free to go.
 class FreeBody {
   public:

@@ -61,9 +61,7 @@ double MeshContact::room_at(std::size_t solid, const Vec<3>& place) const {
 Vec<3> MeshContact::in_body(std::size_t solid, const BodyState& state, Vec<3> position) const {
     if (state.turns) {
         for (std::size_t k = 0; k < 3; ++k) {
-            const double centre = state.centre[k] + state.displacement[k];
-            position[k] -=
-                period_[k] > 0.0 ? period_[k] * std::round((position[k] - centre) / period_[k]) : 0.0;
+            position[k] = image_near(state.centre[k] + state.displacement[k], position[k], period_[k]);
         }
         return state.place_at_start(position);
     }

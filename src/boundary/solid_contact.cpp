@@ -26,11 +26,8 @@ SolidContact::SolidContact(const Case& c)
 
 std::optional<Vec<2>> SolidContact::inside(const Body& body, const BodyState& state,
                                            const Vec<2>& position) const {
-    double beside = position[0];
-    if (state.turns && period_ > 0.0) {
-        const double centre = state.centre[0] + state.displacement[0];
-        beside -= period_ * std::round((beside - centre) / period_);
-    }
+    const double beside =
+        state.turns ? image_near(state.centre[0] + state.displacement[0], position[0], period_) : position[0];
     const Vec<3> start = state.place_at_start({beside, 0.0, position[1]});
     double x = start[0];
     double z = start[2];
@@ -80,7 +77,8 @@ double SolidContact::resolve(const std::vector<BodyState>& now, Vec<2>& position
         const double dz = body.outline.z[end] - body.outline.z[edge];
         const Vec<2> normal =
             in_flow<2>(state.turned({dz / std::hypot(dx, dz), 0.0, -dx / std::hypot(dx, dz)}));
-        const Vec<3> solid = state.velocity_at(state.placed({(*place)[0], 0.0, (*place)[1]}));
+        const Vec<3> at = state.placed({(*place)[0], 0.0, (*place)[1]});
+        const Vec<3> solid = state.velocity_at(at);
         const double inward = (velocity[0] - solid[0]) * normal[0] + (velocity[1] - solid[2]) * normal[1];
         for (std::size_t axis = 0; axis < 2; ++axis) {
             position[axis] += (depth + 1e-6 * spacing_) * normal[axis];
@@ -88,7 +86,7 @@ double SolidContact::resolve(const std::vector<BodyState>& now, Vec<2>& position
         }
         if (push) {
             const double gain = -std::min(inward, 0.0);
-            push(k, state.placed({(*place)[0], 0.0, (*place)[1]}), {gain * normal[0], 0.0, gain * normal[1]});
+            push(k, at, {gain * normal[0], 0.0, gain * normal[1]});
         }
     }
     return deepest;

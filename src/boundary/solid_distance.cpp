@@ -84,11 +84,8 @@ double SolidDistance<D>::at(const std::vector<BodyState>& now, const Vec<D>& pos
         Vec<D> place = turns ? turned_back(now[body], position) : position;
         for (std::size_t axis = 0; axis < D; ++axis) {
             place[axis] -= moved[axis];
-            if (period_[axis] > 0.0) {
-                const double middle =
-                    grid.lower[axis] + 0.5 * step_ * static_cast<double>(grid.count[axis] - 1);
-                place[axis] -= period_[axis] * std::round((place[axis] - middle) / period_[axis]);
-            }
+            const double middle = grid.lower[axis] + 0.5 * step_ * static_cast<double>(grid.count[axis] - 1);
+            place[axis] = image_near(middle, place[axis], period_[axis]);
         }
         nearest = std::min(nearest, in_grid(grid, place));
     }
@@ -100,10 +97,7 @@ Vec<D> SolidDistance<D>::turned_back(const BodyState& body, Vec<D> position) con
     const Vec<D> centre = in_flow<D>(body.centre);
     const Vec<D> moved = in_flow<D>(body.displacement);
     for (std::size_t axis = 0; axis < D; ++axis) {
-        if (period_[axis] > 0.0) {
-            const double middle = centre[axis] + moved[axis];
-            position[axis] -= period_[axis] * std::round((position[axis] - middle) / period_[axis]);
-        }
+        position[axis] = image_near(centre[axis] + moved[axis], position[axis], period_[axis]);
     }
     return in_flow<D>(body.place_at_start(in_space_of<D>(position)));
 }

@@ -53,9 +53,7 @@ SolidSurfaces::SolidSurfaces(const Case& c) {
 
 Vec<3> SolidSurfaces::image_near(const Vec<3>& other, Vec<3> place) const {
     for (std::size_t k = 0; k < 3; ++k) {
-        if (period_[k] > 0.0) {
-            place[k] -= period_[k] * std::round((place[k] - other[k]) / period_[k]);
-        }
+        place[k] = riffle::image_near(other[k], place[k], period_[k]);
     }
     return place;
 }

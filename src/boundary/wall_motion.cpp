@@ -14,8 +14,7 @@ WallMotion::WallMotion(const Case& c)
                                [](const Solid& s) { return s.motion != SolidMotion::fixed; })) {
     // Those of the case itself, which knows their surfaces.
     for (const Solid& solid : c.solids) {
-        turning_.push_back(turns(c, solid) ? Turning{true, rotation_axis(solid), rotation_point(c, solid)}
-                                           : Turning{});
+        turning_.push_back(solid_turning(c, solid));
     }
 }
 
@@ -24,22 +23,10 @@ std::vector<BodyState> WallMotion::at(double time, std::span<const FreeBodyState
     bodies[lid_body].velocity[0] = lid_velocity_;
     std::size_t freed = 0;
     for (std::size_t k = 0; k < solids_.size(); ++k) {
-        const Turning& turning = turning_[k];
-        const SolidMotionState state = solid_motion(solids_[k], time);
-        BodyState body{.displacement = state.displacement,
-                       .velocity = state.velocity,
-                       .acceleration = state.acceleration,
-                       .turns = turning.turns,
-                       .centre = turning.centre};
+        BodyState body = body_state(solid_motion(solids_[k], time), turning_[k]);
         const bool is_free = solids_[k].motion == SolidMotion::free;
         if (is_free && freed < free.size()) {
             free[freed].put_into(body);
-        } else if (turning.turns) {
-            body.rotation = rotation_about(turning.axis, state.angle);
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-                body.angular_velocity[axis] = state.angular_velocity * turning.axis[axis];
-                body.angular_acceleration[axis] = state.angular_acceleration * turning.axis[axis];
-            }
         }
         freed += is_free ? 1 : 0;
         bodies.push_back(body);

@@ -7,6 +7,7 @@
 #include "boundary/free_body.hpp"
 #include "case/body_state.hpp"
 #include "case/case.hpp"
+#include "case/solid_motion.hpp"
 #include "particles/domain.hpp"
 
 namespace riffle {
@@ -53,14 +54,8 @@ class WallMotion {
     [[nodiscard]] std::vector<BodyState> at(double time, std::span<const FreeBodyState> free = {}) const;
 
   private:
-    /// What does not change of the turning of a solid.
-    struct Turning {
-        bool turns = false;
-        Point3 axis{};
-        Point3 centre{};
-    };
     std::vector<Solid> solids_;
-    std::vector<Turning> turning_;
+    std::vector<SolidTurning> turning_;
     double lid_velocity_ = 0.0;
     bool solids_move_ = false;
 };

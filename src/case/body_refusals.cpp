@@ -118,14 +118,11 @@ Findings along_what_is_held(const Case& c, const Solid& solid) {
                             along.moves, along.moves);
         }
     }
-    const bool about_all = solid.turns_y && (!in_space(c) || (solid.turns_x && solid.turns_z));
-    if (turns(c, solid) && (about_all || solid.angular_velocity == 0.0)) {
-        return {};
-    }
+    const bool still = !turns(c, solid);
     const auto axis = rotation_axis(solid);
-    const bool held = !turns(c, solid) || (axis[0] != 0.0 && !solid.turns_x) ||
-                      (axis[1] != 0.0 && !solid.turns_y) || (axis[2] != 0.0 && !solid.turns_z);
-    return found_if(held && (solid.angular_velocity != 0.0 || (!turns(c, solid) && !solid.inertia.empty())),
+    const bool held = still || (axis[0] != 0.0 && !solid.turns_x) || (axis[1] != 0.0 && !solid.turns_y) ||
+                      (axis[2] != 0.0 && !solid.turns_z);
+    return found_if((held && solid.angular_velocity != 0.0) || (still && !solid.inertia.empty()),
                     "is not free to turn, and angular_velocity or inertia is given");
 }
 

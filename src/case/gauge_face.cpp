@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
 #include "case/outline.hpp"
 #include "case/solid_mesh.hpp"
@@ -132,9 +131,9 @@ std::vector<Point3> probe_points(const Case& c, const Probe& probe) {
     return points;
 }
 
-GaugeFace gauge_face(const Case& c, const Probe& probe, const Point3& point) {
+std::optional<GaugeFace> gauge_face(const Case& c, const Probe& probe, const Point3& point) {
     if (probe.solid.empty() && probe.diameter == 0.0) {
-        return {point, {point}};
+        return GaugeFace{point, {point}};
     }
     std::optional<SurfacePlace> surface;
     if (probe.solid.empty()) {
@@ -143,12 +142,10 @@ GaugeFace gauge_face(const Case& c, const Probe& probe, const Point3& point) {
         surface = nearest_on_solid(c, c.solids[*solid], point);
     }
     if (!surface) {
-        throw std::invalid_argument("gauge \"" + probe.name + "\" sits on no surface");
+        return std::nullopt;
     }
-    if (probe.diameter == 0.0) {
-        return {surface->place, {surface->place}};
-    }
-    return {surface->place, points_of_face(c, *surface, probe.diameter)};
+    return GaugeFace{surface->place, probe.diameter == 0.0 ? std::vector{surface->place}
+                                                           : points_of_face(c, *surface, probe.diameter)};
 }
 
 }  // namespace riffle

@@ -39,8 +39,7 @@ struct GaugeFace {
 };
 
 /// The gauge of a probe at one of its points: drawn to the surface of its solid, its face in the plane that
-/// touches the surface there. Throws std::invalid_argument where it has a solid or a diameter, and no surface
-/// is there (probe_refusals() says so before).
-[[nodiscard]] GaugeFace gauge_face(const Case& c, const Probe& probe, const Point3& point);
+/// touches the surface there. Nothing where it has a solid or a diameter, and no surface is there.
+[[nodiscard]] std::optional<GaugeFace> gauge_face(const Case& c, const Probe& probe, const Point3& point);
 
 }  // namespace riffle

@@ -61,7 +61,7 @@ std::vector<std::array<double, 3>> corners_of(const Case& c, const Solid& solid)
 /// turns of one that goes on for ever.
 Range along_its_way(const Case& c, const Solid& solid, std::size_t axis) {
     const std::vector<std::array<double, 3>> corners = corners_of(c, solid);
-    const std::array<double, 3> point = rotation_point(c, solid);
+    const SolidTurning turn = solid_turning(c, solid);
     const double last = solid.motion == SolidMotion::free ? 0.0 : c.run.time;
     constexpr int steps = 720;
     const double rate = std::abs(solid.angular_velocity);
@@ -70,11 +70,7 @@ Range along_its_way(const Case& c, const Solid& solid, std::size_t axis) {
                                : last;
     Range range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
     for (int step = 0; step <= steps; ++step) {
-        const SolidMotionState state = solid_motion(solid, std::min(last, turning) * step / steps);
-        BodyState body{.displacement = state.displacement};
-        body.turns = turns(c, solid);
-        body.centre = point;
-        body.rotation = rotation_about(rotation_axis(solid), state.angle);
+        const BodyState body = body_state(solid_motion(solid, std::min(last, turning) * step / steps), turn);
         for (const auto& corner : corners) {
             const double x = body.placed(corner)[axis];
             range = {std::min(range.low, x), std::max(range.high, x)};

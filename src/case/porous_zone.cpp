@@ -36,9 +36,6 @@ SoftRange range_of(std::optional<double> from, std::optional<double> to, double 
     return range;
 }
 
-/// Smooth step of a thickness at 0.
-double step(double place, double edge) { return share_within(place, edge); }
-
 }  // namespace
 
 double share_within(double distance, double edge) {
@@ -51,7 +48,7 @@ double SoftRange::share(double place, double edge) const {
         if (hard || std::isinf(end)) {
             return place >= end ? 1.0 : 0.0;
         }
-        return step(place - end, edge);
+        return share_within(place - end, edge);
     };
     const auto once = [&](double shift) {
         return passed(from + shift, hard_from) - passed(to + shift, hard_to);

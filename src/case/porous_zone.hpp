@@ -74,6 +74,8 @@ class PorosityField {
         return porosity(place[0], D == 3 ? place[1] : 0.0, place[D - 1]);
     }
     [[nodiscard]] const std::vector<PorousZone>& zones() const { return zones_; }
+    /// 1 - n of the medium of each zone.
+    [[nodiscard]] const std::vector<double>& solid() const { return solid_; }
     [[nodiscard]] bool empty() const { return zones_.empty(); }
 
   private:

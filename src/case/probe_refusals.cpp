@@ -219,17 +219,12 @@ Findings faces_beyond(const Case& c, const Probe& p) {
                (solid != nullptr && nearest_on_solid(c, *solid, place)->distance > c.numerics.spacing);
     };
     for (const Point3& point : probe_points(c, p)) {
-        const bool sits = solid == nullptr ? place_on_walls(c, point).has_value()
-                                           : nearest_on_solid(c, *solid, point).has_value();
-        if (!sits) {
-            continue;
-        }
-        const GaugeFace face = gauge_face(c, p, point);
-        if (std::any_of(face.points.begin(), face.points.end(), outside)) {
+        const auto face = gauge_face(c, p, point);
+        if (face && std::any_of(face->points.begin(), face->points.end(), outside)) {
             found.push_back(
                 {.detail = fmt::format("the face of {} around {} reaches beyond a wall, or stands "
                                        "off its solid by more than a spacing",
-                                       shown_length(p.diameter), place_text(c, face.middle))});
+                                       shown_length(p.diameter), place_text(c, face->middle))});
         }
     }
     return found;

@@ -179,6 +179,26 @@ std::array<double, 3> rotation_point(const Case& c, const Solid& solid) {
     return given.empty() ? solid_volume(c, solid).centroid : point_of(given);
 }
 
+SolidTurning solid_turning(const Case& c, const Solid& solid) {
+    return turns(c, solid) ? SolidTurning{true, rotation_axis(solid), rotation_point(c, solid)}
+                           : SolidTurning{};
+}
+
+BodyState body_state(const SolidMotionState& state, const SolidTurning& turning) {
+    BodyState body{
+        .displacement = state.displacement, .velocity = state.velocity, .acceleration = state.acceleration};
+    if (turning.turns) {
+        body.turns = true;
+        body.centre = turning.centre;
+        body.rotation = rotation_about(turning.axis, state.angle);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            body.angular_velocity[axis] = state.angular_velocity * turning.axis[axis];
+            body.angular_acceleration[axis] = state.angular_acceleration * turning.axis[axis];
+        }
+    }
+    return body;
+}
+
 double largest_speed(const Case& c, const Solid& solid) {
     if (solid.motion == SolidMotion::fixed) {
         return 0.0;

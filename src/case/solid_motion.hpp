@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "case/body_state.hpp"
 #include "case/case.hpp"
 
 namespace riffle {
@@ -29,6 +30,17 @@ struct SolidMotionState {
 
 /// The point that a solid turns about, where it is at t = 0, m: of a free body its centre of mass.
 [[nodiscard]] std::array<double, 3> rotation_point(const Case& c, const Solid& solid);
+
+/// What does not change of the turning of a solid.
+struct SolidTurning {
+    bool turns = false;
+    std::array<double, 3> axis{0.0, 1.0, 0.0};
+    std::array<double, 3> centre{};  ///< the point that it turns about, at t = 0
+};
+[[nodiscard]] SolidTurning solid_turning(const Case& c, const Solid& solid);
+
+/// Where a solid is with a state of its motion.
+[[nodiscard]] BodyState body_state(const SolidMotionState& state, const SolidTurning& turning);
 
 /// Largest speed of any place of a solid by its prescribed motion, m/s; of a free body at its start.
 [[nodiscard]] double largest_speed(const Case& c, const Solid& solid);

@@ -25,18 +25,6 @@ Outline moved(Outline outline, const BodyState& body, const Point3& shift) {
     return outline;
 }
 
-/// Where a solid stands at a time by its prescribed motion.
-BodyState standing(const Case& c, const Solid& solid, double time) {
-    const SolidMotionState state = solid_motion(solid, time);
-    BodyState body{.displacement = state.displacement};
-    if (turns(c, solid)) {
-        body.turns = true;
-        body.centre = rotation_point(c, solid);
-        body.rotation = rotation_about(rotation_axis(solid), state.angle);
-    }
-    return body;
-}
-
 /// Least distance of the corners of either outline from the other one: of outlines that do not meet, their
 /// distance.
 double gap(const Outline& a, const Outline& b) {
@@ -162,9 +150,7 @@ class Surfaces {
         for (const Triangle& t : mesh.tree().triangles()) {
             const Point3 a = minus(t[1], t[0]);
             const Point3 b = minus(t[2], t[0]);
-            const Point3 c = minus(t[2], t[1]);
-            const double longest = std::sqrt(std::max({dot(a, a), dot(b, b), dot(c, c)}));
-            const int parts = std::max(1, static_cast<int>(std::ceil(longest / apart)));
+            const int parts = parts_of_edges(t, apart);
             // The middles of the upright ones of its parts; those of the others are as near.
             for (int i = 0; i < parts; ++i) {
                 for (int j = 0; i + j < parts; ++j) {
@@ -280,9 +266,11 @@ std::optional<SolidOverlap> overlap_of(const Case& c, std::size_t i, std::size_t
     const double speed = largest_speed(c, a) + largest_speed(c, b);
     const bool free = a.motion == SolidMotion::free || b.motion == SolidMotion::free;
     const double end = free ? 0.0 : std::max(last_motion(a, c.run.time), last_motion(b, c.run.time));
+    const SolidTurning turning_a = solid_turning(c, a);
+    const SolidTurning turning_b = solid_turning(c, b);
     for (double time = 0.0;;) {
-        const BodyState now_a = standing(c, a, time);
-        const BodyState now_b = standing(c, b, time);
+        const BodyState now_a = body_state(solid_motion(a, time), turning_a);
+        const BodyState now_b = body_state(solid_motion(b, time), turning_b);
         double distance = std::numeric_limits<double>::infinity();
         for (const Point3& image : images_of(c, minus(now_b.displacement, now_a.displacement))) {
             const Meeting meeting = shapes.meeting(now_a, now_b, image, tolerance);

@@ -1,6 +1,7 @@
 #include "case/triangle.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace riffle {
@@ -18,6 +19,14 @@ Point3 nearest_on_edge(const Point3& p, const Point3& a, const Point3& b) {
 }
 
 }  // namespace
+
+int parts_of_edges(const Triangle& t, double apart) {
+    const Point3 a = minus(t[1], t[0]);
+    const Point3 b = minus(t[2], t[0]);
+    const Point3 c = minus(t[2], t[1]);
+    const double longest = std::sqrt(std::max({dot(a, a), dot(b, b), dot(c, c)}));
+    return std::max(1, static_cast<int>(std::ceil(longest / apart)));
+}
 
 Point3 nearest_on(const Triangle& t, const Point3& p) {
     const Point3 normal = normal_of(t);

@@ -29,6 +29,9 @@ using Triangles = std::vector<Triangle>;
     return cross(minus(t[1], t[0]), minus(t[2], t[0]));
 }
 
+/// Into how many parts the longest edge of a triangle is cut so that none is longer than `apart`, m.
+[[nodiscard]] int parts_of_edges(const Triangle& t, double apart);
+
 /// The place of a triangle that is nearest to a point: the foot of the perpendicular on its plane where that
 /// lies in it, else the nearest place of its edges.
 [[nodiscard]] Point3 nearest_on(const Triangle& t, const Point3& p);

@@ -72,11 +72,7 @@ class Contact final : public Component<D, Real> {
         }
         flow.contact_impulses.assign(flow.free.size(), BodyLoad{});
         for (std::size_t n = 0; n < impulses_.size(); ++n) {
-            BodyLoad& sum = flow.contact_impulses[n % flow.free.size()];
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-                sum.force[axis] += impulses_[n].force[axis];
-                sum.moment[axis] += impulses_[n].moment[axis];
-            }
+            flow.contact_impulses[n % flow.free.size()] += impulses_[n];
         }
     }
 
@@ -122,12 +118,7 @@ class Contact final : public Component<D, Real> {
                     arm[k] = place[k] - centre[k] - body.displacement[k];
                     impulse[k] = -mass * gain[k];
                 }
-                BodyLoad& sum = impulses_[block * flow.free.size() + n];
-                const Point3 moment = cross(arm, impulse);
-                for (std::size_t k = 0; k < 3; ++k) {
-                    sum.force[k] += impulse[k];
-                    sum.moment[k] += moment[k];
-                }
+                impulses_[block * flow.free.size() + n] += {impulse, cross(arm, impulse)};
             }
         };
     }

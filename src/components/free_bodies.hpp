@@ -43,7 +43,7 @@ class FreeBodies final : public Component<D, Real> {
     void begin_evaluation(Flow& /*flow*/, const Stage& stage) override { stage_ = stage; }
 
     void end_evaluation(Flow& flow) override {
-        const double kick = stage_.kick < 0.0 ? stage_.motion : stage_.kick;
+        const double kick = stage_.velocity_step();
         std::vector<FreeBodyState>& states = flow.clock.free_bodies;
         const std::vector<BodyLoad> touching =
             contact_.loads(flow.free, states, flow.bodies, stage_.motion, flow.clock.contact_springs);

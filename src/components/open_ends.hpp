@@ -104,9 +104,7 @@ class OpenEnds final : public Component<D, Real> {
         fastest_ = std::max(start.fastest, end.fastest);
     }
 
-    void begin_evaluation(Flow& /*flow*/, const Stage& stage) override {
-        kick_ = stage.kick < 0.0 ? stage.motion : stage.kick;
-    }
+    void begin_evaluation(Flow& /*flow*/, const Stage& stage) override { kick_ = stage.velocity_step(); }
 
     void complete_gradients(Flow& flow, Task& task, std::size_t begin, std::size_t end) override {
         for_buffers(flow, begin, end, [&](std::size_t i, std::size_t lane, bool entering) {

@@ -20,9 +20,7 @@ class PorousForces final : public Component<D, Real> {
 
     explicit PorousForces(Flow& flow) { flow.inputs.acceleration = true; }
 
-    void begin_evaluation(Flow& /*flow*/, const Stage& stage) override {
-        kick_ = stage.kick < 0.0 ? stage.motion : stage.kick;
-    }
+    void begin_evaluation(Flow& /*flow*/, const Stage& stage) override { kick_ = stage.velocity_step(); }
 
     void complete_gradients(Flow& flow, Task& task, std::size_t begin, std::size_t end) override {
         flow.for_particles(begin, end, [&](std::size_t i, std::size_t lane) {

@@ -40,7 +40,7 @@ class SolidForces final : public Component<D, Real> {
             }
         }
         if (flow.keep_fields || any_free_) {
-            block_forces_.assign(blocks_of(flow.clusters.size()) * lists_.size(), ForceOnSolid{});
+            block_forces_.resize(blocks_of(flow.clusters.size()) * lists_.size());
         }
     }
 

@@ -88,6 +88,9 @@ struct Stage {
     bool midway = false;  ///< the continuity sum is that of PairLoops::gradient_midway
     double time = 0.0;    ///< of the evaluation, after the begin of the step
     int number = 0;       ///< of the evaluation in its step
+
+    /// Step of the velocities, s.
+    [[nodiscard]] double velocity_step() const { return kick < 0.0 ? motion : kick; }
 };
 
 /// Sums, inputs and buffers of a block of clusters; each thread keeps one from block to block.

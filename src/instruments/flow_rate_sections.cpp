@@ -25,23 +25,19 @@ class FlowRateSections final : public Instrument {
 
     void sample(const FlowState& state) override {
         std::vector<FluidView::Section> sections(probe().x.size());
-        std::vector<FluidView::Momentum> momenta(momentum_ ? sections.size() : 0);
         parallel_blocks(sections.size(), 8, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
-                sections[i] = state.fluid->section_at(probe().x[i]);
-                if (momentum_) {
-                    momenta[i] = state.fluid->momentum_at(probe().x[i], *state.pressure);
-                }
+                sections[i] = state.fluid->section_at(probe().x[i], momentum_ ? state.pressure : nullptr);
             }
         });
         record(0).add(state.time);
         for (const auto& section : sections) {
             record(1).add(section.flow_rate);
             record(2).add(section.depth);
-        }
-        for (const FluidView::Momentum& momentum : momenta) {
-            record(3).add(momentum.flux);
-            record(4).add(momentum.pressure_force);
+            if (momentum_) {
+                record(3).add(section.momentum_flux);
+                record(4).add(section.pressure_force);
+            }
         }
         end_row();
     }

@@ -305,41 +305,28 @@ std::vector<double> FluidViewIn<D>::surface_at(std::span<const Vec<2>> at) const
 }
 
 template <int D>
-template <class F>
-void FluidViewIn<D>::weigh_section(double x, const F& f) const {
+FluidView::Section FluidViewIn<D>::section_at(double x, const WorkingValues* pressure) const {
+    Section section{};
+    const std::size_t n = particles_.size();
     const double inverse_h = 1.0 / h_;
     visit_kernel<1>(kernel_, [&](auto kernel) {
         cells_.around_section(x, [&](std::size_t j) {
-            if (j < particles_.size()) {
-                const double q = std::abs(cells_.distance(0, cells_.positions()[0][j], x)) * inverse_h;
-                f(j, inverse_h * decltype(kernel)::value(q));
+            if (j >= n) {
+                return;
             }
+            const double q = std::abs(cells_.distance(0, cells_.positions()[0][j], x)) * inverse_h;
+            const double weight = inverse_h * decltype(kernel)::value(q);
+            const double area = volume_[j] * weight;
+            const double of_water = porosity_.empty() ? 1.0 : porosity_[j];
+            const double u = particles_.velocity[0][j];
+            section.flow_rate += of_water * area * u;
+            section.depth += area;
+            section.momentum_flux += particles_.mass[j] * weight * u * u;
+            section.pressure_force += pressure != nullptr ? area * (*pressure)[j] : 0.0;
         });
-    });
-}
-
-template <int D>
-FluidView::Section FluidViewIn<D>::section_at(double x) const {
-    Section section{0.0, 0.0};
-    weigh_section(x, [&](std::size_t j, double weight) {
-        const double area = volume_[j] * weight;
-        const double of_water = porosity_.empty() ? 1.0 : porosity_[j];
-        section.flow_rate += of_water * area * particles_.velocity[0][j];
-        section.depth += area;
     });
     section.depth /= width_;
     return section;
-}
-
-template <int D>
-FluidView::Momentum FluidViewIn<D>::momentum_at(double x, const WorkingValues& pressure) const {
-    Momentum momentum{0.0, 0.0};
-    weigh_section(x, [&](std::size_t j, double weight) {
-        const double u = particles_.velocity[0][j];
-        momentum.flux += particles_.mass[j] * weight * u * u;
-        momentum.pressure_force += volume_[j] * weight * pressure[j];
-    });
-    return momentum;
 }
 
 template class FluidViewIn<2>;

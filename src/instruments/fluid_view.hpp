@@ -68,18 +68,15 @@ class FluidView {
     struct Section {
         double flow_rate;  ///< of water: per unit width, m2/s; in three dimensions of the whole width, m3/s
         double depth;      ///< area of water per length of channel; volume per plan area, m
+        double momentum_flux;   ///< along the channel: per unit width, N/m; of the whole width, N
+        double pressure_force;  ///< on the section, so; 0 where no pressures are given
     };
-    /// Flow through a section: the sums of V u and V over the particles, weighted along x with the
-    /// one-dimensional kernel. Their means over all sections of a channel are those of its water.
-    [[nodiscard]] virtual Section section_at(double x) const = 0;
-
-    struct Momentum {
-        double flux;            ///< of momentum along the channel: per unit width, N/m; of the whole width, N
-        double pressure_force;  ///< of the pressure on the section, so
-    };
-    /// The two parts of the momentum function of a section, in the same way: sums of m u^2 and V p. Their
-    /// difference between two sections is what the forces on the water between them take.
-    [[nodiscard]] virtual Momentum momentum_at(double x, const WorkingValues& pressure) const = 0;
+    /// Flow through a section: the sums of V u, V, m u^2 and V p over the particles, weighted along x with
+    /// the one-dimensional kernel. The means of the first two over all sections of a channel are those of its
+    /// water; the difference of the last two together between two sections is what the forces on the water
+    /// between them take. `pressure`: by particle, Pa, or null.
+    [[nodiscard]] virtual Section section_at(double x, const WorkingValues* pressure) const = 0;
+    [[nodiscard]] Section section_at(double x) const { return section_at(x, nullptr); }
 };
 
 /// The view of the particles of a simulation in D dimensions. Keeps views of the particles, which must
@@ -98,8 +95,8 @@ class FluidViewIn final : public FluidView {
     [[nodiscard]] Pressure pressure_on_solid(const Vec<3>& place, const WorkingValues& pressure,
                                              double weight) const override;
     [[nodiscard]] std::vector<double> surface_at(std::span<const Vec<2>> at) const override;
-    [[nodiscard]] Section section_at(double x) const override;
-    [[nodiscard]] Momentum momentum_at(double x, const WorkingValues& pressure) const override;
+    using FluidView::section_at;
+    [[nodiscard]] Section section_at(double x, const WorkingValues* pressure) const override;
 
   private:
     /// The particles with their mirror images behind ends and sides that are not periodic.
@@ -114,10 +111,6 @@ class FluidViewIn final : public FluidView {
     /// dry. `values_of(j)` gives those of particle j.
     template <std::size_t N, class Values>
     [[nodiscard]] std::array<double, N> interpolate(const Vec<3>& point, const Values& values_of) const;
-    /// f(particle, weight) for the particles around a section, with the weights W of the one-dimensional
-    /// kernel, 1/m.
-    template <class F>
-    void weigh_section(double x, const F& f) const;
     /// f(number, weight, distance in smoothing lengths) for the particles and images around a point, with the
     /// weights V W of the kernel.
     template <class F>

@@ -65,7 +65,7 @@ void Instrument::add_record_of_solid(const Field& field, std::size_t number, con
 std::vector<double> across(const Probe& probe, const Case& c, std::size_t points) {
     std::vector<double> y(points, c.channel.centreline());
     for (std::size_t i = 0; i < points && !probe.y.empty(); ++i) {
-        y[i] = of_point(probe.y, i);
+        y[i] = probe.y.size() == 1 ? probe.y.front() : probe.y[i];
     }
     return y;
 }

@@ -120,11 +120,6 @@ class Instrument {
     std::size_t rows_ = 0;
 };
 
-/// One value for all points, or one for each: the value of the point.
-[[nodiscard]] inline double of_point(const std::vector<double>& values, std::size_t point) {
-    return values.size() == 1 ? values.front() : values[point];
-}
-
 /// Positions across the channel of an instrument with `points` points: its y, or the centreline.
 [[nodiscard]] std::vector<double> across(const Probe& probe, const Case& c, std::size_t points);
 

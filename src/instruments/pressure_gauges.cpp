@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <stdexcept>
 
 #include "base/parallel.hpp"
 #include "case/gauge_face.hpp"
@@ -23,11 +24,14 @@ class PressureGauges final : public Instrument {
         std::vector<double> y;
         std::vector<double> z;
         for (const Point3& point : probe_points(c, probe)) {
-            GaugeFace face = gauge_face(c, probe, point);
-            x.push_back(face.middle[0]);
-            y.push_back(face.middle[1]);
-            z.push_back(face.middle[2]);
-            points_.insert(points_.end(), face.points.begin(), face.points.end());
+            const auto face = gauge_face(c, probe, point);
+            if (!face) {  // probe_refusals() says so before
+                throw std::invalid_argument("gauge \"" + probe.name + "\" sits on no surface");
+            }
+            x.push_back(face->middle[0]);
+            y.push_back(face->middle[1]);
+            z.push_back(face->middle[2]);
+            points_.insert(points_.end(), face->points.begin(), face->points.end());
             ends_.push_back(points_.size());
         }
         const std::size_t n = ends_.size();

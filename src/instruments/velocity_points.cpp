@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/parallel.hpp"
+#include "case/gauge_face.hpp"
 #include "instruments/instrument.hpp"
 #include "record/probe_fields.hpp"
 
@@ -14,14 +15,15 @@ namespace {
 class VelocityPoints final : public Instrument {
   public:
     VelocityPoints(const Probe& probe, const Case& c) : Instrument(probe, c) {
-        const std::size_t n = std::max(probe.x.size(), probe.z.size());
-        const std::vector<double> y = across(probe, c, n);
+        points_ = probe_points(c, probe);
+        const std::size_t n = points_.size();
         std::vector<double> x;
+        std::vector<double> y;
         std::vector<double> z;
-        for (std::size_t i = 0; i < n; ++i) {
-            x.push_back(of_point(probe.x, i));
-            z.push_back(of_point(probe.z, i));
-            points_.push_back({x[i], y[i], z[i]});
+        for (const Point3& point : points_) {
+            x.push_back(point[0]);
+            y.push_back(point[1]);
+            z.push_back(point[2]);
         }
         // A measuring volume is the mean of points up to half a spacing of the particles apart.
         parts_ = std::max(1, static_cast<int>(std::ceil(2.0 * probe.sampling_length / c.numerics.spacing)));

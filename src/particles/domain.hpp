@@ -9,6 +9,12 @@ namespace riffle {
 template <int D>
 using Vec = std::array<double, static_cast<std::size_t>(D)>;
 
+/// The image of a coordinate that is nearest to another one along an axis that repeats itself after a period,
+/// m; the coordinate itself where the period is 0.
+[[nodiscard]] inline double image_near(double other, double x, double period) {
+    return period > 0.0 ? x - period * std::round((x - other) / period) : x;
+}
+
 /// The box that holds all particles. A periodic axis covers [lower, upper); the others carry a margin around
 /// fluid and walls, beyond which a particle has left the domain.
 template <int D>
@@ -19,7 +25,7 @@ struct Domain {
 
     /// The image of a coordinate along an axis that is nearest to another one.
     [[nodiscard]] double image_near(double other, double x, std::size_t k) const {
-        return periodic[k] ? x - (upper[k] - lower[k]) * std::round((x - other) / (upper[k] - lower[k])) : x;
+        return riffle::image_near(other, x, periodic[k] ? upper[k] - lower[k] : 0.0);
     }
 
     [[nodiscard]] double extent(int axis) const {

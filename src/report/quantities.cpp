@@ -223,12 +223,16 @@ void add_channel_numbers(Table& table, const ReportData& data, const Sources& me
 
 void add_forces(Table& table, const ReportData& data) {
     if (data.flow.channel.slope <= 0) return;
-    table.add(
-        row_of("drag_over_gravity", "Drag of the bed elements / weight component", "", "1"),
-        {plain(find_value(data.summary, fields::summary.drag_over_gravity)),
-         {},
-         plain(data.flow.has_side_walls() ? find_value(data.section, fields::section_numbers.drag_share)
-                                          : find_value(data.column, fields::column_numbers.drag_share))});
+    const auto of_twin = [&](const Field& of_section, const Field& of_column) {
+        return plain(data.flow.has_side_walls() ? find_value(data.section, of_section)
+                                                : find_value(data.column, of_column));
+    };
+    const auto& section = fields::section_numbers;
+    const auto& column = fields::column_numbers;
+    table.add(row_of("drag_over_gravity", "Drag of the bed elements / weight component", "", "1"),
+              {plain(find_value(data.summary, fields::summary.drag_over_gravity)),
+               {},
+               of_twin(section.drag_share, column.drag_share)});
     if (const auto side = find_value(data.summary, fields::summary.side_wall_over_gravity);
         side && data.flow.has_side_walls()) {
         table.add(
@@ -237,19 +241,11 @@ void add_forces(Table& table, const ReportData& data) {
     }
     if (const auto stems = find_value(data.summary, fields::summary.vegetation_over_gravity)) {
         table.add(row_of("vegetation_over_gravity", "Drag of the vegetation / weight component", "", "1"),
-                  {plain(stems),
-                   {},
-                   plain(data.flow.has_side_walls()
-                             ? find_value(data.section, fields::section_numbers.vegetation_share)
-                             : find_value(data.column, fields::column_numbers.vegetation_share))});
+                  {plain(stems), {}, of_twin(section.vegetation_share, column.vegetation_share)});
     }
     if (const auto grains = find_value(data.summary, fields::summary.porous_over_gravity)) {
         table.add(row_of("porous_over_gravity", "Resistance of porous zones / weight component", "", "1"),
-                  {plain(grains),
-                   {},
-                   plain(data.flow.has_side_walls()
-                             ? find_value(data.section, fields::section_numbers.porous_share)
-                             : find_value(data.column, fields::column_numbers.porous_share))});
+                  {plain(grains), {}, of_twin(section.porous_share, column.porous_share)});
     }
     // A bed that acts by its elements alone has no wall friction to report.
     const auto wall = find_value(data.summary, fields::summary.wall_over_gravity);

@@ -61,21 +61,14 @@ double pore_mixing_length(const Porous& medium) {
                                : std::numeric_limits<double>::infinity();
 }
 
-PorousMedia::PorousMedia(const Case& c) {
+PorousMedia::PorousMedia(const Case& c) : field_(c) {
     for (const Porous& medium : c.porous) {
-        media_.push_back({PorousZone(c, medium), PorousResistance(medium, c.fluid.kinematic_viscosity),
-                          1.0 - medium.porosity, medium.viscosity_ratio, pore_mixing_length(medium)});
-        const double edge = media_.back().zone.edge();
-        thinnest_edge_ = media_.size() == 1 ? edge : std::min(thinnest_edge_, edge);
+        media_.push_back({PorousResistance(medium, c.fluid.kinematic_viscosity), medium.viscosity_ratio,
+                          pore_mixing_length(medium)});
     }
-}
-
-double PorousMedia::porosity(const std::array<double, 3>& place) const {
-    double solid = 0.0;
-    for (const Medium& medium : media_) {
-        solid += medium.zone.share(place[0], place[1], place[2]) * medium.solid;
+    for (const PorousZone& zone : field_.zones()) {
+        thinnest_edge_ = thinnest_edge_ > 0.0 ? std::min(thinnest_edge_, zone.edge()) : zone.edge();
     }
-    return 1.0 - solid;
 }
 
 PorousMedia::At PorousMedia::at_with_normal(int dimensions, double x, double y, double z) const {
@@ -95,7 +88,7 @@ PorousMedia::At PorousMedia::at_with_normal(int dimensions, double x, double y, 
         std::array<double, 3> high{x, y, z};
         low[k] -= step;
         high[k] += step;
-        here.normal[k] = porosity(high) - porosity(low);
+        here.normal[k] = field_.porosity(high) - field_.porosity(low);
         squared += here.normal[k] * here.normal[k];
     }
     for (double& component : here.normal) {
@@ -107,14 +100,16 @@ PorousMedia::At PorousMedia::at_with_normal(int dimensions, double x, double y, 
 PorousMedia::At PorousMedia::at(double x, double y, double z) const {
     At at;
     double solid = 0.0;
-    for (const Medium& medium : media_) {
-        const double share = medium.zone.share(x, y, z);
+    for (std::size_t k = 0; k < media_.size(); ++k) {
+        const Medium& medium = media_[k];
+        const double share = field_.zones()[k].share(x, y, z);
         if (share > 0.0) {
-            solid += share * medium.solid;
+            const double grains = field_.solid()[k];
+            solid += share * grains;
             at.linear += share * medium.resistance.linear();
             at.quadratic += share * medium.resistance.quadratic();
-            at.force_linear += share * (1.0 - medium.solid) * medium.resistance.linear();
-            at.force_quadratic += share * (1.0 - medium.solid) * medium.resistance.quadratic();
+            at.force_linear += share * (1.0 - grains) * medium.resistance.linear();
+            at.force_quadratic += share * (1.0 - grains) * medium.resistance.quadratic();
             at.viscosity_ratio += share * (medium.viscosity_ratio - 1.0);
         }
     }
@@ -125,11 +120,11 @@ PorousMedia::At PorousMedia::at(double x, double y, double z) const {
 double PorousMedia::limited(double length, double x, double y, double z) const {
     double outside = 1.0;
     double inside = 0.0;
-    for (const Medium& medium : media_) {
-        const double share = medium.zone.share(x, y, z);
+    for (std::size_t k = 0; k < media_.size(); ++k) {
+        const double share = field_.zones()[k].share(x, y, z);
         if (share > 0.0) {
             outside -= share;
-            inside += share * std::min(length, medium.mixing_length);
+            inside += share * std::min(length, media_[k].mixing_length);
         }
     }
     return inside > 0.0 || outside < 1.0 ? std::max(0.0, outside) * length + inside : length;

@@ -54,9 +54,7 @@ class PorousMedia {
     explicit PorousMedia(const Case& c);
 
     struct Medium {
-        PorousZone zone;
         PorousResistance resistance;
-        double solid;            ///< 1 - n
         double viscosity_ratio;  ///< Porous::viscosity_ratio
         double mixing_length;    ///< m
     };
@@ -92,13 +90,11 @@ class PorousMedia {
     /// The mixing length of the eddies where it would be `length` without grains, m.
     [[nodiscard]] double limited(double length, double x, double y, double z) const;
 
-    [[nodiscard]] const std::vector<Medium>& media() const { return media_; }
     [[nodiscard]] bool empty() const { return media_.empty(); }
 
   private:
-    [[nodiscard]] double porosity(const std::array<double, 3>& place) const;
-
-    std::vector<Medium> media_;
+    PorosityField field_;
+    std::vector<Medium> media_;   ///< of its zones
     double thinnest_edge_ = 0.0;  ///< m
 };
 

@@ -121,11 +121,8 @@ std::vector<float> BoundaryContent::displaced(const std::vector<float>& points,
         const BodyState& body = states[static_cast<std::size_t>(bodies[i])];
         if (body.turns) {
             Vec<3> start{points[3 * i], points[3 * i + 1], points[3 * i + 2]};
-            const auto beside = [&](std::size_t k, double period) {
-                start[k] -= period > 0.0 ? period * std::round((start[k] - body.centre[k]) / period) : 0.0;
-            };
-            beside(0, period_);
-            beside(1, width_);
+            start[0] = image_near(body.centre[0], start[0], period_);
+            start[1] = image_near(body.centre[1], start[1], width_);
             const Vec<3> now = body.placed(start);
             for (std::size_t k = 0; k < 3; ++k) {
                 moved[3 * i + k] = static_cast<float>(now[k]);

@@ -158,10 +158,9 @@ double Walls<D, Real>::within(const Flow& flow, double x, std::size_t k) {
 template <int D, class Real>
 void Walls<D, Real>::move(Flow& flow, const Stage& stage) {
     if (!flow.c.solids.empty()) {
-        const double kick = stage.kick < 0.0 ? stage.motion : stage.kick;
         std::vector<FreeBodyState> after = flow.clock.free_bodies;
         for (std::size_t n = 0; n < after.size(); ++n) {
-            flow.free[n].predict(after[n], kick, stage.motion);
+            flow.free[n].predict(after[n], stage.velocity_step(), stage.motion);
         }
         flow.bodies_after = flow.motion.at(flow.clock.time + stage.motion, after);
     }
@@ -198,12 +197,6 @@ void Walls<D, Real>::move(Flow& flow, const Stage& stage) {
 }
 
 template <int D, class Real>
-double Walls<D, Real>::last_spin(const Flow& flow, std::size_t body) {
-    const Vec<3>& spin = flow.bodies[body].angular_velocity;
-    return std::sqrt(dot(spin, spin));
-}
-
-template <int D, class Real>
 void Walls<D, Real>::add_motion(const Flow& flow, double step, Vec<D>& slowest, Vec<D>& fastest) const {
     if (!flow.motion.displaces() || step <= 0.0) {
         return;
@@ -211,9 +204,11 @@ void Walls<D, Real>::add_motion(const Flow& flow, double step, Vec<D>& slowest, 
     for (std::size_t b = first_solid; b < flow.bodies_after.size(); ++b) {
         const Vec<D> from = in_flow<D>(flow.bodies[b].displacement);
         const Vec<D> to = in_flow<D>(flow.bodies_after[b].displacement);
-        const Vec<3>& spin = flow.bodies_after[b].angular_velocity;
+        const auto spin_of = [b](const std::vector<BodyState>& bodies) {
+            return std::sqrt(dot(bodies[b].angular_velocity, bodies[b].angular_velocity));
+        };
         const double around = flow.bodies_after[b].turns
-                                  ? reach_[b] * std::max(std::sqrt(dot(spin, spin)), last_spin(flow, b))
+                                  ? reach_[b] * std::max(spin_of(flow.bodies_after), spin_of(flow.bodies))
                                   : 0.0;
         for (std::size_t k = 0; k < Flow::axes; ++k) {
             const double speed = (to[k] - from[k]) / step;

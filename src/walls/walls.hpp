@@ -57,8 +57,6 @@ class Walls {
     static double within(const Flow& flow, double x, std::size_t k);
     /// How far the particles of each body are from the point that it turns about.
     void measure_reach(const Flow& flow);
-    /// Angular speed of a body at the begin of the step, rad/s.
-    static double last_spin(const Flow& flow, std::size_t body);
 
     std::unique_ptr<WallTreatment<D, Real>> treatment_;
     WallParticles<D> reference_;       ///< at t = 0 in their first order; only where walls change place

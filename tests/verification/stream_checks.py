@@ -1,8 +1,6 @@
 """Bodies in a stream: forces of the water, pressures on the surface, the rhythm of the wake."""
 
-import json
 import math
-import subprocess
 
 import h5py
 import numpy
@@ -42,10 +40,7 @@ def _gauges(flow, start):
 
 def _budget(study, flow):
     """What the momentum budget of `riffle analyse` leaves open, over what passes from the ends to the forces."""
-    analysis = flow.folder / "analysis.json"
-    subprocess.run([study.riffle, "analyse", flow.folder, "--chapter", "forces", "--json", analysis], check=True, capture_output=True)
-    findings = json.loads(analysis.read_text())["analyses"][0]["findings"]
-    return next(f["value"] for f in findings if f["key"] == "momentum_residual_share")
+    return study.findings(flow, "--chapter", "forces")["momentum_residual_share"]
 
 
 def cylinder(study):

@@ -1,8 +1,6 @@
 """Turbulence that the particles resolve, against published solutions."""
 
-import json
 import math
-import subprocess
 
 import numpy
 
@@ -97,9 +95,7 @@ SHARES = {"scheme": "what the scheme itself adds", "pressure": "pressure of the 
 def _energy_shares(study, name, settings):
     """Run of the resolved channel, and the parts of its energy budget over the input, from `riffle analyse`."""
     run = study.run(name, "cases/rough-bed-3d/resolved-eddies.toml", {"run.until": '"8 s"', "run.average_from": '"3 s"', **settings})
-    analysis = run.folder / "analysis.json"
-    subprocess.run([study.riffle, "analyse", run.folder, "--json", analysis], check=True, capture_output=True)
-    findings = {f["key"]: f["value"] for a in json.loads(analysis.read_text())["analyses"] for f in a["findings"]}
+    findings = study.findings(run)
     return run, {part: findings[f"energy_share_{part}"] for part in SHARES}
 
 

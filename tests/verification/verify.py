@@ -12,7 +12,9 @@ when a bar is missed that is not among the known ones (tests/known_misses.toml),
 """
 
 import argparse
+import json
 import pathlib
+import subprocess
 import sys
 import tempfile
 
@@ -63,6 +65,12 @@ class Study:
         except SystemExit as failure:
             print(f"{name}: {str(failure).splitlines()[-1]}", file=sys.stderr)
             return None
+
+    def findings(self, flow, *arguments):
+        """Values of the findings of `riffle analyse` of a run, by their keys."""
+        analysis = flow.folder / "analysis.json"
+        subprocess.run([self.riffle, "analyse", flow.folder, *arguments, "--json", analysis], check=True, capture_output=True)
+        return {f["key"]: f["value"] for a in json.loads(analysis.read_text())["analyses"] for f in a["findings"]}
 
     def column(self, flow):
         """z and u of the run's column twin."""

@@ -8,7 +8,7 @@
 #include "base/parallel.hpp"
 #include "boundary/solid_distance.hpp"
 #include "case/flow_kind.hpp"
-#include "saved_state.hpp"
+#include "same_bits.hpp"
 #include "small_case.hpp"
 
 namespace riffle::local_depth_test {
@@ -99,14 +99,7 @@ TEST(LocalDepth, BesideABodyHasTheSameBitsForAnyThreadsAndAfterResume) {
         return channel.simulation->particles();
     };
     expect_same_bits(state_after(1), state_after(3));
-    const ChannelIn<2> straight(with_body());
-    straight.advance(21);  // between two looks at the depth
-    const ChannelIn<2> resumed(with_body());
-    resumed.simulation->restore(test::saved_particles(*straight.simulation), straight.simulation->clock(),
-                                straight.simulation->wall_density_deviation());
-    straight.advance(40);
-    resumed.advance(40);
-    expect_same_bits(straight.simulation->particles(), resumed.simulation->particles());
+    test::expect_same_bits_after_resume(with_body(), 21, 40);  // saved between two looks at the depth
 }
 
 TEST(SolidDistance, IsThatFromTheOutlineAndZeroInside) {

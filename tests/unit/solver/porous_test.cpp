@@ -4,10 +4,9 @@
 
 #include <cmath>
 
-#include "base/parallel.hpp"
 #include "record/flow_fields.hpp"
 #include "roughness/porous_resistance.hpp"
-#include "saved_state.hpp"
+#include "same_bits.hpp"
 #include "small_case.hpp"
 #include "solver/series.hpp"
 
@@ -135,36 +134,12 @@ Case patch(int dimensions = 2) {
     return c;
 }
 
-template <int D>
-void expect_same_bits_for_any_threads() {
-    const auto state_after = [](int threads) {
-        set_thread_count(threads);
-        const ChannelIn<D> channel(patch(D));
-        channel.advance(12);
-        return test::saved_particles(*channel.simulation);
-    };
-    const auto one = state_after(1);
-    for (const int threads : {2, 3}) {
-        expect_same_bits(one, state_after(threads));
-    }
-    set_thread_count(1);
-}
-
 TEST(PorousZones, HaveTheSameBitsForAnyNumberOfThreads) {
-    expect_same_bits_for_any_threads<2>();
-    expect_same_bits_for_any_threads<3>();
+    test::expect_same_bits_for_any_threads<2>(patch(2), 12);
+    test::expect_same_bits_for_any_threads<3>(patch(3), 12);
 }
 
-TEST(PorousZones, HaveTheSameBitsAfterResume) {
-    const ChannelIn<2> straight(patch());
-    straight.advance(21);
-    const ChannelIn<2> resumed(patch());
-    resumed.simulation->restore(test::saved_particles(*straight.simulation), straight.simulation->clock(),
-                                straight.simulation->wall_density_deviation());
-    straight.advance(20);
-    resumed.advance(20);
-    expect_same_bits(straight.simulation->particles(), resumed.simulation->particles());
-}
+TEST(PorousZones, HaveTheSameBitsAfterResume) { test::expect_same_bits_after_resume(patch(), 21, 20); }
 
 }  // namespace
 }  // namespace riffle::porous_test
