@@ -15,10 +15,10 @@
 namespace riffle {
 
 /// Keeps water out of the solids of a case in three dimensions, as SolidContact does in two: in an impact
-/// single particles are driven in between the wall particles, which stand on the places of the lattice and
-/// not on the surface. Water that rests at a solid stands half a spacing before its first layer of wall
-/// particles; where that layer lies deeper than half a spacing behind the surface, as much of the solid is
-/// the water's.
+/// single particles are driven in between the wall particles. Up to the surface itself where those fill the
+/// solid up to it (walls_end_at_surface); on the places of the lattice, water that rests at a solid stands
+/// half a spacing before its first layer of wall particles; where that layer lies deeper than half a spacing
+/// behind the surface, as much of the solid is the water's.
 class MeshContact {
   public:
     MeshContact() = default;
@@ -49,7 +49,8 @@ class MeshContact {
     [[nodiscard]] std::int64_t cell_of(const Vec<3>& place, const std::array<int, 3>& beside) const;
 
     std::shared_ptr<const std::vector<SolidMesh>> meshes_;
-    /// Of each solid, the depth of its wall particle in a cell a spacing wide.
+    /// Of each solid, the depth of its wall particle in a cell a spacing wide; none where they end at the
+    /// surface.
     std::vector<std::unordered_map<std::int64_t, double>> layers_;
     std::vector<bool> moves_;  ///< of each solid
     double spacing_ = 0.0;

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <optional>
 
+#include "boundary/mesh_fill.hpp"
 #include "boundary/solid_fill.hpp"
 #include "boundary/wall_particle.hpp"
 #include "case/end_buffers.hpp"
-#include "case/solid_mesh.hpp"
 #include "particles/lattice.hpp"
 
 namespace riffle {
@@ -53,75 +53,6 @@ int columns_beyond(const Case& c, const Lattice& lattice) {
 int columns_behind(const Case& c, const Lattice& lattice) {
     return bed_ends(c) ? 0 : columns_beyond(c, lattice);
 }
-
-/// Wall particles at places in a solid, as deep as there are layers. Each takes the normal and the depth of
-/// the nearest place of the surface.
-class MeshFill {
-  public:
-    MeshFill(const Case& c, WallParticles<3>& walls)
-        : meshes_(meshes_of(c)), walls_(walls), reach_(c.numerics.wall_layers * c.numerics.spacing) {}
-
-    /// Solids take up places of the water's lattice: they leave no gap, whatever the surface. Of one at rest
-    /// no more than the water can reach up to `rows`, and a place in several belongs to the first.
-    void add_resting(const Case& c, const Lattice& lattice, int rows) {
-        for (int column = 0; column < lattice.columns && !meshes_->empty(); ++column) {
-            for (int file = 0; file < lattice.files; ++file) {
-                for (int row = 0; row < rows; ++row) {
-                    const Vec<3> p{lattice.x(column, row), lattice.y(file, row), lattice.z(row)};
-                    for (std::size_t k = 0; k < meshes_->size(); ++k) {
-                        if (c.solids[k].motion == SolidMotion::fixed && (*meshes_)[k].contains(p)) {
-                            add(k, p, lattice.volume<3>());
-                            break;
-                        }
-                    }
-                }
-            }
-        }
-    }
-
-    /// All of a solid that moves, wherever it stands.
-    void add_moving(std::size_t k, const Lattice& lattice) {
-        const SolidMesh& mesh = (*meshes_)[k];
-        const auto first = [&](std::size_t axis, double step) {
-            return static_cast<int>(std::floor(mesh.lower()[axis] / step)) - 1;
-        };
-        const auto last = [&](std::size_t axis, double step) {
-            return static_cast<int>(std::ceil(mesh.upper()[axis] / step)) + 1;
-        };
-        for (int column = first(0, lattice.dx); column <= last(0, lattice.dx); ++column) {
-            for (int file = first(1, lattice.dy); file <= last(1, lattice.dy); ++file) {
-                for (int row = first(2, lattice.dz); row <= last(2, lattice.dz); ++row) {
-                    const Vec<3> p{lattice.x(column, row), lattice.y(file, row), lattice.z(row)};
-                    if (mesh.contains(p)) {
-                        add(k, p, lattice.volume<3>());
-                    }
-                }
-            }
-        }
-    }
-
-  private:
-    void add(std::size_t solid, const Vec<3>& p, double volume) {
-        const auto foot = (*meshes_)[solid].nearest(p, reach_);
-        if (!foot) {
-            return;
-        }
-        for (std::size_t k = 0; k < 3; ++k) {
-            walls_.position[k].push_back(p[k]);
-            walls_.normal[k].push_back(foot->direction[k]);
-            for (std::size_t l = 0; l < 3; ++l) {
-                walls_.projector[3 * k + l].push_back(k == l ? 1.0 : 0.0);
-            }
-        }
-        walls_.volume.push_back(volume);
-        walls_.depth.push_back(foot->distance);
-        walls_.body.push_back(first_solid + static_cast<std::int32_t>(solid));
-    }
-
-    std::shared_ptr<const std::vector<SolidMesh>> meshes_;
-    WallParticles<3>& walls_;
-    double reach_;
-};
 
 }  // namespace
 
@@ -300,13 +231,7 @@ WallParticles<3> wall_particles<3>(const Case& c) {
             }
         }
     }
-    MeshFill fill(c, wall);
-    fill.add_resting(c, lattice, top);
-    for (std::size_t k = 0; k < c.solids.size(); ++k) {
-        if (c.solids[k].motion != SolidMotion::fixed) {
-            fill.add_moving(k, lattice);
-        }
-    }
+    add_meshes(c, lattice, top, wall);
     if (c.solids.empty() && c.channel.lid_velocity == 0.0) {
         wall.body.clear();
     }

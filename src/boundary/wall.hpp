@@ -38,8 +38,7 @@ struct WallAction {
 /// and behind end walls, on the continuation of the fluid's lattice; or two staggered layers of dynamic
 /// particles; and the dummy particles of the solids. Empty for a fully periodic case, and with repulsive
 /// walls (repulsive_wall.hpp). In three dimensions also behind side walls and, of dummy particles, behind a
-/// plane of symmetry; solids at rest take up places of the lattice, solids that move have a lattice of their
-/// own.
+/// plane of symmetry; of solids see mesh_fill.hpp.
 template <int D = 2>
 [[nodiscard]] WallParticles<D> wall_particles(const Case& c);
 

@@ -186,6 +186,7 @@ struct Start {
     std::vector<double> water_z;  ///< the depth
     double jitter = 0.0;          ///< random displacement of the lattice, in units of the spacing
     bool packed = false;          ///< whether the particles are moved to fill the water evenly
+    double settling_time = 0.0;   ///< over which a drag takes the motion out of the water, s
     /// Random velocity without divergence, root mean square of a component, m/s; none: start_perturbation().
     std::optional<double> perturbation;
     long long seed = 1;

@@ -192,8 +192,16 @@ SectionKeys start() {
     s.keys.push_back(
         key("packed", &Start::packed,
             "Whether the particles beside solids, with jitter all, are moved before the run until they fill the "
-            "water evenly; else faces that cut the rows of the lattice start with gaps beside them.")
-            .applies_with("start.kind", {"rest"}));
+            "water evenly; else faces that cut the rows of the lattice start with gaps beside them, and in three "
+            "dimensions the surface of solids is that of the lattice, to half a spacing.")
+            .applies_with("start.kind", {"rest", "uniform", "column", "section", "power-law", "results"}));
+    s.keys.push_back(
+        key("settling_time", &Start::settling_time,
+            "Time at the beginning of the run over which a drag takes the motion out of still water, in its second "
+            "half less and less: what the start lacks of its balance then becomes no lasting motion.")
+            .measured_in(time)
+            .at_least(0)
+            .applies_with("start.kind", {"rest", "results"}));
     s.keys.push_back(
         key("perturbation", &Start::perturbation,
             "Random velocity without divergence that is added to the start, root mean square of a component.")

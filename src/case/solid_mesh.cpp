@@ -68,6 +68,8 @@ std::shared_ptr<const std::vector<SolidMesh>> meshes_of(const Case& c) {
     return meshes;
 }
 
+bool walls_end_at_surface(const Case& c) { return c.start.packed; }
+
 double SolidMesh::volume() const {
     double sum = 0.0;
     for (const Triangle& t : tree_.triangles()) {

@@ -58,4 +58,9 @@ class SolidMesh {
 /// Errors as SolidMesh().
 [[nodiscard]] std::shared_ptr<const std::vector<SolidMesh>> meshes_of(const Case& c);
 
+/// Whether the wall particles of solids in three dimensions fill them up to their true surface: with a packed
+/// start, which fills the water up to it too. Else they take places of the water's lattice, which leaves no
+/// gap, and the surface is that of the lattice.
+[[nodiscard]] bool walls_end_at_surface(const Case& c);
+
 }  // namespace riffle

@@ -1,4 +1,7 @@
+#include <algorithm>
+
 #include "case/flow_kind.hpp"
+#include "case/outline_check.hpp"
 #include "case/refusals.hpp"
 #include "case/units.hpp"
 
@@ -41,24 +44,34 @@ CheckList start_refusals() {
                              "velocity is missing, and the case has no column twin to take it from: {}",
                              reason.value_or(""));
          }},
-        {{"start.packed", "channel.dimensions"},
-         "`packed = true` in three dimensions",
-         "there the wall particles of solids take places of the lattice, and no face leaves a gap",
+        {{"start.packed", "channel.ends", "channel.top"},
+         "`packed = true` between open ends under a free surface",
+         "the rows of the water that enters are those of the lattice, drawn out to the surface",
          "remove the key",
-         [](const Case& c) { return c.start.packed && c.channel.dimensions == 3; }},
-        {{"start.packed", "channel.ends"},
-         "`packed = true` between open ends",
-         "the rows of the water that enters are those of the lattice",
-         "remove the key",
-         [](const Case& c) { return c.start.packed && c.channel.ends == Ends::open; }},
+         [](const Case& c) {
+             return c.start.packed && c.channel.ends == Ends::open && c.channel.top != Top::wall;
+         }},
+        {{"start.packed", "solid.x", "channel.ends"},
+         "`packed = true` with a solid near an open end",
+         "the water within ten smoothing lengths of solids is moved, and that at the ends stands on the lattice",
+         "make the channel longer, or remove packed",
+         [](const Case& c) {
+             const double clear = 10.0 * c.numerics.smoothing_ratio * c.numerics.spacing;
+             const auto near = [&](const Solid& solid) {
+                 const auto extent = extent_of(c, solid, 0);
+                 return extent && (extent->low < clear || extent->high > c.channel.length - clear);
+             };
+             return c.start.packed && c.channel.ends == Ends::open &&
+                    std::any_of(c.solids.begin(), c.solids.end(), near);
+         }},
         {{"start.packed", "channel.top", "numerics.wall"},
-         "`packed = true` under a lid, in a periodic box, or with walls that are no layers of dummy particles",
-         "it fills the water up to a free surface between layers of wall particles as dense as the water",
-         R"(remove the key, or choose top = "free-surface" and wall = "dummy")",
+         "`packed = true` in a periodic box, or with walls that are no layers of dummy particles",
+         "it fills the water up between layers of wall particles as dense as the water",
+         R"(remove the key, or choose wall = "dummy")",
          [](const Case& c) {
              const bool layers =
                  c.numerics.wall == WallKind::dummy || c.numerics.wall == WallKind::modified_dynamic;
-             return c.start.packed && (c.channel.top != Top::free_surface || !layers);
+             return c.start.packed && (c.channel.top == Top::periodic || !layers);
          }},
         {{"start.packed", "start.jitter"},
          "`packed = true` without solids and without `jitter`",

@@ -135,14 +135,16 @@ CheckList make_warnings() {
                     c.numerics.kernel != KernelKind::cubic_spline;
          }},
         {{"numerics.smoothing_ratio", "start.lattice"},
-         "a `smoothing_ratio` other than 1.5 and 2.0, or 2.1 with `start.lattice = \"hexagonal\"`, or 2.5 with `[[porous]]`",
+         "a `smoothing_ratio` other than 1.5 and 2.0, or 1.83 and 2.1 with `start.lattice = \"hexagonal\"`, 1.65 with `\"body-centred\"`, 2.5 with `[[porous]]`",
          "",
-         "verified with 1.5 and 2.0 (2.1 on the hexagonal lattice, 2.5 with porous zones)",
+         "verified with 1.5 and 2.0 (1.83 and 2.1 on the hexagonal lattice, 1.65 on the body-centred one, 2.5 with porous zones)",
          [](const Case& c) {
              const double ratio = c.numerics.smoothing_ratio;
-             const bool hexagonal = c.start.lattice == StartLattice::hexagonal && near(ratio, 2.1);
+             const bool hexagonal =
+                 c.start.lattice == StartLattice::hexagonal && (near(ratio, 1.83) || near(ratio, 2.1));
+             const bool cubic = c.start.lattice == StartLattice::body_centred && near(ratio, 1.65);
              const bool wide = !c.porous.empty() && near(ratio, 2.5);
-             return found_if(!near(ratio, 1.5) && !near(ratio, 2.0) && !hexagonal && !wide,
+             return found_if(!near(ratio, 1.5) && !near(ratio, 2.0) && !hexagonal && !cubic && !wide,
                              "{} is not verified", ratio);
          }},
         {{"numerics.pressure_form"},

@@ -116,24 +116,28 @@ class WetPlaces {
     }
 
     [[nodiscard]] bool contain(const Point3& p) const {
-        return contain(p[0], p[2]) && std::none_of(meshes_->begin(), meshes_->end(),
-                                                   [&](const auto& mesh) { return mesh.contains(p); });
+        const bool to_surface = walls_end_at_surface(case_);
+        return contain(p[0], p[2]) && std::none_of(meshes_->begin(), meshes_->end(), [&](const auto& mesh) {
+                   return mesh.contains(p) || (to_surface && mesh.nearest(p, clearance()));
+               });
     }
 
     [[nodiscard]] bool contain(double x, double z) const {
         if (water_.size() > 0 && !contains(water_, place_in_outline(case_, x), z)) {
             return false;
         }
-        const double clearance = 0.25 * case_.numerics.spacing;
         const double period = case_.channel.ends == Ends::periodic ? case_.channel.length : 0.0;
         return std::none_of(solids_.begin(), solids_.end(), [&](const Outline& outline) {
             return at_any_image(x, period, [&](double at) {
-                return contains(outline, at, z) || distance_from_outline(outline, at, z) < clearance;
+                return contains(outline, at, z) || distance_from_outline(outline, at, z) < clearance();
             });
         });
     }
 
   private:
+    /// No particle starts nearer to a surface.
+    [[nodiscard]] double clearance() const { return 0.25 * case_.numerics.spacing; }
+
     const Case& case_;
     Outline water_;
     std::vector<Outline> solids_;

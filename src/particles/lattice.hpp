@@ -66,9 +66,10 @@ template <int D = 2>
 /// Fluid particles at rest on the lattice (first row at dz/2), displaced at random by the start's jitter;
 /// density deviation and mass are left at zero. In two dimensions those inside of the outline of the water,
 /// where the start gives one, and not in or closer than a quarter of the spacing to a solid. In three
-/// dimensions those in a solid are the wall particles' places (boundary/wall.hpp). `surface`: height of the
-/// water along the channel, m, to which the rows of each column reach (rows_below); not given, the depth of
-/// the case. Behind an open end at x = L there is water as well, as far as the kernels of the channel see.
+/// dimensions the same with a packed start, else those in a solid are the wall particles' places
+/// (boundary/mesh_fill.hpp). `surface`: height of the water along the channel, m, to which the rows of each
+/// column reach (rows_below); not given, the depth of the case. Behind an open end at x = L there is water as
+/// well, as far as the kernels of the channel see.
 template <int D = 2>
 [[nodiscard]] Particles<D> lattice_particles(const Case& c,
                                              const std::function<double(double x)>& surface = {});

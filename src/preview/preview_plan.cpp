@@ -161,10 +161,8 @@ void draw_placed(SvgSheet& sheet, const Case& c, const PreviewPlan& plan, const 
                               : std::string("#b4bcc4")));
     }
     Particles<D> water = lattice_particles<D>(c);
-    if constexpr (D == 2) {
-        if (starts_packed(c)) {
-            (void)pack_start(c, make_scheme(c, nullptr), water);
-        }
+    if (starts_packed(c)) {
+        (void)pack_start(c, make_scheme(c, nullptr), water);
     }
     for (std::size_t i = 0; i < water.position[0].size(); ++i) {
         const double x = water.position[0][i];

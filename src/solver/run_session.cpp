@@ -86,11 +86,10 @@ void RunSession<D>::make_simulation_of_case(bool from_start) {
     if (!from_start) {
         // A checkpoint takes the place of these: they need neither be read nor packed.
         Case still = case_;
-        still.start.packed = false;
         if (still.start.kind == StartKind::results) {
             still.start.kind = StartKind::rest;
         }
-        particles = initial_particles<D>(still, scheme, column, twins_.section_velocity());
+        particles = initial_particles<D>(still, scheme, column, twins_.section_velocity(), false);
     } else if (case_.start.kind == StartKind::results) {
         particles = particles_from_results<D>(case_, scheme, ResultsReader(case_.start.file),
                                               case_.start.file.string());

@@ -138,7 +138,7 @@ class OpenStart {
 
 template <int D>
 Particles<D> initial_particles(const Case& c, const Scheme& scheme, const ColumnResult* column,
-                               const SectionVelocity& section) {
+                               const SectionVelocity& section, bool pack) {
     constexpr std::size_t vertical = D - 1;
     if (c.start.kind == StartKind::section && (D == 2 || !section)) {
         throw InputError(
@@ -151,10 +151,8 @@ Particles<D> initial_particles(const Case& c, const Scheme& scheme, const Column
     const Lattice lattice = lattice_of(c);
     const std::size_t n = particles.size();
     PackedStart packing;
-    if constexpr (D == 2) {
-        if (starts_packed(c)) {
-            packing = pack_start(c, scheme, particles);
-        }
+    if (pack && starts_packed(c)) {
+        packing = pack_start(c, scheme, particles);
     }
     std::vector<double> extra_pressure(n, 0.0);
     std::vector<double> still_height = particles.position[vertical];
@@ -217,8 +215,8 @@ Particles<D> initial_particles(const Case& c, const Scheme& scheme, const Column
 }
 
 template Particles<2> initial_particles<2>(const Case&, const Scheme&, const ColumnResult*,
-                                           const SectionVelocity&);
+                                           const SectionVelocity&, bool);
 template Particles<3> initial_particles<3>(const Case&, const Scheme&, const ColumnResult*,
-                                           const SectionVelocity&);
+                                           const SectionVelocity&, bool);
 
 }  // namespace riffle

@@ -153,3 +153,16 @@ GHIA_W = {
                       -0.10313, -0.08864, -0.07391, -0.05906]),
     1000: numpy.array([0.27485, 0.29012, 0.30353, 0.32627, 0.37095, 0.33075, 0.32235, 0.02526, -0.31966, -0.42665, -0.51550,
                        -0.39188, -0.33714, -0.27669, -0.21388])}
+
+
+def square_duct(force, nu, side, y, z):
+    """u of laminar flow in a square duct, y and z from a corner along its sides (White, Viscous Fluid Flow)."""
+    n = modes(1, count=40)
+    k = n * math.pi / side
+    weight = 16 * force / (nu * math.pi**2) / numpy.outer(n, n) / (k[:, None] ** 2 + k**2)
+    return numpy.einsum("ij,...i,...j->...", weight, numpy.sin(numpy.multiply.outer(y, k)), numpy.sin(numpy.multiply.outer(z, k)))
+
+
+def equilateral_duct(force, nu, altitude, first, second, third):
+    """u of laminar flow in a duct of equilateral section, by the distances from its three sides (Boussinesq 1868)."""
+    return force / (nu * altitude) * first * second * third

@@ -11,15 +11,15 @@ from runs import RiffleRun
 
 
 class Snapshot:
-    """All particles at one time, ordered by their numbers: x, z, u, w, density, pressure, eddy_viscosity (SI)."""
+    """All particles at one time, ordered by their numbers: x, y, z, u, v, w (y and v 0 in a plane), density, pressure, eddy_viscosity (SI)."""
 
     def __init__(self, group):
         order = numpy.argsort(group["id"][:], kind="stable")
         position, velocity = group["position"][:], group["velocity"][:]
         self.time = float(group.attrs["time"])
         self.id = group["id"][:][order]
-        self.x, self.z = position[order, 0].astype(float), position[order, 2].astype(float)
-        self.u, self.w = velocity[order, 0].astype(float), velocity[order, 2].astype(float)
+        self.x, self.y, self.z = (position[order, axis].astype(float) for axis in range(3))
+        self.u, self.v, self.w = (velocity[order, axis].astype(float) for axis in range(3))
         for name in ("density", "pressure", "eddy_viscosity"):
             setattr(self, name, group[name][:][order].astype(float))
 

@@ -90,4 +90,28 @@ def cylinder(study):
     return check
 
 
-CHECKS = {"cylinder": cylinder}
+def sphere(study):
+    check = Check("sphere", "Sphere in a stream",
+                  "Laminar flow past a sphere, ten spacings across, in the middle of a duct six diameters wide and high with frictionless walls, against the drag of a "
+                  "sphere in an unbounded stream (Clift, Grace &amp; Weber 1978). The walls of the duct add about what the stream between them is faster.")
+    diameter, velocity = 0.1, 0.2
+    for reynolds, case, start in ((20, "cases/solids/sphere-re20.toml", 2.0), (100, "cases/solids/sphere-re100.toml", 3.0)):
+        flow = study.run(f"sphere_re{reynolds}", case)
+        head = 0.5 * flow.density * velocity**2 * math.pi / 4 * diameter**2
+        with h5py.File(flow.folder / "results.h5", "r") as file:
+            group = file["/probes/standard_force"]
+            late = group["time"][:] >= start
+            drag, form, lift, side = (group[name][:][late] / head for name in ("solid_force_1", "solid_form_drag_1", "solid_lift_1", "solid_side_force_1"))
+        theory = 24 / reynolds * (1 + 0.1935 * reynolds**0.6305)
+        name = f"Re {reynolds}"
+        check.norm(f"{name}: drag coefficient against {theory:.3f}", drag.mean() / theory - 1, 0.05)
+        check.norm(f"{name}: form drag over the drag", form.mean() / drag.mean(), None, "", 3)
+        check.norm(f"{name}: force across the stream over the drag", math.hypot(lift.mean(), side.mean()) / drag.mean())
+        check.norm(f"{name}: standard deviation of the drag, by sound", drag.std() / drag.mean())
+        check.norm(f"{name}: momentum between the ends that the budget leaves open", _budget(study, flow), 0.02)
+        check.best, check.cost = options_text(flow), flow.cost_text
+        account(check, flow)
+    return check
+
+
+CHECKS = {"cylinder": cylinder, "sphere": sphere}

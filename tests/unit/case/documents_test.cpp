@@ -160,12 +160,9 @@ TEST(ShippedCases, StayWithinTheVerifiedEnvelope) {
     // Some checks leave it on purpose; their files say why.
     const std::map<std::string, std::vector<std::string>> deliberate = {
         {"beach", {"numerics.viscosity"}},
-        {"beach-at-rest", {"numerics.smoothing_ratio"}},
         {"column-collapse", {"numerics.preset"}},
         {"gate", {"numerics.preset"}},
-        {"hydrostatic-tank", {"numerics.smoothing_ratio", "numerics.density_diffusion"}},
-        {"piston", {"numerics.smoothing_ratio"}},
-        {"tank-with-wedge", {"numerics.smoothing_ratio"}},
+        {"hydrostatic-tank", {"numerics.density_diffusion"}},
         {"ramp-profile", {"bed.kind"}},
         {"sloshing", {"numerics.viscosity"}},
         {"standing-wave", {"numerics.viscosity"}}};

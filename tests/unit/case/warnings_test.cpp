@@ -27,6 +27,7 @@ using test::with_water;
 using testing::Contains;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 std::vector<std::string> warnings_with(const std::vector<Override>& overrides) {
     return case_warnings(parse_case(smallest, "case.toml", {}, overrides));
@@ -74,6 +75,15 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(Warnings, SmoothedMotion) {
     EXPECT_THAT(warnings_with({{"numerics.xsph", "0.5"}, {"numerics.stepping", "semi-implicit-euler"}}),
                 Contains(HasSubstr("numerics.xsph")));
+}
+
+TEST(Warnings, SmoothingRatiosThatLetALatticeRest) {
+    const auto with = [](const std::string& ratio, const std::string& lattice) {
+        return warnings_with({{"numerics.smoothing_ratio", ratio}, {"start.lattice", lattice}});
+    };
+    EXPECT_THAT(with("1.83", "hexagonal"), Not(Contains(HasSubstr("is not verified"))));
+    EXPECT_THAT(with("1.83", "square"), Contains(HasSubstr("1.83 is not verified")));
+    EXPECT_THAT(with("1.65", "square"), Contains(HasSubstr("1.65 is not verified")));
 }
 
 TEST(Warnings, LittleDensityDiffusionIsForAWideKernel) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "base/parallel.hpp"
 #include "case/outline.hpp"
@@ -88,6 +89,59 @@ TEST(StartPacking, MovesEverythingWhereAllIsJittered) {
     Particles<2> particles = lattice_particles<2>(c);
     const PackedStart packed = pack_start(c, scheme, particles);
     EXPECT_LT(packed.unevenness_after, 0.1 * packed.unevenness_before);
+}
+
+/// A closed tank with a sphere in it, in three dimensions.
+Case tank_with_sphere() {
+    Case c = test::still_water(3);
+    c.channel.dimensions = 3;
+    c.channel.length = 0.05;
+    c.channel.width = 0.05;
+    c.channel.depth = 0.04;
+    c.channel.ends = Ends::walls;
+    c.channel.sides = Sides::walls;
+    c.side_walls.drag_form = SideDragForm::none;
+    c.numerics.spacing = 0.0025;
+    c.start.packed = true;
+    Solid sphere;
+    sphere.name = "sphere";
+    sphere.shape = SolidShape::sphere;
+    sphere.centre = {0.0253, 0.0247, 0.0192};
+    sphere.diameter = 0.02;
+    c.solids.push_back(sphere);
+    return c;
+}
+
+TEST(StartPackingInSpace, FillsTheWaterUpToTheTrueSurface) {
+    const Case c = tank_with_sphere();
+    const Scheme scheme = make_scheme(c, nullptr);
+    Particles<3> particles = lattice_particles<3>(c);
+    const PackedStart packed = pack_start(c, scheme, particles);
+    EXPECT_GT(packed.unevenness_before, 0.1);
+    EXPECT_LT(packed.unevenness_after, 3e-3);
+    double volume = 0.0;
+    for (std::size_t i = 0; i < particles.size(); ++i) {
+        double squared = 0.0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            squared += std::pow(particles.position[k][i] - c.solids[0].centre[k], 2);
+        }
+        EXPECT_GT(std::sqrt(squared), 0.0099);
+        volume += packed.share[i] * lattice_of(c).volume<3>();
+    }
+    const double exact = 0.05 * 0.05 * 0.04 - std::numbers::pi / 6.0 * std::pow(0.02, 3);
+    EXPECT_NEAR(volume, exact, 5e-3 * exact);
+}
+
+TEST(StartPackingInSpace, DoesNotDependOnTheNumberOfThreads) {
+    const Case c = tank_with_sphere();
+    const Scheme scheme = make_scheme(c, nullptr);
+    set_thread_count(1);
+    const Particles<3> alone = initial_particles<3>(c, scheme, nullptr);
+    set_thread_count(3);
+    const Particles<3> together = initial_particles<3>(c, scheme, nullptr);
+    set_thread_count(0);
+    EXPECT_EQ(alone.position, together.position);
+    EXPECT_EQ(alone.mass, together.mass);
 }
 
 }  // namespace

@@ -1,0 +1,237 @@
+#include "boundary/mesh_fill.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+
+#include "boundary/wall_motion.hpp"
+#include "case/solid_mesh.hpp"
+
+namespace riffle {
+
+namespace {
+
+/// Parts of a cell along each edge, in which the surface is taken for plane.
+constexpr int parts = 4;
+/// Less of a cell than this has no particle of its own.
+constexpr double least_share = 1e-3;
+
+/// The solid's part of a cell.
+struct Part {
+    double volume = 0.0;  ///< m3
+    Vec<3> centroid{};
+};
+
+Vec<3> sum_of(const Vec<3>& a, const Vec<3>& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
+
+class MeshFill {
+  public:
+    MeshFill(const Case& c, const Lattice& lattice, WallParticles<3>& walls)
+        : c_(c),
+          lattice_(lattice),
+          cell_{lattice.dx, lattice.dy, lattice.dz},
+          half_diagonal_(0.5 * std::hypot(cell_[0], cell_[1], cell_[2])),
+          meshes_(meshes_of(c)),
+          walls_(walls),
+          reach_(c.numerics.wall_layers * c.numerics.spacing),
+          to_surface_(walls_end_at_surface(c)) {}
+
+    /// Of the solids at rest. A place in several belongs to the first.
+    void add_resting(int rows) {
+        for (int column = 0; column < lattice_.columns && !meshes_->empty(); ++column) {
+            for (int file = 0; file < lattice_.files; ++file) {
+                for (int row = 0; row < rows; ++row) {
+                    add_at(place_of(column, file, row));
+                }
+            }
+        }
+    }
+
+    /// All of a solid that moves, wherever it stands.
+    void add_moving(std::size_t k) {
+        const SolidMesh& mesh = (*meshes_)[k];
+        const auto first = [&](std::size_t axis) {
+            return static_cast<int>(std::floor(mesh.lower()[axis] / cell_[axis])) - 1;
+        };
+        const auto last = [&](std::size_t axis) {
+            return static_cast<int>(std::ceil(mesh.upper()[axis] / cell_[axis])) + 1;
+        };
+        for (int column = first(0); column <= last(0); ++column) {
+            for (int file = first(1); file <= last(1); ++file) {
+                for (int row = first(2); row <= last(2); ++row) {
+                    const Vec<3> p = place_of(column, file, row);
+                    if (to_surface_) {
+                        add_part(k, part_of(k, p));
+                    } else if (mesh.contains(p)) {
+                        add(k, p, lattice_.volume<3>());
+                    }
+                }
+            }
+        }
+    }
+
+  private:
+    [[nodiscard]] Vec<3> place_of(int column, int file, int row) const {
+        return {lattice_.x(column, row), lattice_.y(file, row), lattice_.z(row)};
+    }
+
+    [[nodiscard]] bool rests(std::size_t k) const { return c_.solids[k].motion == SolidMotion::fixed; }
+
+    void add_at(const Vec<3>& p) {
+        double taken = 0.0;
+        for (std::size_t k = 0; k < meshes_->size() && taken < lattice_.volume<3>(); ++k) {
+            if (!rests(k)) {
+                continue;
+            }
+            if (to_surface_) {
+                Part part = part_of(k, p);
+                part.volume = std::min(part.volume, lattice_.volume<3>() - taken);
+                taken += part.volume;
+                add_part(k, part);
+            } else if ((*meshes_)[k].contains(p)) {
+                add(k, p, lattice_.volume<3>());
+                return;
+            }
+        }
+    }
+
+    /// The part of a solid in the cell around a place. Where the surface passes it is that of the planes that
+    /// touch it before the middles of 4^3 smaller cells.
+    [[nodiscard]] Part part_of(std::size_t solid, const Vec<3>& middle) const {
+        const SolidMesh& mesh = (*meshes_)[solid];
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (middle[k] < mesh.lower()[k] - cell_[k] || middle[k] > mesh.upper()[k] + cell_[k]) {
+                return {};
+            }
+        }
+        if (!mesh.nearest(middle, half_diagonal_)) {
+            return mesh.contains(middle) ? Part{lattice_.volume<3>(), middle} : Part{};
+        }
+        const Vec<3> small{cell_[0] / parts, cell_[1] / parts, cell_[2] / parts};
+        Part part;
+        for (int number = 0; number < parts * parts * parts; ++number) {
+            const std::array<int, 3> index{number % parts, number / parts % parts, number / (parts * parts)};
+            Vec<3> place{};
+            for (std::size_t k = 0; k < 3; ++k) {
+                place[k] = middle[k] + (index[k] + 0.5 - 0.5 * parts) * small[k];
+            }
+            const Part inside = part_in_small(mesh, place, small);
+            part.volume += inside.volume;
+            for (std::size_t k = 0; k < 3; ++k) {
+                part.centroid[k] += inside.volume * (inside.centroid[k] - middle[k]);
+            }
+        }
+        if (part.volume < least_share * parts * parts * parts) {
+            return {};
+        }
+        for (double& x : part.centroid) {
+            x /= part.volume;
+        }
+        return {part.volume * small[0] * small[1] * small[2], sum_of(middle, part.centroid)};
+    }
+
+    /// The part of a solid in a small box around a place, its volume over that of the box.
+    [[nodiscard]] Part part_in_small(const SolidMesh& mesh, const Vec<3>& place, const Vec<3>& size) const {
+        const bool inside = mesh.contains(place);
+        const auto foot = mesh.nearest(place, half_diagonal_);
+        if (!foot) {
+            return {inside ? 1.0 : 0.0, place};
+        }
+        const double side = inside ? 1.0 : -1.0;
+        Vec<3> outward{};
+        double thickness = 0.0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            outward[k] = side * foot->direction[k];
+            thickness += std::abs(outward[k]) * size[k];
+        }
+        Part part{share_below_plane(size, outward, side * foot->distance), place};
+        // Of a layer across the box; a corner's centroid differs little.
+        for (std::size_t k = 0; k < 3; ++k) {
+            part.centroid[k] -= 0.5 * (1.0 - part.volume) * thickness * outward[k];
+        }
+        return part;
+    }
+
+    void add_part(std::size_t solid, const Part& part) {
+        if (part.volume > 0.0) {
+            add(solid, part.centroid, part.volume);
+        }
+    }
+
+    void add(std::size_t solid, const Vec<3>& p, double volume) {
+        const SolidMesh& mesh = (*meshes_)[solid];
+        const auto foot = mesh.nearest(p, reach_);
+        if (!foot) {
+            return;
+        }
+        // The centroid of the part at an edge that the solid surrounds may stand before the surface.
+        const bool before = to_surface_ && foot->distance < half_diagonal_ && !mesh.contains(p);
+        for (std::size_t k = 0; k < 3; ++k) {
+            walls_.position[k].push_back(p[k]);
+            walls_.normal[k].push_back(before ? -foot->direction[k] : foot->direction[k]);
+            for (std::size_t l = 0; l < 3; ++l) {
+                walls_.projector[3 * k + l].push_back(k == l ? 1.0 : 0.0);
+            }
+        }
+        walls_.volume.push_back(volume);
+        walls_.depth.push_back(before ? 0.0 : foot->distance);
+        walls_.body.push_back(first_solid + static_cast<std::int32_t>(solid));
+    }
+
+    const Case& c_;
+    const Lattice& lattice_;
+    Vec<3> cell_;
+    double half_diagonal_;
+    std::shared_ptr<const std::vector<SolidMesh>> meshes_;
+    WallParticles<3>& walls_;
+    double reach_;
+    bool to_surface_;
+};
+
+}  // namespace
+
+double share_below_plane(const Vec<3>& size, const Vec<3>& n, double d) {
+    // Reflected and scaled: the unit cube, the plane m . x = a with m >= 0 of sum 1.
+    Vec<3> m{};
+    double sum = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        m[k] = std::abs(n[k]) * size[k];
+        sum += m[k];
+    }
+    // An edge along the plane: so little of it across that the differences below keep their digits.
+    constexpr double least = 1e-4;
+    double total = 0.0;
+    for (double& component : m) {
+        component = std::max(component / sum, least);
+        total += component;
+    }
+    for (double& component : m) {
+        component /= total;
+    }
+    const double a = d / sum + 0.5;
+    if (a <= 0.0 || a >= 1.0) {
+        return a <= 0.0 ? 0.0 : 1.0;
+    }
+    const auto cube = [](double x) { return x > 0.0 ? x * x * x : 0.0; };
+    // By symmetry of the smaller side.
+    const double b = std::min(a, 1.0 - a);
+    double share = cube(b);
+    for (std::size_t k = 0; k < 3; ++k) {
+        share += cube(b - m[k] - m[(k + 1) % 3]) - cube(b - m[k]);
+    }
+    share = std::clamp(share / (6.0 * m[0] * m[1] * m[2]), 0.0, 1.0);
+    return a == b ? share : 1.0 - share;
+}
+
+void add_meshes(const Case& c, const Lattice& lattice, int rows, WallParticles<3>& walls) {
+    MeshFill fill(c, lattice, walls);
+    fill.add_resting(rows);
+    for (std::size_t k = 0; k < c.solids.size(); ++k) {
+        if (c.solids[k].motion != SolidMotion::fixed) {
+            fill.add_moving(k);
+        }
+    }
+}
+
+}  // namespace riffle
