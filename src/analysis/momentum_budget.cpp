@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -79,12 +80,18 @@ std::vector<MomentumTerm> terms_between(const FlowRecord& record, const Case& c)
     return terms;
 }
 
-/// Rate of change of the stored momentum over the window, from its first to its last sample.
+/// Rate of change of the stored momentum over the window, between the means of its first and last tenth:
+/// single moments count whole rows of particles that have just come in or gone out.
 double rate_of_change(const FlowRecord& record) {
     const std::vector<double> time = within_window(record, fields::time_series.time);
     const std::vector<double> momentum = within_window(record, fields::time_series.momentum_stored);
     if (time.size() < 2 || momentum.size() != time.size() || !(time.back() > time.front())) return 0.0;
-    return (momentum.back() - momentum.front()) / (time.back() - time.front());
+    const auto tenth = static_cast<std::ptrdiff_t>((time.size() + 9) / 10);
+    const auto change = [&](const std::vector<double>& values) {
+        return std::accumulate(values.end() - tenth, values.end(), 0.0) -
+               std::accumulate(values.begin(), values.begin() + tenth, 0.0);
+    };
+    return change(momentum) / change(time);
 }
 
 }  // namespace

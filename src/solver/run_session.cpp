@@ -141,7 +141,8 @@ void RunSession<D>::start() {
         "{} fluid and {} wall particles, spacing {:.4g} mm, h {:.4g} mm, c0 {:.4g} m/s, step <= {:.4g} s",
         simulation_->particles().size(), simulation_->walls().size(), 1e3 * scheme.spacing,
         1e3 * scheme.smoothing_length, scheme.state.sound_speed, scheme.acoustic_step));
-    if (!case_.solids.empty() && case_.start.water_x.empty()) {
+    // Between open ends there is water beyond the lattice of the channel as well.
+    if (!case_.solids.empty() && case_.start.water_x.empty() && case_.channel.ends != Ends::open) {
         log_.info(fmt::format("{} particles of the water's lattice are left out, in or too close to solids",
                               lattice_of(case_).places(D) - simulation_->particles().size()));
     }

@@ -22,33 +22,33 @@ def _speeds(flow, begin, end):
 
 def rest_in_space(study):
     check = Check("rest_in_space", "Still water around a sphere and in a V-shaped channel",
-                  "Three dimensions, water's own viscosity. The start is packed up to the true surface of the solid and settles for 2 s; the pressure is "
-                  "corrected by the mean of the correction. Snapshots of each 0.1 s.")
+                  "Three dimensions, water's own viscosity. The water settles for 2 s; the pressure is corrected by the mean of the correction. The walls of the solid stand on "
+                  "the lattice of the water, or end at its true surface, up to which the start is packed. Snapshots of each 0.1 s.")
     interval = {"output.snapshot_interval": '"0.1 s"'}
     table = Table(f"{check.title}, 5 to 6 s", ["case", "choice", "largest speed / √(gH)", "rms"])
     for name, case in STILL.items():
-        flow = study.run(f"{check.name}-{name.split()[0].lower()}", case, interval)
-        largest, rms = _speeds(flow, 5.0, 6.1)
-        check.norm(f"{name}: largest speed of any particle, 5 to 6 s, over √(gH)", largest, 1e-2, "", 3)
-        check.norm(f"{name}: rms of the speeds, 5 to 6 s, over √(gH)", rms, 2e-3, "", 3)
-        if name == "sphere":
-            check.best, check.cost = options_text(flow), flow.cost_text
-            continue
-        if study.quick:
-            continue
-        for choice, settings in {
-                "as the case": {},
-                "no settling": {"start.settling_time": '"0 s"'},
-                "walls on the lattice, not packed": {"start.packed": "false"},
-                "correction of each moment": {"numerics.pressure_correction_time": '"0 s"'},
-                "h = 1.83 dx": {"numerics.smoothing_ratio": "1.83"},
-                "h = 2.1 dx, 5 layers": {"numerics.smoothing_ratio": "2.1", "numerics.wall_layers": "5"},
-                "square lattice": {"start.lattice": '"square"'}}.items():
-            other = study.run(f"{check.name}-{len(table.rows)}", case, {**interval, **settings}) if settings else flow
-            largest, rms = _speeds(other, 5.0, 6.1)
+        for choice, settings in {"walls on the lattice": {"start.packed": "false"}, "true surface": {"start.packed": "true"}}.items():
+            flow = study.run(f"{check.name}-{name.split()[0].lower()}-{choice.split()[-1]}", case, {**interval, **settings})
+            largest, rms = _speeds(flow, 5.0, 6.1)
+            # The bars are for the better of the two, which the case has; the other one stands beside it.
+            is_case = flow.parameters["start"].get("packed", False) == (name == "sphere")
+            check.norm(f"{name}, {choice}: largest speed of any particle, 5 to 6 s, over √(gH)", largest, 1e-2 if is_case else None, "", 3)
+            check.norm(f"{name}, {choice}: rms of the speeds, 5 to 6 s, over √(gH)", rms, 2e-3 if is_case else None, "", 3)
             table.rows.append([name, choice, f"{largest:.3g}", f"{rms:.2g}"])
-    if table.rows:
-        check.tables.append(table)
+            check.best, check.cost = options_text(flow), flow.cost_text
+    if study.quick:
+        return check
+    case = STILL["V-shaped channel"]
+    for choice, settings in {
+            "no settling": {"start.settling_time": '"0 s"'},
+            "correction of each moment": {"numerics.pressure_correction_time": '"0 s"'},
+            "h = 1.83 dx": {"numerics.smoothing_ratio": "1.83"},
+            "h = 2.1 dx, 5 layers": {"numerics.smoothing_ratio": "2.1", "numerics.wall_layers": "5"},
+            "square lattice": {"start.lattice": '"square"'}}.items():
+        flow = study.run(f"{check.name}-{len(table.rows)}", case, {**interval, "start.packed": "true", **settings})
+        largest, rms = _speeds(flow, 5.0, 6.1)
+        table.rows.append(["V-shaped channel", f"true surface, {choice}", f"{largest:.3g}", f"{rms:.2g}"])
+    check.tables.append(table)
     return check
 
 

@@ -1,5 +1,6 @@
 """Violent flow: water that breaks, falls and hits, with the preset for it."""
 
+import csv
 import math
 
 import h5py
@@ -9,6 +10,7 @@ import exact
 import figures
 from check import Check
 from options import options_text
+from runs import ROOT
 from table import Table
 
 # The largest sample over the largest mean of 3 ms.
@@ -203,10 +205,62 @@ def box(study):
                     "cases/violent/box-2d.toml", "box_pressure", [0.4, 0.7, 1.2], 3, ("10 mm", "5 mm", "3 mm"))
 
 
+def _measured_box():
+    """Records of the experiment by name, every 0.1 s."""
+    with open(ROOT / "cases/violent/box-3d-measured.csv") as file:
+        rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
+    return {name: numpy.array([float(row[name]) for row in rows]) for name in rows[0]}
+
+
+def _against_experiment(check, flow, name, panels):
+    """Levels and pressures of the dam break on a box beside the measured ones; `panels`: axes of the figure, or None."""
+    measured = _measured_box()
+    depth = 0.55
+    with h5py.File(flow.folder / "results.h5", "r") as file:
+        time, elevation = file["/probes/level/time"][:], numpy.nan_to_num(file["/probes/level/elevation"][:].astype(float))
+    squares = []
+    for k in range(4):
+        # Means over 20 ms: single drops pass.
+        smooth = numpy.convolve(elevation[:, k], numpy.ones(3) / 3, "same")
+        departure = numpy.interp(measured["time"][1:-1], time, smooth) - measured[f"level_{k + 1}"][1:-1]
+        squares.append(departure**2)
+        check.norm(f"{name}: rms of the level at x = {(0.582, 1.732, 2.228, 2.724)[k]} m over the first depth", math.sqrt(squares[-1].mean()) / depth)
+        if panels:
+            figures.exact(panels[k], measured["time"], measured[f"level_{k + 1}"], "measured", marker="s", markersize=3, linestyle=":")
+            figures.simulated(panels[k], time, smooth, f"dx {name}")
+    check.norm(f"{name}: rms of the four levels over the first depth, 0.1 to 2.9 s", math.sqrt(numpy.mean(squares)) / depth, 0.06)
+    time, front = _gauges(flow, "box_pressure")
+    arrival = time[(front[:, 0] > 500).argmax()]
+    check.norm(f"{name}: arrival at the box against 0.393 s", arrival / 0.393 - 1, 0.05)
+    for label, pressure, column, (begin, end), bar in (
+            ("front, 21 mm", front[:, 0], "front_1", (0.5, 2.0), 0.15), ("front, 61 mm", front[:, 1], "front_2", (0.5, 2.0), 0.15),
+            ("front, 101 mm", front[:, 2], "front_3", (0.5, 2.0), 0.15), ("front, 141 mm", front[:, 3], "front_4", (0.5, 2.0), 0.15),
+            ("top, 21 mm", _gauges(flow, "top_pressure")[1][:, 0], "top_1", (1.5, 2.5), None),
+            ("top, 141 mm", _gauges(flow, "top_pressure")[1][:, 1], "top_4", (1.5, 2.5), None)):
+        theirs = measured[column][(measured["time"] > begin - 0.01) & (measured["time"] < end - 0.01)].mean()
+        ours = pressure[(time >= begin) & (time < end)].mean()
+        check.norm(f"{name}: mean pressure on the box, {label}, {begin:g} to {end:g} s, against {theirs:.0f} Pa", ours / theirs - 1, bar)
+    return time, front
+
+
 def box_3d(study):
     """In three dimensions: half of the tank, the box from an STL file."""
-    check = Check("box_3d", "Dam break on a box in three dimensions", "Kleefsman's tank (2005), half of it, with a box from an STL file in the water's way.")
+    check = Check("box_3d", "Dam break on a box in three dimensions",
+                  "Kleefsman's tank (2005), half of it, with a box from an STL file in the water's way; levels and pressures against the experiment's.")
     flow = study.run("box_3d", "cases/violent/box-3d.toml")
+    figure = figures.Figure(4, width=11)
+    panels = [figure.panel("t (s)", "level (m)", f"x = {x} m") for x in (0.582, 1.732, 2.228, 2.724)]
+    time, front = _against_experiment(check, flow, "25 mm", panels)
+    check.figures.append((figure.svg("box_3d_levels"), "Levels in the tank."))
+    pressures = figures.Figure(2, width=8)
+    for k, height in ((0, 21), (2, 101)):
+        axes = pressures.panel("t (s)", "p (kPa)", f"front of the box, {height} mm")
+        figures.exact(axes, _measured_box()["time"] + 0.05, 1e-3 * _measured_box()[f"front_{k + 1}"], "measured, means over 0.1 s", marker="s", markersize=3, linestyle=":")
+        width = round(0.1 / (time[1] - time[0]))
+        figures.simulated(axes, time, 1e-3 * numpy.convolve(front[:, k], numpy.ones(width) / width, "same"), "dx 25 mm")
+    check.figures.append((pressures.svg("box_3d_pressures"), "Pressure on the front of the box, means over 0.1 s."))
+    if not study.quick:
+        _against_experiment(check, study.run("box_3d_16", "cases/violent/box-3d.toml", {"numerics.spacing": '"16.7 mm"'}), "16.7 mm", None)
     _survival(check, flow, "25 mm")
     early, late = _arrival(flow, "box_pressure")
     check.norm("25 mm: largest sample over the largest 3 ms mean, from 0.08 s after the water's arrival at a gauge", late, SCATTER, "", 3)
