@@ -40,7 +40,7 @@ Particles<D> on_lattice(Case c) {
 }
 
 /// The places of the lattice within `reach` above the water or beside it that no solid takes: what the water
-/// would be pressed against if its surface were none.
+/// would be pressed against if its surface were none. None under a lid.
 template <int D>
 Places<D> places_over_water(const Case& c, double reach) {
     if (c.channel.top == Top::wall) {
@@ -82,14 +82,22 @@ class Packer {
           surfaces_(c),
           planes_(boundary_planes<D>(c)),
           particles_(particles) {
-        const WallParticles<D> walls = wall_particles<D>(c);
-        fixed_ = walls.position;
-        fixed_volume_ = walls.volume;
-        const Places<D> above = places_over_water<D>(c, 2.0 * h_);
-        for (std::size_t k = 0; k < axes; ++k) {
-            fixed_[k].insert(fixed_[k].end(), above[k].begin(), above[k].end());
+        WallParticles<D> walls = wall_particles<D>(c);
+        walls_ = std::move(walls.position);
+        wall_volume_ = std::move(walls.volume);
+        places_ = particles.position;
+        // The kernel of the water sees places up to 2 h above it, and those that move as far again.
+        Places<D> above = places_over_water<D>(c, 2.0 * h_);
+        air_moves_ =
+            c.channel.top == Top::free_surface && c.start.water_x.empty() && stands_through_surface(above);
+        if (air_moves_) {
+            above = places_over_water<D>(c, 4.0 * h_);
         }
-        fixed_volume_.resize(fixed_[0].size(), volume_);
+        for (std::size_t k = 0; k < axes; ++k) {
+            Places<D>& side = air_moves_ ? places_ : walls_;
+            side[k].insert(side[k].end(), above[k].begin(), above[k].end());
+        }
+        wall_volume_.resize(walls_[0].size(), volume_);
         choose_mobile();
     }
 
@@ -111,7 +119,13 @@ class Packer {
         result.share.assign(particles_.size(), 1.0);
         const double full = lattice_sum();
         for (std::size_t m = 0; m < mobile_.size(); ++m) {
-            result.share[mobile_[m].particle] = full / sums[m].value;
+            const std::size_t i = mobile_[m].place;
+            for (std::size_t k = 0; k < axes && is_water(i); ++k) {
+                particles_.position[k][i] = places_[k][i];
+            }
+            if (is_water(i)) {
+                result.share[i] = full / sums[m].value;
+            }
         }
         return result;
     }
@@ -123,17 +137,17 @@ class Packer {
         double value = 0.0;  ///< of V W
         Vec<D> gradient{};   ///< h times that of V grad W
     };
-    /// A particle that may move.
+    /// A place that may move.
     struct Mobile {
-        std::size_t particle = 0;
+        std::size_t place = 0;
         Vec<D> velocity{};       ///< m an iteration
         double clearance = 0.0;  ///< no solid is nearer, m
     };
 
-    static double unevenness(const std::vector<Sum>& sums) {
+    [[nodiscard]] double unevenness(const std::vector<Sum>& sums) const {
         double largest = 0.0;
-        for (const Sum& sum : sums) {
-            largest = std::max(largest, length_of(sum.gradient));
+        for (std::size_t m = 0; m < sums.size(); ++m) {
+            largest = std::max(largest, is_water(mobile_[m].place) ? length_of(sums[m].gradient) : 0.0);
         }
         return largest;
     }
@@ -142,12 +156,41 @@ class Packer {
         return D == 2 ? std::hypot(a[0], a[1]) : std::hypot(a[0], a[1], a[axes - 1]);
     }
 
+    [[nodiscard]] bool is_water(std::size_t place) const { return place < particles_.size(); }
+
+    /// Whether a solid stands among the places over a level surface. Those beside it then move too: else the gaps
+    /// that its face leaves among them would draw water up along it. They and the water keep to their sides of
+    /// the surface.
+    [[nodiscard]] bool stands_through_surface(const Places<D>& above) const {
+        for (std::size_t i = 0; i < above[0].size(); ++i) {
+            const Vec<D> place = vector_of(above, i);
+            if (place[axes - 1] - c_.total_depth() < 2.0 * h_ &&
+                distance_from_solids(place, reach_of_air()) < reach_of_air()) {
+                return true;
+            }
+        }
+        return false;
+    }
+    [[nodiscard]] double reach_of_air() const { return 3.0 * h_; }
+    [[nodiscard]] bool keeps_its_side(std::size_t place, double height) const {
+        const double over = height - c_.total_depth();
+        return !air_moves_ || (is_water(place) ? over < 0.0 : over > 0.0 && over < 2.0 * h_);
+    }
+
     void choose_mobile() {
         const double reach = 8.0 * h_;
-        for (std::size_t i = 0; i < particles_.size(); ++i) {
-            const double clearance = distance_from_solids(vector_of(particles_.position, i), reach);
-            if (clearance < reach || c_.start.jitter > 0.0) {
-                mobile_.push_back({i, {}, clearance});
+        for (std::size_t i = 0; i < places_[0].size(); ++i) {
+            const Vec<D> place = vector_of(places_, i);
+            if (is_water(i)) {
+                const double clearance = distance_from_solids(place, reach);
+                if (clearance < reach || c_.start.jitter > 0.0) {
+                    mobile_.push_back({i, {}, clearance});
+                }
+            } else if (air_moves_ && keeps_its_side(i, place[axes - 1])) {
+                const double clearance = distance_from_solids(place, reach_of_air());
+                if (clearance < reach_of_air()) {
+                    mobile_.push_back({i, {}, clearance});
+                }
             }
         }
     }
@@ -166,20 +209,20 @@ class Packer {
     [[nodiscard]] std::vector<Sum> sums_of_mobile() const {
         typename ParticleCells<D>::Positions positions;
         for (std::size_t k = 0; k < axes; ++k) {
-            positions[k] = JoinedValues(particles_.position[k], fixed_[k]);
+            positions[k] = JoinedValues(places_[k], walls_[k]);
         }
         const ParticleCells<D> cells(domain_, positions, 2.0 * h_);
         std::vector<Sum> sums(mobile_.size());
         parallel_blocks(mobile_.size(), packing_block, [&](std::size_t begin, std::size_t end) {
             for (std::size_t m = begin; m < end; ++m) {
-                sums[m] = sum_at(cells, vector_of(particles_.position, mobile_[m].particle));
+                sums[m] = sum_at(cells, vector_of(places_, mobile_[m].place));
             }
         });
         return sums;
     }
 
     [[nodiscard]] Sum sum_at(const ParticleCells<D>& cells, const Vec<D>& at) const {
-        const std::size_t water = particles_.size();
+        const std::size_t places = places_[0].size();
         const double unit = D == 2 ? h_ * h_ : h_ * h_ * h_;
         Sum sum;
         cells.around(at, [&](std::size_t j) {
@@ -193,7 +236,7 @@ class Packer {
                 return;
             }
             const double q = length_of(way) / h_;
-            const double volume = (j < water ? volume_ : fixed_volume_[j - water]) / unit;
+            const double volume = (j < places ? volume_ : wall_volume_[j - places]) / unit;
             sum.value += volume * kernel_.value(q);
             const double slope = volume * kernel_.gradient_factor(q) / h_;
             for (std::size_t k = 0; k < axes; ++k) {
@@ -210,7 +253,7 @@ class Packer {
         }
         const double length = length_of(mobile.velocity);
         const double cut = std::min(1.0, longest_move * spacing / std::max(length, 1e-300));
-        Vec<D> to = vector_of(particles_.position, mobile.particle);
+        Vec<D> to = vector_of(places_, mobile.place);
         for (std::size_t k = 0; k < axes; ++k) {
             mobile.velocity[k] *= cut;
             to[k] += mobile.velocity[k];
@@ -225,6 +268,10 @@ class Packer {
             }
             mobile.clearance = now;
         }
+        if (!keeps_its_side(mobile.place, to[axes - 1])) {
+            to[axes - 1] -= mobile.velocity[axes - 1];
+            mobile.velocity[axes - 1] = 0.0;
+        }
         if (std::any_of(planes_.begin(), planes_.end(),
                         [&](const BoundaryPlane& plane) { return plane.distance<D>(to) <= 0.0; })) {
             mobile.velocity = {};
@@ -232,7 +279,7 @@ class Packer {
         }
         for (std::size_t k = 0; k < axes; ++k) {
             const double extent = domain_.extent(static_cast<int>(k));
-            particles_.position[k][mobile.particle] =
+            places_[k][mobile.place] =
                 domain_.periodic[k] ? to[k] - extent * std::floor(to[k] / extent) : to[k];
         }
     }
@@ -263,11 +310,13 @@ class Packer {
     ScalarKernel kernel_;
     Domain<D> domain_;
     double volume_;  ///< of a particle of the lattice, m2 or m3
+    bool air_moves_ = false;
     SolidSurfaces surfaces_;
     std::vector<BoundaryPlane> planes_;
     Particles<D>& particles_;
-    Places<D> fixed_;
-    std::vector<double> fixed_volume_;
+    Places<D> places_;  ///< of the water, then over it
+    Places<D> walls_;
+    std::vector<double> wall_volume_;
     std::vector<Mobile> mobile_;
 };
 

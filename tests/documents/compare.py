@@ -25,8 +25,8 @@ def same_number(shown, printed, tolerance):
 
 
 def words_of(line):
-    """The words of a line with # for each number: blanks between them do not count."""
-    return NUMBER.sub("#", line).split()
+    """The words of a line with # for each number: blanks between them do not count, nor those that fill up numbers in brackets."""
+    return re.sub(r"([\[\]])", r" \1 ", NUMBER.sub("#", line)).split()
 
 
 def same_line(shown, printed, tolerance=None, loose=None):

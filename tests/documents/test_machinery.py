@@ -70,6 +70,7 @@ class Comparison(unittest.TestCase):
         self.assertNotEqual(difference(["U 0.3351 m/s"], ["U 0.36 m/s"], tolerance=0.01), "")
         self.assertNotEqual(difference(["U 0.3351 m/s"], ["V 0.3351 m/s"], tolerance=0.01), "")
         self.assertNotEqual(difference(["-4.2 %"], ["4.2 %"], tolerance=0.1), "")
+        self.assertEqual(difference(["[[0.0008 0.07482]"], ["[[0.0008 0.0748 ]"], tolerance=0.01), "")
 
     def test_loose_lines_compare_words(self):
         self.assertEqual(difference(["about 30 s here"], ["about 90 s here"], loose="here"), "")

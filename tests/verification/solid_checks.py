@@ -96,7 +96,7 @@ def inclined_sides(study):
         axes = figure.panel("u (m/s)", "z / H", name)
         middle = 1.1 if angle == 45 else 0.75
         beside = abs(places[:, 0] / depth - middle) < 0.05
-        heights = numpy.arange(0.05, 1.0, 0.1)
+        heights = numpy.arange(0.05 if angle == 45 else 0.35, 1.0, 0.1)
         profile = [simulated[beside & (abs(places[:, 1] / depth - at) < 0.05)].mean() if (beside & (abs(places[:, 1] / depth - at) < 0.05)).any() else math.nan
                    for at in heights]
         line = numpy.linspace(0 if angle == 45 else 0.5 / math.sqrt(3), 1, 100)

@@ -132,6 +132,24 @@ TEST(StartPackingInSpace, FillsTheWaterUpToTheTrueSurface) {
     EXPECT_NEAR(volume, exact, 5e-3 * exact);
 }
 
+// A body that stands through the surface: the places over the water are packed with it, else water climbs
+// into the gaps that its face leaves among them, up and out.
+TEST(StartPackingInSpace, KeepsTheWaterUnderItsSurfaceBesideAPier) {
+    Case c = tank_with_sphere();
+    c.solids[0].shape = SolidShape::cylinder;
+    c.solids[0].centre = {0.0253, 0.0247, 0.025};
+    c.solids[0].diameter = 0.018;
+    c.solids[0].length = 0.06;
+    const Scheme scheme = make_scheme(c, nullptr);
+    Particles<3> particles = lattice_particles<3>(c);
+    const PackedStart packed = pack_start(c, scheme, particles);
+    EXPECT_GT(packed.unevenness_before, 0.1);
+    EXPECT_LT(packed.unevenness_after, 3e-3);
+    for (const double z : particles.position[2]) {
+        EXPECT_LT(z, 0.04);
+    }
+}
+
 TEST(StartPackingInSpace, DoesNotDependOnTheNumberOfThreads) {
     const Case c = tank_with_sphere();
     const Scheme scheme = make_scheme(c, nullptr);
