@@ -158,9 +158,9 @@ class Packer {
 
     [[nodiscard]] bool is_water(std::size_t place) const { return place < particles_.size(); }
 
-    /// Whether a solid stands among the places over a level surface. Those beside it then move too: else the gaps
-    /// that its face leaves among them would draw water up along it. They and the water keep to their sides of
-    /// the surface.
+    /// Whether a solid stands among the places over a level surface. Those beside it then move too: else the
+    /// gaps that its face leaves among them would draw water up along it. They and the water keep to their
+    /// sides of the surface.
     [[nodiscard]] bool stands_through_surface(const Places<D>& above) const {
         for (std::size_t i = 0; i < above[0].size(); ++i) {
             const Vec<D> place = vector_of(above, i);
