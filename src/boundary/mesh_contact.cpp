@@ -18,7 +18,10 @@ MeshContact::MeshContact(const Case& c, const WallParticles<3>& walls)
     for (const Solid& solid : c.solids) {
         moves_.push_back(solid.motion != SolidMotion::fixed);
     }
-    for (std::size_t i = 0; i < walls.size() && !walls_end_at_surface(c); ++i) {
+    if (walls_end_at_surface(c)) {
+        return;
+    }
+    for (std::size_t i = 0; i < walls.size(); ++i) {
         if (!is_solid(walls, i)) {
             continue;
         }

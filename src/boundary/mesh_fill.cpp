@@ -23,8 +23,6 @@ struct Part {
     Vec<3> centroid{};
 };
 
-Vec<3> sum_of(const Vec<3>& a, const Vec<3>& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
-
 class MeshFill {
   public:
     MeshFill(const Case& c, const Lattice& lattice, WallParticles<3>& walls)
@@ -60,12 +58,7 @@ class MeshFill {
         for (int column = first(0); column <= last(0); ++column) {
             for (int file = first(1); file <= last(1); ++file) {
                 for (int row = first(2); row <= last(2); ++row) {
-                    const Vec<3> p = place_of(column, file, row);
-                    if (to_surface_) {
-                        add_part(k, part_of(k, p));
-                    } else if (mesh.contains(p)) {
-                        add(k, p, lattice_.volume<3>());
-                    }
+                    add(k, part_at(k, place_of(column, file, row)));
                 }
             }
         }
@@ -76,30 +69,30 @@ class MeshFill {
         return {lattice_.x(column, row), lattice_.y(file, row), lattice_.z(row)};
     }
 
-    [[nodiscard]] bool rests(std::size_t k) const { return c_.solids[k].motion == SolidMotion::fixed; }
-
     void add_at(const Vec<3>& p) {
         double taken = 0.0;
         for (std::size_t k = 0; k < meshes_->size() && taken < lattice_.volume<3>(); ++k) {
-            if (!rests(k)) {
-                continue;
-            }
-            if (to_surface_) {
-                Part part = part_of(k, p);
+            if (c_.solids[k].motion == SolidMotion::fixed) {
+                Part part = part_at(k, p);
                 part.volume = std::min(part.volume, lattice_.volume<3>() - taken);
                 taken += part.volume;
-                add_part(k, part);
-            } else if ((*meshes_)[k].contains(p)) {
-                add(k, p, lattice_.volume<3>());
-                return;
+                add(k, part);
             }
         }
     }
 
+    /// What a solid takes of the cell around a place: its part, or on the lattice all or nothing.
+    [[nodiscard]] Part part_at(std::size_t solid, const Vec<3>& middle) const {
+        const SolidMesh& mesh = (*meshes_)[solid];
+        if (to_surface_) {
+            return part_in_cell(mesh, middle);
+        }
+        return mesh.contains(middle) ? Part{lattice_.volume<3>(), middle} : Part{};
+    }
+
     /// The part of a solid in the cell around a place. Where the surface passes it is that of the planes that
     /// touch it before the middles of 4^3 smaller cells.
-    [[nodiscard]] Part part_of(std::size_t solid, const Vec<3>& middle) const {
-        const SolidMesh& mesh = (*meshes_)[solid];
+    [[nodiscard]] Part part_in_cell(const SolidMesh& mesh, const Vec<3>& middle) const {
         for (std::size_t k = 0; k < 3; ++k) {
             if (middle[k] < mesh.lower()[k] - cell_[k] || middle[k] > mesh.upper()[k] + cell_[k]) {
                 return {};
@@ -125,10 +118,11 @@ class MeshFill {
         if (part.volume < least_share * parts * parts * parts) {
             return {};
         }
-        for (double& x : part.centroid) {
-            x /= part.volume;
+        for (std::size_t k = 0; k < 3; ++k) {
+            part.centroid[k] = middle[k] + part.centroid[k] / part.volume;
         }
-        return {part.volume * small[0] * small[1] * small[2], sum_of(middle, part.centroid)};
+        part.volume = part.volume * small[0] * small[1] * small[2];
+        return part;
     }
 
     /// The part of a solid in a small box around a place, its volume over that of the box.
@@ -153,14 +147,13 @@ class MeshFill {
         return part;
     }
 
-    void add_part(std::size_t solid, const Part& part) {
-        if (part.volume > 0.0) {
-            add(solid, part.centroid, part.volume);
+    /// A wall particle in a part, where it is not deeper than the layers.
+    void add(std::size_t solid, const Part& part) {
+        if (part.volume <= 0.0) {
+            return;
         }
-    }
-
-    void add(std::size_t solid, const Vec<3>& p, double volume) {
         const SolidMesh& mesh = (*meshes_)[solid];
+        const Vec<3>& p = part.centroid;
         const auto foot = mesh.nearest(p, reach_);
         if (!foot) {
             return;
@@ -174,7 +167,7 @@ class MeshFill {
                 walls_.projector[3 * k + l].push_back(k == l ? 1.0 : 0.0);
             }
         }
-        walls_.volume.push_back(volume);
+        walls_.volume.push_back(part.volume);
         walls_.depth.push_back(before ? 0.0 : foot->distance);
         walls_.body.push_back(first_solid + static_cast<std::int32_t>(solid));
     }

@@ -120,12 +120,13 @@ class Packer {
         const double full = lattice_sum();
         for (std::size_t m = 0; m < mobile_.size(); ++m) {
             const std::size_t i = mobile_[m].place;
-            for (std::size_t k = 0; k < axes && is_water(i); ++k) {
+            if (!is_water(i)) {
+                continue;
+            }
+            for (std::size_t k = 0; k < axes; ++k) {
                 particles_.position[k][i] = places_[k][i];
             }
-            if (is_water(i)) {
-                result.share[i] = full / sums[m].value;
-            }
+            result.share[i] = full / sums[m].value;
         }
         return result;
     }
@@ -133,6 +134,7 @@ class Packer {
   private:
     static constexpr std::size_t axes = D;
 
+    /// The kernel's sum at a place.
     struct Sum {
         double value = 0.0;  ///< of V W
         Vec<D> gradient{};   ///< h times that of V grad W
@@ -144,6 +146,7 @@ class Packer {
         double clearance = 0.0;  ///< no solid is nearer, m
     };
 
+    /// The largest gradient at the water's places.
     [[nodiscard]] double unevenness(const std::vector<Sum>& sums) const {
         double largest = 0.0;
         for (std::size_t m = 0; m < sums.size(); ++m) {
@@ -171,26 +174,25 @@ class Packer {
         }
         return false;
     }
+    /// How far from solids water moves, and the places over it.
+    [[nodiscard]] double reach_of_water() const { return 8.0 * h_; }
     [[nodiscard]] double reach_of_air() const { return 3.0 * h_; }
+
     [[nodiscard]] bool keeps_its_side(std::size_t place, double height) const {
         const double over = height - c_.total_depth();
         return !air_moves_ || (is_water(place) ? over < 0.0 : over > 0.0 && over < 2.0 * h_);
     }
 
     void choose_mobile() {
-        const double reach = 8.0 * h_;
         for (std::size_t i = 0; i < places_[0].size(); ++i) {
             const Vec<D> place = vector_of(places_, i);
-            if (is_water(i)) {
-                const double clearance = distance_from_solids(place, reach);
-                if (clearance < reach || c_.start.jitter > 0.0) {
-                    mobile_.push_back({i, {}, clearance});
-                }
-            } else if (air_moves_ && keeps_its_side(i, place[axes - 1])) {
-                const double clearance = distance_from_solids(place, reach_of_air());
-                if (clearance < reach_of_air()) {
-                    mobile_.push_back({i, {}, clearance});
-                }
+            if (!is_water(i) && !keeps_its_side(i, place[axes - 1])) {
+                continue;  // what the places over the water that move are pressed against
+            }
+            const double reach = is_water(i) ? reach_of_water() : reach_of_air();
+            const double clearance = distance_from_solids(place, reach);
+            if (clearance < reach || (is_water(i) && c_.start.jitter > 0.0)) {
+                mobile_.push_back({i, {}, clearance});
             }
         }
     }
@@ -261,7 +263,7 @@ class Packer {
         mobile.clearance -= cut * length;
         // Nothing leads through a face; what comes so near starts anew.
         if (mobile.clearance <= 0.0) {
-            const double now = distance_from_solids(to, 8.0 * h_);
+            const double now = distance_from_solids(to, reach_of_water());
             if (now <= 0.0) {
                 mobile.velocity = {};
                 return;

@@ -66,6 +66,12 @@ class Flow(RiffleRun):
         for index in chosen:
             yield self.snapshot(index)
 
+    def speeds(self, begin, end):
+        """The largest speed of a particle and the largest rms over the particles, over the snapshots of a period, over sqrt(g H)."""
+        scale = math.sqrt(self.gravity_z * self.depth)
+        squares = [s.u**2 + s.v**2 + s.w**2 for s in self.snapshots() if begin <= s.time <= end]
+        return max(math.sqrt(v.max()) for v in squares) / scale, max(math.sqrt(v.mean()) for v in squares) / scale
+
     @property
     def cost(self):
         """Seconds of one core."""

@@ -15,14 +15,14 @@ STEADY = {"drag": 5.58, "lift": 0.0107, "pressure": 0.1174}
 SHEDDING = {"drag": 3.23, "lift": 1.00, "strouhal": 0.300}
 
 
-def _forces(flow, start, velocity, diameter):
-    """Time and the coefficients of drag, form drag and lift of the first solid from `start` on."""
-    head = 0.5 * flow.density * velocity**2 * diameter
+def _forces(flow, start, velocity, area, names=("solid_force_1", "solid_form_drag_1", "solid_lift_1")):
+    """Time and the coefficients of drag, form drag and lift, or of other forces, of the first solid from `start` on; `area`: per width in a plane."""
+    head = 0.5 * flow.density * velocity**2 * area
     with h5py.File(flow.folder / "results.h5", "r") as file:
         group = file["/probes/standard_force"]
         time = group["time"][:]
         late = time >= start
-        return [time[late]] + [group[name][:][late] / head for name in ("solid_force_1", "solid_form_drag_1", "solid_lift_1")]
+        return [time[late]] + [group[name][:][late] / head for name in names]
 
 
 def _harmonic(time, value, frequency):
@@ -97,11 +97,8 @@ def sphere(study):
     diameter, velocity = 0.1, 0.2
     for reynolds, case, start in ((20, "cases/solids/sphere-re20.toml", 2.0), (100, "cases/solids/sphere-re100.toml", 3.0)):
         flow = study.run(f"sphere_re{reynolds}", case)
-        head = 0.5 * flow.density * velocity**2 * math.pi / 4 * diameter**2
-        with h5py.File(flow.folder / "results.h5", "r") as file:
-            group = file["/probes/standard_force"]
-            late = group["time"][:] >= start
-            drag, form, lift, side = (group[name][:][late] / head for name in ("solid_force_1", "solid_form_drag_1", "solid_lift_1", "solid_side_force_1"))
+        _, drag, form, lift, side = _forces(flow, start, velocity, math.pi / 4 * diameter**2,
+                                            ("solid_force_1", "solid_form_drag_1", "solid_lift_1", "solid_side_force_1"))
         theory = 24 / reynolds * (1 + 0.1935 * reynolds**0.6305)
         name = f"Re {reynolds}"
         check.norm(f"{name}: drag coefficient against {theory:.3f}", drag.mean() / theory - 1, 0.05)

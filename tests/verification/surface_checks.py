@@ -68,19 +68,13 @@ def beach_at_rest(study):
                   "A beach of 1:5 in a closed tank, whose face cuts the rows of particles at a small angle, and water of its own viscosity. The start "
                   "is packed, and the pressure corrected by the mean of the correction; without, the water creeps up the beach. Snapshots of each 0.1 s.")
     case, interval = "cases/checks/beach-at-rest.toml", {"output.snapshot_interval": '"0.1 s"'}
-
-    def speeds(flow, begin, end):
-        scale = math.sqrt(flow.gravity_z * flow.depth)
-        squares = [s.u**2 + s.w**2 for s in flow.snapshots() if begin <= s.time <= end]
-        return max(math.sqrt(v.max()) for v in squares) / scale, max(math.sqrt(v.mean()) for v in squares) / scale
-
     flow = study.run(check.name, case, interval)
-    largest, rms = speeds(flow, 5.0, 6.1)
+    largest, rms = flow.speeds(5.0, 6.1)
     check.norm("largest speed of any particle, 5 to 6 s, over √(gH)", largest, 1e-2, "", 3)
     check.norm("rms of the speeds, 5 to 6 s, over √(gH)", rms, 2e-3, "", 3)
     if not study.quick:
         later = study.run(f"{check.name}-longer", case, {**interval, "run.until": '"30 s"'})
-        largest, rms = speeds(later, 9.0, 30.1)
+        largest, rms = later.speeds(9.0, 30.1)
         check.norm("largest speed, 9 to 30 s", largest, 1e-2, "", 3)
         check.norm("rms, 9 to 30 s", rms, 2e-3, "", 3)
         table = Table(f"{check.title}, 5 to 6 s", ["choice", "largest speed / √(gH)", "rms"])
@@ -91,7 +85,7 @@ def beach_at_rest(study):
                 "mean of 10 s": {"numerics.pressure_correction_time": '"10 s"'},
                 "symmetric form": {"numerics.pressure_form": '"symmetric"', "numerics.pressure_correction_time": '"0 s"'},
                 "square lattice, h = 1.5 dx": {"start.lattice": '"square"', "numerics.smoothing_ratio": "1.5"}}.items():
-            largest, rms = speeds(study.run(f"{check.name}-{len(table.rows)}", case, {**interval, **settings}), 5.0, 6.1)
+            largest, rms = study.run(f"{check.name}-{len(table.rows)}", case, {**interval, **settings}).speeds(5.0, 6.1)
             table.rows.append([name, f"{largest:.3g}", f"{rms:.2g}"])
         check.tables.append(table)
     check.best, check.cost = options_text(flow), flow.cost_text

@@ -166,7 +166,7 @@ TEST(MomentumBudget, BooksFormDragAndFrictionApart) {
     EXPECT_NEAR(value_of(analysis, "momentum_residual_share"), 2.0 / 29.0, 1e-9);
 }
 
-// The last row of the first second is worth 5 N s: ten times as much as the flow stores in all.
+// A row is worth 5 N s, ten times as much as the flow stores in the whole window.
 TEST(MomentumBudget, TakesNoRowsOfParticlesForAChangeOfTheFlow) {
     Record record(duct());
     for (const char* quantity :
@@ -180,6 +180,7 @@ TEST(MomentumBudget, TakesNoRowsOfParticlesForAChangeOfTheFlow) {
     add_momentum_budget(record, analysis);
     EXPECT_NEAR(value_of(analysis, "momentum_change"), -0.05, 0.05);
 }
+
 TEST(MomentumBudget, ClosesNothingWithGrainsWhosePressureIsNotRecorded) {
     Case c = duct();
     c.porous.emplace_back().name = "plug";

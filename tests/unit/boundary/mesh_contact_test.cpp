@@ -10,6 +10,7 @@
 
 #include "boundary/wall.hpp"
 #include "particles/lattice.hpp"
+#include "periodic_reach.hpp"
 #include "stl_box.hpp"
 
 namespace riffle::mesh_contact_test {
@@ -18,21 +19,14 @@ namespace {
 /// A tank of 60 by 60 by 40 mm, particles 2 mm apart, and a box in it from 20 to 40 mm, up to 20 mm high.
 /// With `shift` its sides at x and y lie that far beyond a face of the lattice's cells.
 struct TankWithBox {
-    Case parameters;
+    Case parameters = test::periodic_reach();
     WallParticles<3> walls;
     MeshContact contact;
 
     explicit TankWithBox(double shift = 0.0, double foot = -0.01) {
         Case& c = parameters;
-        c.channel.dimensions = 3;
         c.channel.ends = Ends::walls;
         c.channel.sides = Sides::walls;
-        c.bed.kind = BedKind::slip;
-        c.bed.datum_below_crest = 0.0;
-        c.channel.depth = 0.04;
-        c.channel.length = 0.06;
-        c.channel.width = 0.06;
-        c.numerics.spacing = 0.002;
         Solid s;
         s.name = "box";
         // Tests run at the same time, each in a process of its own.

@@ -10,21 +10,14 @@
 #include "boundary/wall.hpp"
 #include "boundary/wall_motion.hpp"
 #include "case/solid_mesh.hpp"
+#include "periodic_reach.hpp"
 
 namespace riffle::mesh_fill_test {
 namespace {
 
-/// A channel of 60 by 60 by 40 mm, particles 2 mm apart, with a solid that its layers fill throughout.
+/// A reach with a solid that its layers fill throughout.
 Case channel_with(Solid solid) {
-    Case c;
-    c.channel.dimensions = 3;
-    c.channel.sides = Sides::periodic;
-    c.bed.kind = BedKind::slip;
-    c.bed.datum_below_crest = 0.0;
-    c.channel.depth = 0.04;
-    c.channel.length = 0.06;
-    c.channel.width = 0.06;
-    c.numerics.spacing = 0.002;
+    Case c = test::periodic_reach();
     c.numerics.wall_layers = 20;
     c.start.packed = true;
     solid.name = "solid";

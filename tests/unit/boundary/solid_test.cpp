@@ -15,6 +15,7 @@
 #include "boundary/wall.hpp"
 #include "boundary/wall_motion.hpp"
 #include "particles/lattice.hpp"
+#include "periodic_reach.hpp"
 #include "sph/kernel.hpp"
 #include "temporary_folder.hpp"
 
@@ -158,15 +159,7 @@ TEST(SolidFill, FillsAThinPlateOnce) {
 // In space water and wall particles share one lattice: each place of it in the channel is one or the other,
 // or deeper in the solid than its layers.
 TEST(SolidFill, InSpaceWaterAndSolidShareTheLattice) {
-    Case c;
-    c.channel.dimensions = 3;
-    c.channel.sides = Sides::periodic;
-    c.bed.kind = BedKind::slip;
-    c.bed.datum_below_crest = 0.0;
-    c.channel.depth = 0.04;
-    c.channel.length = 0.06;
-    c.channel.width = 0.06;
-    c.numerics.spacing = 0.002;
+    Case c = test::periodic_reach();
     c.numerics.wall_layers = 3;
     // An octahedron with corners 20 mm from its middle; its faces are planes |x| + |y| + |z| = 20 mm.
     Solid s;

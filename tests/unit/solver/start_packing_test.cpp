@@ -37,14 +37,41 @@ Case tank_with_wedge() {
     return c;
 }
 
+/// The water of a case on its lattice, packed.
+template <int D>
+struct Packed {
+    Particles<D> particles;
+    PackedStart packing;
+
+    explicit Packed(const Case& c)
+        : particles(lattice_particles<D>(c)), packing(pack_start(c, make_scheme(c, nullptr), particles)) {}
+};
+
+/// The water of a case with gaps beside a face, which packing closes.
+template <int D>
+Packed<D> without_gaps(const Case& c) {
+    Packed<D> water(c);
+    // A missing row of particles has 0.4; 1 % of the density over a smoothing length 0.01.
+    EXPECT_GT(water.packing.unevenness_before, 0.1);
+    EXPECT_LT(water.packing.unevenness_after, 3e-3);
+    return water;
+}
+
+template <int D>
+void expect_same_start_for_any_threads(const Case& c) {
+    const Scheme scheme = make_scheme(c, nullptr);
+    set_thread_count(1);
+    const Particles<D> alone = initial_particles<D>(c, scheme, nullptr);
+    set_thread_count(3);
+    const Particles<D> together = initial_particles<D>(c, scheme, nullptr);
+    set_thread_count(0);
+    EXPECT_EQ(alone.position, together.position);
+    EXPECT_EQ(alone.mass, together.mass);
+}
+
 TEST(StartPacking, LeavesNoGapBesideAFace) {
     const Case c = tank_with_wedge();
-    const Scheme scheme = make_scheme(c, nullptr);
-    Particles<2> particles = lattice_particles<2>(c);
-    const PackedStart packed = pack_start(c, scheme, particles);
-    // A missing row of particles has 0.4; 1 % of the density over a smoothing length 0.01.
-    EXPECT_GT(packed.unevenness_before, 0.1);
-    EXPECT_LT(packed.unevenness_after, 3e-3);
+    const Particles<2> particles = without_gaps<2>(c).particles;
     const Outline outline{c.solids[0].x, c.solids[0].z};
     for (std::size_t i = 0; i < particles.size(); ++i) {
         EXPECT_FALSE(contains(outline, particles.position[0][i], particles.position[1][i]));
@@ -70,25 +97,15 @@ TEST(StartPacking, MakesTheParticlesAsLargeAsTheWater) {
 }
 
 TEST(StartPacking, DoesNotDependOnTheNumberOfThreads) {
-    const Case c = tank_with_wedge();
-    const Scheme scheme = make_scheme(c, nullptr);
-    set_thread_count(1);
-    const Particles<2> alone = initial_particles<2>(c, scheme, nullptr);
-    set_thread_count(3);
-    const Particles<2> together = initial_particles<2>(c, scheme, nullptr);
-    set_thread_count(0);
-    EXPECT_EQ(alone.position, together.position);
-    EXPECT_EQ(alone.mass, together.mass);
+    expect_same_start_for_any_threads<2>(tank_with_wedge());
 }
 
 TEST(StartPacking, MovesEverythingWhereAllIsJittered) {
     Case c = tank_with_wedge();
     c.solids.clear();
     c.start.jitter = 0.2;
-    const Scheme scheme = make_scheme(c, nullptr);
-    Particles<2> particles = lattice_particles<2>(c);
-    const PackedStart packed = pack_start(c, scheme, particles);
-    EXPECT_LT(packed.unevenness_after, 0.1 * packed.unevenness_before);
+    const PackedStart packing = Packed<2>(c).packing;
+    EXPECT_LT(packing.unevenness_after, 0.1 * packing.unevenness_before);
 }
 
 /// A closed tank with a sphere in it, in three dimensions.
@@ -114,11 +131,7 @@ Case tank_with_sphere() {
 
 TEST(StartPackingInSpace, FillsTheWaterUpToTheTrueSurface) {
     const Case c = tank_with_sphere();
-    const Scheme scheme = make_scheme(c, nullptr);
-    Particles<3> particles = lattice_particles<3>(c);
-    const PackedStart packed = pack_start(c, scheme, particles);
-    EXPECT_GT(packed.unevenness_before, 0.1);
-    EXPECT_LT(packed.unevenness_after, 3e-3);
+    const auto [particles, packing] = without_gaps<3>(c);
     double volume = 0.0;
     for (std::size_t i = 0; i < particles.size(); ++i) {
         double squared = 0.0;
@@ -126,7 +139,7 @@ TEST(StartPackingInSpace, FillsTheWaterUpToTheTrueSurface) {
             squared += std::pow(particles.position[k][i] - c.solids[0].centre[k], 2);
         }
         EXPECT_GT(std::sqrt(squared), 0.0099);
-        volume += packed.share[i] * lattice_of(c).volume<3>();
+        volume += packing.share[i] * lattice_of(c).volume<3>();
     }
     const double exact = 0.05 * 0.05 * 0.04 - std::numbers::pi / 6.0 * std::pow(0.02, 3);
     EXPECT_NEAR(volume, exact, 5e-3 * exact);
@@ -140,26 +153,14 @@ TEST(StartPackingInSpace, KeepsTheWaterUnderItsSurfaceBesideAPier) {
     c.solids[0].centre = {0.0253, 0.0247, 0.025};
     c.solids[0].diameter = 0.018;
     c.solids[0].length = 0.06;
-    const Scheme scheme = make_scheme(c, nullptr);
-    Particles<3> particles = lattice_particles<3>(c);
-    const PackedStart packed = pack_start(c, scheme, particles);
-    EXPECT_GT(packed.unevenness_before, 0.1);
-    EXPECT_LT(packed.unevenness_after, 3e-3);
+    const Particles<3> particles = without_gaps<3>(c).particles;
     for (const double z : particles.position[2]) {
         EXPECT_LT(z, 0.04);
     }
 }
 
 TEST(StartPackingInSpace, DoesNotDependOnTheNumberOfThreads) {
-    const Case c = tank_with_sphere();
-    const Scheme scheme = make_scheme(c, nullptr);
-    set_thread_count(1);
-    const Particles<3> alone = initial_particles<3>(c, scheme, nullptr);
-    set_thread_count(3);
-    const Particles<3> together = initial_particles<3>(c, scheme, nullptr);
-    set_thread_count(0);
-    EXPECT_EQ(alone.position, together.position);
-    EXPECT_EQ(alone.mass, together.mass);
+    expect_same_start_for_any_threads<3>(tank_with_sphere());
 }
 
 }  // namespace
