@@ -58,11 +58,15 @@ Vec<3> SolidSurfaces::image_near(const Vec<3>& other, Vec<3> place) const {
     return place;
 }
 
-std::optional<SolidSurfaces::Foot> SolidSurfaces::inside(std::size_t solid, const Vec<3>& place) const {
+bool SolidSurfaces::contains(std::size_t solid, const Vec<3>& place) const {
     const Vec<3> beside = image_near(middle_[solid], place);
-    const bool contained = meshes_ == nullptr ? contains(outlines_[solid], beside[0], beside[2])
-                                              : (*meshes_)[solid].contains(beside);
-    return contained ? nearest(solid, beside, std::numeric_limits<double>::infinity()) : std::nullopt;
+    return meshes_ == nullptr ? riffle::contains(outlines_[solid], beside[0], beside[2])
+                              : (*meshes_)[solid].contains(beside);
+}
+
+std::optional<SolidSurfaces::Foot> SolidSurfaces::inside(std::size_t solid, const Vec<3>& place) const {
+    return contains(solid, place) ? nearest(solid, place, std::numeric_limits<double>::infinity())
+                                  : std::nullopt;
 }
 
 std::optional<SolidSurfaces::Foot> SolidSurfaces::nearest(std::size_t solid, const Vec<3>& place,

@@ -32,6 +32,9 @@ class SolidSurfaces {
     /// The same of a place in a solid; nothing outside of it.
     [[nodiscard]] std::optional<Foot> inside(std::size_t solid, const Vec<3>& place) const;
 
+    /// Whether a place lies in a solid.
+    [[nodiscard]] bool contains(std::size_t solid, const Vec<3>& place) const;
+
     /// The image of a place that is nearest to another one.
     [[nodiscard]] Vec<3> image_near(const Vec<3>& other, Vec<3> place) const;
 

@@ -138,6 +138,8 @@ struct Numerics {
     std::optional<double> sound_speed;  ///< c0, m/s; unset: max(20 U_max, 10 sqrt(g H))
     EquationOfState equation_of_state = EquationOfState::linear;
     PressureForm pressure_form = PressureForm::corrected;
+    ReferencePressure reference_pressure = ReferencePressure::none;
+    double reference_depth_ratio = 1.5;  ///< depth whose weight the pairs carry beside it, over dx
     VelocityGradient velocity_gradient = VelocityGradient::corrected;
     KernelCorrection kernel_correction = KernelCorrection::kernel_gradient;  ///< of the corrected forms
     double pressure_correction_time = 0.0;  ///< of the mean that corrects the pressure, s; 0: none is taken

@@ -51,6 +51,16 @@ SectionKeys numerics() {
                       "fall over half of its height"));
     s.keys.push_back(key("equation_of_state", &Numerics::equation_of_state, "Pressure from density."));
     s.keys.push_back(key("pressure_form", &Numerics::pressure_form, "Form of the pressure force."));
+    s.keys.push_back(
+        key("reference_pressure", &Numerics::reference_pressure,
+            "Part of the pressure that acts as a function of the height instead of through the pairs.")
+            .applies_with("numerics.pressure_form", {"corrected"}));
+    s.keys.push_back(
+        key("reference_depth_ratio", &Numerics::reference_depth_ratio,
+            "Depth below the still surface, over the spacing, whose weight the pairs still carry.")
+            .at_least(1)
+            .because("the surface must stay above the height from which on the reference acts")
+            .applies_with("numerics.reference_pressure", {"hydrostatic"}));
     s.keys.push_back(key("velocity_gradient", &Numerics::velocity_gradient,
                          "Velocity gradient that the closure is given."));
     s.keys.push_back(key("kernel_correction", &Numerics::kernel_correction,

@@ -80,6 +80,18 @@ struct Words<PressureForm> {
 };
 
 template <>
+struct Words<ReferencePressure> {
+    static constexpr std::array<Word, 2> list{{
+        {"none", "the pairs carry the whole pressure", "",
+         "water whose surface moves up and down, violent flow, open ends"},
+        {"hydrostatic",
+         "below a surface that stays level the weight of the water is held by a function of the height, and the pairs carry the rest",
+         "theory 5",
+         "resolved eddies, and water at rest: what disorder makes of the pressure falls with the pressure of the pairs"},
+    }};
+};
+
+template <>
 struct Words<VelocityGradient> {
     static constexpr std::array<Word, 2> list{{
         {"corrected", "exact for linear velocity fields", "theory 6; Bonet & Lok (1999)",

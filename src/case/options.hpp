@@ -31,6 +31,7 @@ enum class KernelKind {
 };
 enum class EquationOfState { linear, tait };
 enum class PressureForm { corrected, symmetric, riemann, riemann_non_conservative };
+enum class ReferencePressure { none, hydrostatic };
 enum class VelocityGradient { corrected, plain };
 enum class KernelCorrection { kernel_gradient, kernel };
 enum class DensityDiffusion { fourtakas, none, molteni, antuono };

@@ -38,6 +38,7 @@ void refuse_to_run(const Case& c);
 [[nodiscard]] CheckList sphere_refusals();      ///< spheres in three dimensions
 [[nodiscard]] CheckList side_wall_refusals();
 [[nodiscard]] CheckList method_refusals();
+[[nodiscard]] CheckList reference_refusals();  ///< a hydrostatic reference pressure
 [[nodiscard]] CheckList start_refusals();
 [[nodiscard]] CheckList water_refusals();  ///< the outline of the water
 [[nodiscard]] CheckList run_refusals();

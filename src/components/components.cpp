@@ -12,6 +12,7 @@
 #include "components/mixing_lengths.hpp"
 #include "components/open_ends.hpp"
 #include "components/porous_forces.hpp"
+#include "components/reference_pressure_force.hpp"
 #include "components/repulsion.hpp"
 #include "components/settling.hpp"
 #include "components/slow_correction.hpp"
@@ -48,6 +49,7 @@ ComponentList<D, Real> make_components(FlowOf<D, Real>& flow, double celerity) {
     add(components, make_vegetation_drag(flow));
     add(components, make_stirring(flow, celerity));
     add(components, make_settling(flow));
+    add(components, make_reference_pressure_force(flow));
     add(components, make_repulsion(flow));
     add(components, make_porous_forces(flow));  // after all that adds forces, which it must know
     add(components, make_open_ends(flow));      // after all that adds forces, which buffers do not feel

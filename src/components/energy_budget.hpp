@@ -209,6 +209,7 @@ class EnergyBudget final : public Component<D, Real> {
         double molecular = 0.0;
         double weight = 0.0;
         double further = 0.0;
+        double held = 0.0;  // by the reference pressure
         double stems = 0.0;
         double grains = 0.0;
         // As PorousForces has it of all viscous forces.
@@ -230,6 +231,9 @@ class EnergyBudget final : public Component<D, Real> {
                 grains += mass * u[k] * task.porous_acceleration[k][lane];
             }
         }
+        if (flow.particle_data.reference_pressure.acts()) {
+            held = mass * u[Flow::vertical] * task.reference_acceleration[lane];
+        }
         double bed = flow.inputs.drag ? work.drag_force[lane] * u[0] : 0.0;
         double side = 0.0;
         if constexpr (D == 3) {
@@ -244,13 +248,13 @@ class EnergyBudget final : public Component<D, Real> {
         sum.kinetic += tensor + viscous + weight + mass * (bed + side) + further;
         sum.closure += closure;
         sum.viscosity += two_point_ ? molecular : viscous;
-        sum.pressure += tensor - (tensor_ ? closure : 0.0);
+        sum.pressure += tensor + held - (tensor_ ? closure : 0.0);
         sum.bed_drag += mass * bed;
         sum.side_drag += mass * side;
         sum.vegetation += stems;
         sum.porous += grains;
-        sum.further_forces +=
-            flow.with_vegetation || !flow.porous.empty() ? further - stems - grains : further;
+        const bool parts = held != 0.0 || flow.with_vegetation || !flow.porous.empty();
+        sum.further_forces += parts ? further - held - stems - grains : further;
         if (flow.domain.periodic[0]) {
             sum.gravity += mass * u[0] * flow.particle_data.gravity[0];
         }

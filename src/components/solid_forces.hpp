@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "boundary/solid_surface.hpp"
+#include "boundary/surface_pieces.hpp"
 #include "boundary/wall_motion.hpp"
 #include "case/solid_motion.hpp"
 #include "case/solid_volume.hpp"
@@ -21,8 +22,12 @@ class SolidForces final : public Component<D, Real> {
     using typename Component<D, Real>::Flow;
     using typename Component<D, Real>::Task;
 
-    explicit SolidForces(const Case& c)
-        : surfaces_(c), lists_(c.solids.size()), feet_(c.solids.size()), listed_(c.solids.size(), -1) {
+    explicit SolidForces(const Flow& flow)
+        : surfaces_(flow.c),
+          lists_(flow.c.solids.size()),
+          feet_(flow.c.solids.size()),
+          listed_(flow.c.solids.size(), -1) {
+        const Case& c = flow.c;
         for (const Solid& solid : c.solids) {
             points_.push_back(moment_point(c, solid));
             volumes_.push_back(solid.surface == SolidSurface::no_slip && turns(c, solid)
@@ -31,6 +36,11 @@ class SolidForces final : public Component<D, Real> {
             free_.push_back(solid.motion == SolidMotion::free);
         }
         any_free_ = std::find(free_.begin(), free_.end(), true) != free_.end();
+        if (flow.particle_data.reference_pressure.acts()) {
+            for (std::size_t solid = 0; solid < lists_.size(); ++solid) {
+                reference_loads_.push_back(reference_load(flow, solid));
+            }
+        }
     }
 
     void begin_step(Flow& flow, double /*dt*/) override {
@@ -84,6 +94,9 @@ class SolidForces final : public Component<D, Real> {
         for (std::size_t i = 0; i < block_forces_.size(); ++i) {
             flow.solid_forces[i % lists_.size()] += block_forces_[i];
         }
+        for (std::size_t solid = 0; solid < reference_loads_.size(); ++solid) {
+            flow.solid_forces[solid] += reference_loads_[solid];
+        }
         for (std::size_t solid = 0; solid < lists_.size(); ++solid) {
             if (volumes_[solid] > 0.0 && wanted(flow, solid)) {
                 add_spin(flow, solid, flow.solid_forces[solid]);
@@ -102,6 +115,27 @@ class SolidForces final : public Component<D, Real> {
   private:
     [[nodiscard]] bool wanted(const Flow& flow, std::size_t solid) const {
         return flow.keep_fields || free_[solid];
+    }
+
+    /// What the reference pressure, which no pair carries, presses a solid with.
+    [[nodiscard]] ForceOnSolid reference_load(const Flow& flow, std::size_t solid) const {
+        ForceOnSolid load;
+        for (const SurfacePiece& piece : surface_pieces(flow.c, solid, 0.5 * flow.scheme.spacing)) {
+            const double pressure =
+                flow.scheme.density * flow.particle_data.reference_pressure.value(piece.place[2]);
+            Vec<3> arm{};
+            Vec<3> force{};
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                arm[axis] = piece.place[axis] - points_[solid][axis];
+                force[axis] = -pressure * piece.area[axis];
+                load.pressure[axis] += force[axis];
+            }
+            const Vec<3> moment = cross(arm, force);
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                load.pressure_moment[axis] += moment[axis];
+            }
+        }
+        return load;
     }
 
     /// The list of the walls of one solid alone, once for each build of the lists.
@@ -197,13 +231,14 @@ class SolidForces final : public Component<D, Real> {
     std::vector<NeighbourList> lists_;  ///< of FlowOf::fluid_wall, the pairs with each solid
     NeighbourList no_list_;             ///< without any neighbour, for as many clusters
     std::vector<SolidFeet<D, Real>> feet_;
-    std::vector<std::int64_t> listed_;        ///< SimulationClock::list_builds of each list
-    std::vector<ForceOnSolid> block_forces_;  ///< by block and solid
+    std::vector<std::int64_t> listed_;           ///< SimulationClock::list_builds of each list
+    std::vector<ForceOnSolid> block_forces_;     ///< by block and solid
+    std::vector<ForceOnSolid> reference_loads_;  ///< by solid; empty without a reference pressure
 };
 
 template <int D, class Real>
 std::unique_ptr<Component<D, Real>> make_solid_forces(FlowOf<D, Real>& flow) {
-    return flow.c.solids.empty() ? nullptr : std::make_unique<SolidForces<D, Real>>(flow.c);
+    return flow.c.solids.empty() ? nullptr : std::make_unique<SolidForces<D, Real>>(flow);
 }
 
 }  // namespace riffle

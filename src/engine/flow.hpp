@@ -100,6 +100,8 @@ struct BlockTask {
     ParticleWork<D, Real> particles;
     /// The part of ParticleWork::acceleration that walls push with, m/s2.
     std::array<LaneArray<double>, static_cast<std::size_t>(D)> wall_acceleration;
+    /// The part of it, upwards, by which the reference pressure holds the water, m/s2; where there is one.
+    LaneArray<double> reference_acceleration;
     /// The part of it that vegetation holds back with, m/s2; where FlowOf::with_vegetation.
     std::array<LaneArray<double>, static_cast<std::size_t>(D)> vegetation_acceleration;
     /// The part of it that the grains of porous zones hold back with, m/s2; where there are such zones.

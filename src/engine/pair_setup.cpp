@@ -157,6 +157,19 @@ std::vector<std::unique_ptr<PairSum<D, Real>>> make_pair_sums(const Case& c, con
     return sums;
 }
 
+HydrostaticReference hydrostatic_reference(const Case& c, const Scheme& scheme) {
+    HydrostaticReference reference;
+    if (c.numerics.reference_pressure == ReferencePressure::hydrostatic) {
+        const std::vector<double>& corners = c.start.water_z;
+        const double surface =
+            corners.empty() ? scheme.depth : *std::max_element(corners.begin(), corners.end());
+        reference.level = surface - (c.numerics.reference_depth_ratio - 1.0) * scheme.spacing;
+        reference.fade = 2.0 * scheme.spacing;
+        reference.gravity = scheme.normal_gravity;
+    }
+    return reference;
+}
+
 template <int D>
 ParticleData<D> particle_constants(const Case& c, const Scheme& scheme, const Domain<D>& domain) {
     ParticleData<D> data;
@@ -175,6 +188,7 @@ ParticleData<D> particle_constants(const Case& c, const Scheme& scheme, const Do
     data.sound_rate = scheme.state.sound_speed / scheme.smoothing_length;
     data.gravity[0] = scheme.streamwise_gravity;
     data.gravity[D - 1] = -scheme.normal_gravity;
+    data.reference_pressure = hydrostatic_reference(c, scheme);
     data.corrected = weighs_by_volume(c);
     data.closure = c.turbulence.closure != ClosureKind::none;
     data.two_point = !data.closure || c.numerics.eddy_stress == EddyStress::two_point;

@@ -52,6 +52,9 @@ template <int D, class Real>
                                                                             const Scheme& scheme,
                                                                             const FixedPoint<D>& fixed_point);
 
+/// The reference pressure of a case; one that does not act where it asks for none.
+[[nodiscard]] HydrostaticReference hydrostatic_reference(const Case& c, const Scheme& scheme);
+
 /// Constants of the particle loops; the arrays and clusters are left for the caller.
 template <int D>
 [[nodiscard]] ParticleData<D> particle_constants(const Case& c, const Scheme& scheme,

@@ -21,6 +21,7 @@ void SimulationOf<D, Real>::build_lists(bool sort) {
     flow_.wall_fluid = {};
     flow_.data.stress = {};
     flow_.data.pressure = {};
+    flow_.data.pair_pressure = {};
     if (sort) {
         for (const auto& component : components_) {
             component->before_lists(flow_);
@@ -94,6 +95,9 @@ void SimulationOf<D, Real>::allocate() {
         resize(flow_.data.stress);
     } else {
         resize(flow_.data.pressure);
+    }
+    if (flow_.particle_data.reference_pressure.acts()) {
+        resize(flow_.data.pair_pressure);
     }
     // The force pass needs B only where walls continue the fluid.
     const bool continued = std::any_of(flow_.data.wall_gradient.begin(), flow_.data.wall_gradient.end(),
@@ -260,6 +264,7 @@ std::size_t SimulationOf<D, Real>::bytes() const {
     add(flow_.data.motion);
     add(flow_.data.stress);
     add(flow_.data.pressure);
+    add(flow_.data.pair_pressure);
     add(flow_.data.wall_gradient);
     add(flow_.data.wall_force);
     for (const auto& component : flow_.data.correction) {

@@ -293,10 +293,13 @@ void SimulationOf<D, Real>::keep_force_fields(const Task& task, std::size_t begi
             return factor * static_cast<double>(force.wall[k][lane]) +
                    (inputs.acceleration ? task.wall_acceleration[k][lane] : 0.0);
         };
+        // Under a reference pressure the bed bears through it what no pair of theirs carries.
+        const double held =
+            flow_.particle_data.reference_pressure.acts() ? task.reference_acceleration[lane] : 0.0;
         fields.pair_acceleration_x[i] = factor * static_cast<double>(force.tensor[0][lane]);
         fields.viscous_acceleration_x[i] = factor * static_cast<double>(force.viscous[0][lane]);
         fields.wall_acceleration_x.set(i, by_walls(0));
-        fields.wall_acceleration_z.set(i, by_walls(vertical));
+        fields.wall_acceleration_z.set(i, by_walls(vertical) + held);
         fields.drag_acceleration_x.set(i, inputs.drag ? work.drag_force[lane] : 0.0);
         fields.vegetation_acceleration_x.set(
             i, flow_.with_vegetation ? task.vegetation_acceleration[0][lane] : 0.0);

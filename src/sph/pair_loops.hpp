@@ -172,6 +172,8 @@ struct PairData {
     std::vector<MotionRecord<D, Real>> motion;
     std::vector<StressRecord<D, Real>> stress;   ///< either this
     std::vector<PressureRecord<Real>> pressure;  ///< or this, as the loops of the scheme need
+    /// By slot, what the pairs carry of the pressure beside a reference pressure; empty without one.
+    std::vector<Real> pair_pressure;
     std::vector<WallGradientRecord<D, Real>> wall_gradient;
     std::vector<WallForceRecord<D, Real>> wall_force;
     /// By wall slot, the part P u_w of a wall's velocity that counts in the continuity equation, m/s; empty

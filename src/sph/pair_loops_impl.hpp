@@ -467,7 +467,10 @@ template <int D, class Real, class Kernel, class Viscosity, class Record>
         if (wall_list != nullptr) {
             // (p_i + p_j) I, or (p_i + p_j) B_i where the wall continues the fluid, in the rows of B from
             // first_continued_row on.
-            const W pressure = gather<Real, Real>(own, [](const auto& r) { return r.pressure; });
+            const W pressure =
+                data.pair_pressure.empty()
+                    ? gather<Real, Real>(own, [](const auto& r) { return r.pressure; })
+                    : gather<Real, Real>(&data.pair_pressure[slot], [](const Real& p) { return p; });
             const std::int32_t correction_lane = data.correction_of(cluster);
             const bool continued = correction_lane >= 0;
             Components<W, D * D> departure{};

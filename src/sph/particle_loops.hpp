@@ -7,6 +7,7 @@
 
 #include "particles/clusters.hpp"
 #include "sph/equation_of_state.hpp"
+#include "sph/hydrostatic_reference.hpp"
 #include "sph/pair_loops.hpp"
 #include "sph/strain_measure.hpp"
 
@@ -34,6 +35,7 @@ struct ParticleData {
     double bulk_viscosity = 0.0;  ///< against sound, m2/s
     double sound_rate = 0.0;      ///< c0/h, 1/s: how fast spray loses its pressure
     std::array<double, static_cast<std::size_t>(D)> gravity{};
+    HydrostaticReference reference_pressure;
     bool corrected = true;  ///< pressure form: Q = p B with weight V_j, else p/rho^2 with m_j/rho0
     bool closure = false;   ///< an eddy viscosity is wanted
     bool two_point = true;  ///< it acts through the two-point viscosity, else in the tensor

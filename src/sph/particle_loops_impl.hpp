@@ -284,12 +284,18 @@ template <int D, class Real>
                                                        &data.pressure[slot]);
                 return;
             }
+            T pair_pressure = wall_pressure;
+            if (p.reference_pressure.acts()) {
+                pair_pressure = convert<Real>(
+                    Doubles(pressure_double - p.reference_pressure.value(members.load(p.position[D - 1]))));
+                store_lanes(pair_pressure, &data.pair_pressure[slot]);
+            }
             Components<T, D * D> stress{};
             for (std::size_t k = 0; k < D; ++k) {
                 for (std::size_t l = 0; l < D; ++l) {
                     const T b = load_lanes(&work.gradient.correction[k * D + l][lane]);
                     T& q = stress[k * D + l];
-                    q = wall_pressure * b;
+                    q = pair_pressure * b;
                     // tau_ij = rho nu_t 2 S_ij, or its xz component alone from du/dz alone.
                     const bool xz = k != l && (k == 0 || l == 0) && (k == D - 1 || l == D - 1);
                     if (!p.two_point && (!p.shear_only || xz)) {

@@ -71,7 +71,8 @@ class DummyWalls final : public WallTreatment<D, Real> {
         flow.walls.density_deviation[i] = flow.scheme.state.deviation(wetting);
         // Of the saved deviation, so that a resumed run finds the same.
         this->wet(flow, slot, i, flow.scheme.state.pressure(flow.walls.density_deviation[i]));
-        return pressure;
+        const HydrostaticReference& reference = flow.particle_data.reference_pressure;
+        return reference.acts() ? pressure - reference.value(flow.walls.position[vertical][i]) : pressure;
     }
 
     /// No slip at the wall's surface: u is extrapolated along the line through the velocity of the surface

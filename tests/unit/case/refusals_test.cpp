@@ -184,6 +184,11 @@ std::vector<Wrong> wrong_methods() {
         {plates(), "numerics.wall = repulsive; numerics.pressure_form = symmetric; bed.kind = slip"},
         {tank(), "numerics.wall = repulsive; numerics.pressure_form = symmetric; bed.kind = no-slip"},
         {between_side_walls(), "numerics.wall = dynamic; channel.sides = half"},
+        {plates(), "numerics.reference_pressure = hydrostatic"},
+        {open_channel(), "numerics.reference_pressure = hydrostatic"},
+        {flume(), "numerics.reference_pressure = hydrostatic; numerics.wall = modified-dynamic"},
+        {with_free_body(), "numerics.reference_pressure = hydrostatic"},
+        {with_porous(), "numerics.reference_pressure = hydrostatic"},
     };
 }
 

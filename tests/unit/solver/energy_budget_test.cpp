@@ -49,9 +49,11 @@ std::unique_ptr<SimulationIn<D>> disturbed_channel(Case c) {
 }
 
 template <int D>
-void expect_powers_to_be_the_change(Stepping stepping) {
+void expect_powers_to_be_the_change(Stepping stepping,
+                                    ReferencePressure reference = ReferencePressure::none) {
     Case c = test::small_channel(D);
     c.numerics.stepping = stepping;
+    c.numerics.reference_pressure = reference;
     const auto simulation = disturbed_channel<D>(c);
     const Energies<D> before(*simulation);
     const double last_step = simulation->clock().time_step;
@@ -76,6 +78,7 @@ TEST(EnergyBudget, AddsUpToTheChangeOfTheEnergy) {
     expect_powers_to_be_the_change<2>(Stepping::leapfrog);
     expect_powers_to_be_the_change<2>(Stepping::semi_implicit_euler);
     expect_powers_to_be_the_change<3>(Stepping::leapfrog);
+    expect_powers_to_be_the_change<3>(Stepping::leapfrog, ReferencePressure::hydrostatic);
 }
 
 /// Vortices of Taylor & Green of 1 m/s in a box that repeats itself upward and along.
