@@ -111,7 +111,8 @@ std::vector<SurfacePiece> surface_pieces(const Case& c, std::size_t solid, doubl
     if (c.channel.dimensions == 2) {
         cut_outline(outline_of(c.solids[solid]), size, pieces);
     } else {
-        for (const Triangle& t : (*meshes_of(c))[solid].tree().triangles()) {
+        const auto meshes = meshes_of(c);
+        for (const Triangle& t : (*meshes)[solid].tree().triangles()) {
             cut_triangle(t, size, pieces);
         }
     }

@@ -167,6 +167,8 @@ Case resolved_eddies() {
     c.numerics.spacing = 0.003;
     c.numerics.smoothing_ratio = 1.5;
     c.numerics.wall_layers = 3;
+    c.numerics.reference_pressure = ReferencePressure::hydrostatic;
+    c.numerics.pressure_correction_time = 0.1;
     c.start.kind = StartKind::power_law;
     c.start.velocity = 0.4;
     c.start.jitter = 0.1;

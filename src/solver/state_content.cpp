@@ -17,6 +17,7 @@
 #include "record/particle_fields.hpp"
 #include "record/run_fields.hpp"
 #include "solver/recorder.hpp"
+#include "solver/recycled_start.hpp"
 
 namespace riffle {
 
@@ -269,28 +270,22 @@ Particles<D> particles_from_results(const Case& c, const Scheme& scheme, const R
                         file_name));
     }
     const Case other = parse_case(results.read_string(fields::stored_case.text.path()), file_name);
-    const auto differs = [](double a, double b) { return std::abs(a - b) > 1e-9 * std::abs(b); };
     if (other.channel.dimensions != D) {
         throw InputError(fmt::format(
             "[start] file = \"{}\" was run in {} dimensions, this case has {}: start from a run of the same "
             "number, or from the column",
             file_name, other.channel.dimensions, D));
     }
-    if (D == 3 && (differs(other.channel.width, c.channel.width) || other.channel.sides != c.channel.sides)) {
+    if (D == 3 && other.channel.sides != c.channel.sides) {
         throw InputError(fmt::format(
-            "[start] file = \"{}\" was run with channel.width {:.10g} m and sides = \"{}\", this "
-            "case has {:.10g} m and \"{}\": start from a run of the same water, or from the column",
-            file_name, other.channel.width, word(other.channel.sides), c.channel.width,
-            word(c.channel.sides)));
+            "[start] file = \"{}\" was run with sides = \"{}\", this case has \"{}\": start from a run of the "
+            "same sides, or from the column",
+            file_name, word(other.channel.sides), word(c.channel.sides)));
     }
-    if (differs(other.channel.length, c.channel.length) || differs(other.total_depth(), c.total_depth()) ||
-        differs(other.numerics.spacing, c.numerics.spacing)) {
+    if (const std::string why = why_not_recycled(c, other); !why.empty()) {
         throw InputError(fmt::format(
-            "[start] file = \"{}\" was run with channel.length {:.10g} m, total depth {:.10g} m and "
-            "numerics.spacing {:.10g} m, this case has {:.10g} m, {:.10g} m and {:.10g} m: start from a run of the "
-            "same water and spacing, or from the column",
-            file_name, other.channel.length, other.total_depth(), other.numerics.spacing, c.channel.length,
-            c.total_depth(), c.numerics.spacing));
+            "[start] file = \"{}\": {}; start from a run of such water, of any spacing, or from the column",
+            file_name, why));
     }
     if (other.porous != c.porous) {
         throw InputError(fmt::format(
@@ -321,6 +316,9 @@ Particles<D> particles_from_results(const Case& c, const Scheme& scheme, const R
             values.assign(numbers.begin(), numbers.end());
         }
     });
+    if (is_recycled(c, other)) {
+        return recycled_particles(c, scheme, other, p);
+    }
     const Field& sound = fields::clock.sound_speed;
     const auto sound_speed = results.attribute(sound.group->path, sound.name);
     const StateEquation old{

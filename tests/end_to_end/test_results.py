@@ -2,7 +2,7 @@
 import subprocess
 import sys
 
-from riffle_cli import SKIPPED, SMALL, SOURCE, CommandLineTest, every, main, text, until
+from riffle_cli import CASE, SKIPPED, SMALL, SOURCE, CommandLineTest, every, main, text, until
 
 
 class Results(CommandLineTest):
@@ -189,6 +189,19 @@ class Results(CommandLineTest):
             self.assertEqual(a["state/id"].shape, b["state/id"].shape)
             self.assertAlmostEqual(a["time_series/depth_mean_velocity"][-1],
                                    b["time_series/depth_mean_velocity"][0], delta=1e-3)
+
+    def test_a_finer_and_longer_run_can_start_from_the_flow_of_another(self):
+        import h5py
+
+        first = self.run_small("first", 0.2)
+        source = ["--set", "start.kind=results", "--set", f'start.file="{first / "results.h5"}"']
+        second = self.run_small("second", 0.1, *source, "--set", "numerics.spacing=2mm", "--set", 'channel.length="120 mm"')
+        with h5py.File(first / "results.h5") as a, h5py.File(second / "results.h5") as b:
+            self.assertGreater(b["state/id"].shape[0], 3 * a["state/id"].shape[0])
+            u = a["time_series/depth_mean_velocity"][-1]
+            self.assertLess(abs(b["time_series/depth_mean_velocity"][0] / u - 1), 0.01)
+        self.fail_with(2, "run", CASE, "-o", self.folder / "third", *SMALL, *until(0.1), *source, "--set", 'channel.length="90 mm"',
+                       says=["channel.length is 0.06 m there and 0.09 m here", "several times"])
 
     def test_the_case_in_the_results_runs_again_to_the_same_results(self):
         import h5py

@@ -30,6 +30,8 @@ CHOICES = [
     ("pressure_form symmetric, kernel wendland-c6", {"numerics.pressure_form": "symmetric", "numerics.kernel": "wendland-c6"}),
     ("pressure_form symmetric, kernel cubic-spline, h = 1.5 dx", dict(NARROW, **{"numerics.pressure_form": "symmetric", "numerics.kernel": "cubic-spline"})),
     ("pressure_form riemann", {"numerics.pressure_form": "riemann"}),
+    ("reference_pressure hydrostatic", {"numerics.reference_pressure": "hydrostatic"}),
+    ("reference_pressure hydrostatic, h = 1.5 dx", dict(NARROW, **{"numerics.reference_pressure": "hydrostatic"})),
     ("velocity_gradient plain", {"numerics.velocity_gradient": "plain"}),
     ("kernel_correction kernel", {"numerics.kernel_correction": "kernel"}),
     ("density_diffusion none", {"numerics.density_diffusion": "none"}),

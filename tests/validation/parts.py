@@ -45,8 +45,8 @@ def condition_2(run):
 
 def condition_2_quick(run):
     """What continuous integration runs: some seconds of a coarse reach."""
-    table = Table("Condition 2, dx 2 mm, a reach of 0.1 m, 15 to 30 s", bar_header(BARS))
-    settings = {"numerics.spacing": '"2 mm"', "channel.length": '"0.1 m"', "run.until": '"30 s"', "run.average_from": "15"}
+    table = Table("Condition 2, dx 2 mm, a reach of 50 mm, 15 to 30 s", bar_header(BARS))
+    settings = {"numerics.spacing": '"2 mm"', "channel.length": '"50 mm"', "run.until": '"30 s"', "run.average_from": "15"}
     row_against_bars(table, "condition 2, coarse", run("condition-2-quick", condition_case(2), settings), BARS)
     return table
 
@@ -111,7 +111,7 @@ def stirred(run, widths=(2.0, 1.5), reach=None):
 
 
 def stirred_quick(run):
-    return stirred(run, widths=(2.0,), reach="0.1 m")
+    return stirred(run, widths=(2.0,), reach="50 mm")
 
 
 def spacings(run):

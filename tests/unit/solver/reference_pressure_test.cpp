@@ -35,6 +35,7 @@ Case with_reference(Case c) {
 template <int D>
 Case tank() {
     Case c = test::still_water(D);
+    c.channel.dimensions = D;
     c.channel.ends = Ends::walls;
     if (D == 3) {
         c.channel.sides = Sides::walls;
