@@ -18,6 +18,8 @@ def options_text(flow):
     parts = [n["kernel"], f"h = {n['smoothing_ratio']:g} dx", f"{n['pressure_form']} pressure", n["viscosity"]]
     parts.append(f"{n['density_diffusion']}" + (f" {n['density_diffusion_coefficient']:g}" if n["density_diffusion"] != "none" else " density diffusion"))
     parts.append(n["stepping"])
+    if n.get("reference_pressure", "none") != "none":
+        parts.append(f"{n['reference_pressure']} reference pressure")
     start = flow.parameters["start"]
     if start["lattice"] != "square":
         parts.append(start["lattice"])

@@ -105,10 +105,10 @@ def resolved_energy(study):
                   "what compression stores comes back. What the scheme itself adds or takes is held below a tenth.")
     run, shares = _energy_shares(study, "resolved_energy", {})
     check.norm("what the scheme itself adds, of the energy input", shares["scheme"], 0.1)
-    # The same weight along the channel under a quarter of the pressure.
-    _, lighter = _energy_shares(study, "resolved_energy-lighter", {"fluid.gravity": "2.4525", "channel.slope": "0.016"})
-    table = Table(f"{check.title}, shares of the input, %", ["part", "as the case", "a quarter of the gravity, four times the slope"])
-    table.rows = [[label, f"{100 * shares[part]:+.1f}", f"{100 * lighter[part]:+.1f}"] for part, label in SHARES.items()]
+    # What it was with the whole pressure in the pairs, and the correction of each moment.
+    _, whole = _energy_shares(study, "resolved_energy-pairs", {"numerics.reference_pressure": "none", "numerics.pressure_correction_time": '"0 s"'})
+    table = Table(f"{check.title}, shares of the input, %", ["part", "as the case", "whole pressure in the pairs, correction of each moment"])
+    table.rows = [[label, f"{100 * shares[part]:+.1f}", f"{100 * whole[part]:+.1f}"] for part, label in SHARES.items()]
     check.tables.append(table)
     check.best, check.cost = options_text(run), run.cost_text
     return check
