@@ -22,7 +22,7 @@ CheckList reference_refusals() {
              "set reference_pressure = \"none\"",
              [](const Case& c) { return c.channel.ends == Ends::open; }},
             {{"numerics.reference_pressure", "numerics.wall"},
-             "`reference_pressure = \"hydrostatic\"` with a `wall` other than `\"dummy\"`",
+             R"(`reference_pressure = "hydrostatic"` with a `wall` other than `"dummy"`)",
              "the other walls take the whole pressure from the density",
              R"(choose wall = "dummy", or reference_pressure = "none")",
              [](const Case& c) { return c.numerics.wall != WallKind::dummy; }},
