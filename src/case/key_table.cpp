@@ -59,6 +59,7 @@ SectionKeys numerics() {
         key("reference_depth_ratio", &Numerics::reference_depth_ratio,
             "Depth below the still surface, over the spacing, whose weight the pairs still carry.")
             .at_least(1)
+            .at_most(1000)
             .because("the surface must stay above the height from which on the reference acts")
             .applies_with("numerics.reference_pressure", {"hydrostatic"}));
     s.keys.push_back(key("velocity_gradient", &Numerics::velocity_gradient,

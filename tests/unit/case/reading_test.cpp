@@ -352,6 +352,9 @@ Case any_case() {
     if (c.output.surface_threshold) {
         c.output.surface_threshold = *number_between(0.1, 0.9);
     }
+    if (n.wall != WallKind::dummy) {
+        n.reference_pressure = ReferencePressure::none;
+    }
     if (n.stepping == Stepping::verlet) {
         n.density_diffusion = DensityDiffusion::none;
     }
