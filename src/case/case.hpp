@@ -139,7 +139,7 @@ struct Numerics {
     EquationOfState equation_of_state = EquationOfState::linear;
     PressureForm pressure_form = PressureForm::corrected;
     ReferencePressure reference_pressure = ReferencePressure::none;
-    double reference_depth_ratio = 1.5;  ///< depth whose weight the pairs carry beside it, over dx
+    double reference_depth_ratio = 2.5;  ///< depth whose weight the pairs carry beside it, over dx
     VelocityGradient velocity_gradient = VelocityGradient::corrected;
     KernelCorrection kernel_correction = KernelCorrection::kernel_gradient;  ///< of the corrected forms
     double pressure_correction_time = 0.0;  ///< of the mean that corrects the pressure, s; 0: none is taken

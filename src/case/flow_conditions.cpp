@@ -168,7 +168,8 @@ Case resolved_eddies() {
     c.numerics.smoothing_ratio = 1.5;
     c.numerics.wall_layers = 3;
     c.numerics.reference_pressure = ReferencePressure::hydrostatic;
-    c.numerics.pressure_correction_time = 0.1;
+    c.numerics.reference_depth_ratio = 2.0;
+    c.numerics.pressure_correction_time = 0.2;
     c.start.kind = StartKind::power_law;
     c.start.velocity = 0.4;
     c.start.jitter = 0.1;

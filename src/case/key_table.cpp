@@ -58,9 +58,9 @@ SectionKeys numerics() {
     s.keys.push_back(
         key("reference_depth_ratio", &Numerics::reference_depth_ratio,
             "Depth below the still surface, over the spacing, whose weight the pairs still carry.")
-            .at_least(1)
+            .at_least(2)
             .at_most(1000)
-            .because("the surface must stay above the height from which on the reference acts")
+            .because("nearer to the surface its onset stiffens waves, and the surface must stay above it")
             .applies_with("numerics.reference_pressure", {"hydrostatic"}));
     s.keys.push_back(key("velocity_gradient", &Numerics::velocity_gradient,
                          "Velocity gradient that the closure is given."));

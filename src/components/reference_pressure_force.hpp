@@ -34,7 +34,7 @@ class ReferencePressureForce final : public Component<D, Real> {
     /// The pairs know nothing of a reference pressure beyond a surface, and what stands there would be
     /// pressed as if there were water above it.
     void complete_gradients(Flow& flow, Task& task, std::size_t begin, std::size_t end) override {
-        const double lowest = reference_.middle();
+        const double lowest = lowest_at_surface(flow);
         std::size_t& bare = bare_[begin / block_clusters];
         flow.for_particles(begin, end, [&](std::size_t i, std::size_t lane) {
             if (flow.particles.position[Flow::vertical][i] < lowest &&
@@ -53,7 +53,7 @@ class ReferencePressureForce final : public Component<D, Real> {
         });
     }
 
-    /// Error where the surface has come below the depth whose weight the pairs carry.
+    /// Error where the surface has come below the level from which on the reference pressure acts.
     void end_evaluation(Flow& flow) override {
         const std::size_t bare = *std::min_element(bare_.begin(), bare_.end());
         if (bare != none) {
@@ -68,14 +68,19 @@ class ReferencePressureForce final : public Component<D, Real> {
     /// Half of what surrounds a particle in the water: that of one at a flat surface.
     static constexpr double surface_regularity = 0.5;
 
+    /// A particle at the surface stands half a spacing below it.
+    [[nodiscard]] double lowest_at_surface(const Flow& flow) const {
+        return reference_.level - 0.5 * flow.scheme.spacing;
+    }
+
     std::string fallen(const Flow& flow, std::size_t i) const {
         const Particles<D>& p = flow.particles;
         return fmt::format(
-            "the water's surface has come down to {:.6g} m, where the reference pressure acts: particle {} at x = {:.6g} m{} at t = {:.6g} s; below {:.6g} m there must be water. "
+            "the water's surface has come below {:.6g} m, where the reference pressure begins: particle {} at x = {:.6g} m{}, z = {:.6g} m stands at it at t = {:.6g} s. "
             "Take a larger [numerics] reference_depth_ratio (it is {:.3g}), or reference_pressure = \"none\"",
-            p.position[Flow::vertical][i], p.id[i], p.position[0][i],
-            D == 3 ? fmt::format(", y = {:.6g} m,", p.position[1][i]) : "", flow.clock.time,
-            reference_.middle(), flow.c.numerics.reference_depth_ratio);
+            reference_.level, p.id[i], p.position[0][i],
+            D == 3 ? fmt::format(", y = {:.6g} m", p.position[1][i]) : "", p.position[Flow::vertical][i],
+            flow.clock.time, flow.c.numerics.reference_depth_ratio);
     }
 
     HydrostaticReference reference_;

@@ -188,7 +188,7 @@ TEST(ReferencePressure, EndsWhereTheSurfaceFallsTooLow) {
         FAIL() << "the water fell without a word";
     } catch (const ParticleFault& fault) {
         const std::string message = fault.what();
-        EXPECT_NE(message.find("surface has come down"), std::string::npos) << message;
+        EXPECT_NE(message.find("surface has come below"), std::string::npos) << message;
         EXPECT_NE(message.find("reference_depth_ratio"), std::string::npos) << message;
     }
 }
