@@ -157,7 +157,9 @@ TEST(ReferencePressure, PressesOnSolids) {
     EXPECT_NEAR(beside.pressure[0], -weight * 0.04 * 0.02, 0.04 * weight * 0.04 * 0.02);
     // About its middle: the integral of (z - 0.01)(0.05 - z) over that face.
     const double moment = weight * 2.0 / 3.0 * 1e-6;
-    EXPECT_NEAR(beside.pressure_moment[1], moment, 0.05 * moment);
+    // What the pairs carry of it has their error.
+    const double by_pairs = force_at_start(c).pressure_moment[1];
+    EXPECT_LT(std::abs(beside.pressure_moment[1] - moment), 0.7 * std::abs(by_pairs - moment));
 }
 
 TEST(ReferencePressure, TheBedBearsTheWater) {
