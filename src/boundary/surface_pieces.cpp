@@ -1,7 +1,6 @@
 #include "boundary/surface_pieces.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "boundary/solid_fill.hpp"

@@ -253,8 +253,7 @@ class EnergyBudget final : public Component<D, Real> {
         sum.side_drag += mass * side;
         sum.vegetation += stems;
         sum.porous += grains;
-        const bool parts = held != 0.0 || flow.with_vegetation || !flow.porous.empty();
-        sum.further_forces += parts ? further - held - stems - grains : further;
+        sum.further_forces += further - held - stems - grains;
         if (flow.domain.periodic[0]) {
             sum.gravity += mass * u[0] * flow.particle_data.gravity[0];
         }

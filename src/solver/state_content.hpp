@@ -26,7 +26,7 @@ void restore_state(const CheckpointReader& checkpoint, SimulationIn<D>& simulati
 
 /// Particles of the last state in a results file, for `[start] kind = "results"`: themselves, or, where
 /// spacing, length or width differ, those of the case with their velocity (solver/recycled_start.hpp). Throws
-/// InputError when the file's water does not fit the case (other dimensions, ends, sides, depth or zones, an
+/// InputError when the file's water does not fit the case (other dimensions, sides, depth or zones, an
 /// extent that is no multiple). Volumes and pressures are kept where the equation of state differs.
 template <int D>
 [[nodiscard]] Particles<D> particles_from_results(const Case& c, const Scheme& scheme,

@@ -8,7 +8,8 @@ namespace riffle {
 
 /// The hydrostatic part of the pressure that acts as a body force instead of through the pairs
 /// (docs/theory.md, section 5, "The reference pressure"): a function of the height alone,
-/// nothing above `level`, below it a parabola over `fade`, and from there on the weight of the water.
+/// nothing above `level`, below it a parabola over `fade`, and from there on the weight of the water below
+/// the middle of `fade`.
 struct HydrostaticReference {
     double level = 0.0;    ///< z where it begins, m
     double fade = 0.0;     ///< height over which its gradient grows, m
@@ -16,9 +17,6 @@ struct HydrostaticReference {
 
     [[nodiscard]] bool acts() const { return gravity > 0.0; }
 
-    /// Where half of the gradient acts; from here on down the pairs carry the weight of as much water as
-    /// stands above this height.
-    [[nodiscard]] double middle() const { return level - 0.5 * fade; }
     /// Over rho0 at height z, m2/s2. T: a scalar or lanes.
     template <class T>
     [[nodiscard]] RIFFLE_INLINE T value(const T& z) const {

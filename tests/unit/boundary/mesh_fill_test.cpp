@@ -25,14 +25,6 @@ Case channel_with(Solid solid) {
     return c;
 }
 
-Solid sphere() {
-    Solid s;
-    s.shape = SolidShape::sphere;
-    s.centre = {0.0311, 0.0297, 0.0203};
-    s.diameter = 0.024;
-    return s;
-}
-
 Solid turned_box() {
     Solid s;
     s.shape = SolidShape::box;
@@ -105,7 +97,7 @@ TEST(ShareBelowPlane, IsThatOfInclinedPlanes) {
 // Volume, centroid and radius of gyration of a sphere; of its triangles, which hold a little less. Planes
 // that touch a round surface lie outside of it: by 4e-4 of the volume here, less than a particle.
 TEST(MeshFill, HasTheMomentsOfASphere) {
-    const Case c = channel_with(sphere());
+    const Case c = channel_with(test::sphere_in_reach());
     const Moments m = moments_of(wall_particles<3>(c));
     EXPECT_NEAR(m.volume, meshes_of(c)->front().volume(), 1e-3 * m.volume);
     EXPECT_NEAR(m.volume, std::numbers::pi / 6.0 * std::pow(0.024, 3), 5e-3 * m.volume);
@@ -129,7 +121,7 @@ TEST(MeshFill, HasTheMomentsOfATurnedBox) {
 
 // On the places of the lattice the same sphere and box are off by whole particles.
 TEST(MeshFill, IsNearerToTheSolidThanTheLattice) {
-    for (const Solid& solid : {sphere(), turned_box()}) {
+    for (const Solid& solid : {test::sphere_in_reach(), turned_box()}) {
         Case c = channel_with(solid);
         const double exact = meshes_of(c)->front().volume();
         const double cut = std::abs(moments_of(wall_particles<3>(c)).volume - exact);
@@ -160,7 +152,7 @@ TEST(MeshFill, OfABoxBetweenTheCellsIsTheLattice) {
 }
 
 TEST(MeshFill, KnowsNormalAndDepthOfEachParticle) {
-    const Case c = channel_with(sphere());
+    const Case c = channel_with(test::sphere_in_reach());
     const WallParticles<3> walls = wall_particles<3>(c);
     const auto& centre = c.solids.front().centre;
     for (std::size_t i = 0; i < walls.size(); ++i) {

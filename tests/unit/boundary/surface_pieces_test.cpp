@@ -21,14 +21,6 @@ Case reach_with(std::vector<Solid> solids) {
     return c;
 }
 
-Solid sphere() {
-    Solid s;
-    s.shape = SolidShape::sphere;
-    s.centre = {0.0311, 0.0297, 0.0203};
-    s.diameter = 0.024;
-    return s;
-}
-
 Solid box(double bottom) {
     Solid s;
     s.shape = SolidShape::box;
@@ -58,7 +50,7 @@ Sums sums_of(const Case& c, std::size_t solid, double size) {
 }
 
 TEST(SurfacePieces, OfASphereInTheWaterAreAllOfIt) {
-    const Sums sums = sums_of(reach_with({sphere()}), 0, 0.001);
+    const Sums sums = sums_of(reach_with({test::sphere_in_reach()}), 0, 0.001);
     // Of the polyhedron that stands for the sphere.
     EXPECT_NEAR(sums.area, std::numbers::pi * 0.024 * 0.024, 0.01 * std::numbers::pi * 0.024 * 0.024);
     EXPECT_NEAR(sums.volume, std::numbers::pi / 6.0 * std::pow(0.024, 3), 0.01 * std::pow(0.024, 3));

@@ -22,15 +22,20 @@ void expect_same_bits_for_any_threads(const Case& c, int steps) {
     set_thread_count(1);
 }
 
-/// Expects a run in the plane that was saved after some steps to go on with the bits of one that was not.
-inline void expect_same_bits_after_resume(const Case& c, int before, int after) {
-    const ChannelIn<2> straight(c);
+/// Expects a run that was saved after some steps to go on with the bits of one that was not, which two
+/// threads share from there on.
+template <int D = 2>
+void expect_same_bits_after_resume(const Case& c, int before, int after) {
+    const ChannelIn<D> straight(c);
     straight.advance(before);
-    const ChannelIn<2> resumed(c);
+    const ChannelIn<D> resumed(c);
     resumed.simulation->restore(saved_particles(*straight.simulation), straight.simulation->clock(),
                                 straight.simulation->wall_density_deviation());
+    set_thread_count(2);
     straight.advance(after);
+    set_thread_count(1);
     resumed.advance(after);
+    set_thread_count(0);
     expect_same_bits(straight.simulation->particles(), resumed.simulation->particles());
 }
 

@@ -67,9 +67,7 @@ TEST(Settling, SlowsTheWaterByItsRate) {
 
 TEST(Settling, EndsWithItsTime) {
     const ChannelIn<2> channel = moving_water<2>(0.02);
-    while (channel.simulation->clock().time < 0.02) {
-        channel.simulation->step();
-    }
+    channel.advance_to(0.02);
     const double left = mean_velocity(channel);
     EXPECT_LT(left, 0.08);
     // The drag of the start would take half of it.

@@ -8,7 +8,7 @@
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "roughness/side_wall_partition.hpp"
-#include "saved_state.hpp"
+#include "same_bits.hpp"
 #include "small_case.hpp"
 
 namespace riffle::side_walls_test {
@@ -55,15 +55,7 @@ TEST(SideWalls, GiveTheSameBitsForAnyNumberOfThreads) {
 }
 
 TEST(SideWalls, GoOnFromARestoredStateWithTheSameBits) {
-    const Case c = disordered_channel();
-    const Space straight(c);
-    straight.advance(25);
-    const Space resumed(c);
-    resumed.simulation->restore(test::saved_particles(*straight.simulation), straight.simulation->clock(),
-                                straight.simulation->wall_density_deviation());
-    straight.advance(25);
-    resumed.advance(25);
-    expect_same_bits(straight.simulation->particles(), resumed.simulation->particles());
+    test::expect_same_bits_after_resume<3>(disordered_channel(), 25, 25);
 }
 
 /// Forces along x, N, of the last step.

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "case/case.hpp"
 #include "column/column.hpp"
 #include "solver/simulation.hpp"
@@ -44,6 +46,39 @@ inline Case still_water(int dimensions = 2) {
     c.turbulence.closure = ClosureKind::none;
     c.start.kind = StartKind::rest;
     return c;
+}
+
+/// A closed tank of still water whose particles stand in disorder.
+inline Case disordered_tank() {
+    Case c = still_water();
+    c.channel.length = 0.1;
+    c.channel.ends = Ends::walls;
+    c.numerics.spacing = 0.0025;
+    c.start.jitter = 0.2;
+    c.start.packed = true;
+    return c;
+}
+
+/// A solid with upright and level slip faces in a plane.
+inline Solid rectangle(const char* name, double from, double to, double bottom, double top) {
+    Solid solid;
+    solid.name = name;
+    solid.x = {from, to, to, from};
+    solid.z = {bottom, bottom, top, top};
+    solid.surface = SolidSurface::slip;
+    return solid;
+}
+
+/// Root mean square of the speeds of all particles, m/s.
+template <int D>
+double rms_speed(const Particles<D>& p) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        for (std::size_t k = 0; k < D; ++k) {
+            sum += p.velocity[k][i] * p.velocity[k][i];
+        }
+    }
+    return std::sqrt(sum / static_cast<double>(p.size()));
 }
 
 /// A place in D dimensions; a plane has no y.
@@ -89,6 +124,11 @@ struct ChannelIn {
     }
     void advance(int steps) const {
         for (int i = 0; i < steps; ++i) {
+            simulation->step();
+        }
+    }
+    void advance_to(double time) const {
+        while (simulation->clock().time < time) {
             simulation->step();
         }
     }

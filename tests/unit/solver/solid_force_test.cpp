@@ -14,15 +14,6 @@
 namespace riffle::solid_force_test {
 namespace {
 
-Solid rectangle(const char* name, double from, double to, double bottom, double top) {
-    Solid solid;
-    solid.name = name;
-    solid.x = {from, to, to, from};
-    solid.z = {bottom, bottom, top, top};
-    solid.surface = SolidSurface::slip;
-    return solid;
-}
-
 /// Still water, 50 mm deep, over two blocks on the floor of a tank: 20 and 30 mm long, 20 and 10 mm high.
 Case tank_with_blocks() {
     Case c;
@@ -34,7 +25,8 @@ Case tank_with_blocks() {
     c.turbulence.closure = ClosureKind::none;
     c.numerics.spacing = 0.0025;
     c.start.kind = StartKind::rest;
-    c.solids = {rectangle("first", 0.02, 0.04, 0.0, 0.02), rectangle("second", 0.07, 0.1, 0.0, 0.01)};
+    c.solids = {test::rectangle("first", 0.02, 0.04, 0.0, 0.02),
+                test::rectangle("second", 0.07, 0.1, 0.0, 0.01)};
     return c;
 }
 
@@ -91,7 +83,8 @@ TEST(SolidForce, OfAllWallsAsSolidsIsTheForceOfTheWalls) {
     // Two blocks that cover the whole bed, which no water reaches: what they bear is all that the walls bear.
     Case c = tank_with_blocks();
     c.channel.ends = Ends::periodic;
-    c.solids = {rectangle("first", 0.0, 0.05, 0.0, 0.02), rectangle("second", 0.05, 0.12, 0.0, 0.02)};
+    c.solids = {test::rectangle("first", 0.0, 0.05, 0.0, 0.02),
+                test::rectangle("second", 0.05, 0.12, 0.0, 0.02)};
     for (Solid& solid : c.solids) {
         solid.surface = SolidSurface::no_slip;
     }

@@ -18,4 +18,13 @@ inline Case periodic_reach() {
     return c;
 }
 
+/// A sphere of twelve spacings in its water, its middle at no place of the lattice.
+inline Solid sphere_in_reach() {
+    Solid s;
+    s.shape = SolidShape::sphere;
+    s.centre = {0.0311, 0.0297, 0.0203};
+    s.diameter = 0.024;
+    return s;
+}
+
 }  // namespace riffle::test
