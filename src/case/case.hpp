@@ -182,7 +182,7 @@ struct Start {
     std::optional<double> velocity;  ///< uniform: U; power-law: U_max; wave and vortex: amplitude. m/s
     double exponent = 3.0;           ///< m of U = U_max (z/H)^(1/m)
     double amplitude = 0.0;          ///< standing wave: of the surface, m
-    std::filesystem::path file;      ///< results: the file to start from
+    std::filesystem::path file;      ///< results: the file to start from; isotropic: the energy spectrum
     StartLattice lattice = StartLattice::square;
     std::vector<double> water_x;  ///< corners of the outline of the water at the start, m; empty: all up to
     std::vector<double> water_z;  ///< the depth

@@ -48,7 +48,7 @@ SectionKeys numerics() {
             .greater_than(0)
             .unset_by("auto",
                       "max(20 U_max, 10 sqrt(g H)); U_max of water that starts with an outline: that of its "
-                      "fall over half of its height"));
+                      "fall over half of its height, of isotropic turbulence four times its rms"));
     s.keys.push_back(key("equation_of_state", &Numerics::equation_of_state, "Pressure from density."));
     s.keys.push_back(key("pressure_form", &Numerics::pressure_form, "Form of the pressure force."));
     s.keys.push_back(
@@ -177,7 +177,10 @@ SectionKeys start() {
                          .at_least(0)
                          .applies_with(kind, {"standing-wave"}));
     s.keys.push_back(
-        key("file", &Start::file, "Results file to start from.").applies_with(kind, {"results"}));
+        key("file", &Start::file,
+            "results: the file to start from; isotropic: CSV table of the energy spectrum, columns "
+            "`wavenumber` [1/m] and `energy` [m3/s2], whose integral is the kinetic energy per mass.")
+            .applies_with(kind, {"results", "isotropic"}));
     s.keys.push_back(key("lattice", &Start::lattice, "Arrangement of the particles at the start."));
     const auto water = [&](const char* name, auto member, const char* meaning, const char* example) {
         return key(name, member, meaning)

@@ -312,7 +312,8 @@ CheckList open_end_refusals() {
              [](const Case& c) {
                  const StartKind kind = c.start.kind;
                  return kind == StartKind::standing_wave || kind == StartKind::taylor_green ||
-                        kind == StartKind::section || kind == StartKind::results;
+                        kind == StartKind::isotropic || kind == StartKind::section ||
+                        kind == StartKind::results;
              }},
             {{"start.kind", "inflow.discharge"},
              "`kind = \"backwater\"` without a constant discharge",

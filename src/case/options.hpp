@@ -50,6 +50,7 @@ enum class StartKind {
     results,
     standing_wave,
     taylor_green,
+    isotropic,
     section,
     backwater
 };

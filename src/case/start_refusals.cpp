@@ -85,6 +85,13 @@ CheckList start_refusals() {
          [](const Case& c) {
              return found_if(starts_as(c, StartKind::results) && c.start.file.empty(), "file is missing");
          }},
+        {{"start.file", "start.kind"},
+         "`file` missing with `kind = \"isotropic\"`",
+         "the eddies have the energy spectrum of a table",
+         "give it, for example file = \"spectrum.csv\"",
+         [](const Case& c) {
+             return found_if(starts_as(c, StartKind::isotropic) && c.start.file.empty(), "file is missing");
+         }},
         lost_file("start.file", "a `file` that is not there",
                   [](const Case& c) { return is_lost(c, c.start.file); }),
         lost_file("measured.velocity_profile", "a `velocity_profile` that is not there",
@@ -119,6 +126,14 @@ CheckList start_refusals() {
          "set it",
          [](const Case& c) {
              return starts_as(c, StartKind::taylor_green) && c.channel.top != Top::periodic;
+         }},
+        {{"start.kind", "channel.dimensions", "channel.top"},
+         R"(`kind = "isotropic"` in two dimensions, or without `channel.top = "periodic"`)",
+         "isotropic turbulence fills a box in space that is periodic in all directions",
+         R"(set [channel] dimensions = 3 and top = "periodic", or choose another start)",
+         [](const Case& c) {
+             return starts_as(c, StartKind::isotropic) &&
+                    (c.channel.dimensions != 3 || c.channel.top != Top::periodic);
          }},
     }};
 }

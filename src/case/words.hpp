@@ -203,7 +203,7 @@ struct Words<StartLattice> {
 
 template <>
 struct Words<StartKind> {
-    static constexpr std::array<Word, 9> list{{
+    static constexpr std::array<Word, 10> list{{
         {"column", "the steady velocity profile of the column twin"},
         {"uniform", "one velocity everywhere"},
         {"rest", "still water"},
@@ -212,6 +212,8 @@ struct Words<StartKind> {
          "the last state of a results file; of another spacing, or of a shorter or narrower periodic channel, its flow"},
         {"standing-wave", "a standing gravity wave, one wave length over the channel length"},
         {"taylor-green", "Taylor-Green vortices (periodic in all directions)"},
+        {"isotropic",
+         "3D: isotropic turbulence of the energy spectrum in `file` (periodic in all directions)"},
         {"section", "3D: the steady velocity of the cross-section twin"},
         {"backwater",
          "open ends: the depths of steady varied flow along the channel, as `riffle backwater` finds them"},

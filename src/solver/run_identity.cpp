@@ -60,7 +60,7 @@ std::vector<InputFile> input_files(const Case& c) {
             files.push_back({fmt::format("solid[{}].file", i + 1), c.solids[i].file, true});
         }
     }
-    if (c.start.kind == StartKind::results) {
+    if (c.start.kind == StartKind::results || c.start.kind == StartKind::isotropic) {
         files.push_back({"start.file", c.start.file, false});
     }
     if (!c.measured.velocity_profile.empty()) {

@@ -11,6 +11,7 @@
 #include "case/porous_zone.hpp"
 #include "ends/end_input.hpp"
 #include "particles/lattice.hpp"
+#include "solver/isotropic_start.hpp"
 #include "solver/start_packing.hpp"
 #include "solver/start_perturbation.hpp"
 
@@ -167,6 +168,11 @@ Particles<D> initial_particles(const Case& c, const Scheme& scheme, const Column
     if (c.start.kind == StartKind::taylor_green) {
         start_taylor_green(c, scheme, particles, extra_pressure);
     }
+    if constexpr (D == 3) {
+        if (c.start.kind == StartKind::isotropic) {
+            start_isotropic(c, particles, extra_pressure);
+        }
+    }
     if (is_duct(c)) {
         extra_pressure.assign(n, open->pressure());
     }
@@ -199,7 +205,7 @@ Particles<D> initial_particles(const Case& c, const Scheme& scheme, const Column
         } else if (open) {
             particles.velocity[0][i] =
                 open->velocity(particles.position[0][i], particles.position[vertical][i]);
-        } else if (c.start.kind != StartKind::taylor_green) {
+        } else if (c.start.kind != StartKind::taylor_green && c.start.kind != StartKind::isotropic) {
             particles.velocity[0][i] = start_velocity(c, scheme, column, particles.position[vertical][i]);
         }
         for (std::size_t k = 0; k < D; ++k) {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/parallel.hpp"
 
 namespace riffle {
 
@@ -238,40 +239,77 @@ std::vector<double> inverse_fourier_transform(std::span<const Complex> spectrum,
 
 namespace {
 
+/// Transform of `lines` lines whose values stand `stride` apart and which begin side by side, from `first`
+/// on: several at a time, so that whole cache lines are read.
+template <class Transform>
+void transform_lines(std::span<Complex> values, std::size_t first, std::size_t lines, std::size_t stride,
+                     const FourierTransform& plan, Transform&& transform) {
+    constexpr std::size_t group = 8;
+    const std::size_t length = plan.length();
+    std::vector<Complex> gathered(group * length);
+    for (std::size_t begin = 0; begin < lines; begin += group) {
+        const std::size_t count = std::min(group, lines - begin);
+        const std::span<Complex> side_by_side = values.subspan(first + begin);
+        for (std::size_t j = 0; j < length; ++j) {
+            for (std::size_t i = 0; i < count; ++i) gathered[i * length + j] = side_by_side[j * stride + i];
+        }
+        for (std::size_t i = 0; i < count; ++i) {
+            transform(plan, std::span(gathered).subspan(i * length, length));
+        }
+        for (std::size_t j = 0; j < length; ++j) {
+            for (std::size_t i = 0; i < count; ++i) side_by_side[j * stride + i] = gathered[i * length + j];
+        }
+    }
+}
+
 template <class Transform>
 void transform_plane(std::span<Complex> values, std::size_t rows, std::size_t columns,
                      Transform&& transform) {
     require_length(values.size(), rows * columns, "the plane");
     const FourierTransform along_row(columns);
     for (std::size_t j = 0; j < rows; ++j) transform(along_row, values.subspan(j * columns, columns));
-    const FourierTransform along_column(rows);
-    // Several columns at a time: whole cache lines of each row.
-    constexpr std::size_t group = 8;
-    std::vector<Complex> gathered(group * rows);
-    for (std::size_t first = 0; first < columns; first += group) {
-        const std::size_t count = std::min(group, columns - first);
-        for (std::size_t j = 0; j < rows; ++j) {
-            for (std::size_t i = 0; i < count; ++i) gathered[i * rows + j] = values[j * columns + first + i];
-        }
-        for (std::size_t i = 0; i < count; ++i) {
-            transform(along_column, std::span(gathered).subspan(i * rows, rows));
-        }
-        for (std::size_t j = 0; j < rows; ++j) {
-            for (std::size_t i = 0; i < count; ++i) values[j * columns + first + i] = gathered[i * rows + j];
-        }
-    }
+    transform_lines(values, 0, columns, columns, FourierTransform(rows), transform);
 }
+
+template <class Transform>
+void transform_box(std::span<Complex> values, std::size_t layers, std::size_t rows, std::size_t columns,
+                   const Transform& transform) {
+    const std::size_t plane = rows * columns;
+    require_length(values.size(), layers * plane, "the box");
+    parallel_blocks(layers, 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) {
+            transform_plane(values.subspan(k * plane, plane), rows, columns, transform);
+        }
+    });
+    parallel_blocks(rows, 1, [&](std::size_t begin, std::size_t end) {
+        const FourierTransform across_layers(layers);
+        for (std::size_t j = begin; j < end; ++j) {
+            transform_lines(values, j * columns, columns, plane, across_layers, transform);
+        }
+    });
+}
+
+constexpr auto forward_line = [](const FourierTransform& t, std::span<Complex> line) { t.forward(line); };
+constexpr auto inverse_line = [](const FourierTransform& t, std::span<Complex> line) { t.inverse(line); };
 
 }  // namespace
 
 void fourier_transform_2d(std::span<Complex> values, std::size_t rows, std::size_t columns) {
-    transform_plane(values, rows, columns,
-                    [](const FourierTransform& t, std::span<Complex> line) { t.forward(line); });
+    transform_plane(values, rows, columns, forward_line);
 }
 
 void inverse_fourier_transform_2d(std::span<Complex> values, std::size_t rows, std::size_t columns) {
-    transform_plane(values, rows, columns,
-                    [](const FourierTransform& t, std::span<Complex> line) { t.inverse(line); });
+    transform_plane(values, rows, columns, inverse_line);
+}
+
+void fourier_transform_3d(std::span<Complex> values, std::size_t layers, std::size_t rows,
+                          std::size_t columns) {
+    transform_box(values, layers, rows, columns, forward_line);
+}
+
+void inverse_fourier_transform_3d(std::span<Complex> values, std::size_t layers, std::size_t rows,
+                                  std::size_t columns) {
+    transform_box(values, layers, rows, columns, inverse_line);
 }
 
 std::vector<double> one_sided_frequencies(std::size_t length, double step) {

@@ -59,6 +59,14 @@ class FourierTransform {
 void fourier_transform_2d(std::span<Complex> values, std::size_t rows, std::size_t columns);
 void inverse_fourier_transform_2d(std::span<Complex> values, std::size_t rows, std::size_t columns);
 
+/// The same of a box in its three directions, in place: values[(k * rows + j) * columns + i] is the value in
+/// layer k, row j, column i. The inverse divides by layers * rows * columns. The same bits for any number of
+/// threads.
+void fourier_transform_3d(std::span<Complex> values, std::size_t layers, std::size_t rows,
+                          std::size_t columns);
+void inverse_fourier_transform_3d(std::span<Complex> values, std::size_t layers, std::size_t rows,
+                                  std::size_t columns);
+
 /// Frequencies (cycles per unit of `step`) of the n/2 + 1 values of a real record of length n >= 1 sampled at
 /// intervals `step`: k / (n step).
 [[nodiscard]] std::vector<double> one_sided_frequencies(std::size_t length, double step);

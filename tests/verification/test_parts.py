@@ -12,6 +12,7 @@ sys.path[:0] = [str(pathlib.Path(__file__).resolve().parent), str(pathlib.Path(_
 import exact  # noqa: E402
 from check import Check, known_misses, summary_table  # noqa: E402
 from neighbours import neighbour_pairs, velocity_gradients  # noqa: E402
+from spectra import energy_spectrum, velocity_on_grid  # noqa: E402
 
 
 class Neighbours(unittest.TestCase):
@@ -37,6 +38,25 @@ class Neighbours(unittest.TestCase):
         gradients = velocity_gradients(self.x, self.z, u, w, numpy.full(400, 0.7 / 400), 0.08, (None, None))
         for found, slope in zip(gradients, (2, -3, 0.5, 7)):
             numpy.testing.assert_allclose(found, slope, atol=1e-9)
+
+
+class Spectra(unittest.TestCase):
+    def test_waves_among_disordered_points_have_their_energy_at_their_wave_number(self):
+        random, side, points = numpy.random.default_rng(3), 2.0, 24
+        lattice = (numpy.stack(numpy.meshgrid(*3 * [numpy.arange(points)], indexing="ij"), axis=-1).reshape(-1, 3) + 0.5) * side / points
+        places = lattice + random.uniform(-0.2, 0.2, lattice.shape) * side / points
+        k3 = 2 * math.pi / side * 3
+        # A wave across its direction, and half as large one along it.
+        velocity = numpy.stack([0.5 * numpy.cos(k3 * places[:, 0]), numpy.sin(k3 * places[:, 0]), numpy.zeros(len(places))], axis=-1)
+        k, spectrum, compressive = energy_spectrum(velocity_on_grid(places, velocity, side, points), side)
+        shell = 2 * math.pi / side  # width of a shell
+        self.assertAlmostEqual(k[2], k3, delta=0.2 * shell)
+        self.assertGreater(spectrum[2], 50 * numpy.delete(spectrum, 2).max())
+        # The modes of a shell share its energy, and a lattice does not fill all shells alike.
+        modes = numpy.stack(numpy.meshgrid(*3 * [numpy.arange(-4, 5)], indexing="ij"), axis=-1).reshape(-1, 3)
+        filling = (numpy.rint(numpy.linalg.norm(modes, axis=1)) == 3).sum() / (4 * math.pi * (k[2] / shell) ** 2)
+        self.assertAlmostEqual(spectrum[2] * shell * filling, 0.5 * (0.5**2 + 1) / 2, delta=0.01)
+        self.assertAlmostEqual(compressive[2] / spectrum[2], 0.2, delta=0.005)
 
 
 class ExactSolutions(unittest.TestCase):

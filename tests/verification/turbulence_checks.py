@@ -7,6 +7,7 @@ import numpy
 import figures
 from check import Check
 from options import options_text
+from spectra import energy_spectrum, velocity_on_grid
 from table import Table
 
 # Rate at which the kinetic energy of the vortices falls at Re 1600, times 1000, u0^3/L: spectral method, 512^3 points (van Rees,
@@ -87,6 +88,116 @@ def taylor_green_space(study):
     return check
 
 
+# Energy spectra behind a grid of M = 5.08 cm in air of U0 = 10 m/s: wave number, 1/cm; E at t U0 / M = 42, 98 and 171, cm3/s2
+# (Comte-Bellot & Corrsin 1971, table 3). The runs start from the first.
+GRID_TURBULENCE = numpy.array([
+    (0.20, 129, 106, 92), (0.25, 230, 196, 120), (0.30, 322, 195, 125), (0.40, 435, 202, 98), (0.50, 457, 168, 81.5), (0.70, 380, 127, 60.2),
+    (1.00, 270, 79.2, 39.4), (1.50, 168, 47.8, 24.1), (2.00, 120, 34.6, 16.5), (2.50, 89.0, 28.6, 12.5), (3.00, 70.3, 23.1, 9.12),
+    (4.00, 47.0, 14.3, 5.62), (6.00, 24.7, 5.95, 1.69), (8.00, 12.6, 2.23, 0.520), (10.0, 7.42, 0.900, 0.161)]) * [100, 1e-6, 1e-6, 1e-6]
+GRID_TIMES = {98: 0.28448, 171: 0.65532}  # t U0 / M: s after that at 42
+
+
+class Decay:
+    """A run of isotropic turbulence: E(k) at the times of the measurements over the measured one. What the fit of the velocity on a grid
+    takes of small eddies is known from the start, whose spectrum is given."""
+
+    def __init__(self, run, points):
+        self.run, self.points, self.side = run, points, run.length
+        series = run.series
+        self.time, mass = series["time"], 1.2 * self.side**3
+        self.energy = series["kinetic_energy"] / mass
+        kept = None
+        self.wavenumber, self.ratio, self.spectrum, self.compressive = None, {}, {}, {}
+        for snapshot in run.snapshots():
+            moment = next((m for m, t in {42: 0.0, **GRID_TIMES}.items() if abs(snapshot.time - t) < 0.003), None)
+            if moment is None:
+                continue
+            places = numpy.stack([snapshot.x, snapshot.y, snapshot.z], axis=-1)
+            velocity = numpy.stack([snapshot.u, snapshot.v, snapshot.w], axis=-1)
+            k, spectrum, compressive = energy_spectrum(velocity_on_grid(places, velocity, self.side, points), self.side)
+            inside = k >= GRID_TURBULENCE[0, 0]  # the measured spectra begin there
+            k, spectrum, compressive = k[inside], spectrum[inside], compressive[inside]
+            if moment == 42:
+                kept = spectrum / measured_spectrum(k, 42)
+                continue
+            self.wavenumber, self.spectrum[moment] = k, spectrum / kept
+            self.ratio[moment] = spectrum / kept / measured_spectrum(k, moment)
+            self.compressive[moment] = compressive / spectrum
+
+    def largest_wavenumber(self):
+        """Of half a wave per spacing."""
+        return math.pi * self.points / self.side
+
+    def band(self, moment, low, high):
+        """Geometric mean of the ratio over wave numbers from `low` to `high` of the largest."""
+        share = self.wavenumber / self.largest_wavenumber()
+        return math.exp(numpy.log(self.ratio[moment][(share > low) & (share <= high)]).mean())
+
+    def energy_ratio(self, moment):
+        """Kinetic energy of all particles over that of the measured spectrum up to the largest wave number, less one."""
+        k = numpy.linspace(GRID_TURBULENCE[0, 0], self.largest_wavenumber(), 4001)
+        measured = measured_spectrum(k, moment)
+        held = ((measured[1:] + measured[:-1]) / 2 * numpy.diff(k)).sum()
+        return numpy.interp(GRID_TIMES[moment], self.time, self.energy) / held - 1
+
+
+def measured_spectrum(k, moment):
+    column = {42: 1, 98: 2, 171: 3}[moment]
+    return numpy.exp(numpy.interp(numpy.log(k), numpy.log(GRID_TURBULENCE[:, 0]), numpy.log(GRID_TURBULENCE[:, column])))
+
+
+BANDS = [(0.0, 0.15), (0.15, 0.3), (0.3, 0.45), (0.45, 0.6), (0.6, 0.75), (0.75, 0.9)]
+
+
+def isotropic_decay(study):
+    check = Check("isotropic_decay", "Decay of isotropic turbulence",
+                  "Eddies of a random field with the spectrum measured behind a grid at t U0 / M = 42, which break up and decay; measured: the "
+                  "spectra at 98 and 171 (Comte-Bellot & Corrsin 1971).")
+    sides = (32,) if study.quick else (48, 64)
+    case, side = "cases/turbulence/isotropic-decay.toml", 0.5654866776
+    spacing = lambda n: {"numerics.spacing": f'"{1000 * side / n:.9f} mm"'}
+    found = {n: Decay(study.run(f"isotropic_decay-{n}", case, spacing(n)), n) for n in sides}
+    finest = found[sides[-1]]
+    for moment in GRID_TIMES:
+        for low, high in ((0.0, 0.25), (0.25, 0.5)):
+            share = f"{'below a quarter' if low == 0 else 'from a quarter to half'} of the largest wave number"
+            bar = {} if study.quick else {"bar": 0.2}
+            check.norm(f"E(k) against the measured one at t U0/M = {moment}, {share}, {sides[-1]} a side", finest.band(moment, low, high) - 1, **bar)
+        check.norm(f"energy of the particles against the measured spectrum up to the largest wave number, t U0/M = {moment}", finest.energy_ratio(moment))
+    table = Table(f"{check.title}: E(k) over the measured one, by wave numbers over the largest",
+                  ["run", "t U0/M", "energy"] + [f"{low:g} to {high:g}" for low, high in BANDS] + ["compressive, above 0.6"])
+    runs = {f"{n} a side": decay for n, decay in found.items()}
+    if not study.quick:
+        options = {"no closure": {"turbulence.closure": "none"}, "C_s = 0.2": {"turbulence.smagorinsky_constant": 0.2},
+                   "density diffusion 0.1": {"numerics.density_diffusion_coefficient": 0.1},
+                   "density diffusion 0.01": {"numerics.density_diffusion_coefficient": 0.01},
+                   "c0 = 10 m/s": {"numerics.sound_speed": "10 m/s"}, "c0 = 40 m/s": {"numerics.sound_speed": "40 m/s"},
+                   "T_B = 0.1 s": {"numerics.pressure_correction_time": "0.1 s"}, "h = 2 dx": {"numerics.smoothing_ratio": 2}}
+        quoted = lambda value: f'"{value}"' if isinstance(value, str) else value
+        for label, settings in options.items():
+            name = "isotropic_decay-48-" + "_".join(label.replace("=", "").split())
+            settings = spacing(48) | {key: quoted(value) for key, value in settings.items()}
+            runs[f"48 a side, {label}"] = Decay(study.run(name, case, settings), 48)
+    for label, decay in runs.items():
+        for moment in GRID_TIMES:
+            small = decay.wavenumber > 0.6 * decay.largest_wavenumber()
+            table.rows.append([label, str(moment), f"{1 + decay.energy_ratio(moment):.2f}"] + [f"{decay.band(moment, *band):.2f}" for band in BANDS] +
+                              [f"{decay.compressive[moment][small].mean():.2f}"])
+    check.tables.append(table)
+    check.best, check.cost = options_text(finest.run), "; ".join(f"{n} a side: {d.run.cost_text}" for n, d in found.items())
+    figure = figures.Figure(1, width=5.2)
+    axes = figure.panel("wave number k, 1/m", "E(k), m³/s²")
+    axes.set_xscale("log")
+    axes.set_yscale("log")
+    within = GRID_TURBULENCE[:, 0] <= 1.05 * finest.largest_wavenumber()
+    for column, (moment, marker) in enumerate(((42, "s"), (98, "o"), (171, "^")), 1):
+        figures.exact(axes, GRID_TURBULENCE[within, 0], GRID_TURBULENCE[within, column], f"measured, t U0/M = {moment}", marker=marker, markersize=3, linestyle="none")
+    for colour, moment in zip(figures.COLOURS, GRID_TIMES):
+        axes.plot(finest.wavenumber, finest.spectrum[moment], color=colour, label=f"{sides[-1]} a side, t U0/M = {moment}")
+    check.figures.append((figure.svg(check.name), "Energy spectra: measured behind the grid, and of the particles."))
+    return check
+
+
 SHARES = {"scheme": "what the scheme itself adds", "pressure": "pressure of the scheme", "stepping": "time stepping, filters and spray",
           "density_diffusion": "density diffusion", "bed_drag": "drag of the bed", "closure": "closure", "viscosity": "molecular viscosity",
           "change": "rate of change of the energy"}
@@ -114,4 +225,4 @@ def resolved_energy(study):
     return check
 
 
-CHECKS = {"taylor_green_space": taylor_green_space, "resolved_energy": resolved_energy}
+CHECKS = {"taylor_green_space": taylor_green_space, "isotropic_decay": isotropic_decay, "resolved_energy": resolved_energy}

@@ -208,6 +208,8 @@ std::vector<Wrong> wrong_starts_and_runs() {
         {tank(), "start.kind = standing-wave; start.amplitude = 0.1"},
         {periodic_box(), "start.kind = taylor-green"},
         {tank(), "start.kind = taylor-green; start.velocity = 1"},
+        {periodic_box(), "channel.dimensions = 3; channel.width = 50 mm; start.kind = isotropic"},
+        {periodic_box(), "start.kind = isotropic; start.file = /nowhere/spectrum.csv"},
         {with_water(), "start.water_x = [0, 0.05, 0.05]"},
         {with_water(), "start.water_x = [0, 0.05]; start.water_z = [0, 0.05]"},
         {with_water(), "start.water_x = [0.05, 0, 0.05, 0]"},

@@ -129,6 +129,29 @@ TEST(Fourier, PlaneIsTheSumInBothDirections) {
     for (std::size_t j = 0; j < x.size(); ++j) ASSERT_LT(std::abs(x[j] - y[j]), rounding(x.size(), 1));
 }
 
+TEST(Fourier, BoxIsTheSumInItsThreeDirections) {
+    constexpr std::size_t layers = 5;
+    constexpr std::size_t rows = 6;
+    constexpr std::size_t columns = 9;
+    const std::vector<Complex> x = complex_noise(layers * rows * columns);
+    std::vector<Complex> y = x;
+    fourier_transform_3d(y, layers, rows, columns);
+    const auto at = [](std::size_t k, std::size_t j, std::size_t i) { return (k * rows + j) * columns + i; };
+    for (std::size_t place = 0; place < x.size(); ++place) {
+        Complex sum;
+        for (std::size_t other = 0; other < x.size(); ++other) {
+            const double turns =
+                static_cast<double>((place / at(1, 0, 0)) * (other / at(1, 0, 0))) / layers +
+                static_cast<double>((place / columns % rows) * (other / columns % rows)) / rows +
+                static_cast<double>((place % columns) * (other % columns)) / columns;
+            sum += x[other] * std::polar(1.0, -2 * std::numbers::pi * turns);
+        }
+        ASSERT_LT(std::abs(sum - y[place]), 40 * rounding(x.size(), norm(x)));
+    }
+    inverse_fourier_transform_3d(y, layers, rows, columns);
+    for (std::size_t j = 0; j < x.size(); ++j) ASSERT_LT(std::abs(x[j] - y[j]), rounding(x.size(), 1));
+}
+
 TEST(Fourier, WaveStandsAtItsSignedFrequencies) {
     // exp(i (k x + omega t)) of 3 cycles along the columns and -2 along the rows.
     constexpr std::size_t rows = 10;
@@ -171,6 +194,7 @@ TEST(Fourier, RefusesWrongSizes) {
     std::vector<Complex> x(5);
     EXPECT_THROW(FourierTransform(4).forward(x), InputError);
     EXPECT_THROW(fourier_transform_2d(x, 2, 3), InputError);
+    EXPECT_THROW(fourier_transform_3d(x, 2, 3, 1), InputError);
     EXPECT_THROW((void)inverse_fourier_transform(x, 5), InputError);
 }
 
