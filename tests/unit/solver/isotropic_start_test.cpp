@@ -25,7 +25,7 @@ constexpr double wave = 2.0 * std::numbers::pi / side;  ///< wave number of one 
 class IsotropicStart : public ::testing::Test {
   protected:
     [[nodiscard]] std::filesystem::path written(const std::string& table) const {
-        const auto path = folder_.path() / "spectrum.csv";
+        auto path = folder_.path() / "spectrum.csv";
         std::ofstream(path) << table;
         return path;
     }
