@@ -192,8 +192,10 @@ def isotropic_decay(study):
     within = GRID_TURBULENCE[:, 0] <= 1.05 * finest.largest_wavenumber()
     for column, (moment, marker) in enumerate(((42, "s"), (98, "o"), (171, "^")), 1):
         figures.exact(axes, GRID_TURBULENCE[within, 0], GRID_TURBULENCE[within, column], f"measured, t U0/M = {moment}", marker=marker, markersize=3, linestyle="none")
+    # The last shell is cut by the largest wave number.
+    whole = finest.wavenumber < 0.97 * finest.largest_wavenumber()
     for colour, moment in zip(figures.COLOURS, GRID_TIMES):
-        axes.plot(finest.wavenumber, finest.spectrum[moment], color=colour, label=f"{sides[-1]} a side, t U0/M = {moment}")
+        axes.plot(finest.wavenumber[whole], finest.spectrum[moment][whole], color=colour, label=f"{sides[-1]} a side, t U0/M = {moment}")
     check.figures.append((figure.svg(check.name), "Energy spectra: measured behind the grid, and of the particles."))
     return check
 
