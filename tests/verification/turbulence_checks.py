@@ -104,7 +104,7 @@ class Decay:
     def __init__(self, run, points):
         self.run, self.points, self.side = run, points, run.length
         series = run.series
-        self.time, mass = series["time"], 1.2 * self.side**3
+        self.time, mass = series["time"], run.density * self.side**3
         self.energy = series["kinetic_energy"] / mass
         kept = None
         self.wavenumber, self.ratio, self.spectrum, self.compressive = None, {}, {}, {}
