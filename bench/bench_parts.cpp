@@ -110,7 +110,7 @@ void register_all(const std::string& dimensions) {
     register_lists<D>(dimensions, full);
     for (const InstructionSet set :
          {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512}) {
-        if (!processor_offers(set)) {
+        if (!instruction_set_available(set)) {
             continue;
         }
         const std::string name = instruction_set_name(set);

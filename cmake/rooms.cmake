@@ -11,7 +11,7 @@ target_compile_options(riffle_options INTERFACE
 target_include_directories(riffle_options INTERFACE ${PROJECT_SOURCE_DIR}/src ${PROJECT_BINARY_DIR}/generated)
 # The presets `release` and `ci` compile several files of a room as one (CMAKE_UNITY_BUILD), which halves the time of
 # a build; `debug` compiles each alone and so shows an include that is missing.
-set(CMAKE_UNITY_BUILD_BATCH_SIZE 8)
+set(CMAKE_UNITY_BUILD_BATCH_SIZE 16)
 if(CMAKE_UNITY_BUILD)
   # A class of a .cpp file may hold one of its anonymous namespace; GCC takes the file for a header then.
   target_compile_options(riffle_options INTERFACE -Wno-subobject-linkage)

@@ -51,6 +51,9 @@ install_packages() {
         fail "apt-get could not install: ${missing[*]} (its message is above)"
 }
 
+# What build() configures with beside the preset; scripts that need it set it.
+configure_options=()
+
 # build PRESET [OPTION...]: configure and build.
 build() {
     local preset=$1 log
@@ -58,6 +61,6 @@ build() {
     say "Building build/$preset"
     mkdir -p build
     log=build/configure-$preset.log
-    cmake --preset "$preset" >"$log" 2>&1 || { cat "$log" >&2; fail "cmake cannot configure the build (see above)"; }
+    cmake --preset "$preset" "${configure_options[@]}" >"$log" 2>&1 || { cat "$log" >&2; fail "cmake cannot configure the build (see above)"; }
     cmake --build --preset "$preset" "$@"
 }

@@ -161,6 +161,7 @@ void analyse_profiles(const FlowRecord& record, Analysis& analysis) {
     add_profile_errors(record, p, analysis);
     add_stresses(record, p, analysis);
     add_intensities(record, p, analysis);
+    add_eddies_and_noise(record, analysis);
     add_pressure(record, p, analysis);
     add_closure(record, p, analysis);
     if (record.origin() == Origin::simulated) {

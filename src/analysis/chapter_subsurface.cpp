@@ -181,10 +181,11 @@ void add_spectra(const FlowRecord& record, const VelocityInstrument& instrument,
             finding.remark =
                 fmt::format("from {:.3g} Hz to {:.3g} Hz; scatter over chance {:.2g}{}", band.from, band.to,
                             slope.reduced_chi_square,
-                            record.origin() == Origin::simulated
-                                ? "; the closure carries the turbulence, so that no inertial range "
-                                  "is resolved"
-                                : "");
+                            record.origin() != Origin::simulated ? ""
+                            : record.flow() && resolves_eddies(*record.flow())
+                                ? "; of the eddies, those larger than some spacings are resolved"
+                                : "; the closure carries the turbulence, so that no inertial range "
+                                  "is resolved");
             analysis.findings.push_back(std::move(finding));
         }
     });

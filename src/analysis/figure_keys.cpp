@@ -28,6 +28,8 @@ const std::map<std::string_view, std::vector<std::string_view>>& keys_of_chapter
           "msep_profile",
           "stress_profile",
           "turbulence_intensity_profile",
+          "eddies_and_noise",
+          "stress_of_eddies",
           "pressure_profile",
           "pressure_departure_profile",
           "eddy_viscosity_profile",

@@ -68,6 +68,11 @@ const MeanFlow& FlowRecord::mean_field() const {
     return none;
 }
 
+const EddiesAndNoise& FlowRecord::eddies_and_noise() const {
+    static const EddiesAndNoise none;
+    return none;
+}
+
 const SurfaceMaps& FlowRecord::surface_maps() const {
     static const SurfaceMaps none;
     return none;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/eddies_and_noise.hpp"
 #include "analysis/figure.hpp"
 #include "analysis/mean_flow.hpp"
 #include "analysis/space_time.hpp"
@@ -137,6 +138,7 @@ class FlowRecord {
     [[nodiscard]] virtual const std::vector<ScalarProbe>& scalar_probes() const;
     // Of runs in three dimensions.
     [[nodiscard]] virtual const MeanFlow& mean_field() const;
+    [[nodiscard]] virtual const EddiesAndNoise& eddies_and_noise() const;
     [[nodiscard]] virtual const SurfaceMaps& surface_maps() const;
     [[nodiscard]] virtual const SectionTwin& section_twin() const;
 

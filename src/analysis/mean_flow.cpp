@@ -42,15 +42,15 @@ constexpr Factors factors_of(FieldQuantity moment) {
             return {moment, moment};
     }
 }
-const std::array<Averaging, field_quantities> averaging = [] {
+const std::array<Averaging, field_quantities> averagings = [] {
     std::array<Averaging, field_quantities> of{};
     std::transform(all_fields().begin(), all_fields().end(), of.begin(),
                    [](const Field& field) { return field.averaging; });
     return of;
 }();
-bool is_moment(std::size_t q) { return averaging[q] == Averaging::moments; }
+bool is_moment(std::size_t q) { return averagings[q] == Averaging::moments; }
 /// Forces and the count are per cell and sample, the others per particle and sample.
-bool is_per_cell(std::size_t q) { return averaging[q] == Averaging::by_samples; }
+bool is_per_cell(std::size_t q) { return averagings[q] == Averaging::by_samples; }
 
 FieldSums sum_of(const std::vector<FieldSums>& parts) {
     FieldSums total = parts.front();

@@ -59,6 +59,10 @@ void add_drag(const FlowRecord& record, const Profiles& p, Analysis& analysis);
 /// Turbulence intensities over the friction velocity, with Nezu's curves and what was measured.
 void add_intensities(const FlowRecord& record, const Profiles& p, Analysis& analysis);
 
+/// Of a run whose eddies move: which part of its fluctuations and of their stress neighbours share, and which
+/// is the noise of the particles.
+void add_eddies_and_noise(const FlowRecord& record, Analysis& analysis);
+
 /// Whether the water of a flow that nothing drives stands level on the average of the profiles' window, so
 /// that its layers have one depth.
 [[nodiscard]] bool stands_level(const FlowRecord& record, const Profiles& p);

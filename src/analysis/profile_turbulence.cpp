@@ -6,6 +6,7 @@
 
 #include "analysis/figure_tools.hpp"
 #include "analysis/profile_parts.hpp"
+#include "case/flow_kind.hpp"
 #include "hydraulics/turbulence_laws.hpp"
 
 namespace riffle {
@@ -47,7 +48,9 @@ void add_intensities(const FlowRecord& record, const Profiles& p, Analysis& anal
                                 "2.30 exp(-z/h), 1.27 exp(-z/h) and, across the flow, 1.63 exp(-z/h).",
                                 "thesis (2.12)-(2.14)", make_axis("intensity over friction velocity", "1"),
                                 make_axis("height above the datum over depth z/h", "1"));
-    if (record.origin() == Origin::simulated && c.turbulence.closure != ClosureKind::none) {
+    if (record.origin() == Origin::simulated && resolves_eddies(c)) {
+        figure.caption += " The noise of the particles is a part of it.";
+    } else if (record.origin() == Origin::simulated && c.turbulence.closure != ClosureKind::none) {
         figure.caption +=
             " The closure carries the turbulence in its stress; what the particles resolve is then far below "
             "the curves.";

@@ -135,6 +135,7 @@ struct RunRecord::Impl {
     std::optional<RunProbes> probes;
     std::optional<Measured> measured;
     std::optional<MeanFlow> mean_field;
+    std::optional<EddiesAndNoise> eddies_and_noise;
     std::optional<SurfaceMaps> surface_maps;
     std::optional<SectionTwin> section_twin;
 };
@@ -181,6 +182,14 @@ const MeanFlow& RunRecord::mean_field() const {
     if (!impl_->mean_field)
         impl_->mean_field = read_mean_field(impl_->results, impl_->flow, impl_->window, impl_->warnings);
     return *impl_->mean_field;
+}
+
+const EddiesAndNoise& RunRecord::eddies_and_noise() const {
+    if (!impl_->eddies_and_noise) {
+        impl_->eddies_and_noise =
+            read_eddies_and_noise(impl_->results, impl_->flow, impl_->window.from, impl_->window.to);
+    }
+    return *impl_->eddies_and_noise;
 }
 
 const SurfaceMaps& RunRecord::surface_maps() const {

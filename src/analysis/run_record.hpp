@@ -23,7 +23,7 @@ struct RunRecordOptions {
 };
 
 /// The results file of a run, read part by part, so that a file larger than the memory can be analysed: of
-/// the surface only the window, of the snapshots nothing.
+/// the surface only the window, of the snapshots some of those in it.
 ///
 /// Throws FileError (missing, damaged, no case in it), InputError for a window outside of the run.
 class RunRecord final : public FlowRecord {
@@ -49,6 +49,7 @@ class RunRecord final : public FlowRecord {
     [[nodiscard]] const std::vector<VelocityPlane>& velocity_planes() const override;
     [[nodiscard]] const std::vector<ScalarProbe>& scalar_probes() const override;
     [[nodiscard]] const MeanFlow& mean_field() const override;
+    [[nodiscard]] const EddiesAndNoise& eddies_and_noise() const override;
     [[nodiscard]] const SurfaceMaps& surface_maps() const override;
     [[nodiscard]] const SectionTwin& section_twin() const override;
     [[nodiscard]] const Measured& measured() const override;

@@ -13,7 +13,7 @@ namespace riffle {
 namespace {
 
 /// Parts of a cell along each edge, in which the surface is taken for plane.
-constexpr int parts = 4;
+constexpr int parts_along = 4;
 /// Less of a cell than this has no particle of its own.
 constexpr double least_share = 1e-3;
 
@@ -101,13 +101,14 @@ class MeshFill {
         if (!mesh.nearest(middle, half_diagonal_)) {
             return mesh.contains(middle) ? Part{lattice_.volume<3>(), middle} : Part{};
         }
-        const Vec<3> small{cell_[0] / parts, cell_[1] / parts, cell_[2] / parts};
+        const Vec<3> small{cell_[0] / parts_along, cell_[1] / parts_along, cell_[2] / parts_along};
         Part part;
-        for (int number = 0; number < parts * parts * parts; ++number) {
-            const std::array<int, 3> index{number % parts, number / parts % parts, number / (parts * parts)};
+        for (int number = 0; number < parts_along * parts_along * parts_along; ++number) {
+            const std::array<int, 3> index{number % parts_along, number / parts_along % parts_along,
+                                           number / (parts_along * parts_along)};
             Vec<3> place{};
             for (std::size_t k = 0; k < 3; ++k) {
-                place[k] = middle[k] + (index[k] + 0.5 - 0.5 * parts) * small[k];
+                place[k] = middle[k] + (index[k] + 0.5 - 0.5 * parts_along) * small[k];
             }
             const Part inside = part_in_small(mesh, place, small);
             part.volume += inside.volume;
@@ -115,7 +116,7 @@ class MeshFill {
                 part.centroid[k] += inside.volume * (inside.centroid[k] - middle[k]);
             }
         }
-        if (part.volume < least_share * parts * parts * parts) {
+        if (part.volume < least_share * parts_along * parts_along * parts_along) {
             return {};
         }
         for (std::size_t k = 0; k < 3; ++k) {

@@ -174,8 +174,8 @@ Case resolved_eddies() {
     c.start.velocity = 0.4;
     c.start.jitter = 0.1;
     c.run.until = RunUntil::time;
-    c.run.time = 20.0;
-    c.run.average_from = 8.0;
+    c.run.time = 40.0;
+    c.run.average_from = 20.0;
     c.output.snapshot_interval = 0.5;
     c.output.surface_map_interval = 0.05;
     c.output.mean_field_interval = 2.0;

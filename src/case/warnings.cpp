@@ -12,6 +12,7 @@
 #include "case/presets.hpp"
 #include "case/refusals.hpp"
 #include "case/solid_motion.hpp"
+#include "case/solid_shapes.hpp"
 #include "case/units.hpp"
 #include "case/words.hpp"
 
@@ -57,6 +58,12 @@ bool density_is_noisy(const Case& c) {
 /// Whether the particles of a flow in space are in disorder: no mixing length keeps them in layers.
 bool has_eddies(const Case& c) {
     return in_space(c) && (c.turbulence.closure == ClosureKind::sps || !has_closure(c) || resolves_eddies(c));
+}
+
+/// Whether solids cover the bed.
+bool covers_bed(const Case& c) {
+    return std::any_of(c.solids.begin(), c.solids.end(),
+                       [](const Solid& solid) { return is_bed_shape(solid.shape); });
 }
 
 /// A velocity that the case names, at the surface, m/s.
@@ -265,10 +272,19 @@ CheckList make_warnings() {
          "use \"czernuszenko-rylov\"",
          [](const Case& c) { return c.turbulence.closure == ClosureKind::sps && c.has_side_walls(); }},
         {{"bed.kind", "turbulence.closure"},
-         "`kind = \"no-slip\"` with a closure",
+         "`kind = \"no-slip\"` with a closure of the mean flow",
          "a no-slip bed with a mixing length is under-resolved at this kind of spacing",
          "compare two spacings",
-         [](const Case& c) { return has_closure(c) && c.bed.kind == BedKind::no_slip; }},
+         [](const Case& c) {
+             return has_closure(c) && !resolves_eddies(c) && c.bed.kind == BedKind::no_slip;
+         }},
+        {{"bed.kind", "turbulence.closure"},
+         "`kind = \"no-slip\"` with resolved eddies, no bed of solids over it",
+         "beside a plane bed at which the water rests the particles that overtake each other in its shear push each other up and down, and this noise takes the place of the eddies (docs/theory.md, section 7, what the particles do to eddies)",
+         "compare two spacings; a bed of solid spheres, or of measured heights, was run with resolved eddies",
+         [](const Case& c) {
+             return resolves_eddies(c) && c.bed.kind == BedKind::no_slip && !covers_bed(c);
+         }},
         {{"numerics.spacing", "bed.equivalent_roughness"},
          "over a bed by roughness a spacing below k_s/33, the height of zero velocity of its log law",
          "the rows are finer than what the law says of the flow among the elements",

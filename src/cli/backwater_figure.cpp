@@ -12,12 +12,12 @@ namespace riffle {
 
 namespace {
 
-constexpr double figure_width = 960.0;
-constexpr double left = 70.0;
-constexpr double width = 860.0;
-constexpr double top = 100.0;
-constexpr double height = 300.0;
-constexpr double small_top = top + height + 70.0;
+constexpr double page_width = 960.0;
+constexpr double panel_left = 70.0;
+constexpr double panel_width = 860.0;
+constexpr double panel_top = 100.0;
+constexpr double panel_height = 300.0;
+constexpr double small_top = panel_top + panel_height + 70.0;
 constexpr double small_height = 190.0;
 
 constexpr const char* surface_style = R"(stroke="#1f5fa8" stroke-width="2.5")";
@@ -52,7 +52,7 @@ struct LegendEntry {
 
 std::string legend(const std::vector<LegendEntry>& entries) {
     std::string svg;
-    double x = left;
+    double x = panel_left;
     for (const LegendEntry& entry : entries) {
         svg += svg_line(x, 72.0, x + 34.0, 72.0, entry.style);
         svg += svg_text(x + 40.0, 76.0, entry.name);
@@ -90,10 +90,10 @@ std::string backwater_figure(const std::string& title, const std::string& subtit
 
     std::vector<double> all = bed;
     for (const auto* line : {&surface, &energy, &critical}) all.insert(all.end(), line->begin(), line->end());
-    SvgPanel panel{left, top, width, height, 0.0, x.back(), 0.0, 1.0};
+    SvgPanel panel{panel_left, panel_top, panel_width, panel_height, 0.0, x.back(), 0.0, 1.0};
     fit_range(all, panel.y_low, panel.y_high);
 
-    std::string svg = svg_begin(figure_width, small_top + small_height + 60.0, left, title, subtitle);
+    std::string svg = svg_begin(page_width, small_top + small_height + 60.0, panel_left, title, subtitle);
     std::vector<LegendEntry> entries{{"energy grade line", energy_style},
                                      {"water surface", surface_style},
                                      {"critical depth", critical_style}};
@@ -127,10 +127,10 @@ std::string backwater_figure(const std::string& title, const std::string& subtit
     svg += legend(entries);
 
     constexpr double gap = 75.0;
-    constexpr double wide = (width - 2.0 * gap) / 3.0;
-    svg += small_panel(left, wide, stations, &BackwaterStation::velocity, "velocity U [m/s]");
-    svg += small_panel(left + wide + gap, wide, stations, &BackwaterStation::froude, "Froude number");
-    svg += small_panel(left + 2.0 * (wide + gap), wide, stations, &BackwaterStation::manning,
+    constexpr double wide = (panel_width - 2.0 * gap) / 3.0;
+    svg += small_panel(panel_left, wide, stations, &BackwaterStation::velocity, "velocity U [m/s]");
+    svg += small_panel(panel_left + wide + gap, wide, stations, &BackwaterStation::froude, "Froude number");
+    svg += small_panel(panel_left + 2.0 * (wide + gap), wide, stations, &BackwaterStation::manning,
                        "Manning n [s/m^(1/3)]");
     return svg + "</svg>\n";
 }

@@ -29,7 +29,7 @@ std::vector<std::string> progress_parts(const SweepProgress& p) {
 }
 
 /// The first line of a message; the rest is in the log of the run.
-std::string first_line(const std::string& message) { return message.substr(0, message.find('\n')); }
+std::string line_of_message(const std::string& message) { return message.substr(0, message.find('\n')); }
 
 }  // namespace
 
@@ -51,7 +51,7 @@ void SweepDisplay::show_end(const SweepRun& run, const RunReport& report, bool r
         print_error(fmt::format("{}: {}", run.combination.name, report.message));
     } else if (!quiet_) {
         fmt::print("{}: {}{}\n", run.combination.name, resumed ? "resumed, " : "",
-                   first_line(report.message));
+                   line_of_message(report.message));
         std::fflush(stdout);
     }
 }
@@ -95,7 +95,7 @@ void print_matrix(const std::vector<SweepRun>& runs, const std::vector<FolderSta
     for (std::size_t i = 0; i < runs.size(); ++i) {
         if (standings[i].state == FolderState::other || standings[i].state == FolderState::failed) {
             fmt::print("{}: {}: {}\n", runs[i].combination.name, word(standings[i].state),
-                       first_line(standings[i].reason));
+                       line_of_message(standings[i].reason));
         }
     }
 }

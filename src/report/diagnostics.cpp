@@ -100,11 +100,15 @@ void DiagnosticRows::fluctuation() {
     std::string text = fmt::format("{:.2g} mm/s", 1000 * mean);
     if (friction && *friction > 0)
         text += fmt::format(" ({:.2g} % of the friction velocity)", 100 * mean / *friction);
+    const bool resolved = resolves_eddies(data_.flow);
     add({"velocity_fluctuation", "Velocity fluctuation of the particles", text,
          data_.flow.stirring.acceleration > 0 ? "set by the stirring force"
+         : resolved                           ? "eddies and noise"
                                               : "small where the closure carries the turbulence",
-         "Rms departure from the mean of the layer. The closure stands for the turbulence, so the "
-         "particles themselves need not fluctuate as the water in a flume does.",
+         resolved ? "Rms departure from the mean of the layer: of the eddies, those larger than some "
+                    "spacings, and the noise of particles that pass each other in the shear."
+                  : "Rms departure from the mean of the layer. The closure stands for the turbulence, so the "
+                    "particles themselves need not fluctuate as the water in a flume does.",
          Health::none});
 }
 

@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <stdexcept>
 #include <string>
 
 #include "base/error.hpp"
@@ -7,6 +9,8 @@
 #include "sph/particle_loop_table.hpp"
 
 namespace riffle {
+
+namespace {
 
 bool processor_offers(InstructionSet set) {
     __builtin_cpu_init();
@@ -22,28 +26,75 @@ bool processor_offers(InstructionSet set) {
     return false;
 }
 
-namespace {
+/// An instruction set that this program holds the loops of.
+struct BuiltSet {
+    InstructionSet set;
+    LoopTable (*loops)();
+    ParticleLoopTable (*particle_loops)();
+};
 
-constexpr std::array<InstructionSet, 3> all_sets = {InstructionSet::avx512, InstructionSet::avx2,
-                                                    InstructionSet::baseline};
+/// Those that cmake/instruction_sets.cmake was asked for, the best one first.
+constexpr std::array built_sets = {
+#include "riffle_instruction_sets.inc"
+};
+
+const BuiltSet* find_built(InstructionSet set) {
+    const auto* const found = std::find_if(built_sets.begin(), built_sets.end(),
+                                           [set](const BuiltSet& built) { return built.set == set; });
+    return found == built_sets.end() ? nullptr : found;
+}
+
+const BuiltSet& built(InstructionSet set) {
+    const BuiltSet* const found = find_built(set);
+    if (found == nullptr) {
+        throw std::logic_error("this program holds no loops for " + instruction_set_name(set));
+    }
+    return *found;
+}
+
+constexpr const char* cure_of_other_build = "build it on this machine, or with -DRIFFLE_INSTRUCTION_SETS=all";
+
+InstructionSet wished(const std::string& wish) {
+    for (const InstructionSet set :
+         {InstructionSet::avx512, InstructionSet::avx2, InstructionSet::baseline}) {
+        if (instruction_set_name(set) != wish) {
+            continue;
+        }
+        if (!processor_offers(set)) {
+            throw InputError(
+                "RIFFLE_INSTRUCTION_SET=" + wish +
+                ": this processor does not offer it; choose a smaller one or unset the variable");
+        }
+        if (find_built(set) == nullptr) {
+            throw InputError("RIFFLE_INSTRUCTION_SET=" + wish +
+                             ": this program was built without it; unset the variable, or " +
+                             cure_of_other_build);
+        }
+        return set;
+    }
+    throw InputError("RIFFLE_INSTRUCTION_SET=" + wish + ": expected baseline, avx2 or avx512");
+}
 
 InstructionSet choose() {
     // Read once at start, before any thread exists.
-    const char* wish = std::getenv("RIFFLE_INSTRUCTION_SET");  // NOLINT(concurrency-mt-unsafe)
-    for (const InstructionSet set : all_sets) {
-        if (wish == nullptr ? processor_offers(set) : instruction_set_name(set) == wish) {
-            if (!processor_offers(set)) {
-                throw InputError(
-                    "RIFFLE_INSTRUCTION_SET=" + std::string(wish) +
-                    ": this processor does not offer it; choose a smaller one or unset the variable");
-            }
-            return set;
+    if (const char* wish = std::getenv("RIFFLE_INSTRUCTION_SET")) {  // NOLINT(concurrency-mt-unsafe)
+        return wished(wish);
+    }
+    for (const BuiltSet& built : built_sets) {
+        if (processor_offers(built.set)) {
+            return built.set;
         }
     }
-    throw InputError("RIFFLE_INSTRUCTION_SET=" + std::string(wish) + ": expected baseline, avx2 or avx512");
+    throw InputError(
+        std::string("this program was built for a processor with other instructions than this one has; ") +
+        cure_of_other_build);
 }
 
 }  // namespace
+
+bool instruction_set_available(InstructionSet set) {
+    return find_built(set) != nullptr && processor_offers(set);
+}
 
 std::string instruction_set_name(InstructionSet set) {
     switch (set) {
@@ -64,18 +115,6 @@ InstructionSet active_instruction_set() {
 
 namespace {
 
-ParticleLoopTable particle_loop_table(InstructionSet set) {
-    switch (set) {
-        case InstructionSet::avx512:
-            return avx512::particle_loop_table();
-        case InstructionSet::avx2:
-            return avx2::particle_loop_table();
-        case InstructionSet::baseline:
-            break;
-    }
-    return baseline::particle_loop_table();
-}
-
 template <bool single, class S, class D>
 auto single_or_double(S in_single, D in_double) {
     if constexpr (single) {
@@ -87,17 +126,7 @@ auto single_or_double(S in_single, D in_double) {
 
 }  // namespace
 
-LoopTable loop_table(InstructionSet set) {
-    switch (set) {
-        case InstructionSet::avx512:
-            return avx512::loop_table();
-        case InstructionSet::avx2:
-            return avx2::loop_table();
-        case InstructionSet::baseline:
-            break;
-    }
-    return baseline::loop_table();
-}
+LoopTable loop_table(InstructionSet set) { return built(set).loops(); }
 
 template <int D, class Real>
 PairLoops<D, Real> pair_loops(const LoopOptions& options, InstructionSet set) {
@@ -126,7 +155,7 @@ template PairLoops<3, double> pair_loops<3, double>(const LoopOptions&, Instruct
 
 template <int D, class Real>
 ParticleLoops<D, Real> particle_loops(InstructionSet set) {
-    const ParticleLoopTable table = particle_loop_table(set);
+    const ParticleLoopTable table = built(set).particle_loops();
     constexpr bool single = std::is_same_v<Real, float>;
     if constexpr (D == 2) {
         return single_or_double<single>(table.plane_single, table.plane_double);
@@ -152,9 +181,9 @@ template ParticleLoops<3, double> particle_loops<3, double>(InstructionSet);
 template <int D>
 NeighbourSearchFunction<D> neighbour_search(InstructionSet set) {
     if constexpr (D == 2) {
-        return particle_loop_table(set).plane_search;
+        return built(set).particle_loops().plane_search;
     } else {
-        return particle_loop_table(set).space_search;
+        return built(set).particle_loops().space_search;
     }
 }
 

@@ -14,7 +14,7 @@ struct LoopTable {
     PeakLoop peak;
 };
 
-/// The table of an instruction set, which the processor must offer (processor_offers).
+/// The table of an instruction set, which must be available (instruction_set_available).
 [[nodiscard]] LoopTable loop_table(InstructionSet set);
 
 namespace baseline {

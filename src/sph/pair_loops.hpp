@@ -236,10 +236,11 @@ enum class InstructionSet { baseline, avx2, avx512 };
 template <int D, class Real>
 [[nodiscard]] PairLoops<D, Real> pair_loops(const LoopOptions& options);
 
-/// The same of one instruction set, which the processor must offer (processor_offers).
+/// The same of one instruction set, which must be available.
 template <int D, class Real>
 [[nodiscard]] PairLoops<D, Real> pair_loops(const LoopOptions& options, InstructionSet set);
-[[nodiscard]] bool processor_offers(InstructionSet set);
+/// Whether this program holds the loops of a set, and the processor offers it.
+[[nodiscard]] bool instruction_set_available(InstructionSet set);
 
 /// The search for neighbours of the set in use, or of a given one, which the processor must offer.
 template <int D>

@@ -136,7 +136,7 @@ double largest_difference(const std::vector<double>& a, const std::vector<double
 TEST(InstructionSets, AgreeToRounding) {
     const States reference = run_under(InstructionSet::baseline);
     for (const InstructionSet set : {InstructionSet::avx2, InstructionSet::avx512}) {
-        if (!processor_offers(set)) {
+        if (!instruction_set_available(set)) {
             continue;
         }
         const States states = run_under(set);

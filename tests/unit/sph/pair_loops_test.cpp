@@ -163,7 +163,7 @@ void compare_matrices(const PlainSums<D>& plain, const LoopRun<D, Real>& run, st
 
 template <int D, class Real>
 void compare_with_plain_sums(const Option& option) {
-    if (!processor_offers(option.set)) {
+    if (!instruction_set_available(option.set)) {
         GTEST_SKIP() << "this processor does not offer " << instruction_set_name(option.set);
     }
     PairSample<D> sample = disordered_sample<D>(0.3, option.layers, 11);
@@ -323,7 +323,7 @@ void expect_all_loops() {
 }
 
 TEST(PairLoops, ActiveSetIsOffered) {
-    EXPECT_TRUE(processor_offers(active_instruction_set()));
+    EXPECT_TRUE(instruction_set_available(active_instruction_set()));
     expect_all_loops<2>();
     expect_all_loops<3>();
 }

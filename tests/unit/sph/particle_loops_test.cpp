@@ -21,7 +21,7 @@ constexpr double rounding = 20.0 * static_cast<double>(std::numeric_limits<Real>
 class ParticleLoopsTest : public testing::TestWithParam<InstructionSet> {
   protected:
     void SetUp() override {
-        if (!processor_offers(GetParam())) {
+        if (!instruction_set_available(GetParam())) {
             GTEST_SKIP() << "this processor does not offer " << instruction_set_name(GetParam());
         }
     }

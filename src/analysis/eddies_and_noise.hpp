@@ -1,0 +1,67 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "case/case.hpp"
+#include "particles/domain.hpp"
+#include "record/run_results.hpp"
+
+namespace riffle {
+
+/// What of the velocities of the particles is a field that neighbours share, and what is each particle's own.
+/// Around each particle the linear field that fits its neighbours within `noise_reach` spacings best, itself
+/// left out, is what a probe would see: eddies larger than some four spacings. What the particle departs from
+/// it is noise, and smaller eddies. By layer of one spacing; about the means of the layers over time.
+struct EddiesAndNoise {
+    std::vector<double> z;  ///< middle of the layer above the bed level, m
+    /// Root mean squares of u, v, w, m/s: of the fitted field, and of the departures from it.
+    std::array<std::vector<double>, 3> eddies, noise;
+    std::vector<double> stress;            ///< -<u'w'> of the particles, m2/s2
+    std::vector<double> stress_of_eddies;  ///< the same of the fitted field
+    std::size_t snapshots = 0;             ///< that it is the mean of
+
+    [[nodiscard]] bool empty() const { return z.empty(); }
+};
+
+inline constexpr double noise_reach = 2.2;
+
+/// The particles of one moment: m and m/s, component after component.
+struct ParticleVelocities {
+    std::array<std::vector<double>, 3> position, velocity;
+};
+
+/// The same of some moments, one at a time: add() each, then result().
+class NoiseSplit {
+  public:
+    /// `spacing` and `height` (of the layers in all), m.
+    NoiseSplit(const Domain<3>& domain, double spacing, double height);
+
+    void add(const ParticleVelocities& particles);
+    /// Layers that hold at least `fewest` particles on the average of the moments.
+    [[nodiscard]] EddiesAndNoise result(double fewest = 20.0) const;
+
+  private:
+    /// Sums over the particles of a layer: of the particles, of the fitted field, of the departures.
+    struct Layer {
+        double count = 0.0;
+        std::array<double, 3> particle{}, eddy{};  ///< velocities
+        std::array<double, 3> eddy_squared{}, noise_squared{};
+        double particle_product = 0.0;  ///< u w
+        double eddy_product = 0.0;
+    };
+
+    Domain<3> domain_;
+    double spacing_;
+    std::vector<Layer> layers_;
+    std::size_t moments_ = 0;
+};
+
+/// Of the snapshots of a run between two times, at most `most_particles` particles in all; empty where the
+/// run has none that hold all of the water, or is no uniform channel in space whose eddies move.
+[[nodiscard]] EddiesAndNoise read_eddies_and_noise(const RunResults& results, const Case& c, double from,
+                                                   double to, std::size_t most_particles = 1'000'000);
+
+}  // namespace riffle
