@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "case/flow_kind.hpp"
+#include "case/solid_shapes.hpp"
 #include "particles/lattice.hpp"
 #include "particles/particle_cells.hpp"
 #include "record/particle_fields.hpp"
@@ -33,6 +34,14 @@ std::array<std::vector<double>, 3> components(const std::vector<double>& rows) {
 bool snapshots_are_whole(const Case& c) {
     const Output& output = c.output;
     return output.snapshot_x.empty() && output.snapshot_y.empty() && output.snapshot_z.empty();
+}
+
+/// Whether the flow is the same all along a channel, on the mean over its plan: nothing stands in it but a
+/// bed of bodies.
+bool is_uniform_over_plan(const Case& c) {
+    return c.channel.ends == Ends::periodic && is_channel(flow_kind(c)) &&
+           std::all_of(c.solids.begin(), c.solids.end(),
+                       [](const Solid& solid) { return is_bed_shape(solid.shape); });
 }
 
 }  // namespace
@@ -124,7 +133,7 @@ EddiesAndNoise NoiseSplit::result(double fewest) const {
 
 EddiesAndNoise read_eddies_and_noise(const RunResults& results, const Case& c, double from, double to,
                                      std::size_t most_particles) {
-    if (c.channel.dimensions != 3 || flow_kind(c) != FlowKind::uniform_channel || has_mixing_length(c) ||
+    if (c.channel.dimensions != 3 || !is_uniform_over_plan(c) || has_mixing_length(c) ||
         !snapshots_are_whole(c)) {
         return {};
     }

@@ -60,7 +60,8 @@ class NoiseSplit {
 };
 
 /// Of the snapshots of a run between two times, at most `most_particles` particles in all; empty where the
-/// run has none that hold all of the water, or is no uniform channel in space whose eddies move.
+/// run has none that hold all of the water, or is no channel in space whose eddies move over a bed that is
+/// alike all along it.
 [[nodiscard]] EddiesAndNoise read_eddies_and_noise(const RunResults& results, const Case& c, double from,
                                                    double to, std::size_t most_particles = 1'000'000);
 

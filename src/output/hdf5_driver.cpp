@@ -139,6 +139,8 @@ Hdf5Handle create_hdf5(ByteStore& store, std::size_t user_block) {
     const Hdf5Handle access = access_properties(store);
     const Hdf5Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose, "make file creation properties");
     hdf5_check(H5Pset_userblock(creation.get(), user_block), "set the size of the user block");
+    // Of the root group; without times of creation, equal content makes equal files.
+    hdf5_check(H5Pset_obj_track_times(creation.get(), false), "leave out times");
     return {H5Fcreate(file_name, H5F_ACC_TRUNC, creation.get(), access.get()), H5Fclose,
             "create an HDF5 file"};
 }

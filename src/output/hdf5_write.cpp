@@ -63,11 +63,30 @@ Hdf5Handle creation_properties(const Dataset& dataset, std::size_t element_size,
     return properties;
 }
 
-Hdf5Handle make_groups_on_the_way() {
+Hdf5Handle link_properties() {
     Hdf5Handle properties(H5Pcreate(H5P_LINK_CREATE), H5Pclose, "make link properties");
-    hdf5_check(H5Pset_create_intermediate_group(properties.get(), 1), "ask for groups on the way");
     hdf5_check(H5Pset_char_encoding(properties.get(), H5T_CSET_UTF8), "set UTF-8");
     return properties;
+}
+
+/// Make a group, and those above it, where they are not there. Those that HDF5 makes on the way to an object
+/// would hold the time of their creation, and equal content would not make equal files.
+void make_groups(const Hdf5Handle& file, const std::string& path);
+
+/// The groups that an object stands in.
+void make_groups_above(const Hdf5Handle& file, const std::string& path) {
+    const std::size_t end = path.rfind('/');
+    if (end != std::string::npos) make_groups(file, path.substr(0, end));
+}
+
+void make_groups(const Hdf5Handle& file, const std::string& path) {
+    if (path.empty() || hdf5_has(file, path)) return;
+    make_groups_above(file, path);
+    const Hdf5Handle links = link_properties();
+    const Hdf5Handle properties(H5Pcreate(H5P_GROUP_CREATE), H5Pclose, "make group properties");
+    hdf5_check(H5Pset_obj_track_times(properties.get(), false), "leave out times");
+    const Hdf5Handle group(H5Gcreate2(file.get(), path.c_str(), links.get(), properties.get(), H5P_DEFAULT),
+                           H5Gclose, "create the group " + path);
 }
 
 Hdf5Handle make_space(const Dataset& dataset) {
@@ -111,7 +130,8 @@ bool has_type(const Hdf5Handle& dataset) {
 
 template <class T>
 Hdf5Handle create_dataset(const Hdf5Handle& file, const Dataset& dataset, Hdf5Storage storage) {
-    const Hdf5Handle links = make_groups_on_the_way();
+    make_groups_above(file, dataset.path);
+    const Hdf5Handle links = link_properties();
     const Hdf5Handle properties = creation_properties(dataset, sizeof(T), storage);
     const Hdf5Handle space = make_space(dataset);
     return {H5Dcreate2(file.get(), dataset.path.c_str(), hdf5_file_type<T>(), space.get(), links.get(),
@@ -175,7 +195,8 @@ void write_text(const Hdf5Handle& file, const Dataset& dataset, const std::strin
     const Hdf5Handle type = hdf5_text_type(text_bytes(text, dataset.path));
     if (hdf5_has(file, dataset.path)) remove_hdf5_object(file, dataset.path);
     const Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose, "make a scalar");
-    const Hdf5Handle links = make_groups_on_the_way();
+    make_groups_above(file, dataset.path);
+    const Hdf5Handle links = link_properties();
     const Hdf5Handle properties = creation_properties(Dataset(), 1, {});
     const Hdf5Handle target(H5Dcreate2(file.get(), dataset.path.c_str(), type.get(), space.get(), links.get(),
                                        properties.get(), H5P_DEFAULT),
@@ -259,10 +280,7 @@ void write_hdf5_dataset(const Hdf5Handle& file, const Dataset& dataset, Hdf5Stor
 
 void write_hdf5_attribute(const Hdf5Handle& file, const Attribute& attribute) {
     if (!hdf5_has(file, attribute.path)) {
-        const Hdf5Handle links = make_groups_on_the_way();
-        const Hdf5Handle group(
-            H5Gcreate2(file.get(), attribute.path.c_str(), links.get(), H5P_DEFAULT, H5P_DEFAULT), H5Gclose,
-            "create the group " + attribute.path);
+        make_groups(file, attribute.path);
     }
     if (read_hdf5_attribute(file, attribute.path, attribute.name) == attribute.value) return;
     const Hdf5Handle object(H5Oopen(file.get(), attribute.path.c_str(), H5P_DEFAULT), H5Oclose,
