@@ -142,7 +142,7 @@ CheckList make_warnings() {
                     c.numerics.kernel != KernelKind::cubic_spline;
          }},
         {{"numerics.smoothing_ratio", "start.lattice"},
-         "a `smoothing_ratio` other than 1.5 and 2.0, or 1.83 and 2.1 with `start.lattice = \"hexagonal\"`, 1.65 with `\"body-centred\"`, 2.5 with `[[porous]]`",
+         R"(a `smoothing_ratio` other than 1.5 and 2.0, or 1.83 and 2.1 with `start.lattice = "hexagonal"`, 1.65 with `"body-centred"`, 2.5 with `[[porous]]`)",
          "",
          "verified with 1.5 and 2.0 (1.83 and 2.1 on the hexagonal lattice, 1.65 on the body-centred one, 2.5 with porous zones)",
          [](const Case& c) {
