@@ -7,15 +7,13 @@ set(sets ${RIFFLE_INSTRUCTION_SETS})
 if(sets STREQUAL "all")
   set(sets avx512 avx2 baseline)
 elseif(sets STREQUAL "machine")
-  if(NOT RIFFLE_MACHINE_INSTRUCTION_SET)
-    try_run(RIFFLE_MACHINE_RAN RIFFLE_MACHINE_COMPILED ${PROJECT_BINARY_DIR}/machine
-      ${PROJECT_SOURCE_DIR}/cmake/machine_instruction_set.cpp RUN_OUTPUT_VARIABLE found)
-    if(NOT RIFFLE_MACHINE_COMPILED OR NOT RIFFLE_MACHINE_RAN EQUAL 0)
-      message(FATAL_ERROR "The instruction set of this machine cannot be found; configure with -DRIFFLE_INSTRUCTION_SETS=all")
-    endif()
-    set(RIFFLE_MACHINE_INSTRUCTION_SET ${found} CACHE INTERNAL "Best instruction set of this machine")
+  # Asked at each configuration: a folder that several machines share may be built on another one next.
+  try_run(RIFFLE_MACHINE_RAN RIFFLE_MACHINE_COMPILED ${PROJECT_BINARY_DIR}/machine
+    ${PROJECT_SOURCE_DIR}/cmake/machine_instruction_set.cpp
+    CMAKE_FLAGS -DINCLUDE_DIRECTORIES=${PROJECT_SOURCE_DIR}/src RUN_OUTPUT_VARIABLE sets)
+  if(NOT RIFFLE_MACHINE_COMPILED OR NOT RIFFLE_MACHINE_RAN EQUAL 0)
+    message(FATAL_ERROR "The instruction set of this machine cannot be found; configure with -DRIFFLE_INSTRUCTION_SETS=all")
   endif()
-  set(sets ${RIFFLE_MACHINE_INSTRUCTION_SET})
 endif()
 
 set(RIFFLE_FLAGS_baseline "")

@@ -232,23 +232,21 @@ std::optional<std::pair<double, double>> friction_of(const Case& c, const std::o
     return std::pair{velocity, 0.5 * velocity * line->half_width / line->crest_stress};
 }
 
-/// Total stress over the height around the centreline; empty without a mean field.
-SectionProfile centreline_stress(const FlowRecord& record) {
+/// Line through the total stress over the height around the centreline; none without a mean field.
+std::optional<StressLine> centreline_line(const FlowRecord& record) {
     const Case& c = *record.flow();
-    if (record.mean_field().empty()) return {};
-    return strip_profile(record.mean_field(), centreline_strip(c),
-                         [&](const FieldSums& s) { return total_stress(s, c.fluid.density, false); });
+    if (record.mean_field().empty()) return std::nullopt;
+    const SectionProfile stress =
+        strip_profile(record.mean_field(), centreline_strip(c),
+                      [&](const FieldSums& s) { return total_stress(s, c.fluid.density, false); });
+    return fit_stress_line(c, stress.z, stress.value);
 }
 
 /// `at_centreline`: the velocities are those around the centreline of a channel with side walls.
 void add_stress_velocity(const FlowRecord& record, bool at_centreline, FittedFlow& flow, Analysis& analysis) {
     const Case& c = *record.flow();
     const auto whole = friction_of(c, fit_stress_line(c, record.profiles()));
-    std::optional<std::pair<double, double>> found = whole;
-    if (at_centreline) {
-        const SectionProfile stress = centreline_stress(record);
-        found = friction_of(c, fit_stress_line(c, stress.z, stress.value));
-    }
+    const auto found = at_centreline ? friction_of(c, centreline_line(record)) : whole;
     if (found) {
         flow.friction_velocity = found->first;
         flow.friction_velocity_half_width = found->second;

@@ -2,12 +2,9 @@
 
 #include <array>
 #include <cstddef>
-#include <span>
 #include <vector>
 
-#include "case/case.hpp"
 #include "particles/domain.hpp"
-#include "record/run_results.hpp"
 
 namespace riffle {
 
@@ -33,7 +30,7 @@ struct ParticleVelocities {
     std::array<std::vector<double>, 3> position, velocity;
 };
 
-/// The same of some moments, one at a time: add() each, then result().
+/// Makes this split of the particles at some moments: add() each, then result().
 class NoiseSplit {
   public:
     /// `spacing` and `height` (of the layers in all), m.
@@ -58,11 +55,5 @@ class NoiseSplit {
     std::vector<Layer> layers_;
     std::size_t moments_ = 0;
 };
-
-/// Of the snapshots of a run between two times, at most `most_particles` particles in all; empty where the
-/// run has none that hold all of the water, or is no channel in space whose eddies move over a bed that is
-/// alike all along it.
-[[nodiscard]] EddiesAndNoise read_eddies_and_noise(const RunResults& results, const Case& c, double from,
-                                                   double to, std::size_t most_particles = 1'000'000);
 
 }  // namespace riffle

@@ -21,7 +21,7 @@ std::string snapshots_text(const EddiesAndNoise& split) {
     return fmt::format("from {} snapshot{}", split.snapshots, split.snapshots == 1 ? "" : "s");
 }
 
-/// Mean of a quantity over the layers between two fifths of the depth over the datum, where neither the bed
+/// Mean of a quantity over the layers from 0.2 to 0.8 of the depth over the datum, where neither the bed
 /// nor the surface is near.
 template <class Value>
 double mean_at_middle(const Case& c, const EddiesAndNoise& split, const Value& value) {

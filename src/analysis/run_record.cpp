@@ -13,6 +13,7 @@
 #include "analysis/run_mean_field.hpp"
 #include "analysis/run_probes.hpp"
 #include "analysis/run_profiles.hpp"
+#include "analysis/run_snapshots.hpp"
 #include "base/error.hpp"
 #include "record/flow_fields.hpp"
 #include "record/run_fields.hpp"
@@ -186,8 +187,7 @@ const MeanFlow& RunRecord::mean_field() const {
 
 const EddiesAndNoise& RunRecord::eddies_and_noise() const {
     if (!impl_->eddies_and_noise) {
-        impl_->eddies_and_noise =
-            read_eddies_and_noise(impl_->results, impl_->flow, impl_->window.from, impl_->window.to);
+        impl_->eddies_and_noise = read_eddies_and_noise(impl_->results, impl_->flow, impl_->window);
     }
     return *impl_->eddies_and_noise;
 }

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include "analysis/bodies.hpp"
+#include "analysis/run_snapshots.hpp"
 #include "case/flow_kind.hpp"
 #include "case/refusals.hpp"
 #include "record/flow_fields.hpp"
@@ -24,13 +26,6 @@ constexpr std::size_t most_frames = 40;
 constexpr std::array particle_values = {&FieldFrame::x,        &FieldFrame::z,
                                         &FieldFrame::velocity, &FieldFrame::vertical_velocity,
                                         &FieldFrame::pressure, &FieldFrame::eddy_viscosity};
-
-/// One component of an (N, 3) dataset.
-std::vector<double> component(const std::vector<double>& rows, std::size_t which) {
-    std::vector<double> values(rows.size() / 3);
-    for (std::size_t i = 0; i < values.size(); ++i) values[i] = rows[3 * i + which];
-    return values;
-}
 
 /// Keep the particles that `keeps` says by their number.
 template <class Keeps>
@@ -60,16 +55,16 @@ FieldFrame read_frame(const RunResults& results, const std::string& group, const
     const auto values = [&](const Field& field) { return results.values({group, field}); };
     FieldFrame frame;
     frame.time = results.number({group, of.time}).value_or(0.0);
-    const std::vector<double> position = values(of.position);
-    frame.x = component(position, 0);
-    frame.z = component(position, 2);
-    const std::vector<double> velocity = values(of.velocity);
-    frame.velocity = component(velocity, 0);
-    frame.vertical_velocity = component(velocity, 2);
+    auto position = components(values(of.position));
+    frame.x = std::move(position[0]);
+    frame.z = std::move(position[2]);
+    auto velocity = components(values(of.velocity));
+    frame.velocity = std::move(velocity[0]);
+    frame.vertical_velocity = std::move(velocity[2]);
     frame.pressure = values(of.pressure);
     frame.eddy_viscosity = values(of.eddy_viscosity);
     if (c.channel.dimensions == 3) {
-        const std::vector<double> y = component(position, 1);
+        const std::vector<double>& y = position[1];
         const double middle = slice_place(c);
         keep_particles(frame,
                        [&](std::size_t i) { return std::abs(y[i] - middle) <= 0.5 * c.numerics.spacing; });

@@ -7,21 +7,20 @@
 #include "base/error.hpp"
 #include "sph/loop_table.hpp"
 #include "sph/particle_loop_table.hpp"
+#include "sph/processor_instructions.hpp"
 
 namespace riffle {
 
 namespace {
 
 bool processor_offers(InstructionSet set) {
-    __builtin_cpu_init();
     switch (set) {
         case InstructionSet::baseline:
             return true;
         case InstructionSet::avx2:
-            return __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0;
+            return processor_offers_avx2();
         case InstructionSet::avx512:
-            return __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512vl") != 0 &&
-                   __builtin_cpu_supports("avx512dq") != 0 && __builtin_cpu_supports("avx512bw") != 0;
+            return processor_offers_avx512();
     }
     return false;
 }

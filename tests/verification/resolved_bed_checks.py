@@ -32,8 +32,7 @@ class Bed:
         self.z, self.u = of["height"], of["u"]
         self.rms = {axis: numpy.sqrt(of[2 * axis] - of[axis] ** 2) for axis in "uvw"}
         self.stress = of["u"] * of["w"] - of["uw"]
-        self.gravity = 9.81 * numpy.sin(numpy.arctan(0.004))
-        self.friction_velocity = numpy.sqrt(self.gravity * (self.level - crest))  # of the weight above the crests
+        self.friction_velocity = numpy.sqrt(self.run.gravity_x * (self.level - crest))  # of the weight above the crests
 
     def share(self):
         """Heights over the datum, over the depth."""
