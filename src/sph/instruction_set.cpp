@@ -51,8 +51,6 @@ const BuiltSet& built(InstructionSet set) {
     return *found;
 }
 
-constexpr const char* cure_of_other_build = "build it on this machine, or with -DRIFFLE_INSTRUCTION_SETS=all";
-
 InstructionSet wished(const std::string& wish) {
     for (const InstructionSet set :
          {InstructionSet::avx512, InstructionSet::avx2, InstructionSet::baseline}) {
@@ -66,8 +64,8 @@ InstructionSet wished(const std::string& wish) {
         }
         if (find_built(set) == nullptr) {
             throw InputError("RIFFLE_INSTRUCTION_SET=" + wish +
-                             ": this program was built without it; unset the variable, or " +
-                             cure_of_other_build);
+                             ": this program was built without it; unset the variable, or build with "
+                             "-DRIFFLE_INSTRUCTION_SETS=all");
         }
         return set;
     }
@@ -85,8 +83,8 @@ InstructionSet choose() {
         }
     }
     throw InputError(
-        std::string("this program was built for a processor with other instructions than this one has; ") +
-        cure_of_other_build);
+        "this program was built for a processor with other instructions than this one has; build it on this "
+        "machine, or with -DRIFFLE_INSTRUCTION_SETS=all");
 }
 
 }  // namespace
