@@ -85,6 +85,7 @@ function(riffle_report_page TARGET)
     riffle_page_plotly=${modules}/plotly.js-cartesian-dist-min/plotly-cartesian.min.js
     riffle_page_shared=${shared}
     riffle_page_field=${web}/field.js
+    riffle_page_moving_surface=${web}/moving_surface.js
     riffle_page_report=${web}/report.js
     riffle_page_comparison=${web}/comparison.js)
 endfunction()

@@ -36,12 +36,13 @@ const field = (() => {
     return frame;
   }
 
-  function colourAt(stops, share) {
+  function mixed(stops, share) {
     const position = Math.min(1, Math.max(0, share)) * (stops.length - 1);
     const low = Math.min(stops.length - 2, Math.floor(position)), part = position - low;
-    const mix = stops[low].map((value, i) => Math.round(value + part * (stops[low + 1][i] - value)));
-    return `rgb(${mix.join(',')})`;
+    return stops[low].map((value, i) => Math.round(value + part * (stops[low + 1][i] - value)));
   }
+
+  const colourAt = (stops, share) => `rgb(${mixed(stops, share).join(',')})`;
 
   // Range that holds all but the extreme 0.5 % at each end over all frames, so that one odd particle does not eat the
   // colours and those of two moments can be compared.
@@ -237,5 +238,9 @@ const field = (() => {
         ...Array.from(frame.values.x, (x, i) => [x, frame.values.z[i], ...shown.map(item => frame.values[item.key][i])].map(value => (Number.isFinite(value) ? Number(value.toPrecision(6)) : value)))]);
   }
 
-  return { draw, caption, available, csv };
+  // The colours of values on either side of zero, for pictures beside this one: for Plotly, and as so many steps of red,
+  // green and blue.
+  const about_zero = { scale: scale(diverging), steps: count => Array.from({ length: count }, (_, i) => mixed(channels(diverging), i / (count - 1))) };
+
+  return { draw, caption, available, csv, unpacked, about_zero };
 })();

@@ -114,6 +114,21 @@
     page.tools(figure, plot, 'field', [{ name: 'field.csv', button: 'CSV', content: () => field.csv(data, drawn ? drawn.frame() : data.field.frames.length - 1) }]);
   }
 
+  function surface_in_plan() {
+    const surface = data.moving_surface;
+    if (!surface) return;
+    const figure = page.frame('moving-surface', 'field-figures', 'Moving surface');
+    const choices = element('div', { class: 'choices', role: 'group', 'aria-label': 'View and time shown' });
+    const plot = element('div', { class: 'plot', id: 'plot-moving-surface', role: 'img', 'aria-label': 'Moving surface' });
+    figure.append(choices, plot);
+    page.caption(figure, marked(moving_surface.caption(surface)));
+    let drawn = null;
+    page.watch({ plot, is_drawn: false, show: () => {
+      if (drawn) drawn.show(); else drawn = moving_surface.draw(surface, plot, choices, page.config, () => page.width_of(plot));
+    } }, 260);
+    page.tools(figure, plot, 'moving-surface', [{ name: 'moving_surface.csv', button: 'CSV', content: () => moving_surface.csv(surface, drawn ? drawn.frame() : surface.frames.length - 1) }]);
+  }
+
   function facts() {
     for (const fact of data.run) at('run-facts').append(element('div', {}, element('dt', {}, fact.label), element('dd', {}, marked(fact.value))));
   }
@@ -142,6 +157,7 @@
   const found = [...new Set(analyses.flatMap(analysis => [...analysis.figures, ...analysis.findings].map(({ chapter }) => chapter)))];
   chapters.add(at('first-chapters'), runs, { only: first });
   particles();
+  surface_in_plan();
   chapters.warnings(at('chapters'), runs);
   chapters.add(at('chapters'), runs, { only: [...then, ...found.filter(name => ![...first, ...then, health].includes(name))] });
   diagnostics();

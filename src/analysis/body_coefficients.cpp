@@ -127,6 +127,7 @@ void add_body_coefficients(const FlowRecord& record, Analysis& analysis) {
     const auto velocity = approach_velocity(record);
     if (!velocity || !(*velocity > 0.0)) return;
     for (std::size_t k = 0; k < c.solids.size(); ++k) {
+        if (c.solids[k].part_of_bed) continue;
         const auto front = front_of(c, c.solids[k]);
         if (!front || front->area <= 0.0) continue;
         const double head = 0.5 * c.fluid.density * *velocity * *velocity * front->area;

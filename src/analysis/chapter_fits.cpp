@@ -13,6 +13,7 @@
 #include "analysis/figure_tools.hpp"
 #include "analysis/fit_parts.hpp"
 #include "analysis/section_parts.hpp"
+#include "case/flow_kind.hpp"
 #include "hydraulics/law_fits.hpp"
 #include "hydraulics/log_law.hpp"
 #include "solver/summary.hpp"
@@ -326,9 +327,11 @@ void analyse_fits(const FlowRecord& record, Analysis& analysis) {
         add_missing(record, analysis, std::move(empty), "the results file holds no profiles of this window");
         return;
     }
-    if (c.bed.kind != BedKind::spheres || c.channel.slope <= 0.0) {
-        add_missing(record, analysis, std::move(empty),
-                    "the laws of rough beds are fitted to the flow down a slope over spheres only");
+    if (!has_rough_bed(c) || c.channel.slope <= 0.0) {
+        add_missing(
+            record, analysis, std::move(empty),
+            "the laws of rough beds are fitted to the flow down a slope over spheres, or over solids that are part "
+            "of the bed, only");
         return;
     }
     FittedFlow flow;

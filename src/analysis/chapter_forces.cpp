@@ -9,6 +9,7 @@
 #include "analysis/figure_tools.hpp"
 #include "analysis/gauges.hpp"
 #include "analysis/momentum_budget.hpp"
+#include "case/flow_kind.hpp"
 #include "record/flow_fields.hpp"
 #include "record/probe_fields.hpp"
 #include "record/twin_fields.hpp"
@@ -109,8 +110,13 @@ void add_solid_shares(const FlowRecord& record, Analysis& analysis) {
         if (share.half_width) *share.half_width /= whole.mean;
         analysis.findings.push_back(std::move(share));
     };
-    add("solid_force_", "solid_force_share", "force on the bodies over the weight component");
-    add("solid_form_drag_", "solid_form_drag_share", "form drag of the bodies over the weight component");
+    const bool bodies = has_bodies(*record.flow());
+    add("solid_force_", "solid_force_share",
+        bodies ? "force on the bodies over the weight component"
+               : "force on the solids of the bed over the weight component");
+    add("solid_form_drag_", "solid_form_drag_share",
+        bodies ? "form drag of the bodies over the weight component"
+               : "form drag of the solids of the bed over the weight component");
 }
 
 }  // namespace

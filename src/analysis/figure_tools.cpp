@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/interpolation.hpp"
+#include "case/flow_kind.hpp"
 #include "record/flow_fields.hpp"
 #include "statistics/confidence.hpp"
 
@@ -95,7 +96,7 @@ void mark_window(const FlowRecord& record, Figure& figure) {
 void mark_levels(const FlowRecord& record, Figure& figure) {
     const Case* const c = record.flow();
     if (c == nullptr) return;
-    if (c->bed.kind == BedKind::spheres) {
+    if (has_rough_bed(*c)) {
         figure.guides.push_back({"datum", false, c->datum(), c->datum()});
         figure.guides.push_back({"crests", false, c->crest(), c->crest()});
     }

@@ -74,7 +74,7 @@ class PlaneMaps {
         for (const double value : values) map.values.push_back(static_cast<float>(value));
         figure.maps.push_back(std::move(map));
         const Case* const c = record_.flow();
-        if (c != nullptr && c->bed.kind == BedKind::spheres && grid_.x.size() > 1) {
+        if (c != nullptr && has_rough_bed(*c) && grid_.x.size() > 1) {
             figure.curves.push_back(make_curve("crests of the bed", Origin::reference, Mark::line,
                                                {grid_.x.front(), grid_.x.back()}, {c->crest(), c->crest()}));
         }
@@ -122,7 +122,7 @@ double value_in(const VelocityGrid& grid, const std::vector<double>& values, dou
 
 /// Whether the mean flow of a run varies along the channel, so that places must be compared.
 bool varies_along(const Case& c) {
-    return !c.solids.empty() || vegetation_varies_along(c) || porosity_varies_along(c) ||
+    return has_bodies(c) || vegetation_varies_along(c) || porosity_varies_along(c) ||
            c.channel.ends != Ends::periodic;
 }
 

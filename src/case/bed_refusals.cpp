@@ -2,6 +2,7 @@
 
 #include "case/bed_friction.hpp"
 #include "case/flow_kind.hpp"
+#include "case/outline_check.hpp"
 #include "case/refusals.hpp"
 #include "case/units.hpp"
 #include "case/words.hpp"
@@ -10,12 +11,12 @@ namespace riffle {
 
 namespace {
 
-/// A roughness zone of a bed without spheres.
-Findings zone_of_smooth_bed(const Case& c) {
+/// A roughness zone of a bed without spheres or solids.
+Findings zone_of_plane_bed(const Case& c) {
     Findings found;
     for (const auto& [name, value] : {std::pair("roughness_height", c.bed.roughness_height),
                                       std::pair("datum_below_crest", c.bed.datum_below_crest)}) {
-        if (!over_spheres(c) && value != 0.0) {
+        if (!has_rough_bed(c) && value != 0.0) {
             found.push_back(
                 {.detail = fmt::format("{} is {}, but a plane bed (kind = \"{}\") has no roughness zone",
                                        name, shown_length(value), word(c.bed.kind)),
@@ -144,10 +145,12 @@ CheckList wall_law_refusals() {
 CheckList bed_refusals() {
     return {{
         {{"bed.roughness_height", "bed.datum_below_crest"},
-         "`roughness_height` or `datum_below_crest` other than 0 without `kind = \"spheres\"`",
+         "`roughness_height` or `datum_below_crest` other than 0 without `kind = \"spheres\"`, and without a solid "
+         "that is `part_of_bed`",
          "",
-         "remove the key, set it to 0, or choose kind = \"spheres\"",
-         zone_of_smooth_bed},
+         "remove the key, set it to 0, choose kind = \"spheres\", or set part_of_bed = true under the [[solid]] that "
+         "makes the bed rough",
+         zone_of_plane_bed},
         {{"bed.roughness_height"},
          "`roughness_height` 0 with `kind = \"spheres\"`",
          "a bed of spheres needs a roughness zone",
@@ -168,9 +171,19 @@ CheckList bed_refusals() {
          "the depth is measured from a height in the roughness zone",
          "give at most the roughness height",
          [](const Case& c) {
-             return found_if(over_spheres(c) && c.bed.datum_below_crest > c.bed.roughness_height,
+             return found_if(has_rough_bed(c) && c.bed.datum_below_crest > c.bed.roughness_height,
                              "datum_below_crest is {}, below the bed level with a roughness height of {}",
                              shown_length(c.bed.datum_below_crest), shown_length(c.bed.roughness_height));
+         }},
+        {{"bed.roughness_height", "solid.part_of_bed"},
+         "`roughness_height` above the highest point of the solids that are part of the bed",
+         "the crests are theirs",
+         "give at most that height, or remove the key: the crests are the highest points then",
+         [](const Case& c) {
+             const auto highest = highest_of_solid_bed(c);
+             return found_if(highest && !over_spheres(c) && c.bed.roughness_height > *highest + 1e-9,
+                             "roughness_height is {}, and the highest point is at {}",
+                             shown_length(c.bed.roughness_height), shown_length(highest.value_or(0.0)));
          }},
         {{"numerics.spacing", "bed.roughness_height"},
          "`spacing` above `bed.roughness_height`",

@@ -78,8 +78,8 @@ struct Bed {
     BedKind kind = BedKind::spheres;
     double sphere_diameter = 0.025;  ///< D, m
     Packing packing = Packing::hexagonal;
-    double roughness_height = 0.0;     ///< d_h, bed level to crest, m; 0 for smooth beds
-    double datum_below_crest = 0.004;  ///< m; 0 for smooth beds
+    double roughness_height = 0.0;     ///< d_h, bed level to crest, m; 0 for plane beds
+    double datum_below_crest = 0.004;  ///< m; 0 for plane beds
     double drag_coefficient = 0.8;     ///< C_d
     DragForm drag_form = DragForm::consistent;
     std::optional<double>
@@ -305,6 +305,7 @@ struct Solid {
     std::optional<double> level;  ///< spheres: height of their centres, m; unset: they lie on the bed
     long long seed = 1;           ///< spheres, random
     SolidSurface surface = SolidSurface::no_slip;
+    bool part_of_bed = false;          ///< whether the flow over it is one over a rough bed
     std::vector<double> moment_about;  ///< x, y, z of a point of it at t = 0, m; in 2D x, z; empty: centroid
     SolidMotion motion = SolidMotion::fixed;
     double start = 0.0;          ///< time at which it starts to move, s

@@ -69,7 +69,7 @@ SectionKeys bed() {
     const auto key = [](const char* name, auto member, const char* meaning) {
         return make_key("bed", name, &Case::bed, member, meaning);
     };
-    const char* const smooth = "0 for a smooth bed";
+    const char* const plane = "0 for a plane bed";
     s.keys.push_back(key("kind", &Bed::kind, "Kind of the bed."));
     s.keys.push_back(key("sphere_diameter", &Bed::sphere_diameter, "Diameter D of the bed's spheres.")
                          .measured_in(length)
@@ -84,13 +84,16 @@ SectionKeys bed() {
             .measured_in(length)
             .at_least(0)
             .may_be_diameters()
-            .with_default_note(std::string("required for spheres; ") + smooth)
+            .with_default_note(
+                std::string("required for spheres; the highest point of the solids that are part of "
+                            "the bed; ") +
+                plane)
             .with_example("\"0.4 D\""));
     s.keys.push_back(key("datum_below_crest", &Bed::datum_below_crest,
                          "Distance of the zero datum, from which the depth is measured, below the crests.")
                          .measured_in(length)
                          .at_least(0)
-                         .with_default_note(std::string("4 mm for spheres; ") + smooth));
+                         .with_default_note(std::string("4 mm for spheres; else 0")));
     s.keys.push_back(key("drag_coefficient", &Bed::drag_coefficient, "Drag coefficient C_d of the spheres.")
                          .at_least(0)
                          .at_most(10)

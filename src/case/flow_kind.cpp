@@ -57,9 +57,16 @@ bool layer_resists(const Case& c) {
     });
 }
 
+/// Whether the flow goes around a solid and not over it as over a bed.
+bool is_body(const Solid& solid) { return !solid.part_of_bed; }
+
 bool is_driven(const Case& c) { return c.streamwise_gravity() > 0.0 || c.channel.lid_velocity != 0.0; }
 
 }  // namespace
+
+bool has_bodies(const Case& c) { return std::any_of(c.solids.begin(), c.solids.end(), is_body); }
+
+bool has_solid_bed(const Case& c) { return !std::all_of(c.solids.begin(), c.solids.end(), is_body); }
 
 bool bed_resists(const Bed& bed) {
     switch (bed.kind) {
@@ -106,7 +113,7 @@ FlowKind flow_kind(const Case& c) {
     if (c.start.kind == StartKind::standing_wave) return FlowKind::standing_wave;
     if (c.channel.ends == Ends::open) return FlowKind::open_channel;
     if (c.channel.ends != Ends::periodic || !is_driven(c)) return FlowKind::tank;
-    if (!c.solids.empty() || vegetation_varies_along(c) || porosity_varies_along(c))
+    if (has_bodies(c) || vegetation_varies_along(c) || porosity_varies_along(c))
         return FlowKind::channel_with_bodies;
     return c.start.water_x.empty() ? FlowKind::uniform_channel : FlowKind::tank;
 }
@@ -192,12 +199,20 @@ std::optional<std::string> why_no_column(const Case& c) {
         return "walls close the channel at its ends (channel.ends = \"walls\"), so no steady flow runs "
                "along it: a uniform flow needs channel.ends = \"periodic\" and channel.slope > 0";
     }
-    if (!c.solids.empty()) {
+    if (has_bodies(c)) {
+        const auto bodies = std::count_if(c.solids.begin(), c.solids.end(), is_body);
         return fmt::format(
             "the flow meets the solid \"{}\"{}, around which it is not uniform: the balance of a column "
             "has no drag of bodies. Without the [[solid]] the case has a uniform flow to compare with",
-            c.solids.front().name,
-            c.solids.size() > 1 ? fmt::format(" and {} more", c.solids.size() - 1) : std::string());
+            std::find_if(c.solids.begin(), c.solids.end(), is_body)->name,
+            bodies > 1 ? fmt::format(" and {} more", bodies - 1) : std::string());
+    }
+    if (has_solid_bed(c)) {
+        return fmt::format(
+            "the bed is made of solids (\"{}\"), whose resistance comes from the pressure on their faces: the column has "
+            "it of spheres by their drag coefficient (bed.kind = \"spheres\") or of a given roughness "
+            "(bed.kind = \"roughness\")",
+            std::find_if_not(c.solids.begin(), c.solids.end(), is_body)->name);
     }
     if (c.channel.lid_velocity != 0.0) {
         return "a moving lid drives the flow (channel.lid_velocity), which the balance of the column does "

@@ -51,6 +51,17 @@ enum class FlowKind {
     return c.channel.ends == Ends::open && c.channel.top == Top::wall;
 }
 
+/// Whether solids stand in the flow that are not part of its bed.
+[[nodiscard]] bool has_bodies(const Case& c);
+
+/// Whether solids make the bed rough.
+[[nodiscard]] bool has_solid_bed(const Case& c);
+
+/// Whether the bed has elements with crests, and a datum among them: spheres by their drag, or solids.
+[[nodiscard]] inline bool has_rough_bed(const Case& c) {
+    return c.bed.kind == BedKind::spheres || has_solid_bed(c);
+}
+
 /// Whether a bed holds the water back.
 [[nodiscard]] bool bed_resists(const Bed& bed);
 

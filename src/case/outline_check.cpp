@@ -92,4 +92,22 @@ std::optional<Extent> extent_of(const Case& c, const Solid& solid, std::size_t a
     return corners.empty() ? std::nullopt : std::optional(Extent(corners));
 }
 
+std::optional<double> highest_of_solid_bed(const Case& c) {
+    std::optional<double> highest;
+    for (const Solid& solid : c.solids) {
+        if (!solid.part_of_bed) continue;
+        std::optional<double> top;
+        if (solid.shape == SolidShape::spheres) {
+            // The facets of their surfaces stay some micrometres below.
+            const double radius = 0.5 * solid.diameter;
+            top = solid.level.value_or(radius) + radius;
+        } else if (const auto upright = extent_of(c, solid, c.channel.dimensions == 3 ? 2 : 1)) {
+            top = upright->high;
+        }
+        if (!top) return std::nullopt;
+        highest = std::max(highest.value_or(*top), *top);
+    }
+    return highest;
+}
+
 }  // namespace riffle

@@ -50,4 +50,8 @@ struct Extent {
 /// What a solid takes up along axis x, y or z at the start; nothing where its shape is not known.
 [[nodiscard]] std::optional<Extent> extent_of(const Case& c, const Solid& solid, std::size_t axis);
 
+/// The highest point of the solids that are part of the bed, m; none without them, or where their surfaces
+/// were not read with the case.
+[[nodiscard]] std::optional<double> highest_of_solid_bed(const Case& c);
+
 }  // namespace riffle

@@ -16,6 +16,7 @@
 #include "case/conversion.hpp"
 #include "case/key_table.hpp"
 #include "case/nearest.hpp"
+#include "case/outline_check.hpp"
 #include "case/presets.hpp"
 #include "case/problems.hpp"
 #include "case/refusals.hpp"
@@ -328,6 +329,7 @@ void shape_outlines(Case& c, Solid& solid) {
         const Solid given = std::exchange(solid, Solid{});
         solid.name = given.name;
         solid.surface = given.surface;
+        solid.part_of_bed = given.part_of_bed;
     } else {
         outline = shape_outline(c, solid);
     }
@@ -368,6 +370,16 @@ void make_shapes(Case& c, const Places& places, Problems& problems) {
     }
 }
 
+/// The crests of a bed of solids are its highest points, unless the case says otherwise.
+void set_crests_of_solids(Case& c, const Places& places) {
+    if (places.given("bed.roughness_height") || c.bed.kind == BedKind::spheres) {
+        return;
+    }
+    if (const auto highest = highest_of_solid_bed(c)) {
+        c.bed.roughness_height = std::max(0.0, *highest);
+    }
+}
+
 }  // namespace
 
 Case parse_case(const std::string& text, const std::string& name, const std::filesystem::path& path,
@@ -399,6 +411,7 @@ Case parse_case(const std::string& text, const std::string& name, const std::fil
     // What the keys demand of each other can only be judged when each of them is right.
     if (problems.empty()) {
         make_shapes(c, places, problems);
+        set_crests_of_solids(c, places);
         refuse(c, places, problems);
     }
     if (!problems.empty()) {

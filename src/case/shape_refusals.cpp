@@ -170,6 +170,22 @@ CheckList shape_refusals() {
              return found_if(is_bed_shape(solid.shape) && solid.motion != SolidMotion::fixed,
                              "motion is \"{}\"", word(solid.motion));
          }},
+        {{"solid.part_of_bed", "solid.motion"},
+         "a solid that is `part_of_bed` and moves",
+         "the bed stands still",
+         "set motion = \"fixed\", or part_of_bed = false",
+         [](const Case&, const Solid& solid) {
+             return found_if(solid.part_of_bed && solid.motion != SolidMotion::fixed, "motion is \"{}\"",
+                             word(solid.motion));
+         }},
+        {{"solid.part_of_bed", "channel.ends"},
+         "a solid that is `part_of_bed` without `channel.ends = \"periodic\"`",
+         "only there is the flow the same all along the channel, but for the elements of its bed",
+         "set channel.ends = \"periodic\", or part_of_bed = false",
+         [](const Case& c, const Solid& solid) {
+             return found_if(solid.part_of_bed && c.channel.ends != Ends::periodic, "channel.ends is \"{}\"",
+                             word(c.channel.ends));
+         }},
     }};
 }
 

@@ -179,6 +179,10 @@ SectionKeys solid_keys() {
     add_bed_keys(s);
     s.keys.push_back(key("surface", &Solid::surface, "What the water does at it."));
     s.keys.push_back(
+        key("part_of_bed", &Solid::part_of_bed,
+            "Whether it belongs to the bed: the flow over it is that over a rough bed, whose crests and "
+            "datum are those of `[bed]`, and not one around a body."));
+    s.keys.push_back(
         key("moment_about", &Solid::moment_about,
             "Point that the moments of the forces on it are about, where it is at t = 0: x, y and z in three "
             "dimensions, x and z in two. It moves with the solid.")

@@ -23,7 +23,7 @@ class ChannelRows : public DiagnosticRows {
         : DiagnosticRows(data, analysis),
           stirred_(data.flow.stirring.acceleration > 0),
           space_(data.flow.channel.dimensions == 3),
-          bodies_(!data.flow.solids.empty()),
+          bodies_(has_bodies(data.flow)),
           vegetation_(!data.flow.vegetation.empty()),
           porous_(!data.flow.porous.empty()),
           open_(data.flow.channel.ends == Ends::open) {}
@@ -143,9 +143,14 @@ class ChannelRows : public DiagnosticRows {
         std::string text = percent(found->value, 1);
         if (const Finding* const pressure = finding("solid_form_drag_share"))
             text += fmt::format(", by pressure {}", percent(pressure->value, 1));
-        add({"form_drag", "Force on the bodies over the weight component", text, "what the bodies take",
-             "Streamwise force of the water on the bodies: form drag, by the pressure on their faces, and "
-             "friction. The rest of the weight component goes to the bed and the walls.",
+        add({"form_drag",
+             bodies_ ? "Force on the bodies over the weight component"
+                     : "Force on the solids of the bed over the weight component",
+             text, bodies_ ? "what the bodies take" : "what they take",
+             fmt::format(
+                 "Streamwise force of the water on the {}: form drag, by the pressure on their faces, and "
+                 "friction. The rest of the weight component goes to {} and the walls.",
+                 bodies_ ? "bodies" : "solids", bodies_ ? "the bed" : "the bed below them"),
              Health::none});
     }
 

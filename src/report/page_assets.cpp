@@ -16,6 +16,8 @@ extern const char riffle_page_shared_begin[];
 extern const char riffle_page_shared_end[];
 extern const char riffle_page_field_begin[];
 extern const char riffle_page_field_end[];
+extern const char riffle_page_moving_surface_begin[];
+extern const char riffle_page_moving_surface_end[];
 extern const char riffle_page_report_begin[];
 extern const char riffle_page_report_end[];
 extern const char riffle_page_comparison_begin[];
@@ -42,6 +44,7 @@ PageAssets page_assets() {
             {riffle_page_plotly_begin, riffle_page_plotly_end},
             joined({shared,
                     {riffle_page_field_begin, riffle_page_field_end},
+                    {riffle_page_moving_surface_begin, riffle_page_moving_surface_end},
                     {riffle_page_report_begin, riffle_page_report_end}}),
             joined({shared, {riffle_page_comparison_begin, riffle_page_comparison_end}}),
             joined({shared}),

@@ -159,14 +159,13 @@ void add_friction(Table& table, const ReportData& data, const Analysis& analysis
         }
         return;
     }
-    table.add(
-        row_of("friction_velocity",
-               data.flow.bed.kind == BedKind::spheres ? "Friction velocity, from the stress at the crests"
-                                                      : "Friction velocity, from the stress at the bed",
-               "<i>u</i><sub>∗</sub>", "m/s"),
-        {plain(find_value(data.summary, fields::summary.friction_velocity)),
-         plain(measured.friction_velocity),
-         plain(find_value(data.column, fields::column_numbers.friction_velocity))});
+    table.add(row_of("friction_velocity",
+                     has_rough_bed(data.flow) ? "Friction velocity, from the stress at the crests"
+                                              : "Friction velocity, from the stress at the bed",
+                     "<i>u</i><sub>∗</sub>", "m/s"),
+              {plain(find_value(data.summary, fields::summary.friction_velocity)),
+               plain(measured.friction_velocity),
+               plain(find_value(data.column, fields::column_numbers.friction_velocity))});
     // Of the analysis, whose window may be another, else of the run itself.
     const auto fit = [&](const Field& field, const Field& half_width) {
         Value value = found(analysis, field.name);

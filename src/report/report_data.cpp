@@ -74,6 +74,7 @@ ReportData collect_report_data(const RunResults& results, FieldFrames frames) {
     }
     data.profile_samples = results.number(fields::profile_window.samples).value_or(0.0);
     data.field = read_field(results, data.flow, frames);
+    if (frames == FieldFrames::all) data.surface_frames = read_surface_frames(results, data.flow);
     return data;
 }
 

@@ -8,6 +8,7 @@
 #include "case/case.hpp"
 #include "record/run_results.hpp"
 #include "report/field_data.hpp"
+#include "report/surface_frames.hpp"
 
 namespace riffle {
 
@@ -26,10 +27,11 @@ struct ReportData {
     double window_start = 0, window_end = 0;  ///< averaging window, s; both 0 before there is one
     double profile_samples = 0;
     std::optional<FieldPicture> field;
+    std::optional<SurfaceFrames> surface_frames;
 };
 
-/// Collect the report's data, with a picture of the flow field of these frames. Throws FileError if the
-/// file's case is missing or cannot be read.
+/// Collect the report's data, with a picture of the flow field of these frames; with all frames, the moving
+/// surface as well. Throws FileError if the file's case is missing or cannot be read.
 [[nodiscard]] ReportData collect_report_data(const RunResults& results,
                                              FieldFrames frames = FieldFrames::all);
 [[nodiscard]] ReportData collect_report_data(const std::filesystem::path& results,

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "case/flow_kind.hpp"
+#include "record/run_fields.hpp"
 #include "report/base64.hpp"
 #include "report/field_data.hpp"
 #include "report/json_parts.hpp"
@@ -113,6 +114,32 @@ Json field_json(const ReportData& data) {
     return object;
 }
 
+Json surface_frames_json(const ReportData& data) {
+    if (!data.surface_frames) return nullptr;
+    const SurfaceFrames& surface = *data.surface_frames;
+    double largest = 0.0;
+    for (const double value : surface.elevation) {
+        if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
+    }
+    const auto points = static_cast<std::ptrdiff_t>(surface.x.size() * surface.y.size());
+    Json frames = Json::array();
+    for (auto at = surface.elevation.begin(); at != surface.elevation.end(); at += points)
+        frames.push_back(packed({at, at + points}, -largest, largest));
+    const Case& c = data.flow;
+    const auto mean = find_value(data.summary, fields::summary.depth_mean_velocity);
+    return {{"x", array_of(surface.x)},
+            {"y", array_of(surface.y)},
+            {"time", array_of(surface.time)},
+            {"largest", largest},
+            {"frames", std::move(frames)},
+            {"length", c.channel.length},
+            {"width", c.channel.simulated_width()},
+            {"periodic_along", c.channel.ends == Ends::periodic},
+            {"periodic_across", c.channel.sides == Sides::periodic},
+            {"velocity", mean && is_channel(flow_kind(c)) ? Json(*mean) : Json(nullptr)},
+            {"earlier_left_out", surface.earlier_left_out}};
+}
+
 /// The chapters in the order of the page, before and after the picture of the flow field; those of neither
 /// list follow at the end, and `particles` stands with the diagnostics.
 Json chapters_json(FlowKind kind) {
@@ -157,7 +184,7 @@ std::string summary_note(const ReportData& data) {
             "and what was measured at the centreline stands beside the simulated centreline: means over "
             "the length and a period of the bed's elements across the channel. ";
     }
-    if (data.flow.bed.kind == BedKind::spheres && kind == FlowKind::uniform_channel) {
+    if (has_rough_bed(data.flow) && kind == FlowKind::uniform_channel) {
         note +=
             "The datum lies below the crests of the bed elements; depth-mean values are taken above it. "
             "Friction velocity and equivalent roughness from the fit: rough log law "
@@ -191,6 +218,7 @@ std::string page_json(const ReportData& data, const Analysis& analysis) {
         {"chapters", chapters_json(flow_kind(data.flow))},
         {"geometry", geometry_json(data)},
         {"field", field_json(data)},
+        {"moving_surface", surface_frames_json(data)},
         {"diagnostics", diagnostics_json(diagnostics)},
         {"run", std::move(facts)},
         {"references", references_json(cited_references({analysis}, {data.flow.measured.source}))},

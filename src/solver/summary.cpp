@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "case/bed_friction.hpp"
+#include "case/flow_kind.hpp"
 #include "case/solid_mesh.hpp"
 #include "hydraulics/channel_laws.hpp"
 #include "hydraulics/log_law.hpp"
@@ -116,7 +117,7 @@ void add_stresses(const Case& c, const Profiles& p, Numbers& summary) {
     summary.set(fields::summary.spurious_stress_rms, spurious.rms());
     summary.set(fields::summary.spurious_stress_maximum, spurious.largest);
     summary.set(fields::summary.stress_error_rms, error.rms());
-    if (!c.solids.empty()) {
+    if (has_bodies(c)) {
         return;  // the stress at the bed is not the one that continues the line
     }
     if (const std::optional<StressLine> line = fit_stress_line(c, p)) {
@@ -126,7 +127,7 @@ void add_stresses(const Case& c, const Profiles& p, Numbers& summary) {
 }
 
 void add_log_law(const Case& c, const Profiles& p, Numbers& summary) {
-    if (c.bed.kind != BedKind::spheres) {
+    if (!has_rough_bed(c)) {
         return;
     }
     const HeightRange range = log_law_range(c);

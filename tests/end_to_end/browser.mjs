@@ -95,7 +95,7 @@ export const inspect = id => {
 // Faults of one figure as words.
 export function check_figure(id, state, where) {
   check(state.untitled === 0 && state.drawn >= 2, `${where}: figure ${id} has an axis without a title`);
-  check((state.traces >= 1 || id === 'field') && state.marks >= 1, `${where}: figure ${id} shows no data`);
+  check((state.traces >= 1 || ['field', 'moving-surface'].includes(id)) && state.marks >= 1, `${where}: figure ${id} shows no data`);
   check(state.width > 200 && state.height > 120, `${where}: figure ${id} is ${state.width} x ${state.height} px`);
   check(state.ranges, `${where}: figure ${id} has an axis without a range`);
   check(/^Figure \d+\. .{20}/.test(state.caption), `${where}: figure ${id} has no caption`);

@@ -50,6 +50,27 @@ async function check_files(page, id, state, where) {
   }
 }
 
+// The surface has another picture at another moment and in the other view, and plays until it is stopped.
+async function check_moving_surface(page, where) {
+  const figure = page.locator('#figure-moving-surface'), picture = () => figure.locator('.imagelayer image').first().evaluate(image => image.getAttribute('href') || image.getAttribute('xlink:href'));
+  const moment = () => figure.locator('.frames').textContent(), changes = async (what, read, act) => {
+    const before = await read();
+    await act();
+    for (let tries = 0; tries < 100 && (await read()) === before; ++tries) await page.waitForTimeout(50);
+    check((await read()) !== before, `${where}: ${what} of the moving surface does not change`);
+  };
+  await figure.scrollIntoViewIfNeeded();
+  check(/t = \d+\.\d+ s/.test(await moment()), `${where}: the moving surface does not name its moment`);
+  await changes('the picture', picture, () => figure.locator('.frames input').fill('3'));
+  await changes('the view', picture, () => figure.locator('.choices > button').nth(1).click());
+  await changes('the moment', moment, () => figure.locator('button.play').click());
+  await figure.locator('button.play').click();
+  await page.waitForTimeout(300);
+  const stopped = await moment();
+  await page.waitForTimeout(900);
+  check((await moment()) === stopped, `${where}: the moving surface goes on after it was stopped`);
+}
+
 async function check_page(browser, width, height, scheme) {
   const { context, page, where } = await open(browser, file, width, height, scheme);
   const ids = await page.$$eval('figure', all => all.map(figure => figure.id.replace('figure-', '')));
@@ -80,6 +101,7 @@ await look_through_a_browser(async browser => {
     const id = await button.evaluate(element => element.closest('figure').id.replace('figure-', ''));
     check_figure(id, await page.evaluate(inspect, id), `${where}, other view`);
   }
+  if (ids.includes('moving-surface')) await check_moving_surface(page, where);
   const empty = await page.$$eval('.findings tbody tr', rows => rows.filter(row => ![...row.querySelectorAll('td')].some(cell => cell.textContent.trim())).length);
   check(empty === 0, `${where}: ${empty} rows of findings are empty`);
   await page.evaluate(() => addEventListener('beforeprint', () => {

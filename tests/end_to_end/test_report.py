@@ -180,8 +180,8 @@ class Report(CommandLineTest):
     def test_three_dimensions_in_a_browser(self):
         self.sample_pages()
         self.look_at(self.folder / "space.html", "--figures", "section_velocity_map,section_stress_map,"
-                     "secondary_strength_averaging,bed_stress_distribution,drag_plan_map,surface_mean_map",
-                     "--save", "section_velocity_map,bed_stress_distribution", script="figures_browser.mjs")
+                     "secondary_strength_averaging,bed_stress_distribution,drag_plan_map,surface_mean_map,moving-surface",
+                     "--save", "section_velocity_map,bed_stress_distribution,moving-surface", script="figures_browser.mjs")
         self.look_at(self.folder / "dimensions.html", "--figures", "velocity_profile,section_velocity_map",
                      "--save", "velocity_profile", script="figures_browser.mjs")
         self.assertIn("computing time per simulated second", (self.folder / "dimensions.html").read_text())

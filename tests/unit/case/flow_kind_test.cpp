@@ -76,5 +76,20 @@ TEST(FlowKind, TheReasonIsTheTrueOne) {
     EXPECT_EQ(flow_kind(outlined), FlowKind::tank);
 }
 
+// Spheres that lie on the ground are the bed of a uniform channel, a body that stands on them makes another
+// flow.
+TEST(FlowKind, SolidsThatArePartOfTheBedLeaveAUniformChannel) {
+    Case c = read_case(cases / "rough-bed-3d/resolved-spheres.toml");
+    EXPECT_EQ(flow_kind(c), FlowKind::uniform_channel);
+    EXPECT_TRUE(has_rough_bed(c));
+    EXPECT_FALSE(has_bodies(c));
+    EXPECT_THAT(why_no_column(c).value_or(""), HasSubstr("the bed is made of solids (\"bed spheres\")"));
+    Solid& pier = c.solids.emplace_back();
+    pier.name = "pier";
+    EXPECT_EQ(flow_kind(c), FlowKind::channel_with_bodies);
+    EXPECT_THAT(why_no_column(c).value_or(""),
+                AllOf(HasSubstr("the solid \"pier\","), Not(HasSubstr("more"))));
+}
+
 }  // namespace
 }  // namespace riffle::flow_kind_test

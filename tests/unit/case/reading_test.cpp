@@ -109,6 +109,27 @@ TEST(Reading, SmoothBedsHaveNoRoughnessZone) {
     EXPECT_EQ(c.total_depth(), 1);
 }
 
+const std::string ribs =
+    "[channel]\nslope = 0.001\ndepth = \"100 mm\"\nlength = \"300 mm\"\n[start]\nkind = \"rest\"\n"
+    "[numerics]\nspacing = \"5 mm\"\n[[solid]]\nname = \"rib\"\nshape = \"rectangle\"\npart_of_bed = true\n"
+    "centre = [\"150 mm\", \"10 mm\"]\nsize = [\"40 mm\", \"30 mm\"]\n";
+
+TEST(Reading, CrestsOfASolidBedAreItsHighestPoints) {
+    const Case c = parse(ribs + "[bed]\nkind = \"no-slip\"\ndatum_below_crest = \"4 mm\"\n");
+    EXPECT_DOUBLE_EQ(c.crest(), 0.025);
+    EXPECT_DOUBLE_EQ(c.datum(), 0.021);
+    EXPECT_DOUBLE_EQ(c.total_depth(), 0.121);
+    EXPECT_TRUE(parse(c.text).same_parameters(c));
+    const Case lower = parse(ribs + "[bed]\nkind = \"no-slip\"\nroughness_height = \"15 mm\"\n");
+    EXPECT_DOUBLE_EQ(lower.crest(), 0.015);
+    EXPECT_DOUBLE_EQ(lower.datum(), 0.015);
+    // Of spheres the highest points are known to the bit, the facets of their surfaces are not them.
+    const Case spheres =
+        read_case(std::filesystem::path(RIFFLE_SOURCE_DIR) / "cases/rough-bed-3d/resolved-spheres.toml");
+    EXPECT_EQ(spheres.crest(), 0.0125);
+    EXPECT_DOUBLE_EQ(spheres.total_depth(), 0.0585);
+}
+
 TEST(Reading, PresetSetsDefaultsAndGivenKeysWin) {
     const Case c = parse(smallest + "[numerics]\nsound_speed = \"30 m/s\"\npreset = \"thesis\"\n");
     Numerics expected = preset_numerics(Preset::thesis);

@@ -309,6 +309,10 @@ std::vector<Wrong> wrong_shapes() {
         {with_shape(section), "solid[0].levels = [0.01, 0.02]"},
         {on_spheres, "channel.length = 0.21"},
         {with_shape(section), "solid[0].motion = constant; solid[0].velocity_z = 0.01"},
+        {with_solid(),
+         "solid[0].part_of_bed = true; solid[0].motion = constant; solid[0].velocity_x = 1 mm/s"},
+        {with_solid(), "solid[0].part_of_bed = true; channel.ends = walls"},
+        {with_shape(section), "solid[0].part_of_bed = true; bed.roughness_height = 1 m"},
     };
 }
 

@@ -143,6 +143,35 @@ TEST(Kinds, BodiesBookTheirDragAndHaveNoTwin) {
         EXPECT_FALSE(quantity.column) << quantity.key;
 }
 
+// The same solid as a part of the bed: its drag is the bed's, and the laws of a uniform channel are asked
+// for.
+TEST(Kinds, SolidsOfTheBedAreJudgedAsARoughBed) {
+    ReportData data = channel();
+    data.flow.bed.kind = BedKind::no_slip;
+    Solid& rib = data.flow.solids.emplace_back();
+    rib.name = "rib";
+    rib.part_of_bed = true;
+    data.column = {};
+    data.summary.set(fields::summary.drag_over_gravity, 0.0);
+    data.summary.set(fields::summary.wall_over_gravity, 1.0);
+    data.summary.set(fields::summary.friction_velocity, 0.044);
+    data.summary.set(fields::summary.spurious_stress_rms, 0.05);
+    Analysis analysis;
+    analysis.findings = {finding("solid_force_share", 0.9)};
+    const std::vector<Diagnostic> rows = diagnose(data, analysis);
+    ASSERT_NE(row(rows, "spurious_stress"), nullptr);
+    EXPECT_EQ(row(rows, "spurious_stress")->mark, Health::bad);
+    ASSERT_NE(row(rows, "form_drag"), nullptr);
+    EXPECT_THAT(row(rows, "form_drag")->label, HasSubstr("solids of the bed"));
+    const std::string text = text_of(verdict_of(data, analysis));
+    EXPECT_THAT(text, HasSubstr("The friction velocity is 0.044 m/s"));
+    EXPECT_THAT(text, HasSubstr("the bed is made of solids"));
+    const std::vector<SummaryRow> quantities = summarize(data, analysis);
+    ASSERT_NE(find_quantity(quantities, "friction_velocity"), nullptr);
+    EXPECT_THAT(find_quantity(quantities, "friction_velocity")->label, HasSubstr("at the crests"));
+    EXPECT_EQ(find_quantity(quantities, "unit_discharge"), nullptr);
+}
+
 // A flood through an open channel that strikes a deck: no mean is asked for, and impacts compress water.
 TEST(Kinds, AFloodIsJudgedByItsAccountAndNotByAMean) {
     ReportData data = channel();
