@@ -298,22 +298,6 @@ void add_section_twin_fits(const FlowRecord& record, const FittedFlow& flow, Ana
     }
 }
 
-void add_kappa(const FlowRecord& record, const FittedFlow& flow, Analysis& analysis) {
-    if (!flow.friction_velocity) return;
-    const double length = record.flow()->fluid.kinematic_viscosity / *flow.friction_velocity;
-    const KappaFit fit = fit_kappa(flow.points, *flow.friction_velocity, flow.friction_velocity_half_width,
-                                   length, flow.log_law_range);
-    if (!fit.valid) {
-        warn_of_failure(analysis, "check of kappa", fit);
-        return;
-    }
-    Finding finding =
-        against(fitted("kappa", "von Karman's constant with u* from the stress", "1", fit.kappa),
-                log_law_kappa, "thesis (2.1)");
-    if (finding.remark.empty()) finding.remark = "check of Nezu & Rodi (1986)";
-    analysis.findings.push_back(std::move(finding));
-}
-
 }  // namespace
 
 void analyse_fits(const FlowRecord& record, Analysis& analysis) {
@@ -354,6 +338,7 @@ void analyse_fits(const FlowRecord& record, Analysis& analysis) {
     if (!centreline.z.empty()) add_section_twin_fits(record, flow, analysis);
     Figure laws = laws_figure(record, flow);
     add_log_law(record, flow, laws, analysis);
+    add_roughness_of_stress(record, flow, analysis);
     add_other_laws(flow, c.fluid.kinematic_viscosity, laws, analysis);
     add_secondary_flow_laws(record, flow, laws, analysis);
     add_kappa(record, flow, analysis);

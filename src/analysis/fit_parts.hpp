@@ -32,6 +32,12 @@ void warn_of_failure(Analysis& analysis, const char* law, const FitQuality& fit)
 [[nodiscard]] Curve law_curve(const char* name, int variant, const FittedFlow& flow, const FitQuality& fit,
                               const std::function<double(double)>& law);
 
+/// The roughness that the profile has with the friction velocity of its stress.
+void add_roughness_of_stress(const FlowRecord& record, const FittedFlow& flow, Analysis& analysis);
+
+/// Von Karman's constant with that friction velocity.
+void add_kappa(const FlowRecord& record, const FittedFlow& flow, Analysis& analysis);
+
 /// The laws of flow with cells of secondary flow (thesis 2.24, 2.27): their curves in `laws`, a figure of the
 /// stress, and where in a cell each puts the profile.
 void add_secondary_flow_laws(const FlowRecord& record, const FittedFlow& flow, Figure& laws,

@@ -264,6 +264,30 @@ SecondaryFlowFit fit_secondary_flow_log_law(const VelocityPoints& points, double
     return fit;
 }
 
+RoughnessFit fit_roughness(const VelocityPoints& points, double friction_velocity,
+                           double friction_velocity_half_width, double kappa, FitRange range) {
+    require_positive(friction_velocity, "the friction velocity");
+    require_positive(kappa, "kappa");
+    const FitPoints used(points, range);
+    constexpr Eigen::Index fewest = 2;
+    if (const auto why = used.obstacle(fewest); !why.empty()) return not_fitted<RoughnessFit>(used, why);
+    // u kappa/u_* - ln z = 8.5 kappa - ln k_s at every point.
+    const Eigen::MatrixXd constant = Eigen::MatrixXd::Ones(used.height.size(), 1);
+    const Eigen::VectorXd rest =
+        used.velocity * (kappa / friction_velocity) - used.height.array().log().matrix();
+    const auto mean = fit_linear(constant, rest, used.uncertainty);
+    if (!mean) return not_fitted<RoughnessFit>(used, dependent_points);
+    FittedValue logarithm = linear_of(coefficient(*mean, 0), -1.0, kappa * rough_log_law_constant);
+    const double more =
+        kappa * used.velocity.mean() * friction_velocity_half_width / std::pow(friction_velocity, 2);
+    logarithm.half_width = std::hypot(logarithm.half_width, more);
+    logarithm.interval = {logarithm.value - logarithm.half_width, logarithm.value + logarithm.half_width};
+    RoughnessFit fit;
+    static_cast<FitQuality&>(fit) = succeeded(used.quality(), mean->residuals * (friction_velocity / kappa));
+    fit.equivalent_roughness = exponential_of(logarithm);
+    return fit;
+}
+
 KappaFit fit_kappa(const VelocityPoints& points, double friction_velocity,
                    double friction_velocity_half_width, double length, FitRange range) {
     require_positive(friction_velocity, "the friction velocity");

@@ -69,6 +69,18 @@ struct SecondaryFlowFit : FitQuality {
                                                           std::optional<double> friction_velocity = {},
                                                           double kappa = log_law_kappa, FitRange range = {});
 
+/// Equivalent roughness from a profile whose friction velocity is known from the stress.
+struct RoughnessFit : FitQuality {
+    FittedValue equivalent_roughness;  ///< k_s, m
+};
+
+/// Fit k_s of the rough log law (thesis 2.3) with u_* and kappa given: where the profile is short or no log
+/// law, a fit of both gives a slope that no stress has. The half-width of the 95 % interval of u_* adds to
+/// that of the fit (in quadrature, of the logarithm).
+[[nodiscard]] RoughnessFit fit_roughness(const VelocityPoints& points, double friction_velocity,
+                                         double friction_velocity_half_width, double kappa = log_law_kappa,
+                                         FitRange range = {});
+
 /// Von Karman's constant from a profile whose friction velocity is known from the stress.
 struct KappaFit : FitQuality {
     FittedValue kappa;

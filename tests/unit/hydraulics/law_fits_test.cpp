@@ -171,6 +171,29 @@ TEST(KappaFit, IntervalsHoldTheTruthInNinetyFiveOfAHundred) {
     expect_right_coverage(constant, "constant, u_* within 4 %");
 }
 
+// With u_* from a stress that is known to some percent the roughness and its interval are right, too.
+TEST(RoughnessFit, IsRightWithAFrictionVelocityThatIsGiven) {
+    constexpr double relative_error = 0.02;
+    std::mt19937_64 generator(7);
+    std::normal_distribution<double> normal;
+    Coverage exact(k_s), roughness(k_s);
+    for (int i = 0; i < coverage_trials; ++i) {
+        const NoisyProfile p = noisy_profile([](double z) { return rough_log_law(z, u_star, k_s); }, lowest,
+                                             highest, points, noise, i);
+        exact.add(fit_roughness(points_of(p), u_star, 0.0).equivalent_roughness);
+        const double measured = u_star * (1.0 + relative_error * normal(generator));
+        const RoughnessFit fit = fit_roughness(points_of(p), measured, 1.96 * relative_error * measured);
+        ASSERT_TRUE(fit.valid);
+        roughness.add(fit.equivalent_roughness);
+    }
+    expect_right_coverage(exact, "k_s, u_* exact");
+    expect_right_coverage(roughness, "k_s, u_* within 2 %");
+    const NoisyProfile p = noisy_profile([](double z) { return rough_log_law(z, u_star, k_s); }, lowest,
+                                         highest, points, 0.0, 1);
+    EXPECT_NEAR(fit_roughness(points_of(p), u_star, 0.0).equivalent_roughness.value, k_s, 1e-12);
+    EXPECT_FALSE(fit_roughness(points_of(p), u_star, 0.0, log_law_kappa, {0.5, 0.6}).valid);
+}
+
 TEST(LawFits, SayWhyThereIsNoFit) {
     const NoisyProfile p = noisy_profile(wake_law, lowest, highest, points, 0.0, 1);
     const auto mentions = [](const FitQuality& fit, const char* words) {
