@@ -169,6 +169,7 @@ void analyse_profiles(const FlowRecord& record, Analysis& analysis) {
         add_drag(record, p, analysis);
     }
     add_double_averages(record, analysis);
+    if (record.origin() == Origin::simulated) add_friction_parts(record, p, analysis);
     add_plane_maps(record, analysis);
 }
 

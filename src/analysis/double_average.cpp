@@ -1,6 +1,8 @@
 // Double averaging (time, then bed plane) of the time means: on a grid in two dimensions, of the mean field
 // in three.
 
+#include "analysis/double_average.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -231,6 +233,12 @@ void add_mean_field(const FlowRecord& record, Analysis& analysis) {
 }
 
 }  // namespace
+
+FieldEstimates form_induced_stress(const FlowRecord& record) {
+    const double density = record.flow()->fluid.density;
+    FieldEstimates found = form_induced(record.mean_field(), &FieldBlock::u, &FieldBlock::w);
+    return {scaled(std::move(found.value), -density), scaled(std::move(found.half_width), density)};
+}
 
 void add_double_averages(const FlowRecord& record, Analysis& analysis) {
     if (record.flow() == nullptr) return;

@@ -38,6 +38,7 @@ const std::map<std::string_view, std::vector<std::string_view>>& keys_of_chapter
           "double_averaged_stress_profile",
           "double_averaged_velocity_profile",
           "form_induced_moment_profile",
+          "friction_factor_parts",
           "mean_velocity_map",
           "mean_vertical_velocity_map",
           "mean_pressure_map",

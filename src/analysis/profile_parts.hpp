@@ -56,6 +56,10 @@ void add_mixing_length(const FlowRecord& record, const Profiles& p, Analysis& an
 /// The drag term of the momentum equation, of beds of spheres.
 void add_drag(const FlowRecord& record, const Profiles& p, Analysis& analysis);
 
+/// What the friction factor of a uniform flow without side walls is made of: viscous, closure's, turbulent,
+/// form-induced stress, and what the scheme adds.
+void add_friction_parts(const FlowRecord& record, const Profiles& p, Analysis& analysis);
+
 /// Turbulence intensities over the friction velocity, with Nezu's curves and what was measured.
 void add_intensities(const FlowRecord& record, const Profiles& p, Analysis& analysis);
 

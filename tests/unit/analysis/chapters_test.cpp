@@ -244,6 +244,17 @@ TEST_F(Analyses, LeaveOutAZeroPlaneOutsideOfTheBed) {
     }
 }
 
+TEST_F(Analyses, SplitTheFrictionFactorWithoutARest) {
+    const Analysis analysis = analyse(RunRecord(sample()), "profiles");
+    double sum = 0.0;
+    for (const char* part : {"viscous", "closure", "turbulent", "pressure_of_pairs", "rest"})
+        sum += finding(analysis, std::string("friction_factor_") + part).value;
+    const double whole = finding(analysis, "friction_factor_above_crests").value;
+    EXPECT_GT(whole, 0.0);
+    EXPECT_NEAR(sum, whole, 1e-12 * whole);
+    EXPECT_EQ(figure(analysis, "friction_factor_parts").curves.size(), 5U);
+}
+
 TEST_F(Analyses, SayWhyAFigureIsMissing) {
     for (const char* group : {"/time_series", "/profiles", "/surface", "/summary", "/column"}) {
         SampleOptions options;
