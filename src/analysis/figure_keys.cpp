@@ -52,7 +52,7 @@ const std::map<std::string_view, std::vector<std::string_view>>& keys_of_chapter
           "surface_line_frequency_spectrum", "surface_wavenumber_spectrum", "surface_wave_spectrum",
           "surface_cross_correlation", "surface_correlation", "surface_station_lags",
           "surface_extreme_correlation", "surface_space_time_correlation", "surface_mean_map",
-          "surface_deviation_map"}},
+          "surface_deviation_map", "surface_families"}},
         {chapters::subsurface,
          {"integral_scale_profile", "velocity_spectrum", "vertical_velocity_spectrum",
           "streamwise_correlation", "streamwise_correlation_of_waves", "depth_correlation",

@@ -126,7 +126,7 @@ void add_friction_parts(const FlowRecord& record, const Profiles& p, Analysis& a
         "Stresses on horizontal planes times (z_s - z)/h, over the same integral of the weight above: the area of "
         "each between crests and surface is its part of the friction factor f = 8 u*^2/U^2, and all together are "
         "one in steady uniform flow.",
-        "Fukagata, Iwamoto & Kasagi (2002); Nikora et al. (2019)", make_axis("3 (1 - xi) tau/tau_c", "1"));
+        "Fukagata, Iwamoto & Kasagi 2002; Nikora et al. 2019", make_axis("3 (1 - xi) tau/tau_c", "1"));
     const double crest_stress = c.fluid.density * c.streamwise_gravity() * depth;
     double rest = whole;
     int variant = 0;
@@ -144,13 +144,16 @@ void add_friction_parts(const FlowRecord& record, const Profiles& p, Analysis& a
             finding.remark += "; interval of what is form-induced";
         }
         analysis.findings.push_back(std::move(finding));
-        std::vector<double> weighted(n);
+        std::vector<double> z;
+        std::vector<double> weighted;
         for (std::size_t k = 0; k < n; ++k) {
+            if (p.bin_upper[k] < crests) continue;
             const double from_surface = std::clamp((surface - p.bin_upper[k]) / depth, 0.0, 1.0);
-            weighted[k] = p.bin_upper[k] < crests ? 0.0 : 3.0 * from_surface * part.stress[k] / crest_stress;
+            z.push_back(p.bin_upper[k]);
+            weighted.push_back(3.0 * from_surface * part.stress[k] / crest_stress);
         }
         figure.curves.push_back(
-            make_curve(part.label, Origin::simulated, Mark::line, weighted, p.bin_upper, variant++));
+            make_curve(part.label, Origin::simulated, Mark::line, weighted, z, variant++));
     }
     Finding finding = make_finding(chapters::profiles, "friction_factor_rest",
                                    "rest: of flow that is not steady, or not uniform", "1", rest);

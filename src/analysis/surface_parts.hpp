@@ -7,6 +7,7 @@
 #include "analysis/celerity_correlation.hpp"
 #include "analysis/figure.hpp"
 #include "analysis/flow_record.hpp"
+#include "analysis/gravity_capillary_waves.hpp"
 #include "analysis/space_time.hpp"
 #include "base/error.hpp"
 
@@ -61,6 +62,13 @@ struct SurfaceStation {
 /// than two of them at the line's first point, an eighth, a quarter and a half of its length.
 [[nodiscard]] std::vector<SurfaceStation> stations_of_line(const SpaceTime& fluctuation,
                                                            const std::vector<ElevationProbe>& probes);
+
+/// The waves that can travel on the flow of a record, on a current of the surface's velocity (the depth mean
+/// where that is not known).
+[[nodiscard]] GravityCapillaryWaves waves_on(const FlowRecord& record);
+
+/// Variance of the surface in plan by the way its components move: locked to the bed, carried along, waves.
+void add_surface_families(const FlowRecord& record, Analysis& analysis);
 
 /// Spectra in wavenumber and in wavenumber and frequency, with the dispersion relation of waves on the
 /// current and the advection line.

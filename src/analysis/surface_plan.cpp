@@ -112,6 +112,7 @@ void add_surface_plan(const FlowRecord& record, Analysis& analysis) {
                                                  return std::sqrt(squares / std::max(1.0, count));
                                              }()));
 
+    if (record.origin() == Origin::simulated) add_surface_families(record, analysis);
     Figure deviation = plan_figure(
         "surface_deviation_map", "Fluctuation of the surface in plan",
         "Standard deviation in time of the elevation at each point, less the level of the whole plan at each "

@@ -19,22 +19,6 @@ namespace riffle {
 
 namespace {
 
-constexpr double water_surface_tension = 0.072;  // N/m, clean water; the particles have none
-
-/// The waves that can travel on the flow of a record.
-GravityCapillaryWaves waves_on(const FlowRecord& record) {
-    const Case& c = *record.flow();
-    GravityCapillaryWaves waves;
-    waves.depth = c.channel.depth;
-    // Short waves and patterns travel with the water at the surface.
-    const double of_surface = surface_velocity(record);
-    waves.velocity = of_surface > 0.0 ? of_surface : bulk_velocity(record);
-    waves.gravity = c.normal_gravity();
-    waves.surface_tension = record.origin() == Origin::measured ? water_surface_tension : 0.0;
-    waves.density = c.fluid.density;
-    return waves;
-}
-
 /// Rows of a segment: an eighth of the record, so that 15 overlapping ones are averaged, at most what shows
 /// 256 frequencies.
 std::size_t segment_rows(const SpaceTime& line) {
@@ -112,6 +96,20 @@ void add_wave_spectrum(const FlowRecord& record, const SurfaceFluctuation& surfa
 }
 
 }  // namespace
+
+GravityCapillaryWaves waves_on(const FlowRecord& record) {
+    const Case& c = *record.flow();
+    GravityCapillaryWaves waves;
+    constexpr double water_surface_tension = 0.072;  // N/m, clean water; the particles have none
+    waves.depth = c.channel.depth;
+    // Short waves and patterns travel with the water at the surface.
+    const double of_surface = surface_velocity(record);
+    waves.velocity = of_surface > 0.0 ? of_surface : bulk_velocity(record);
+    waves.gravity = c.normal_gravity();
+    waves.surface_tension = record.origin() == Origin::measured ? water_surface_tension : 0.0;
+    waves.density = c.fluid.density;
+    return waves;
+}
 
 SurfaceFluctuation surface_fluctuation(const SpaceTime& surface) {
     SurfaceFluctuation result;

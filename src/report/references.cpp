@@ -25,6 +25,12 @@ constexpr std::array known = {
         "Kazemi, E., Tait, S., Shao, S., Nichols, A. (2016). Potential application of mesh-free SPH method "
         "in turbulent "
         "river flows. In Hydrodynamic and Mass Transport at Freshwater Aquatic Interfaces, Springer, 11-22."},
+    Known{"Dolcetti", "Dolcetti et al. 2016",
+          "Dolcetti, G., Horoshenkov, K. V., Krynkin, A., Tait, S. J. (2016). Frequency-wavenumber spectrum "
+          "of the free surface of shallow turbulent flows over a rough boundary. Phys. Fluids 28, 105105."},
+    Known{"Fukagata", "Fukagata, Iwamoto & Kasagi 2002",
+          "Fukagata, K., Iwamoto, K., Kasagi, N. (2002). Contribution of Reynolds stress distribution to "
+          "the skin friction in wall-bounded flows. Phys. Fluids 14, L73-L76."},
     Known{"Horoshenkov", "Horoshenkov et al. 2013",
           "Horoshenkov, K. V., Nichols, A., Tait, S. J., Maximov, G. A. (2013). The pattern of surface "
           "waves in a shallow free surface flow. J. Geophys. Res. Earth Surf. 118, 1864-1876."},
@@ -39,9 +45,14 @@ constexpr std::array known = {
           "Nezu, I., Nakagawa, H. (1993). Turbulence in Open-Channel Flows. IAHR Monograph, Balkema. Nezu, "
           "I., Rodi, W. (1986). Open-channel flow measurements with a laser Doppler anemometer. J. "
           "Hydraul. Eng. 112, 335-355."},
-    Known{"Nikora", "Nikora et al. 2001",
+    Known{"Nikora et al. 2001", "Nikora et al. 2001",
           "Nikora, V., Goring, D., McEwan, I., Griffiths, G. (2001). Spatially averaged open-channel flow "
           "over rough bed. J. Hydraul. Eng. 127, 123-133."},
+    Known{"Nikora et al. 2019", "Nikora et al. 2019",
+          "Nikora, V. I., Stoesser, T., Cameron, S. M., Stewart, M., Papadopoulos, K., Ouro, P., McSherry, "
+          "R., Zampiron, A., Marusic, I., Falconer, R. A. (2019). Friction factor decomposition for "
+          "rough-wall flows: theoretical background and application to open-channel flows. J. Fluid Mech. "
+          "872, 626-664."},
     Known{"Ritter", "Ritter 1892",
           "Ritter, A. (1892). Die Fortpflanzung der Wasserwellen. Z. Ver. Deutsch. Ing. 36, 947-954."},
     Known{"Tamburrino", "Tamburrino & Gulliver",

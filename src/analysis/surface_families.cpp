@@ -1,0 +1,162 @@
+#include "analysis/surface_families.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+
+#include "base/error.hpp"
+#include "statistics/fourier.hpp"
+
+namespace riffle {
+
+namespace {
+
+using std::numbers::pi;
+
+/// Hann window of unit mean square, or none.
+std::vector<double> window(std::size_t n, bool none) {
+    std::vector<double> result(n, 1.0);
+    for (std::size_t j = 0; j < n && !none; ++j) {
+        const double s = std::sin(pi * (static_cast<double>(j) + 0.5) / static_cast<double>(n));
+        result[j] = s * s * std::sqrt(8.0 / 3.0);
+    }
+    return result;
+}
+
+/// The families of a surface, by wavenumber and frequency.
+class Families {
+  public:
+    Families(const GravityCapillaryWaves& waves, double slowest, double fastest, double sampling, double step)
+        : waves_(waves), slowest_(slowest), fastest_(fastest), sampling_(sampling), step_(step) {}
+
+    /// Of a component with k_x >= 0.
+    [[nodiscard]] SurfaceFamily at(double kx, double ky, double omega) const {
+        const double still = 2.0 * step_;
+        const double moving = std::max(still, 0.1 * kx * std::abs(waves_.velocity));
+        const double carried = kx * waves_.velocity;
+        const double own = waves_.intrinsic_frequency(std::hypot(kx, ky));
+        SurfaceFamily family = SurfaceFamily::other;
+        double least = 1.0;
+        const auto compare = [&](SurfaceFamily candidate, double distance, double tolerance) {
+            if (distance / tolerance < least) {
+                least = distance / tolerance;
+                family = candidate;
+            }
+        };
+        compare(SurfaceFamily::bed_locked, folded(omega), still);
+        if (kx > 0.0) {
+            const double middle = 0.5 * kx * (slowest_ + fastest_);
+            const double half = 0.5 * kx * std::abs(fastest_ - slowest_);
+            compare(SurfaceFamily::advected, std::max(0.0, folded(omega - middle) - half), moving);
+        }
+        compare(SurfaceFamily::waves_downstream, folded(omega - carried - own), moving);
+        compare(SurfaceFamily::waves_upstream, folded(omega - carried + own), moving);
+        return family;
+    }
+
+  private:
+    /// Size of a difference of frequencies that sampling cannot tell from those a whole multiple apart.
+    [[nodiscard]] double folded(double difference) const {
+        return std::abs(std::remainder(difference, sampling_));
+    }
+
+    GravityCapillaryWaves waves_;
+    double slowest_, fastest_;
+    double sampling_;  ///< 2 pi over the interval
+    double step_;
+};
+
+/// Signed wavenumber of each component of a transform.
+std::vector<double> wavenumbers(std::size_t n, double spacing) {
+    std::vector<double> k = two_sided_frequencies(n, spacing);
+    for (double& value : k) value *= 2.0 * pi;
+    return k;
+}
+
+void require_sound(const SurfacePlan& plan, std::size_t segment_times) {
+    constexpr std::size_t fewest = 8;
+    if (segment_times < fewest || plan.times() < segment_times || !(plan.interval > 0.0)) {
+        throw InputError(
+            fmt::format("families of the surface: segments of {} times in a record of {}; at least {} "
+                        "are needed",
+                        segment_times, plan.times(), fewest));
+    }
+    if (!std::all_of(plan.elevation.begin(), plan.elevation.end(), [](double z) { return std::isfinite(z); }))
+        throw InputError("families of the surface: a point of the maps has no water at some time");
+}
+
+}  // namespace
+
+double SurfaceMakeup::whole() const { return std::accumulate(variance.begin(), variance.end(), 0.0); }
+
+double SurfaceMakeup::share(SurfaceFamily family) const {
+    return variance[static_cast<std::size_t>(family)] / whole();
+}
+
+SurfaceMakeup surface_makeup(const SurfacePlan& plan, const GravityCapillaryWaves& waves, double slowest,
+                             double fastest, std::size_t segment_times) {
+    require_sound(plan, segment_times);
+    const std::size_t points = plan.rows * plan.columns;
+    const std::vector<double> in_time = window(segment_times, false);
+    const std::vector<double> along = window(plan.columns, plan.periodic_x);
+    const std::vector<double> across = window(plan.rows, plan.periodic_y);
+    const std::vector<double> kx = wavenumbers(plan.columns, plan.spacing_x);
+    const std::vector<double> ky = wavenumbers(plan.rows, plan.spacing_y);
+    const std::vector<double> frequency = wavenumbers(segment_times, plan.interval);
+
+    SurfaceMakeup result;
+    const double step = 2.0 * pi / (plan.interval * static_cast<double>(segment_times));
+    result.frequency_step = step;
+    const double band = 2.0 * pi /
+                        std::max(plan.spacing_x * static_cast<double>(plan.columns),
+                                 plan.spacing_y * static_cast<double>(plan.rows));
+    const double largest = pi / std::max(plan.spacing_x, plan.spacing_y);
+    const auto bands = static_cast<std::size_t>(std::max(1.0, std::floor(largest / band)));
+    for (std::size_t i = 0; i < bands; ++i)
+        result.wavenumber.push_back((static_cast<double>(i) + 1.0) * band);
+    for (auto& of_family : result.density) of_family.assign(bands, 0.0);
+
+    const Families families(waves, slowest, fastest, 2.0 * pi / plan.interval, step);
+    std::vector<Complex> box(segment_times * points);
+    const std::size_t hop = std::max<std::size_t>(1, segment_times / 2);
+    for (std::size_t first = 0; first + segment_times <= plan.times(); first += hop) {
+        ++result.segments;
+        for (std::size_t t = 0; t < segment_times; ++t) {
+            for (std::size_t j = 0; j < plan.rows; ++j) {
+                for (std::size_t i = 0; i < plan.columns; ++i) {
+                    const std::size_t at = (t * plan.rows + j) * plan.columns + i;
+                    box[at] = plan.elevation[first * points + at] * in_time[t] * across[j] * along[i];
+                }
+            }
+        }
+        fourier_transform_3d(box, segment_times, plan.rows, plan.columns);
+        for (std::size_t at = 0; at < box.size(); ++at) {
+            const std::size_t i = at % plan.columns;
+            const std::size_t j = at / plan.columns % plan.rows;
+            const std::size_t t = at / points;
+            if (i == 0 && j == 0) continue;  // the mean over the plan
+            // exp(i (k x + w t)) is a wave of frequency -w; of k_x < 0 it is the one of -k and w.
+            const double sign = kx[i] < 0.0 ? -1.0 : 1.0;
+            const SurfaceFamily family = families.at(sign * kx[i], sign * ky[j], -sign * frequency[t]);
+            const double power = std::norm(box[at]);
+            result.variance[static_cast<std::size_t>(family)] += power;
+            const auto of_band = static_cast<std::size_t>(std::lround(std::hypot(kx[i], ky[j]) / band));
+            if (of_band >= 1 && of_band <= bands)
+                result.density[static_cast<std::size_t>(family)][of_band - 1] += power / band;
+        }
+    }
+    // Parseval: the sum of |X|^2 is the number of values times the sum of the squares.
+    const double scale = 1.0 / (static_cast<double>(box.size()) * static_cast<double>(box.size()) *
+                                static_cast<double>(result.segments));
+    for (double& value : result.variance) value *= scale;
+    for (auto& of_family : result.density) {
+        for (double& value : of_family) value *= scale;
+    }
+    return result;
+}
+
+}  // namespace riffle

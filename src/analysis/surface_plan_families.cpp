@@ -1,0 +1,111 @@
+// What the moving surface of a run is made of: the bed's pattern, patterns that the water carries, waves.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+
+#include "analysis/chapters.hpp"
+#include "analysis/figure_tools.hpp"
+#include "analysis/section_parts.hpp"
+#include "analysis/surface_families.hpp"
+#include "analysis/surface_parts.hpp"
+#include "base/error.hpp"
+
+namespace riffle {
+
+namespace {
+
+/// Names of the families, in their order.
+struct FamilyName {
+    SurfaceFamily family;
+    const char* key;
+    const char* name;
+};
+constexpr std::array<FamilyName, surface_families> family_names = {
+    {{SurfaceFamily::bed_locked, "bed_locked", "locked to the bed"},
+     {SurfaceFamily::advected, "advected", "carried along by the water"},
+     {SurfaceFamily::waves_downstream, "waves_downstream", "waves that travel downstream through the water"},
+     {SurfaceFamily::waves_upstream, "waves_upstream", "waves that travel upstream through the water"},
+     {SurfaceFamily::other, "other", "none of these"}}};
+
+/// The maps at even times, about the mean over the plan at each.
+SurfacePlan plan_of(const FlowRecord& record, const SurfaceMaps& maps) {
+    const Case& c = *record.flow();
+    SpaceTime raw;
+    raw.columns = maps.x.size() * maps.y.size();
+    raw.spacing = 1.0;
+    raw.times = maps.time;
+    raw.values = maps.elevation;
+    SpaceTime even = resample_evenly(raw);
+    SurfacePlan plan;
+    plan.columns = maps.x.size();
+    plan.rows = maps.y.size();
+    plan.spacing_x = c.channel.length / static_cast<double>(plan.columns);
+    plan.spacing_y = c.channel.simulated_width() / static_cast<double>(plan.rows);
+    plan.interval = sampling_interval(even);
+    plan.periodic_x = c.channel.ends == Ends::periodic;
+    plan.periodic_y = c.channel.sides == Sides::periodic;
+    plan.elevation = std::move(even.values);
+    const std::size_t points = raw.columns;
+    for (std::size_t from = 0; from < plan.elevation.size(); from += points) {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < points; ++i) sum += plan.elevation[from + i];
+        for (std::size_t i = 0; i < points; ++i)
+            plan.elevation[from + i] -= sum / static_cast<double>(points);
+    }
+    return plan;
+}
+
+}  // namespace
+
+void add_surface_families(const FlowRecord& record, Analysis& analysis) {
+    const SurfaceMaps& maps = record.surface_maps();
+    const double bulk = bulk_velocity(record);
+    if (maps.time.size() < 2 || maps.x.size() < 4 || maps.y.size() < 4 || !(bulk > 0.0)) return;
+    Figure figure = make_figure(
+        chapters::surface, "surface_families", "What the surface is made of",
+        "Variance of the elevation over the plan, by wavenumber and by the way its components move: what stands over the "
+        "bed, what the water carries along (between the depth-mean velocity and that of the surface), gravity waves "
+        "on a current of the surface's velocity that travel downstream and upstream through it, and what is none of "
+        "these, as noise. Frequencies as sampling folds them.",
+        "Dolcetti et al. 2016", make_axis("wavenumber |k|", "rad/m"),
+        make_axis("variance per wavenumber", "m3/rad", true));
+    attempt(record, analysis, std::move(figure), [&](Figure& f) {
+        const SurfacePlan plan = plan_of(record, maps);
+        SpaceTime line;
+        line.columns = plan.rows * plan.columns;
+        line.values = plan.elevation;
+        line.times.resize(plan.times());
+        if (is_flat(record, line)) {
+            throw InputError(
+                "the surface is flat to a thousandth of the spacing: nothing moves it but rows of particles");
+        }
+        const GravityCapillaryWaves waves = waves_on(record);
+        const auto [slowest, fastest] = std::minmax(bulk, waves.velocity);
+        constexpr std::size_t longest = 512;
+        const std::size_t segment = std::clamp<std::size_t>(plan.times() / 4, 8, longest);
+        const SurfaceMakeup makeup = surface_makeup(plan, waves, slowest, fastest, segment);
+        if (!(makeup.whole() > 0.0)) throw InputError("the surface does not move");
+        int variant = 0;
+        for (const FamilyName& each : family_names) {
+            Finding finding = make_finding(chapters::surface, std::string("surface_share_") + each.key,
+                                           std::string("share of the surface's variance, ") + each.name, "1",
+                                           makeup.share(each.family));
+            if (each.family == SurfaceFamily::bed_locked) {
+                finding.remark = fmt::format(
+                    "over the plan, by wavenumber and frequency, {} segments of {:.3g} s; to 2 steps of {:.3g} rad/s, or a "
+                    "tenth of k U_s",
+                    makeup.segments, plan.interval * static_cast<double>(segment), makeup.frequency_step);
+            }
+            analysis.findings.push_back(std::move(finding));
+            f.curves.push_back(make_curve(each.name, Origin::simulated, Mark::line_and_points,
+                                          makeup.wavenumber,
+                                          makeup.density[static_cast<std::size_t>(each.family)], variant++));
+        }
+    });
+}
+
+}  // namespace riffle
