@@ -238,6 +238,7 @@ void analyse_subsurface(const FlowRecord& record, Analysis& analysis) {
     add_depth_correlation(record, tallest, analysis);
     add_streamwise_correlation(record, analysis);
     add_quadrants(record, instrument, analysis);
+    add_ejections_and_upwellings(record, instrument, analysis);
 }
 
 }  // namespace riffle

@@ -56,7 +56,7 @@ const std::map<std::string_view, std::vector<std::string_view>>& keys_of_chapter
         {chapters::subsurface,
          {"integral_scale_profile", "velocity_spectrum", "vertical_velocity_spectrum",
           "streamwise_correlation", "streamwise_correlation_of_waves", "depth_correlation",
-          "depth_cross_correlation", "quadrant_profile", "quadrant_holes"}},
+          "depth_cross_correlation", "quadrant_profile", "quadrant_holes", "ejection_upwelling_correlation"}},
         {chapters::forces,
          {"force_history", "force_instruments", "force_instruments_wall_normal", "flow_rate_history",
           "solid_forces", "solid_moments", "pressure_gauges"}},

@@ -37,6 +37,11 @@ void add_depth_correlation(const FlowRecord& record, const VelocityInstrument& i
 /// velocities, with its influence depth.
 void add_streamwise_correlation(const FlowRecord& record, Analysis& analysis);
 
+/// w' at the highest point against the ejections at points below it, over the lag. Nothing without w or with
+/// fewer than three points.
+void add_ejections_and_upwellings(const FlowRecord& record, const VelocityInstrument& instrument,
+                                  Analysis& analysis);
+
 /// Parts of the Reynolds stress by quadrant over the depth, and against the hole size. Nothing without w.
 void add_quadrants(const FlowRecord& record, const VelocityInstrument& instrument, Analysis& analysis);
 

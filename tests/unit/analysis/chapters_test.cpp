@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <numbers>
+#include <random>
 #include <set>
 #include <string>
 #include <vector>
@@ -16,6 +17,7 @@
 #include "analysis/figure_keys.hpp"
 #include "analysis/figure_tools.hpp"
 #include "analysis/run_record.hpp"
+#include "analysis/subsurface_parts.hpp"
 #include "analysis_parts.hpp"
 #include "base/error.hpp"
 #include "sample_probes.hpp"
@@ -253,6 +255,40 @@ TEST_F(Analyses, SplitTheFrictionFactorWithoutARest) {
     EXPECT_GT(whole, 0.0);
     EXPECT_NEAR(sum, whole, 1e-12 * whole);
     EXPECT_EQ(figure(analysis, "friction_factor_parts").curves.size(), 5U);
+}
+
+// An upwelling a tenth of a second after each ejection, in a record of noise: the lag is found, and no other.
+TEST_F(Analyses, FindTheLagOfUpwellingsAfterEjections) {
+    const RunRecord record(sample());
+    std::mt19937_64 generator(3);
+    std::normal_distribution<double> normal;
+    constexpr std::size_t times = 4000;
+    constexpr std::size_t delay = 10;
+    VelocityProbe probe;
+    probe.name = "adv";
+    probe.z = {0.02, 0.03, 0.05};
+    probe.x.assign(3, 0.1);
+    std::vector<double> u(times);
+    std::vector<double> w(times);
+    for (std::size_t i = 0; i < times; ++i) {
+        probe.time.push_back(0.01 * static_cast<double>(i));
+        w[i] = 0.01 * normal(generator);
+        u[i] = 0.02 * normal(generator) - w[i];
+    }
+    for (std::size_t i = 0; i < times; ++i) {
+        const std::size_t before = i >= delay ? i - delay : 0;
+        const double ejected = u[before] < 0.0 && w[before] > 0.0 ? -u[before] * w[before] : 0.0;
+        probe.u.insert(probe.u.end(), {0.3 + u[i], 0.32 + 0.02 * normal(generator), 0.35});
+        probe.w.insert(probe.w.end(),
+                       {w[i], 0.01 * normal(generator), 30.0 * ejected + 0.002 * normal(generator)});
+    }
+    const VelocityInstrument instrument{&probe, probe_point_statistics(probe), 0.01};
+    Analysis analysis;
+    add_ejections_and_upwellings(record, instrument, analysis);
+    const Finding& found = finding(analysis, "ejection_upwelling_correlation");
+    EXPECT_GT(found.value, 0.8);
+    EXPECT_THAT(found.remark, HasSubstr("at a lag of 0.1 s"));
+    EXPECT_EQ(figure(analysis, "ejection_upwelling_correlation").curves.size(), 3U);
 }
 
 TEST_F(Analyses, SayWhyAFigureIsMissing) {
