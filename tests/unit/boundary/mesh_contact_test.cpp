@@ -3,15 +3,14 @@
 #include "boundary/mesh_contact.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
-#include <string>
 
 #include "boundary/wall.hpp"
 #include "particles/lattice.hpp"
 #include "periodic_reach.hpp"
 #include "stl_box.hpp"
+#include "temporary_folder.hpp"
 
 namespace riffle::mesh_contact_test {
 namespace {
@@ -29,8 +28,7 @@ struct TankWithBox {
         c.channel.sides = Sides::walls;
         Solid s;
         s.name = "box";
-        // Tests run at the same time, each in a process of its own.
-        s.file = testing::TempDir() + "riffle_contact_box_" + std::to_string(getpid()) + ".stl";
+        s.file = test::folder_of_this_process() / "box.stl";
         test::write_stl_box(s.file, {0.02 - shift, 0.02 - shift, foot}, {0.04 + shift, 0.04 + shift, 0.02});
         c.solids = {s};
         walls = wall_particles<3>(c);
