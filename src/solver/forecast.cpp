@@ -191,7 +191,7 @@ Forecast forecast_in(const Case& c) {
     Particles<D> particles =
         c.start.kind == StartKind::results
             ? particles_from_results<D>(c, scheme, ResultsReader(c.start.file), c.start.file.string())
-            : initial_particles<D>(c, scheme, twin, twins.section_velocity());
+            : initial_particles<D>(c, scheme, twin, twins.section_velocity(), false);
     const auto simulation = make_simulation<D>(c, twin, std::move(particles));
 
     Forecast f;
