@@ -8,6 +8,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "analysis/surface_spectra.hpp"
 #include "base/error.hpp"
 #include "statistics/fourier.hpp"
 
@@ -17,14 +18,9 @@ namespace {
 
 using std::numbers::pi;
 
-/// Hann window of unit mean square, or none.
-std::vector<double> window(std::size_t n, bool none) {
-    std::vector<double> result(n, 1.0);
-    for (std::size_t j = 0; j < n && !none; ++j) {
-        const double s = std::sin(pi * (static_cast<double>(j) + 0.5) / static_cast<double>(n));
-        result[j] = s * s * std::sqrt(8.0 / 3.0);
-    }
-    return result;
+/// A window along or across the plan: none where it repeats itself.
+std::vector<double> plan_window(std::size_t n, bool periodic) {
+    return periodic ? std::vector<double>(n, 1.0) : hann_window(n);
 }
 
 /// The families of a surface, by wavenumber and frequency.
@@ -101,9 +97,9 @@ SurfaceMakeup surface_makeup(const SurfacePlan& plan, const GravityCapillaryWave
                              double fastest, std::size_t segment_times) {
     require_sound(plan, segment_times);
     const std::size_t points = plan.rows * plan.columns;
-    const std::vector<double> in_time = window(segment_times, false);
-    const std::vector<double> along = window(plan.columns, plan.periodic_x);
-    const std::vector<double> across = window(plan.rows, plan.periodic_y);
+    const std::vector<double> in_time = hann_window(segment_times);
+    const std::vector<double> along = plan_window(plan.columns, plan.periodic_x);
+    const std::vector<double> across = plan_window(plan.rows, plan.periodic_y);
     const std::vector<double> kx = wavenumbers(plan.columns, plan.spacing_x);
     const std::vector<double> ky = wavenumbers(plan.rows, plan.spacing_y);
     const std::vector<double> frequency = wavenumbers(segment_times, plan.interval);

@@ -19,16 +19,6 @@ namespace {
 
 using std::numbers::pi;
 
-/// Hann window of unit mean square.
-std::vector<double> hann_window(std::size_t n) {
-    std::vector<double> window(n);
-    for (std::size_t j = 0; j < n; ++j) {
-        const double s = std::sin(pi * (static_cast<double>(j) + 0.5) / static_cast<double>(n));
-        window[j] = s * s * std::sqrt(8.0 / 3.0);
-    }
-    return window;
-}
-
 std::vector<double> line_window(const SpaceTime& data) {
     return data.periodic ? std::vector<double>(data.columns, 1.0) : hann_window(data.columns);
 }
@@ -52,6 +42,15 @@ void add_periodogram(const SpaceTime& data, std::size_t first, const std::vector
 }
 
 }  // namespace
+
+std::vector<double> hann_window(std::size_t n) {
+    std::vector<double> window(n);
+    for (std::size_t j = 0; j < n; ++j) {
+        const double s = std::sin(pi * (static_cast<double>(j) + 0.5) / static_cast<double>(n));
+        window[j] = s * s * std::sqrt(8.0 / 3.0);
+    }
+    return window;
+}
 
 WavenumberSpectrum wavenumber_spectrum(const SpaceTime& fluctuation) {
     require_wet(fluctuation, "spectrum in wavenumber");

@@ -11,6 +11,9 @@ namespace riffle {
 // (resample_evenly()). Otherwise InputError. Densities per rad/m and per rad/s: their integral is the
 // variance.
 
+/// Hann window of n points, of unit mean square.
+[[nodiscard]] std::vector<double> hann_window(std::size_t n);
+
 /// Spectrum in wavenumber, mean over time.
 struct WavenumberSpectrum {
     std::vector<double> wavenumber;  ///< 0 to pi/spacing in steps of `step`, rad/m

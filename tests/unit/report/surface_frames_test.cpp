@@ -5,31 +5,20 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
 #include <numeric>
 
 #include "sample_results.hpp"
 #include "sample_space.hpp"
+#include "temporary_folder.hpp"
 
 namespace riffle::surface_frames_test {
 namespace {
 
-class SurfaceFramesOfAFile : public ::testing::Test {
-  protected:
-    void SetUp() override {
-        folder_ = std::filesystem::path(::testing::TempDir()) /
-                  ::testing::UnitTest::GetInstance()->current_test_info()->name();
-        std::filesystem::create_directories(folder_);
-    }
-    void TearDown() override { std::filesystem::remove_all(folder_); }
-
-    std::filesystem::path folder_;
-};
-
 // 150 maps of 6 x 8 points: a slope across, of 1 mm, and a pattern of the deviation times sqrt(2).
-TEST_F(SurfaceFramesOfAFile, AreAboutTheMeanOfEachMoment) {
-    testing::write_sample_space(folder_ / "results.h5");
-    const RunResults results(folder_ / "results.h5");
+TEST(SurfaceFrames, AreAboutTheMeanOfEachMoment) {
+    const test::TemporaryFolder folder;
+    testing::write_sample_space(folder / "results.h5");
+    const RunResults results(folder / "results.h5");
     const auto surface = read_surface_frames(results, results.flow());
     ASSERT_TRUE(surface.has_value());
     EXPECT_EQ(surface->time.size(), 150U);
@@ -43,9 +32,10 @@ TEST_F(SurfaceFramesOfAFile, AreAboutTheMeanOfEachMoment) {
     }
 }
 
-TEST_F(SurfaceFramesOfAFile, AreTheLastOnesAndOfFewerPointsWhereTheyWouldBeTooMany) {
-    testing::write_sample_space(folder_ / "results.h5");
-    const RunResults results(folder_ / "results.h5");
+TEST(SurfaceFrames, AreTheLastOnesAndOfFewerPointsWhereTheyWouldBeTooMany) {
+    const test::TemporaryFolder folder;
+    testing::write_sample_space(folder / "results.h5");
+    const RunResults results(folder / "results.h5");
     const auto last = read_surface_frames(results, results.flow(), 400'000, 20);
     ASSERT_TRUE(last.has_value());
     EXPECT_EQ(last->time.size(), 20U);
@@ -60,9 +50,10 @@ TEST_F(SurfaceFramesOfAFile, AreTheLastOnesAndOfFewerPointsWhereTheyWouldBeTooMa
     EXPECT_EQ(coarse->elevation.size(), 83U * 12U);
 }
 
-TEST_F(SurfaceFramesOfAFile, AreNoneInTwoDimensions) {
-    testing::write_sample_results(folder_ / "results.h5", {});
-    const RunResults results(folder_ / "results.h5");
+TEST(SurfaceFrames, AreNoneInTwoDimensions) {
+    const test::TemporaryFolder folder;
+    testing::write_sample_results(folder / "results.h5", {});
+    const RunResults results(folder / "results.h5");
     EXPECT_FALSE(read_surface_frames(results, results.flow()).has_value());
 }
 
