@@ -140,12 +140,15 @@ void add_findings(const FlowRecord& record, Analysis& analysis) {
         return mean_above_datum(
             c, field.z, strip_of(field, section, strip.from, strip.to).means(FieldQuantity::velocity));
     });
-    Finding finding = against(make_finding(chapters::section, "centreline_depth_mean_velocity",
-                                           "depth-mean velocity above the datum at the centreline", "m/s",
-                                           centre.value, centre.half_width),
-                              c.measured.depth_mean_velocity, measured_name(c));
-    finding.remark =
-        fmt::format("mean over {:.3g} mm around the centreline", 1000.0 * (strip.to - strip.from));
+    Finding finding =
+        against(make_finding(chapters::section, "centreline_depth_mean_velocity",
+                             "depth-mean velocity above the datum at the centreline", "m/s", centre.value,
+                             centre.half_width),
+                c.has_side_walls() ? c.measured.depth_mean_velocity : std::nullopt, measured_name(c));
+    finding.remark = fmt::format(
+        "mean over {:.3g} mm around the centreline{}", 1000.0 * (strip.to - strip.from),
+        c.has_side_walls() ? ""
+                           : ", of a width that repeats itself: what was measured stands beside the whole");
     analysis.findings.push_back(std::move(finding));
     if (const auto beside = twin.value(fields::section_numbers.centreline_velocity)) {
         analysis.findings.push_back(against(make_finding(chapters::section, "centreline_velocity_over_twin",

@@ -102,14 +102,16 @@ void print_outcome(const RunOutcome& outcome, const Case& c, const RunFiles& fil
     }
     const Numbers& s = outcome.summary;
     const double none = std::nan("");
-    // The laboratory measures on the centreline.
-    const bool space = c.channel.dimensions == 3;
+    // The laboratory measures on the centreline; a channel that repeats itself across has none.
+    const bool between_walls = c.has_side_walls();
     print_value("depth-mean velocity, m/s", s.value(fields::summary.depth_mean_velocity),
                 s.value(fields::summary.depth_mean_velocity_half_width),
-                space ? std::nullopt : c.measured.depth_mean_velocity);
-    if (space) {
+                between_walls ? std::nullopt : c.measured.depth_mean_velocity);
+    if (between_walls) {
         print_value("on the centreline, m/s", s.value(fields::summary.centreline_velocity),
                     s.value(fields::summary.centreline_velocity_half_width), c.measured.depth_mean_velocity);
+    }
+    if (c.channel.dimensions == 3) {
         print_value("secondary velocity, mm/s", 1e3 * s.value(fields::summary.secondary_velocity), none,
                     std::nullopt);
     }

@@ -89,10 +89,12 @@ class Contact final : public Component<D, Real> {
             depth = std::max(depth, solids_.resolve(flow.bodies_after, x, u, push));
         }
         if (depth > 0.0 && flow.keep_fields) {
-            // What the wall takes from the velocity is a force of the wall.
+            // What the wall takes from the velocity is a force of the wall, beside that of its pressure.
             auto& along = flow.fields.wall_acceleration_x;
             auto& upright = flow.fields.wall_acceleration_z;
-            along.set(i, along[i] + (u[0] - before[0]) / step);
+            const double taken = (u[0] - before[0]) / step;
+            along.set(i, along[i] + taken);
+            flow.fields.pair_acceleration_x[i] += taken;
             upright.set(i, upright[i] + (u[vertical] - before[vertical]) / step);
         }
         for (std::size_t k = 0; k < Flow::axes && depth > 0.0; ++k) {

@@ -15,7 +15,7 @@ struct ParticleFields {
     WorkingValues eddy_viscosity;                ///< nu_t
     WorkingValues shear;                         ///< du/dz
     WorkingValues regularity;                    ///< smallest eigenvalue of M; in two dimensions only
-    std::vector<double> pair_acceleration_x;     ///< of the pressure pairs
+    std::vector<double> pair_acceleration_x;     ///< of the pressure pairs, and of contact with walls
     std::vector<double> viscous_acceleration_x;  ///< of viscosity and closure
     SparseValues wall_acceleration_x;            ///< part of both from walls
     SparseValues wall_acceleration_z;            ///< the same, normal to the bed

@@ -121,6 +121,41 @@ const Dataset& dataset(const Content& content, const std::string& path) {
     throw std::logic_error("no dataset " + path);
 }
 
+// Water that runs into a block comes through its face and is put back: what that takes from its momentum is a
+// part of the forces that are recorded, so that they are its change.
+TEST(SolidForce, OfContactIsInTheChangeOfTheMomentum) {
+    Case c = tank_with_blocks();
+    c.channel.ends = Ends::periodic;
+    c.channel.slope = 0.01;
+    c.start.kind = StartKind::uniform;
+    c.start.velocity = 2.0;
+    c.numerics.stepping = Stepping::semi_implicit_euler;
+    const auto simulation = started(c);
+    const auto momentum = [&] {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < simulation->particles().size(); ++i)
+            sum += simulation->particles().mass[i] * simulation->particles().velocity[0][i];
+        return sum;
+    };
+    const double mass =
+        std::accumulate(simulation->particles().mass.begin(), simulation->particles().mass.end(), 0.0);
+    double impulse = 0.0;
+    const double before = momentum();
+    double largest = 0.0;
+    for (int step = 0; step < 80; ++step) {
+        simulation->step(0.0);
+        const ParticleFields& f = simulation->fields();
+        double force = mass * simulation->scheme().streamwise_gravity;
+        for (std::size_t i = 0; i < simulation->particles().size(); ++i)
+            force +=
+                simulation->particles().mass[i] * (f.pair_acceleration_x[i] + f.viscous_acceleration_x[i]);
+        impulse += force * simulation->clock().time_step;
+        largest = std::max(largest, std::abs(force));
+    }
+    EXPECT_GT(largest, 1.0);  // N/m: it does run into them
+    EXPECT_NEAR(impulse, momentum() - before, 1e-9 * std::abs(before));
+}
+
 TEST(Boundaries, OutlinesStandWhereTheCaseHasThemAndMoveWithTheirMotion) {
     Case c = tank_with_blocks();
     c.solids[1].motion = SolidMotion::constant;
