@@ -71,11 +71,20 @@ class Table {
     std::vector<SummaryRow> rows_;
 };
 
-Sources depth_mean_velocity(const ReportData& data) {
+/// The value of a finding with its interval.
+Value found(const Analysis& analysis, const char* key) {
+    const Finding* const finding = find_finding(analysis, key);
+    return finding == nullptr ? Value() : Value(SummaryValue{finding->value, finding->half_width});
+}
+
+/// Of the analysis, whose window may be another than the run's own, else of the run.
+Sources depth_mean_velocity(const ReportData& data, const Analysis& analysis) {
     Sources sources;
-    if (const auto value = find_value(data.summary, fields::summary.depth_mean_velocity)) {
+    sources.simulated = found(analysis, "depth_mean_velocity");
+    const auto of_run = find_value(data.summary, fields::summary.depth_mean_velocity);
+    if (!sources.simulated && of_run) {
         sources.simulated =
-            SummaryValue{*value, find_value(data.summary, fields::summary.depth_mean_velocity_half_width)};
+            SummaryValue{*of_run, find_value(data.summary, fields::summary.depth_mean_velocity_half_width)};
     }
     if (data.flow.has_side_walls()) {
         // The measured velocity is that of the centreline: centreline_velocity.
@@ -85,12 +94,6 @@ Sources depth_mean_velocity(const ReportData& data) {
     sources.measured = plain(data.flow.measured.depth_mean_velocity);
     sources.column = plain(find_value(data.column, fields::column_numbers.depth_mean_velocity));
     return sources;
-}
-
-/// The value of a finding with its interval.
-Value found(const Analysis& analysis, const char* key) {
-    const Finding* const finding = find_finding(analysis, key);
-    return finding == nullptr ? Value() : Value(SummaryValue{finding->value, finding->half_width});
 }
 
 void add_velocities(Table& table, const ReportData& data, const Sources& mean) {
@@ -185,6 +188,12 @@ void add_friction(Table& table, const ReportData& data, const Analysis& analysis
               {fit(of.equivalent_roughness, of.equivalent_roughness_half_width),
                plain(measured.equivalent_roughness),
                plain(find_value(data.column, fields::column_numbers.equivalent_roughness))});
+    if (const Value with_stress = found(analysis, "stress_equivalent_roughness")) {
+        table.add(row_of("stress_equivalent_roughness",
+                         "Equivalent roughness, with the friction velocity of the stress",
+                         "<i>k</i><sub>s</sub>", "mm", 1000, 3),
+                  {with_stress, plain(measured.equivalent_roughness), {}});
+    }
 }
 
 /// Surface level and how much it moves: as the analysis finds it, so that a page gives one value.
@@ -309,7 +318,7 @@ std::vector<SummaryRow> summarize(const ReportData& data, const Analysis& analys
         }
         return table.take();
     }
-    const Sources mean = depth_mean_velocity(data);
+    const Sources mean = depth_mean_velocity(data, analysis);
     add_velocities(table, data, mean);
     if (varies_along(kind)) {
         add_findings(table, analysis,

@@ -43,7 +43,10 @@ std::string velocity_sentence(const SummaryRow& mean, const char* where, const c
     return text + ".";
 }
 
-void add_friction(std::vector<std::string>& sentences, const std::vector<SummaryRow>& quantities) {
+/// `resolved`: a profile of eddies that the particles carry is short and wavy, so that the law has the
+/// friction velocity of the stress.
+void add_friction(std::vector<std::string>& sentences, const std::vector<SummaryRow>& quantities,
+                  bool resolved) {
     const SummaryRow* const friction = find_quantity(quantities, "friction_velocity");
     if (friction == nullptr || !friction->simulated) return;
     std::string text = fmt::format("The friction velocity is {:.3g} m/s", friction->simulated->value);
@@ -52,7 +55,8 @@ void add_friction(std::vector<std::string>& sentences, const std::vector<Summary
                             against(friction->simulated->value, friction->measured->value),
                             friction->measured->value);
     }
-    const SummaryRow* const roughness = find_quantity(quantities, "equivalent_roughness");
+    const SummaryRow* const roughness =
+        find_quantity(quantities, resolved ? "stress_equivalent_roughness" : "equivalent_roughness");
     if (roughness != nullptr && roughness->simulated) {
         text += fmt::format("; the bed acts with an equivalent roughness of {:.1f} mm",
                             1000 * roughness->simulated->value);
@@ -145,7 +149,7 @@ void judge_uniform(const ReportData& data, const std::vector<SummaryRow>& quanti
         data.flow.has_side_walls() ? "above the datum over the whole width" : "above the datum";
     verdict.sentences.push_back(
         velocity_sentence(*find_quantity(quantities, "depth_mean_velocity"), where, twin));
-    add_friction(verdict.sentences, quantities);
+    add_friction(verdict.sentences, quantities, resolves_eddies(data.flow));
     if (const auto reason = why_no_column(data.flow)) {
         verdict.sentences.push_back("There is no twin to compare with: " + *reason + ".");
     }
