@@ -7,6 +7,7 @@
 #include <array>
 #include <vector>
 
+#include "analysis/chapter_names.hpp"
 #include "base/error.hpp"
 
 namespace riffle {

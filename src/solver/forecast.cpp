@@ -16,6 +16,7 @@
 #include "particles/lattice.hpp"
 #include "roughness/porous_resistance.hpp"
 #include "roughness/vegetation.hpp"
+#include "solver/convergence.hpp"
 #include "solver/profile_blocks.hpp"
 #include "solver/recorder.hpp"
 #include "solver/series.hpp"
