@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "analysis/chapters.hpp"
+#include "analysis/double_average.hpp"
 #include "analysis/figure_tools.hpp"
 #include "analysis/profile_parts.hpp"
 #include "analysis/section_parts.hpp"
@@ -168,8 +169,9 @@ void analyse_profiles(const FlowRecord& record, Analysis& analysis) {
         add_mixing_length(record, p, analysis);
         add_drag(record, p, analysis);
     }
-    add_double_averages(record, analysis);
-    if (record.origin() == Origin::simulated) add_friction_parts(record, p, analysis);
+    const FieldEstimates form = form_induced_stress(record);
+    add_double_averages(record, form, analysis);
+    if (record.origin() == Origin::simulated) add_friction_parts(record, p, form, analysis);
     add_plane_maps(record, analysis);
 }
 

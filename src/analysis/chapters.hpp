@@ -47,10 +47,6 @@ void add_section_stations(const FlowRecord& record, Analysis& analysis);
 /// Nothing without them.
 void add_surface_plan(const FlowRecord& record, Analysis& analysis);
 
-/// The part of the profiles that needs time means in cells, of a grid in two dimensions or of the mean field
-/// in three: dispersive stress (time mean, then mean over the bed plane). Nothing without them.
-void add_double_averages(const FlowRecord& record, Analysis& analysis);
-
 /// Maps of the time means of velocity, pressure and stress in the x-z plane, of a grid or around the
 /// centreline of the mean field in three dimensions.
 void add_plane_maps(const FlowRecord& record, Analysis& analysis);

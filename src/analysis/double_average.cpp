@@ -172,7 +172,7 @@ std::vector<double> plan_means(const MeanFlow& field, FieldQuantity quantity, bo
     return result;
 }
 
-void add_mean_field(const FlowRecord& record, Analysis& analysis) {
+void add_mean_field(const FlowRecord& record, const FieldEstimates& form, Analysis& analysis) {
     const MeanFlow& field = record.mean_field();
     const Case& c = *record.flow();
     const double density = c.fluid.density;
@@ -196,8 +196,7 @@ void add_mean_field(const FlowRecord& record, Analysis& analysis) {
                    scaled(plan_means(field, FieldQuantity::velocity_covariance, true), -density), field.z);
     reynolds.variant = 1;
     figure.curves.push_back(std::move(reynolds));
-    const FieldEstimates uw = form_induced(field, &FieldBlock::u, &FieldBlock::w);
-    figure.curves.push_back(form_curve("form-induced stress", 2, field, uw, -density));
+    figure.curves.push_back(form_curve("form-induced stress", 2, field, form, 1.0));
     analysis.figures.push_back(std::move(figure));
 
     Figure moments = make_figure(
@@ -215,17 +214,17 @@ void add_mean_field(const FlowRecord& record, Analysis& analysis) {
 
     std::size_t most = field.z.size();
     for (std::size_t iz = 0; iz < field.z.size(); ++iz) {
-        if (field.z[iz] < c.crest() || !std::isfinite(uw.value[iz])) continue;
-        if (most == field.z.size() || std::abs(uw.value[iz]) > std::abs(uw.value[most])) most = iz;
+        if (field.z[iz] < c.crest() || !std::isfinite(form.value[iz])) continue;
+        if (most == field.z.size() || std::abs(form.value[iz]) > std::abs(form.value[most])) most = iz;
     }
     if (most == field.z.size()) return;
     Finding finding = make_finding(chapters::profiles, "dispersive_stress_largest",
-                                   "largest form-induced stress above the crests", "Pa",
-                                   -density * uw.value[most], density * uw.half_width[most]);
+                                   "largest form-induced stress above the crests", "Pa", form.value[most],
+                                   form.half_width[most]);
     finding.remark = fmt::format("{:.4g} mm above the bed level", 1000.0 * field.z[most]);
     const double bed_stress = density * c.streamwise_gravity() * (c.total_depth() - c.crest());
     if (bed_stress > 0.0) {
-        finding.remark += fmt::format(", {:.2g} % of tau_b", -100.0 * density * uw.value[most] / bed_stress);
+        finding.remark += fmt::format(", {:.2g} % of tau_b", 100.0 * form.value[most] / bed_stress);
     }
     if (c.has_side_walls())
         finding.remark += "; between side walls the departures hold those across the whole section";
@@ -235,16 +234,16 @@ void add_mean_field(const FlowRecord& record, Analysis& analysis) {
 }  // namespace
 
 FieldEstimates form_induced_stress(const FlowRecord& record) {
+    if (record.flow() == nullptr || !is_three_dimensional(record) || record.mean_field().empty()) return {};
     const double density = record.flow()->fluid.density;
     FieldEstimates found = form_induced(record.mean_field(), &FieldBlock::u, &FieldBlock::w);
     return {scaled(std::move(found.value), -density), scaled(std::move(found.half_width), density)};
 }
 
-void add_double_averages(const FlowRecord& record, Analysis& analysis) {
+void add_double_averages(const FlowRecord& record, const FieldEstimates& form, Analysis& analysis) {
     if (record.flow() == nullptr) return;
-    const bool in_cells = is_three_dimensional(record) && !record.mean_field().empty();
-    if (in_cells) {
-        add_mean_field(record, analysis);
+    if (!form.value.empty()) {
+        add_mean_field(record, form, analysis);
     } else if (!record.velocity_grids().empty() && !record.velocity_grids().front().uw.empty()) {
         add_grid(record, analysis);
     }

@@ -7,15 +7,12 @@
 #include <string>
 #include <utility>
 
-#include "analysis/double_average.hpp"
 #include "analysis/figure_tools.hpp"
 #include "analysis/profile_parts.hpp"
 #include "base/interpolation.hpp"
 #include "case/bed_friction.hpp"
 #include "case/flow_kind.hpp"
 #include "hydraulics/friction_parts.hpp"
-#include "record/flow_fields.hpp"
-#include "statistics/confidence.hpp"
 
 namespace riffle {
 
@@ -46,11 +43,10 @@ std::vector<double> viscous_stress(const Profiles& p, double viscosity) {
 
 /// Form-induced stress at the upper edges of the layers; empty where the mean field has too few stretches of
 /// time for an interval: the product of two alone is as good as any number where streaks wander.
-StressPart form_induced(const FlowRecord& record, const Profiles& p) {
+StressPart form_induced(const FlowRecord& record, const Profiles& p, const FieldEstimates& found) {
     StressPart part{"form_induced", "form-induced stress, -rho <u~w~>", {}};
     const MeanFlow& field = record.mean_field();
     if (field.blocks.size() < 3) return part;
-    const FieldEstimates found = form_induced_stress(record);
     std::vector<double> z;
     std::vector<double> stress;
     std::vector<double> half_width;
@@ -68,10 +64,11 @@ StressPart form_induced(const FlowRecord& record, const Profiles& p) {
     return part;
 }
 
-std::vector<StressPart> stress_parts(const FlowRecord& record, const Profiles& p) {
+std::vector<StressPart> stress_parts(const FlowRecord& record, const Profiles& p,
+                                     const FieldEstimates& found) {
     const Case& c = *record.flow();
     const std::vector<double> viscous = viscous_stress(p, c.fluid.density * c.fluid.kinematic_viscosity);
-    StressPart form = form_induced(record, p);
+    StressPart form = form_induced(record, p, found);
     std::vector<StressPart> parts = {{"viscous", "viscosity of the water", viscous}};
     if (c.turbulence.closure != ClosureKind::none)
         parts.push_back({"closure", "closure", difference(p.viscous_stress, viscous)});
@@ -97,7 +94,8 @@ double mean_velocity(const Profiles& p, double crests, double surface) {
 
 }  // namespace
 
-void add_friction_parts(const FlowRecord& record, const Profiles& p, Analysis& analysis) {
+void add_friction_parts(const FlowRecord& record, const Profiles& p, const FieldEstimates& form,
+                        Analysis& analysis) {
     const Case& c = *record.flow();
     const bool fits = flow_kind(c) == FlowKind::uniform_channel && c.channel.slope > 0.0 &&
                       c.channel.top == Top::free_surface && !c.has_side_walls() && c.vegetation.empty() &&
@@ -107,8 +105,7 @@ void add_friction_parts(const FlowRecord& record, const Profiles& p, Analysis& a
         p.reynolds_stress.size() != n || p.pair_stress.size() != n) {
         return;
     }
-    const std::vector<double> levels = within_window(record, fields::time_series.mean_level);
-    const double surface = levels.size() > 1 ? mean_with_confidence(levels).mean : c.total_depth();
+    const double surface = mean_level_of(record, p);
     const double crests = c.crest();
     const double depth = surface - crests;
     const double velocity = depth > 0.0 ? mean_velocity(p, crests, surface) : 0.0;
@@ -130,7 +127,7 @@ void add_friction_parts(const FlowRecord& record, const Profiles& p, Analysis& a
     const double crest_stress = c.fluid.density * c.streamwise_gravity() * depth;
     double rest = whole;
     int variant = 0;
-    for (const StressPart& part : stress_parts(record, p)) {
+    for (const StressPart& part : stress_parts(record, p, form)) {
         const double share =
             friction_factor_of_stress(p.bin_upper, part.stress, crests, surface, c.fluid.density, velocity);
         rest -= share;

@@ -5,6 +5,7 @@
 
 #include "analysis/figure.hpp"
 #include "analysis/flow_record.hpp"
+#include "analysis/section_parts.hpp"
 
 namespace riffle {
 
@@ -43,6 +44,9 @@ void add_measured_turbulence(const FlowRecord& record, ProfileQuantity quantity,
 /// Departure of u and du/dz from the measured profile and the column twin, with the thesis' MSEP.
 void add_profile_errors(const FlowRecord& record, const Profiles& p, Analysis& analysis);
 
+/// Mean level of the surface over the window of the profiles, m; the depth where none was recorded.
+[[nodiscard]] double mean_level_of(const FlowRecord& record, const Profiles& p);
+
 /// Shear stress on horizontal planes and its parts, with the analytic line and what was measured.
 void add_stresses(const FlowRecord& record, const Profiles& p, Analysis& analysis);
 
@@ -57,8 +61,9 @@ void add_mixing_length(const FlowRecord& record, const Profiles& p, Analysis& an
 void add_drag(const FlowRecord& record, const Profiles& p, Analysis& analysis);
 
 /// What the friction factor of a uniform flow without side walls is made of: viscous, closure's, turbulent,
-/// form-induced stress, and what the scheme adds.
-void add_friction_parts(const FlowRecord& record, const Profiles& p, Analysis& analysis);
+/// form-induced stress (`form`, of form_induced_stress()), and what the scheme adds.
+void add_friction_parts(const FlowRecord& record, const Profiles& p, const FieldEstimates& form,
+                        Analysis& analysis);
 
 /// Turbulence intensities over the friction velocity, with Nezu's curves and what was measured.
 void add_intensities(const FlowRecord& record, const Profiles& p, Analysis& analysis);

@@ -12,9 +12,6 @@
 
 namespace riffle {
 
-namespace {
-
-/// Mean level of the surface over the window of the profiles; the depth where none was recorded.
 double mean_level_of(const FlowRecord& record, const Profiles& p) {
     const std::vector<double>& time = record.series()[fields::time_series.time];
     const std::vector<double>& level = record.series()[fields::time_series.mean_level];
@@ -27,8 +24,6 @@ double mean_level_of(const FlowRecord& record, const Profiles& p) {
     }
     return count > 0.0 ? sum / count : record.flow()->total_depth();
 }
-
-}  // namespace
 
 bool stands_level(const FlowRecord& record, const Profiles& p) {
     const SpaceTime& surface = record.surface();

@@ -25,7 +25,7 @@ bool snapshots_are_whole(const Case& c) {
 bool is_uniform_over_plan(const Case& c) {
     return c.channel.ends == Ends::periodic && is_channel(flow_kind(c)) &&
            std::all_of(c.solids.begin(), c.solids.end(),
-                       [](const Solid& solid) { return is_bed_shape(solid.shape); });
+                       [](const Solid& solid) { return solid.part_of_bed || is_bed_shape(solid.shape); });
 }
 
 }  // namespace

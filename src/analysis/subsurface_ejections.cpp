@@ -5,19 +5,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 
 #include "analysis/figure_tools.hpp"
 #include "analysis/subsurface_parts.hpp"
 #include "statistics/cross_correlation.hpp"
+#include "statistics/record.hpp"
 
 namespace riffle {
 
 namespace {
-
-double mean_of(const std::vector<double>& values) {
-    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
 
 /// -u'w' at the moments at which slow water goes up (u' < 0, w' > 0), else 0.
 std::vector<double> ejections(const std::vector<double>& u, const std::vector<double>& w) {

@@ -67,6 +67,10 @@ struct SurfaceStation {
 /// where that is not known).
 [[nodiscard]] GravityCapillaryWaves waves_on(const FlowRecord& record);
 
+/// The maps of the surface, their points one after the other as if along a line that closes on itself: the
+/// mean of each instant over the plan is taken away as that of a periodic line is.
+[[nodiscard]] SpaceTime plan_record(const SurfaceMaps& maps);
+
 /// Variance of the surface in plan by the way its components move: locked to the bed, carried along, waves.
 void add_surface_families(const FlowRecord& record, Analysis& analysis);
 

@@ -9,6 +9,7 @@
 #include "analysis/figure_tools.hpp"
 #include "analysis/section_parts.hpp"
 #include "analysis/surface_parts.hpp"
+#include "statistics/record.hpp"
 
 namespace riffle {
 
@@ -49,19 +50,8 @@ std::vector<double> means_of(const SurfaceMaps& maps) {
     return sum;
 }
 
-double mean_of(const std::vector<double>& values) {
-    double sum = 0.0;
-    double count = 0.0;
-    for (const double value : values) {
-        if (!std::isfinite(value)) continue;
-        sum += value;
-        count += 1.0;
-    }
-    return count > 0.0 ? sum / count : std::numeric_limits<double>::quiet_NaN();
-}
+}  // namespace
 
-/// The fluctuation over the plan, the points one after the other as if along a line that closes on itself:
-/// the mean of each instant over the plan is taken away as that of a periodic line is.
 SpaceTime plan_record(const SurfaceMaps& maps) {
     SpaceTime record;
     record.spacing = 1.0;
@@ -71,8 +61,6 @@ SpaceTime plan_record(const SurfaceMaps& maps) {
     record.values = maps.elevation;
     return record;
 }
-
-}  // namespace
 
 void add_surface_plan(const FlowRecord& record, Analysis& analysis) {
     if (!is_three_dimensional(record) || record.flow()->channel.top != Top::free_surface) return;

@@ -13,6 +13,7 @@
 #include "analysis/surface_families.hpp"
 #include "analysis/surface_parts.hpp"
 #include "base/error.hpp"
+#include "statistics/record.hpp"
 
 namespace riffle {
 
@@ -32,14 +33,16 @@ constexpr std::array<FamilyName, surface_families> family_names = {
      {SurfaceFamily::other, "other", "none of these"}}};
 
 /// The maps at even times, about the mean over the plan at each.
-SurfacePlan plan_of(const FlowRecord& record, const SurfaceMaps& maps) {
-    const Case& c = *record.flow();
-    SpaceTime raw;
-    raw.columns = maps.x.size() * maps.y.size();
-    raw.spacing = 1.0;
-    raw.times = maps.time;
-    raw.values = maps.elevation;
-    SpaceTime even = resample_evenly(raw);
+SpaceTime even_maps(const SurfaceMaps& maps) {
+    SpaceTime even = resample_evenly(plan_record(maps));
+    for (std::size_t row = 0; row < even.rows(); ++row) {
+        const double mean = mean_of(even.row(row));
+        for (double& elevation : even.row(row)) elevation -= mean;
+    }
+    return even;
+}
+
+SurfacePlan plan_of(const Case& c, const SurfaceMaps& maps, SpaceTime even) {
     SurfacePlan plan;
     plan.columns = maps.x.size();
     plan.rows = maps.y.size();
@@ -49,13 +52,6 @@ SurfacePlan plan_of(const FlowRecord& record, const SurfaceMaps& maps) {
     plan.periodic_x = c.channel.ends == Ends::periodic;
     plan.periodic_y = c.channel.sides == Sides::periodic;
     plan.elevation = std::move(even.values);
-    const std::size_t points = raw.columns;
-    for (std::size_t from = 0; from < plan.elevation.size(); from += points) {
-        double sum = 0.0;
-        for (std::size_t i = 0; i < points; ++i) sum += plan.elevation[from + i];
-        for (std::size_t i = 0; i < points; ++i)
-            plan.elevation[from + i] -= sum / static_cast<double>(points);
-    }
     return plan;
 }
 
@@ -74,15 +70,12 @@ void add_surface_families(const FlowRecord& record, Analysis& analysis) {
         "Dolcetti et al. 2016", make_axis("wavenumber |k|", "rad/m"),
         make_axis("variance per wavenumber", "m3/rad", true));
     attempt(record, analysis, std::move(figure), [&](Figure& f) {
-        const SurfacePlan plan = plan_of(record, maps);
-        SpaceTime line;
-        line.columns = plan.rows * plan.columns;
-        line.values = plan.elevation;
-        line.times.resize(plan.times());
-        if (is_flat(record, line)) {
+        SpaceTime even = even_maps(maps);
+        if (is_flat(record, even)) {
             throw InputError(
                 "the surface is flat to a thousandth of the spacing: nothing moves it but rows of particles");
         }
+        const SurfacePlan plan = plan_of(*record.flow(), maps, std::move(even));
         const GravityCapillaryWaves waves = waves_on(record);
         const auto [slowest, fastest] = std::minmax(bulk, waves.velocity);
         constexpr std::size_t longest = 512;

@@ -77,15 +77,22 @@ Value found(const Analysis& analysis, const char* key) {
     return finding == nullptr ? Value() : Value(SummaryValue{finding->value, finding->half_width});
 }
 
-/// Of the analysis, whose window may be another than the run's own, else of the run.
-Sources depth_mean_velocity(const ReportData& data, const Analysis& analysis) {
-    Sources sources;
-    sources.simulated = found(analysis, "depth_mean_velocity");
-    const auto of_run = find_value(data.summary, fields::summary.depth_mean_velocity);
-    if (!sources.simulated && of_run) {
-        sources.simulated =
-            SummaryValue{*of_run, find_value(data.summary, fields::summary.depth_mean_velocity_half_width)};
+/// Of the analysis, whose window may be another than the run's own, else of the run. `half_width`: null where
+/// the run has none.
+Value of_window(const ReportData& data, const Analysis& analysis, const Field& field,
+                const Field* half_width = nullptr) {
+    Value value = found(analysis, field.name);
+    if (const auto of_run = find_value(data.summary, field); !value && of_run) {
+        value = SummaryValue{*of_run, {}};
+        if (half_width != nullptr) value->half_width = find_value(data.summary, *half_width);
     }
+    return value;
+}
+
+Sources depth_mean_velocity(const ReportData& data, const Analysis& analysis) {
+    const auto& of = fields::summary;
+    Sources sources;
+    sources.simulated = of_window(data, analysis, of.depth_mean_velocity, &of.depth_mean_velocity_half_width);
     if (data.flow.has_side_walls()) {
         // The measured velocity is that of the centreline: centreline_velocity.
         sources.column = plain(find_value(data.section, fields::section_numbers.depth_mean_velocity));
@@ -162,30 +169,22 @@ void add_friction(Table& table, const ReportData& data, const Analysis& analysis
         }
         return;
     }
+    const auto& of = fields::summary;
     table.add(row_of("friction_velocity",
                      has_rough_bed(data.flow) ? "Friction velocity, from the stress at the crests"
                                               : "Friction velocity, from the stress at the bed",
                      "<i>u</i><sub>∗</sub>", "m/s"),
-              {plain(find_value(data.summary, fields::summary.friction_velocity)),
-               plain(measured.friction_velocity),
+              {of_window(data, analysis, of.friction_velocity), plain(measured.friction_velocity),
                plain(find_value(data.column, fields::column_numbers.friction_velocity))});
-    // Of the analysis, whose window may be another, else of the run itself.
-    const auto fit = [&](const Field& field, const Field& half_width) {
-        Value value = found(analysis, field.name);
-        if (!value && find_value(data.summary, field)) {
-            value = SummaryValue{*find_value(data.summary, field), find_value(data.summary, half_width)};
-        }
-        return value;
-    };
-    const auto& of = fields::summary;
-    table.add(row_of("log_law_friction_velocity", "Friction velocity, from the log-law fit",
-                     "<i>u</i><sub>∗</sub>", "m/s"),
-              {fit(of.log_law_friction_velocity, of.log_law_friction_velocity_half_width),
-               plain(measured.friction_velocity),
-               plain(find_value(data.column, fields::column_numbers.log_law_friction_velocity))});
+    table.add(
+        row_of("log_law_friction_velocity", "Friction velocity, from the log-law fit", "<i>u</i><sub>∗</sub>",
+               "m/s"),
+        {of_window(data, analysis, of.log_law_friction_velocity, &of.log_law_friction_velocity_half_width),
+         plain(measured.friction_velocity),
+         plain(find_value(data.column, fields::column_numbers.log_law_friction_velocity))});
     table.add(row_of("equivalent_roughness", "Equivalent roughness, from the log-law fit",
                      "<i>k</i><sub>s</sub>", "mm", 1000, 3),
-              {fit(of.equivalent_roughness, of.equivalent_roughness_half_width),
+              {of_window(data, analysis, of.equivalent_roughness, &of.equivalent_roughness_half_width),
                plain(measured.equivalent_roughness),
                plain(find_value(data.column, fields::column_numbers.equivalent_roughness))});
     if (const Value with_stress = found(analysis, "stress_equivalent_roughness")) {

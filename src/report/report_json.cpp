@@ -8,7 +8,6 @@
 #include <limits>
 
 #include "case/flow_kind.hpp"
-#include "record/run_fields.hpp"
 #include "report/base64.hpp"
 #include "report/field_data.hpp"
 #include "report/json_parts.hpp"
@@ -114,7 +113,7 @@ Json field_json(const ReportData& data) {
     return object;
 }
 
-Json surface_frames_json(const ReportData& data) {
+Json surface_frames_json(const ReportData& data, const std::vector<SummaryRow>& quantities) {
     if (!data.surface_frames) return nullptr;
     const SurfaceFrames& surface = *data.surface_frames;
     double largest = 0.0;
@@ -126,7 +125,7 @@ Json surface_frames_json(const ReportData& data) {
     for (auto at = surface.elevation.begin(); at != surface.elevation.end(); at += points)
         frames.push_back(packed({at, at + points}, -largest, largest));
     const Case& c = data.flow;
-    const auto mean = find_value(data.summary, fields::summary.depth_mean_velocity);
+    const SummaryRow* const mean = find_quantity(quantities, "depth_mean_velocity");
     return {{"x", array_of(surface.x)},
             {"y", array_of(surface.y)},
             {"time", array_of(surface.time)},
@@ -136,7 +135,7 @@ Json surface_frames_json(const ReportData& data) {
             {"width", c.channel.simulated_width()},
             {"periodic_along", c.channel.ends == Ends::periodic},
             {"periodic_across", c.channel.sides == Sides::periodic},
-            {"velocity", mean && is_channel(flow_kind(c)) ? Json(*mean) : Json(nullptr)},
+            {"velocity", mean != nullptr && mean->simulated ? Json(mean->simulated->value) : Json(nullptr)},
             {"earlier_left_out", surface.earlier_left_out}};
 }
 
@@ -218,7 +217,7 @@ std::string page_json(const ReportData& data, const Analysis& analysis) {
         {"chapters", chapters_json(flow_kind(data.flow))},
         {"geometry", geometry_json(data)},
         {"field", field_json(data)},
-        {"moving_surface", surface_frames_json(data)},
+        {"moving_surface", surface_frames_json(data, quantities)},
         {"diagnostics", diagnostics_json(diagnostics)},
         {"run", std::move(facts)},
         {"references", references_json(cited_references({analysis}, {data.flow.measured.source}))},

@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "record/flow_fields.hpp"
+#include "statistics/record.hpp"
 
 namespace riffle {
 
@@ -17,19 +18,6 @@ std::vector<double> every(const std::vector<double>& values, std::size_t n) {
     std::vector<double> result;
     for (std::size_t i = 0; i < values.size(); i += n) result.push_back(values[i]);
     return result;
-}
-
-/// Take the mean of the wet points from a map.
-void centre(std::vector<double>& map) {
-    double sum = 0.0;
-    double count = 0.0;
-    for (const double value : map) {
-        if (!std::isfinite(value)) continue;
-        sum += value;
-        count += 1.0;
-    }
-    if (count == 0.0) return;
-    for (double& value : map) value -= sum / count;
 }
 
 }  // namespace
@@ -72,7 +60,8 @@ std::optional<SurfaceFrames> read_surface_frames(const RunResults& results, cons
         for (std::size_t iy = 0; iy < y.size(); iy += step) {
             for (std::size_t ix = 0; ix < x.size(); ix += step) map.push_back(whole[iy * x.size() + ix]);
         }
-        centre(map);
+        const double mean = mean_of(map);
+        for (double& elevation : map) elevation -= mean;
         surface.elevation.insert(surface.elevation.end(), map.begin(), map.end());
     }
     return surface;
