@@ -185,8 +185,8 @@ class Fields(CommandLineTest):
         folder = self.folder / "sweep"
         arguments = ["sweep", self.shared / "plane.toml", "--vary", "numerics.spacing=2.5mm", "--set", "channel.length=0.06",
                      *until(0.7), *every(snapshot=0.2), "-o", folder, "-q"]
-        for outcome in ("depth_mean_velocity_error", "total_mean_velocity", "total_mean_velocity_error", "particle_order",
-                        "velocity_fluctuation"):
+        for outcome in ("depth_mean_velocity", "depth_mean_velocity_error", "total_mean_velocity",
+                        "total_mean_velocity_error", "particle_order", "velocity_fluctuation"):
             arguments += ["--outcome", outcome]
         inside = folder / "spacing=2.5mm"
         if not inside.exists():
