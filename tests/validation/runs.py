@@ -1,5 +1,6 @@
 """Runs Riffle and reads the numbers of its results file."""
 
+import hashlib
 import json
 import math
 import os
@@ -15,23 +16,39 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
 class RiffleRun:
-    """One run of `riffle run`; `values` are the attributes of /summary and some that follow from them."""
+    """One run of `riffle run`; `values` are the attributes of /summary and some that follow from them. `reuse`: "any" takes
+    results of the same case and settings that the folder holds complete, whatever build made them; "same build" those
+    of this binary and case file alone, and goes on with a run of theirs that was broken off."""
 
-    def __init__(self, riffle, case, folder, settings, reuse, threads=0):
+    def __init__(self, riffle, case, folder, settings, reuse="", threads=0):
         self.case = case
         self.folder = pathlib.Path(folder)
-        self.command = [str(riffle), "run", str(case), "-o", str(folder), "--quiet", "--force", "-j", str(threads)]
+        self.riffle, self.threads = str(riffle), str(threads)
+        self.command = [self.riffle, "run", str(case), "-o", str(folder), "--quiet", "--force", "-j", self.threads]
         for key, value in settings.items():
             self.command += ["--set", f"{key}={value}"]
         wanted = json.dumps([str(case), settings], sort_keys=True)
         record = self.folder / "made-from.json"  # so that results of other settings under this name are not taken for these
-        if not (reuse and self._complete() and (not record.exists() or record.read_text() == wanted)):
-            shutil.rmtree(self.folder, ignore_errors=True)
-            finished = subprocess.run(self.command, cwd=ROOT, stderr=subprocess.PIPE, text=True)
-            if finished.returncode != 0:
-                sys.exit(f"{' '.join(self.command)}\nfailed with status {finished.returncode}:\n{finished.stderr}")
-            record.write_text(wanted)
+        origin = self.folder / "made-by.json"
+        makers = {name: hashlib.sha256((ROOT / path).read_bytes()).hexdigest() for name, path in (("binary", riffle), ("case", case))}
+        same = _text(record) == wanted and _text(origin) == json.dumps(makers)
+        taken = same if reuse == "same build" else reuse == "any" and _text(record) in (None, wanted)
+        if not (taken and self._complete()):
+            if not (same and reuse == "same build" and self._goes_on()):
+                shutil.rmtree(self.folder, ignore_errors=True)
+                self.folder.mkdir(parents=True)
+                record.write_text(wanted)
+                origin.write_text(json.dumps(makers))
+                finished = subprocess.run(self.command, cwd=ROOT, stderr=subprocess.PIPE, text=True)
+                if finished.returncode != 0:
+                    sys.exit(f"{' '.join(self.command)}\nfailed with status {finished.returncode}:\n{finished.stderr}")
         self._read()
+
+    def _goes_on(self):
+        """Whether a run that was broken off came to its end from its checkpoint."""
+        if not (self.folder / "checkpoint.h5").exists():
+            return False
+        return subprocess.run([self.riffle, "resume", str(self.folder), "--quiet", "-j", self.threads], cwd=ROOT).returncode == 0
 
     def _complete(self):
         try:
@@ -66,6 +83,18 @@ class RiffleRun:
             v["level_drift_10_s"] = 10.0 * numpy.polyfit(self.snapshot_time[inside], depth[inside], 1)[0]
         early, late = self.snapshot_time <= 1.01, self.snapshot_time >= self.snapshot_time[-1] - 1.01
         v["level_drift_share"] = (depth[late].mean() - depth[early].mean()) / v["total_depth"]
+
+
+def _text(path):
+    return path.read_text() if path.exists() else None
+
+
+def add_reuse_options(parser):
+    """The options that say which results of --keep are taken as they are: `reuse` of RiffleRun."""
+    choice = parser.add_mutually_exclusive_group()
+    choice.add_argument("--reuse", action="store_const", const="any", default="", help="take complete results from --keep, whatever build made them")
+    choice.add_argument("--continue", action="store_const", const="same build", dest="reuse",
+                        help="take those that this very binary made from this case, and go on with its runs that were broken off")
 
 
 def half_width(values, name):

@@ -8,7 +8,8 @@
 
 Prints one table per part and ends with status 1 when a bar is missed, or a known miss (tests/known_misses.toml) has become worse or
 has gone. --markdown FILE writes the tables too,
---keep DIR keeps the results there, --reuse takes complete results that DIR already holds.
+--keep DIR keeps the results there, --reuse takes complete results that DIR already holds, --continue those of this binary
+alone, and goes on with runs that were broken off.
 """
 
 import argparse
@@ -25,18 +26,20 @@ import space_parts
 
 ALL_PARTS = parts.PARTS | space_parts.SPACE_PARTS | choice_parts.CHOICE_PARTS | bed_parts.BED_PARTS
 
+TIERS = {"quick": parts.QUICK + ["space_quick", "space_side_quick"], "full": parts.FULL + bed_parts.BEDS + ["choices"], "space": space_parts.SPACE}
+
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("tier", choices=["quick", "full", "space"] + sorted(ALL_PARTS))
+    parser.add_argument("tier", choices=[*TIERS] + sorted(ALL_PARTS))
     parser.add_argument("--riffle", type=pathlib.Path, help="the binary (default: the build of this checkout)")
     parser.add_argument("--keep", type=pathlib.Path, help="keep the results in this folder")
-    parser.add_argument("--reuse", action="store_true", help="take complete results from --keep")
+    runs.add_reuse_options(parser)
     parser.add_argument("--threads", type=int, default=0, help="threads of each run (default: all processors that may be used)")
     parser.add_argument("--markdown", type=pathlib.Path, help="write the tables to this file")
     arguments = parser.parse_args()
     riffle = arguments.riffle or runs.default_riffle()
-    names = {"quick": parts.QUICK + ["space_quick", "space_side_quick"], "full": parts.FULL + bed_parts.BEDS + ["choices"], "space": space_parts.SPACE}.get(arguments.tier, [arguments.tier])
+    names = TIERS.get(arguments.tier, [arguments.tier])
     with tempfile.TemporaryDirectory() as scratch:
         folder = arguments.keep or pathlib.Path(scratch)
 

@@ -2,7 +2,10 @@
 
 import math
 import pathlib
+import re
 import sys
+import tempfile
+import textwrap
 import unittest
 
 import numpy
@@ -12,6 +15,9 @@ sys.path[:0] = [str(pathlib.Path(__file__).resolve().parent), str(pathlib.Path(_
 import exact  # noqa: E402
 from check import Check, known_misses, summary_table  # noqa: E402
 from neighbours import neighbour_pairs, velocity_gradients  # noqa: E402
+import runs  # noqa: E402
+import validate  # noqa: E402
+import verify  # noqa: E402
 from spectra import energy_spectrum, velocity_on_grid  # noqa: E402
 
 
@@ -103,6 +109,57 @@ class ExactSolutions(unittest.TestCase):
 
     def test_order(self):
         self.assertAlmostEqual(exact.observed_order([4, 2, 1], [16e-3, 4e-3, 1e-3]), 2)
+
+
+class LongTier(unittest.TestCase):
+    def test_each_check_and_each_part_is_a_test_of_the_long_tier(self):
+        here = pathlib.Path(__file__).resolve().parent
+        for file, name, known in ((here / "CMakeLists.txt", "long_checks", list(verify.CHECKS)),
+                                  (here.parent / "validation/CMakeLists.txt", "long_parts", validate.TIERS["full"] + validate.TIERS["space"])):
+            listed = re.search(rf"set\({name}\s([^)]*)\)", file.read_text()).group(1).split()
+            self.assertEqual(sorted(listed), sorted(known))
+
+    def test_a_run_is_taken_again_from_the_same_binary_only_and_goes_on_where_it_was_broken_off(self):
+        with tempfile.TemporaryDirectory() as scratch:
+            folder = pathlib.Path(scratch)
+            # Stands for the program: it notes its calls and writes results, which are complete after a resume.
+            said, binary, case = folder / "said", folder / "riffle", folder / "case.toml"
+            case.write_text("title = 'x'\n")
+
+            def program(remark):
+                binary.write_text(f"#!/usr/bin/python3\n# {remark}\n" + textwrap.dedent(f"""
+                    import h5py, pathlib, sys
+                    verb, folder = sys.argv[1], pathlib.Path(sys.argv[sys.argv.index("-o") + 1] if "-o" in sys.argv else sys.argv[2])
+                    open({str(said)!r}, "a").write(verb + "\\n")
+                    with h5py.File(folder / "results.h5", "w") as file:
+                        file.attrs["complete"] = int(verb == "resume" or "--set" in sys.argv)
+                        for group in ("summary", "time_series", "snapshots"):
+                            file.create_group(group)
+                    (folder / "checkpoint.h5").touch()
+                    """))
+                binary.chmod(0o755)
+
+            class Plain(runs.RiffleRun):
+                def _measure_depth(self):
+                    pass
+
+            def calls(reuse, **settings):
+                said.write_text("")
+                Plain(binary, case, folder / "run", settings, reuse)
+                return said.read_text().split()
+
+            program("one build")
+            self.assertEqual(calls("same build"), ["run"])  # broken off, as far as its results say
+            self.assertEqual(calls("same build"), ["resume"])
+            self.assertEqual(calls("same build"), [])
+            program("another build")
+            self.assertEqual(calls("any"), [])
+            self.assertEqual(calls("same build", key=1), ["run"])
+            self.assertEqual(calls("same build", key=1), [])
+            case.write_text("title = 'y'\n")
+            self.assertEqual(calls("same build", key=1), ["run"])
+            self.assertEqual(calls("", key=1), ["run"])
+            self.assertEqual(calls("any", key=2), ["run"])
 
 
 class Bars(unittest.TestCase):

@@ -2,13 +2,13 @@
 """Holds Riffle against exact solutions and published measurements, and writes a report page.
 
   tests/verification/verify.py quick      the cheap cases at coarse spacings (CI, under a minute)
-  tests/verification/verify.py full       all cases, spacings and option sets (about an hour of one core)
+  tests/verification/verify.py full       all cases, spacings and option sets (a day of one core; docs/verification.md has the cost of each)
   tests/verification/verify.py sloshing   one case
 
 Runs go through the program (`riffle run`), numbers come from the results files. Writes verification.html (--page FILE), one file
 with the table of error norms and bars, a figure and the budgets of each case; --markdown FILE writes the tables too, --figures DIR
-the figures as SVG. --keep DIR keeps the results there, --reuse takes complete results that DIR already holds. Ends with status 1
-when a bar is missed that is not among the known ones (tests/known_misses.toml), or one of those has become worse or has gone.
+the figures as SVG. --keep DIR keeps the results there, --reuse takes complete results that DIR already holds, --continue those of this
+binary alone, and goes on with runs that were broken off. Ends with status 1 when a bar is missed that is not among the known ones (tests/known_misses.toml), or one of those has become worse or has gone.
 """
 
 import argparse
@@ -92,7 +92,7 @@ def main():
     parser.add_argument("--markdown", type=pathlib.Path, help="write the tables to this file")
     parser.add_argument("--figures", type=pathlib.Path, help="write the figures as SVG into this folder")
     parser.add_argument("--keep", type=pathlib.Path, help="keep the results in this folder")
-    parser.add_argument("--reuse", action="store_true", help="take complete results from --keep")
+    runs.add_reuse_options(parser)
     parser.add_argument("--threads", "-j", type=int, default=0, help="threads of each run (default: all processors that may be used)")
     parser.add_argument("--coarse", action="store_true", help="single names: as in the quick tier, without spacings and option sets")
     arguments = parser.parse_args()
@@ -110,6 +110,7 @@ def main():
         build = next(iter(study.done.values())).build
     table = checks.summary_table(done)
     budgets = checks.budget_table(done)
+    arguments.page.parent.mkdir(parents=True, exist_ok=True)
     arguments.page.write_text(page.html_page(table, budgets, done, build))
     if arguments.markdown:
         arguments.markdown.write_text(page.markdown(table, budgets, done))
