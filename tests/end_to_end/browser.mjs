@@ -50,7 +50,7 @@ export async function draw_all(page) {
       const drawn = await page.waitForFunction(element => {
         element.scrollIntoView({ block: 'center' });
         return element.classList.contains('js-plotly-plot') && element._fullLayout;
-      }, plot, { timeout: 20000, polling: 100 }).catch(() => null);
+      }, plot, { timeout: 20000, polling: 10 }).catch(() => null);
       if (drawn) break;
       const frame = await page.screenshot({ clip: { x: 0, y: 0, width: 1, height: 1 }, timeout: 20000 }).catch(() => null);
       const id = await plot.evaluate(element => element.id);
