@@ -8,6 +8,7 @@
 #include "boundary/mesh_contact.hpp"
 #include "boundary/plane_contact.hpp"
 #include "boundary/solid_contact.hpp"
+#include "case/solid_volume.hpp"
 #include "engine/component.hpp"
 #include "engine/particle_fault.hpp"
 #include "engine/pass_order.hpp"
@@ -23,6 +24,9 @@ class Contact final : public Component<D, Real> {
     using typename Component<D, Real>::Task;
 
     explicit Contact(const Flow& flow) : planes_(flow.c) {
+        for (const Solid& solid : flow.c.solids) {
+            points_.push_back(moment_point(flow.c, solid));
+        }
         if constexpr (D == 2) {
             solids_ = SolidContact(flow.c);
         } else {
@@ -44,23 +48,24 @@ class Contact final : public Component<D, Real> {
         }
     }
 
-    void begin_evaluation(Flow& flow, const Stage& /*stage*/) override {
+    void begin_evaluation(Flow& flow, const Stage& stage) override {
+        velocity_step_ = stage.velocity_step();
         depth_.assign(flow.block_advance.size(), 0.0);
-        impulses_.assign(flow.free.empty() ? 0 : flow.block_advance.size() * flow.free.size(), BodyLoad{});
+        impulses_.assign(books(flow) ? flow.block_advance.size() * points_.size() : 0, BodyLoad{});
     }
 
-    void after_motion(Flow& flow, Task& /*task*/, const Stage& stage, std::size_t begin,
+    void after_motion(Flow& flow, Task& /*task*/, const Stage& /*stage*/, std::size_t begin,
                       std::size_t end) override {
         double deepest = 0.0;
         std::size_t particle = 0;
-        const Push push = flow.free.empty() ? Push{} : impulse_on(flow, particle, begin / block_clusters);
+        const Push push = impulses_.empty() ? Push{} : impulse_on(flow, particle, begin / block_clusters);
         for (std::size_t cluster = begin; cluster < end; ++cluster) {
             if (flow.fluid_wall.run_begin[cluster] == flow.fluid_wall.run_begin[cluster + 1]) {
                 continue;
             }
             flow.for_particles(cluster, cluster + 1, [&](std::size_t i, std::size_t) {
                 particle = i;
-                deepest = std::max(deepest, put_back(flow, i, stage.motion, push));
+                deepest = std::max(deepest, put_back(flow, i, push));
             });
         }
         depth_[begin / block_clusters] = deepest;
@@ -70,15 +75,23 @@ class Contact final : public Component<D, Real> {
         if (!depth_.empty()) {
             flow.clock.displacement_bound += 2.0 * *std::max_element(depth_.begin(), depth_.end());
         }
-        flow.contact_impulses.assign(flow.free.size(), BodyLoad{});
+        // What a solid takes from water that it puts back presses on it as its pressure does.
         for (std::size_t n = 0; n < impulses_.size(); ++n) {
-            flow.contact_impulses[n % flow.free.size()] += impulses_[n];
+            ForceOnSolid& load = flow.solid_forces[n % points_.size()];
+            for (std::size_t k = 0; k < 3; ++k) {
+                load.pressure[k] += impulses_[n].force[k] / velocity_step_;
+                load.pressure_moment[k] += impulses_[n].moment[k] / velocity_step_;
+            }
         }
     }
+    [[nodiscard]] std::size_t bytes() const override { return impulses_.capacity() * sizeof(BodyLoad); }
 
   private:
+    /// Whether the solids' forces are kept in the step in progress: SolidForces.
+    static bool books(const Flow& flow) { return flow.keep_fields || !flow.free.empty(); }
+
     /// Returns how far a particle was put back, m.
-    double put_back(Flow& flow, std::size_t i, double step, const Push& push) const {
+    double put_back(Flow& flow, std::size_t i, const Push& push) const {
         constexpr std::size_t vertical = Flow::vertical;
         Particles<D>& particles = flow.particles;
         Vec<D> x = vector_of(particles.position, i);
@@ -92,10 +105,10 @@ class Contact final : public Component<D, Real> {
             // What the wall takes from the velocity is a force of the wall, beside that of its pressure.
             auto& along = flow.fields.wall_acceleration_x;
             auto& upright = flow.fields.wall_acceleration_z;
-            const double taken = (u[0] - before[0]) / step;
+            const double taken = (u[0] - before[0]) / velocity_step_;
             along.set(i, along[i] + taken);
             flow.fields.pair_acceleration_x[i] += taken;
-            upright.set(i, upright[i] + (u[vertical] - before[vertical]) / step);
+            upright.set(i, upright[i] + (u[vertical] - before[vertical]) / velocity_step_);
         }
         for (std::size_t k = 0; k < Flow::axes && depth > 0.0; ++k) {
             particles.position[k][i] = x[k];
@@ -104,24 +117,13 @@ class Contact final : public Component<D, Real> {
         return depth;
     }
 
-    /// Books what the velocity of a particle gains on the free body that put it back.
+    /// Books what the velocity of a particle gains on the solid that put it back.
     Push impulse_on(const Flow& flow, const std::size_t& i, std::size_t block) {
         return [this, &flow, &i, block](std::size_t solid, const Vec<3>& place, const Vec<3>& gain) {
-            for (std::size_t n = 0; n < flow.free.size(); ++n) {
-                if (flow.free[n].solid() != solid) {
-                    continue;
-                }
-                const BodyState& body = flow.bodies_after[first_solid + solid];
-                const Point3& centre = flow.free[n].centre_of_mass();
-                const double mass = flow.particles.mass[i];
-                Point3 arm{};
-                Point3 impulse{};
-                for (std::size_t k = 0; k < 3; ++k) {
-                    arm[k] = place[k] - centre[k] - body.displacement[k];
-                    impulse[k] = -mass * gain[k];
-                }
-                impulses_[block * flow.free.size() + n] += {impulse, cross(arm, impulse)};
-            }
+            const Point3 about = flow.bodies_after[first_solid + solid].placed(points_[solid]);
+            const double mass = flow.particles.mass[i];
+            const Point3 impulse{-mass * gain[0], -mass * gain[1], -mass * gain[2]};
+            impulses_[block * points_.size() + solid] += {impulse, cross(minus(place, about), impulse)};
         };
     }
 
@@ -139,7 +141,9 @@ class Contact final : public Component<D, Real> {
     std::conditional_t<D == 2, SolidContact, MeshContact> solids_;
     PlaneContact<D> planes_;
     std::vector<double> depth_;       ///< by block, the largest of the evaluation, m
-    std::vector<BodyLoad> impulses_;  ///< by block and free body, N s and N m s
+    double velocity_step_ = 0.0;      ///< of the evaluation in progress, s
+    std::vector<Point3> points_;      ///< of each solid, that the moments on it are about, at t = 0
+    std::vector<BodyLoad> impulses_;  ///< by block and solid, N s and N m s; empty where they are not kept
 };
 
 template <int D, class Real>

@@ -59,10 +59,6 @@ class FreeBodies final : public Component<D, Real> {
             for (std::size_t k = 0; k < 3; ++k) {
                 load.force[k] += body.mass() * weight[k] + spring[k] + touching[n].force[k];
                 load.moment[k] += touching[n].moment[k];
-                if (!flow.contact_impulses.empty()) {
-                    load.force[k] += flow.contact_impulses[n].force[k] / kick;
-                    load.moment[k] += flow.contact_impulses[n].moment[k] / kick;
-                }
             }
             body.advance(states[n], load, kick, stage_.motion, smoothing_);
             watch(flow, states[n], body);

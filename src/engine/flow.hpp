@@ -65,9 +65,6 @@ struct FlowIn {
     ParticleFields fields;                   ///< where they are kept
     std::vector<ForceOnSolid> solid_forces;  ///< at the same times; empty without solids
     EnergyRates energy_rates;                ///< at the same times
-    /// What free bodies have taken of the momentum of water that was put back before them in the evaluation
-    /// in progress, N s and N m s.
-    std::vector<BodyLoad> contact_impulses;
 
     /// All bodies at the time of the clock.
     [[nodiscard]] std::vector<BodyState> bodies_now() const {

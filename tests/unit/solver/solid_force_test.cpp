@@ -156,6 +156,35 @@ TEST(SolidForce, OfContactIsInTheChangeOfTheMomentum) {
     EXPECT_NEAR(impulse, momentum() - before, 1e-9 * std::abs(before));
 }
 
+// Water in flight that hits an edge far above the floor: all that pushes it is that solid, what it puts back
+// too.
+TEST(SolidForce, OfContactIsInTheForceOnTheSolid) {
+    Case c = tank_with_blocks();
+    c.channel.ends = Ends::periodic;
+    c.channel.depth = 0.08;
+    c.solids = {test::rectangle("edge", 0.07, 0.09, 0.04, 0.05)};
+    c.solids[0].x = {0.07, 0.09, 0.09};
+    c.solids[0].z = {0.0437, 0.04, 0.05};
+    c.start.kind = StartKind::uniform;
+    c.start.velocity = 2.0;
+    c.start.water_x = {0.045, 0.065, 0.065, 0.045};
+    c.start.water_z = {0.03, 0.03, 0.06, 0.06};
+    const auto simulation = started(c);
+    double on_solid = 0.0;
+    double on_walls = 0.0;
+    for (int step = 0; step < 200; ++step) {
+        simulation->step(0.0);
+        const ParticleFields& f = simulation->fields();
+        const ForceOnSolid& solid = simulation->solid_forces().front();
+        on_solid += solid.pressure[0] + solid.friction[0];
+        for (std::size_t i = 0; i < simulation->particles().size(); ++i) {
+            on_walls -= simulation->particles().mass[i] * f.wall_acceleration_x[i];
+        }
+    }
+    EXPECT_GT(on_walls, 200 * 1.0);  // N/m
+    EXPECT_NEAR(on_solid, on_walls, 1e-5 * on_walls);
+}
+
 TEST(Boundaries, OutlinesStandWhereTheCaseHasThemAndMoveWithTheirMotion) {
     Case c = tank_with_blocks();
     c.solids[1].motion = SolidMotion::constant;
