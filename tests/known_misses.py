@@ -15,6 +15,7 @@ import tomllib
 
 HERE = pathlib.Path(__file__).resolve().parent
 KEYS = {"suite", "part", "row", "quantity", "bar", "value", "worst", "reason"}
+OPTIONAL = {"may_hold"}
 
 # A value that comes to hold its bar by less than this share of it may miss it again on the next machine.
 CLEAR = 0.9
@@ -22,8 +23,10 @@ CLEAR = 0.9
 
 class Miss:
     def __init__(self, entry, place):
-        if set(entry) != KEYS:
+        if set(entry) - OPTIONAL != KEYS:
             sys.exit(f"{place}: an entry has the keys {', '.join(sorted(KEYS))}; this one {', '.join(sorted(entry))}")
+        # Of the largest sample in one run of a flow that never repeats: on another machine it may hold its bar.
+        self.may_hold = False
         self.__dict__.update(entry)
         if not (abs(self.worst) >= abs(self.value) > self.bar):
             sys.exit(f"{place}: {self.row}, {self.quantity}: expected bar < value <= worst, here {self.bar}, {self.value}, {self.worst}")
@@ -62,7 +65,7 @@ def judge(misses, key, value, bar):
         return ("held", "") if held else ("missed", f"{name} is {value:.4g}, bar {bar:g}")
     if abs(miss.bar - bar) > 1e-9 * bar:
         return "missed", f"{name}: its bar is {bar:g}, in known_misses.toml {miss.bar:g}"
-    if held and abs(value) < CLEAR * bar:
+    if held and abs(value) < CLEAR * bar and not miss.may_hold:
         return "missed", f"{name} is {value:.4g} and holds its bar {bar:g} now: take it out of tests/known_misses.toml"
     if held:
         return "held", ""
@@ -81,7 +84,7 @@ def page(misses, remarks=()):
     lines = ["# Known misses", "",
              "Every bar of the suites that is missed, with the reason; nothing else is. `./run-tests.sh --long` prints the values of",
              "today, and fails when one becomes worse than the last column but one, when another bar is missed, or when one of these",
-             "has come to hold and still stands here. This page is what `tests/known_misses.py` prints of `tests/known_misses.toml`.", ""]
+             "has come to hold and still stands here (but where it may: an extreme of one run of a flow that never repeats). This page is what `tests/known_misses.py` prints of `tests/known_misses.toml`.", ""]
     suites = {}
     for miss in misses.values():
         suites.setdefault((miss.suite, miss.part), []).append(miss)
@@ -89,7 +92,7 @@ def page(misses, remarks=()):
         program = {"validation": "validate.py ", "verification": "verify.py "}.get(suite, "")
         command = f"tests/{suite}/{program}{part}"
         lines += [f"## `{command}`", "", "| case | quantity | bar | measured | fails above | reason |", "|---|---|---|---|---|---|"]
-        lines += [f"| {m.row} | {m.quantity} | {m.bar:g} | {m.value:g} | {m.worst:g} | {m.reason} |" for m in entries]
+        lines += [f"| {m.row} | {m.quantity} | {m.bar:g} | {m.value:g} | {m.worst:g} | {m.reason}{' (may hold)' if m.may_hold else ''} |" for m in entries]
         lines.append("")
     if not suites:
         lines += ["There is none.", ""]

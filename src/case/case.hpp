@@ -93,7 +93,8 @@ struct Bed {
 /// [side_walls]: drag of the walls beside the water (three dimensions)
 struct SideWalls {
     SideDragForm drag_form = SideDragForm::consistent;
-    std::optional<double> layer;  ///< thickness of the layer it acts in, m; unset: the roughness height
+    std::optional<double> layer;  ///< thickness of the layer it acts in, m; see Case::side_layer()
+    std::optional<double> equivalent_roughness;  ///< k_s of the log law, m; unset: that of a bed by roughness
 
     bool operator==(const SideWalls&) const = default;
 };
@@ -457,7 +458,11 @@ struct Case {
                                                                           : 0.1 * bed.sphere_diameter);
     }
     /// Thickness of the layer in which the side walls' drag acts, m.
-    [[nodiscard]] double side_layer() const { return side_walls.layer.value_or(bed.roughness_height); }
+    [[nodiscard]] double side_layer() const {
+        constexpr double rows = 3.0;
+        return side_walls.layer.value_or(bed.roughness_height > 0.0 ? bed.roughness_height
+                                                                    : rows * numerics.spacing);
+    }
     /// Whether the case has side walls with drag.
     [[nodiscard]] bool has_side_walls() const {
         return channel.dimensions == 3 && channel.sides != Sides::periodic;

@@ -130,16 +130,26 @@ SectionKeys bed() {
 
 SectionKeys side_walls() {
     SectionKeys s{"side_walls", "The walls beside the water, in three dimensions.", {}};
-    s.keys.push_back(make_key("side_walls", "drag_form", &Case::side_walls, &SideWalls::drag_form,
-                              "How the drag of the walls is found.")
-                         .with_default_note("consistent over spheres; none over smooth beds")
-                         .applies_with("channel.sides", {"walls", "half"}, true));
+    s.keys.push_back(
+        make_key("side_walls", "drag_form", &Case::side_walls, &SideWalls::drag_form,
+                 "How the drag of the walls is found.")
+            .with_default_note(
+                "consistent over spheres; log-law over beds by roughness and smooth ones; none over others")
+            .applies_with("channel.sides", {"walls", "half"}, true));
     s.keys.push_back(make_key("side_walls", "layer", &Case::side_walls, &SideWalls::layer,
                               "Thickness of the layer of water in which the drag of a wall acts.")
                          .measured_in(length)
                          .greater_than(0)
-                         .unset_by("auto", "the roughness height")
+                         .unset_by("auto", "the roughness height; three spacings over a bed without")
                          .applies_with("channel.sides", {"walls", "half"}, true));
+    s.keys.push_back(make_key("side_walls", "equivalent_roughness", &Case::side_walls,
+                              &SideWalls::equivalent_roughness,
+                              "Equivalent sand roughness k_s of the walls; 0: smooth walls.")
+                         .measured_in(length)
+                         .at_least(0)
+                         .unset_by("auto", "that of a bed by roughness, else smooth")
+                         .with_example("0.5 mm")
+                         .applies_with("side_walls.drag_form", {"log-law"}, true));
     return s;
 }
 

@@ -12,7 +12,7 @@ enum class InflowProfile { column, uniform, power_law, log_law, file };
 enum class OutflowKind { depth, normal_depth, critical_depth, weir, rating_curve, free, free_fall, pressure };
 enum class Top { free_surface, wall, periodic };
 enum class Sides { periodic, walls, half };
-enum class SideDragForm { consistent, thesis, none };
+enum class SideDragForm { consistent, thesis, log_law, none };
 enum class BedKind { spheres, slip, no_slip, roughness, smooth };
 enum class DragSampling { row, point };
 enum class Packing { hexagonal, square };

@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "base/visible_text.hpp"
+#include "case/bed_friction.hpp"
 #include "case/bed_heights.hpp"
 #include "case/bed_surface.hpp"
 #include "case/case.hpp"
@@ -260,7 +261,7 @@ void set_dependent_defaults(Case& c, const Values& values) {
         c.bed.roughness_height = 0.0;
         c.bed.datum_below_crest = 0.0;
         if (c.has_side_walls()) {
-            c.side_walls.drag_form = SideDragForm::none;
+            c.side_walls.drag_form = has_wall_law(c) ? SideDragForm::log_law : SideDragForm::none;
         }
     }
 }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "case/bed_friction.hpp"
 #include "case/conversion.hpp"
 #include "case/key_table.hpp"
 #include "case/refusals.hpp"
@@ -12,6 +13,8 @@ namespace riffle {
 namespace {
 
 std::string rounded_length_text(double value) { return fmt::format("{:.4f} mm", 1e3 * value); }
+
+bool by_log_law(const Case& c) { return c.side_walls.drag_form == SideDragForm::log_law; }
 
 bool has_periodic_sides(const Case& c) { return c.channel.sides == Sides::periodic; }
 
@@ -180,11 +183,53 @@ CheckList side_wall_refusals() {
     return {
         {
             {{"side_walls.drag_form", "bed.kind"},
-             R"(a `drag_form` other than `"none"` without `bed.kind = "spheres"`)",
-             "the drag of the side walls follows from that of the bed's spheres, and this bed is smooth",
-             "choose drag_form = \"none\"",
-             [](const Case& c) { return !over_spheres(c); },
+             R"(`drag_form = "consistent"` over a bed without drag)",
+             "the drag of the side walls follows from that of the bed, and this bed has none",
+             R"(choose drag_form = "log-law" or "none")",
+             [](const Case& c) {
+                 return c.side_walls.drag_form == SideDragForm::consistent && !over_spheres(c) &&
+                        !has_wall_law(c);
+             },
              true},
+            {{"side_walls.drag_form", "bed.kind"},
+             R"(`drag_form = "thesis"` without `bed.kind = "spheres"`)",
+             "it is made of the drag coefficient of the spheres",
+             R"(choose drag_form = "log-law", "consistent" or "none")",
+             [](const Case& c) { return c.side_walls.drag_form == SideDragForm::thesis && !over_spheres(c); },
+             true},
+            {{"side_walls.drag_form", "bed.kind"},
+             R"(`drag_form = "log-law"` with `bed.kind = "no-slip"`)",
+             "the water rests at the side walls too, and their friction would count twice",
+             R"(choose drag_form = "none", or another bed)",
+             [](const Case& c) { return by_log_law(c) && c.bed.kind == BedKind::no_slip; },
+             true},
+            {{"side_walls.drag_form", "turbulence.closure"},
+             R"(`drag_form = "log-law"` with `turbulence.closure = "none"`)",
+             "laminar flow has no log law",
+             R"(choose a closure, or drag_form = "none")",
+             [](const Case& c) { return by_log_law(c) && c.turbulence.closure == ClosureKind::none; },
+             true},
+            {{"side_walls.equivalent_roughness", "fluid.kinematic_viscosity"},
+             "smooth side walls by the log law without viscosity",
+             "the friction of a smooth wall is that of its viscous layer",
+             "give the viscosity of the water, 1e-6, or an equivalent_roughness of the walls",
+             [](const Case& c) {
+                 return by_log_law(c) && c.fluid.kinematic_viscosity <= 0.0 &&
+                        c.side_walls.equivalent_roughness.value_or(
+                            c.bed.kind == BedKind::roughness ? 1.0 : 0.0) <= 0.0;
+             },
+             true},
+            {{"side_walls.equivalent_roughness", "side_walls.layer"},
+             "`equivalent_roughness` of the side walls above their `layer`",
+             "the log law begins far from the roughness",
+             "make the layer thicker, or the roughness smaller",
+             [](const Case& c) {
+                 const double roughness =
+                     c.side_walls.equivalent_roughness.value_or(c.bed.equivalent_roughness.value_or(0.0));
+                 return found_if(by_log_law(c) && roughness > c.side_layer(),
+                                 "equivalent_roughness is {}, the layer {} thick", shown_length(roughness),
+                                 shown_length(c.side_layer()));
+             }},
             {{"side_walls.layer", "numerics.spacing"},
              "`layer` below `numerics.spacing`",
              "hardly a particle would feel the drag of the wall",

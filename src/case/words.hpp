@@ -72,9 +72,11 @@ struct Words<Sides> {
 
 template <>
 struct Words<SideDragForm> {
-    static constexpr std::array<Word, 3> list{{
+    static constexpr std::array<Word, 4> list{{
         {"consistent", "the bed's drag times H / (k^2 width) on each wall (Yang & Lim), over the layer"},
         {"thesis", "as printed in the thesis (5.11-5.13); counts k^2 twice and scales as 1 / spacing"},
+        {"log-law",
+         "the friction of the log law over the walls' own `equivalent_roughness`, or of smooth walls"},
         {"none", "frictionless walls"},
     }};
 };

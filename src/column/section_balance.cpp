@@ -4,10 +4,12 @@
 #include <cmath>
 #include <utility>
 
+#include "case/bed_friction.hpp"
 #include "roughness/bed_drag.hpp"
 #include "roughness/side_wall_partition.hpp"
 #include "turbulence/closure.hpp"
 #include "turbulence/czernuszenko_rylov.hpp"
+#include "turbulence/wall_law.hpp"
 
 namespace riffle {
 
@@ -39,6 +41,14 @@ std::array<double, 3> gradient_weights(const std::vector<double>& centre, const 
     return {-0.5 * below, 0.5 * (below - above), 0.5 * above};
 }
 
+/// The closure of a case over its bed. A bed by a wall law carries the part of the weight that the side walls
+/// leave it, which counts in its viscous layer.
+std::unique_ptr<const Closure> section_closure(const Case& c) {
+    if (!has_wall_law(c) || !has_side_wall_drag(c)) return make_closure(c);
+    const Case bed = with_fixed_roughness(c);
+    return make_wall_closure(bed, *bed_wall_law(bed, std::sqrt(side_wall_partition(c).bed_stress)));
+}
+
 }  // namespace
 
 SectionBalance::SectionBalance(const Case& c, const SectionGrid& grid)
@@ -46,7 +56,7 @@ SectionBalance::SectionBalance(const Case& c, const SectionGrid& grid)
       rows_(grid.rows()),
       weight_(c.streamwise_gravity()),
       viscosity_(c.fluid.kinematic_viscosity),
-      no_slip_(c.bed.kind == BedKind::no_slip),
+      rests_below_(c.bed.kind == BedKind::no_slip || has_wall_law(c)),
       wall_form_(c.side_walls.drag_form) {
     const auto size = static_cast<Eigen::Index>(grid.size());
     area_.resize(size);
@@ -72,7 +82,10 @@ SectionBalance::SectionBalance(const Case& c, const SectionGrid& grid)
         wall_over_bed_ = 2.0 * side_wall_partition(c).wall_over_bed;
     } else if (wall_form_ == SideDragForm::thesis) {
         fixed_coefficient_ = printed_side_wall_coefficient(c);
+    } else if (wall_form_ == SideDragForm::log_law) {
+        wall_friction_.emplace(c);
     }
+    layer_extent_ = layer_area_.sum();
     add_vegetation(c, grid);
     add_faces(c, grid);
     add_porous(c, grid);
@@ -105,11 +118,11 @@ void SectionBalance::add_faces(const Case& c, const SectionGrid& grid) {
     cell_length_.assign(kinds, std::vector<double>(rows_, 0.0));
     cell_factor_.assign(columns_, 1.0);
     double lateral_weight = 1.0;
-    if (const auto closure = make_closure(c)) {
+    if (const auto closure = section_closure(c)) {
         closure->mixing_lengths(grid.z_face, face_length[0]);
         closure->mixing_lengths(grid.z, cell_length_[0]);
         for (std::size_t n = 1; n < kinds; ++n) {
-            const auto canopy = make_canopy_closure(c, c.vegetation[n - 1], make_closure(c));
+            const auto canopy = make_canopy_closure(c, c.vegetation[n - 1], section_closure(c));
             canopy->mixing_lengths(grid.z_face, face_length[n]);
             canopy->mixing_lengths(grid.z, cell_length_[n]);
         }
@@ -148,7 +161,7 @@ void SectionBalance::add_faces(const Case& c, const SectionGrid& grid) {
     }
     for (std::size_t iz = 0; iz < rows_; ++iz) {
         const std::array<double, 3> weights =
-            gradient_weights(grid.z, grid.z_face, iz, no_slip_ ? End::rest : End::open, End::open);
+            gradient_weights(grid.z, grid.z_face, iz, rests_below_ ? End::rest : End::open, End::open);
         for (std::size_t iy = 0; iy + 1 < columns_; ++iy) {
             Face face{};
             const bool first = iz == 0;
@@ -245,15 +258,16 @@ double SectionBalance::layer_sum(const Eigen::VectorXd& u) const {
 
 double SectionBalance::bed_force(const Eigen::VectorXd& u) const {
     double force = (bed_drag_.array() * u.array() * u.array().abs()).sum();
-    if (no_slip_) {
+    if (rests_below_) {
         for (std::size_t iy = 0; iy < columns_; ++iy) force += bed_extent_[iy] * bed_flow(iy, u).stress;
     }
     return force;
 }
 
 double SectionBalance::wall_coefficient(const Eigen::VectorXd& u) const {
-    if (wall_form_ != SideDragForm::consistent) return fixed_coefficient_;
     const double layer = layer_sum(u);
+    if (wall_friction_) return wall_friction_->coefficient(layer / layer_extent_);
+    if (wall_form_ != SideDragForm::consistent) return fixed_coefficient_;
     // Water at rest: the limit of a uniform velocity.
     if (!(layer > 0.0)) return wall_over_bed_ * bed_drag_.sum() / layer_area_.sum();
     return wall_over_bed_ * bed_force(u) / layer;
@@ -297,7 +311,7 @@ Eigen::VectorXd SectionBalance::residual(const Eigen::VectorXd& u) const {
             force(face.plus()) -= exchange;
         }
     }
-    if (no_slip_) {
+    if (rests_below_) {
         for (std::size_t iy = 0; iy < columns_; ++iy) {
             force(static_cast<Eigen::Index>(iy)) -= bed_extent_[iy] * bed_flow(iy, u).stress;
         }
@@ -334,7 +348,7 @@ SectionJacobian SectionBalance::jacobian(const Eigen::VectorXd& u) const {
         }
     }
     Eigen::VectorXd bed_slope = 2.0 * bed_drag_.array() * u.array().abs();
-    if (no_slip_) {
+    if (rests_below_) {
         for (std::size_t iy = 0; iy < columns_; ++iy) {
             const auto i = static_cast<Eigen::Index>(iy);
             const double slope = bed_extent_[iy] * bed_flow(iy, u).normal_slope / bed_distance_;
@@ -352,6 +366,10 @@ SectionJacobian SectionBalance::jacobian(const Eigen::VectorXd& u) const {
         result.row =
             (wall_over_bed_ * bed_slope.array() - wall * 2.0 * layer_area_.array() * u.array().abs()) / layer;
     }
+    if (wall_friction_) {
+        result.row = (wall_friction_->slope(layer / layer_extent_) / layer_extent_) * 2.0 *
+                     layer_area_.array() * u.array().abs();
+    }
     return result;
 }
 
@@ -364,7 +382,7 @@ SectionBalance::Stresses SectionBalance::stresses(const Eigen::VectorXd& u) cons
     };
     for (const Face& face : vertical_faces_) share(result.vertical, face, flow(face, u).stress);
     for (const Face& face : lateral_faces_) share(result.lateral, face, flow(face, u).stress);
-    if (no_slip_) {
+    if (rests_below_) {
         for (std::size_t iy = 0; iy < columns_; ++iy) result.vertical[iy] += 0.5 * bed_flow(iy, u).stress;
     }
     return result;
@@ -373,7 +391,7 @@ SectionBalance::Stresses SectionBalance::stresses(const Eigen::VectorXd& u) cons
 bool SectionBalance::has_friction() const {
     const bool porous = std::any_of(media_.begin(), media_.end(),
                                     [](const PorousMedia::At& at) { return at.along(1.0) > 0.0; });
-    return no_slip_ || bed_drag_.sum() > 0.0 || stem_area_.sum() > 0.0 || porous ||
+    return rests_below_ || bed_drag_.sum() > 0.0 || stem_area_.sum() > 0.0 || porous || wall_friction_ ||
            fixed_coefficient_ * layer_area_.sum() > 0.0;
 }
 

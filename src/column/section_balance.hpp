@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "case/case.hpp"
 #include "column/section_grid.hpp"
 #include "roughness/porous_resistance.hpp"
+#include "roughness/side_wall_friction.hpp"
 #include "roughness/vegetation.hpp"
 
 namespace riffle {
@@ -27,9 +29,9 @@ struct SectionJacobian {
 /// beta = beta_bed(z) + beta_wall(y) + beta_v(U, y, z) of bed, side walls and vegetation,
 /// nu_t = l^2 |S|, l = l_m(z) G(y), |S|^2 = (dU/dy)^2 + (dU/dz)^2, A = 1/2 (1 + q^2), with the closure, the
 /// bed drag (its mean over the plan) and the side walls' friction of the case. No flux at bed, surface, wall
-/// and plane of symmetry, but for no-slip beds U = 0 at z = 0. Velocities stand at the centres of the cells,
-/// in the order of the grid; forces are per length and density, m3/s2. In porous zones U stands for the
-/// discharge of an area, as in MomentumBalance.
+/// and plane of symmetry, but for no-slip beds and beds by a wall law U = 0 at z = 0. Velocities stand at the
+/// centres of the cells, in the order of the grid; forces are per length and density, m3/s2. In porous zones
+/// U stands for the discharge of an area, as in MomentumBalance.
 class SectionBalance {
   public:
     SectionBalance(const Case& c, const SectionGrid& grid);
@@ -39,7 +41,7 @@ class SectionBalance {
     [[nodiscard]] SectionJacobian jacobian(const Eigen::VectorXd& u) const;
 
     /// Friction coefficient beta_wall of the wall's layer, 1/m. Consistent form: such that the wall carries
-    /// H/(k^2 W_b) of what the flow exerts on the bed.
+    /// H/(k^2 W_b) of what the flow exerts on the bed. By the log law: SideWallFriction.
     [[nodiscard]] double wall_coefficient(const Eigen::VectorXd& u) const;
 
     /// Force of the flow on the bed and on the wall.
@@ -92,7 +94,7 @@ class SectionBalance {
         double tangent_slope;  ///< and by the gradient along the face
     };
     [[nodiscard]] FaceFlow flow(const Face& face, const Eigen::VectorXd& u) const;
-    /// Of a no-slip bed under the cell iy.
+    /// Of a bed at which the water rests under the cell iy.
     [[nodiscard]] FaceFlow bed_flow(std::size_t iy, const Eigen::VectorXd& u) const;
     [[nodiscard]] double layer_sum(const Eigen::VectorXd& u) const;
 
@@ -107,8 +109,9 @@ class SectionBalance {
     std::size_t rows_;
     double weight_;
     double viscosity_;
-    bool no_slip_;
+    bool rests_below_;  ///< at the bed
     SideDragForm wall_form_;
+    std::optional<SideWallFriction> wall_friction_;  ///< by the log law
     double wall_over_bed_ = 0.0;       ///< force on the wall over that on the bed of the half section
     double fixed_coefficient_ = 0.0;   ///< of the wall, printed form
     double bed_distance_ = 0.0;        ///< of the lowest centres from the bed
@@ -125,6 +128,7 @@ class SectionBalance {
     Eigen::VectorXd bed_drag_;            ///< area times beta_bed
     Eigen::VectorXd stem_area_;           ///< area below the tops of stems
     Eigen::VectorXd layer_area_;          ///< area in the wall's layer, else 0
+    double layer_extent_ = 0.0;           ///< of the wall's layer, m2
     std::vector<PorousMedia::At> media_;  ///< of the cells; empty without porous zones
     std::vector<double> pore_length_;     ///< l_m of the cells with them, m
 };

@@ -1,5 +1,6 @@
 #include "column/section_grid.hpp"
 
+#include "case/bed_friction.hpp"
 #include "case/porous_zone.hpp"
 #include "column/column_grid.hpp"
 
@@ -9,7 +10,9 @@ SectionGrid make_section_grid(const Case& c, int cells_across, int cells_over_de
     constexpr int fewest = 4;
     constexpr double even = 0.8;  // what varies across the channel varies beside the wall
     SectionGrid grid;
-    const ColumnGrid column = make_column_grid(c, cells_over_depth);
+    // The log layer of a plane bed takes more cells than what spheres make of the profile.
+    const ColumnGrid column =
+        make_column_grid(c, has_wall_law(c) ? 5 * cells_over_depth / 2 : cells_over_depth);
     grid.z_face = column.face;
     grid.z = column.centre;
     std::vector<double> across;

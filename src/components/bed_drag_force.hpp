@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "engine/component.hpp"
@@ -9,6 +10,7 @@
 #include "particles/lattice.hpp"
 #include "roughness/bed_drag.hpp"
 #include "roughness/row_mean_drag.hpp"
+#include "roughness/side_wall_friction.hpp"
 #include "roughness/side_wall_partition.hpp"
 #include "roughness/wall_drag.hpp"
 
@@ -30,8 +32,13 @@ class BedDragForce final : public Component<D, Real> {
             flow.with_side_drag = true;
             if (flow.c.side_walls.drag_form == SideDragForm::thesis) {
                 flow.clock.side_wall_drag_coefficient = printed_side_wall_coefficient(flow.c);
+            } else if (flow.c.side_walls.drag_form == SideDragForm::log_law) {
+                wall_friction_.emplace(flow.c);
+                layer_mass_ = mass_of_layers(flow.c);
             } else if (drag_) {
                 wall_over_bed_ = side_wall_partition(flow.c).wall_over_bed;
+            }
+            if (side_drag_follows_flow()) {
                 flow.inputs.sum_of_drags = true;
                 set_side_drag(flow, measured(flow));
             }
@@ -72,7 +79,7 @@ class BedDragForce final : public Component<D, Real> {
     }
 
     void end_evaluation(Flow& flow) override {
-        if (wall_over_bed_ <= 0.0) {
+        if (!side_drag_follows_flow()) {
             return;
         }
         if (!flow.motion_summed) {
@@ -90,10 +97,28 @@ class BedDragForce final : public Component<D, Real> {
   private:
     using Sums = std::array<double, 2>;  ///< of m beta u|u| of the bed, of m u|u| in the side walls' layers
 
+    [[nodiscard]] bool side_drag_follows_flow() const { return wall_over_bed_ > 0.0 || wall_friction_; }
+
+    /// Of the water of the case in the layers of its side walls, kg.
+    static double mass_of_layers(const Case& c) {
+        const double layers = c.channel.sides == Sides::half ? 1.0 : 2.0;
+        return layers * c.fluid.density * c.side_layer() * c.total_depth() * c.channel.length;
+    }
+
+    /// Of the bed at a particle.
     [[nodiscard]] double coefficient(const Flow& flow, std::size_t particle) const {
+        if (!drag_) {
+            return 0.0;
+        }
         const auto& position = flow.particles.position;
-        return drag_->coefficient_at(position[0][particle], position[1][particle],
-                                     position[Flow::vertical][particle]);
+        const double z = position[Flow::vertical][particle];
+        double beta = drag_->coefficient_at(position[0][particle], position[1][particle], z);
+        if (drag_->varies_with_speed()) {
+            const auto& velocity = flow.particles.velocity;
+            const double across = D == 3 ? velocity[1][particle] : 0.0;
+            beta *= drag_->speed_factor(z, std::hypot(velocity[0][particle], across));
+        }
+        return beta;
     }
 
     /// The drag at the speed of the water, of particles whose work and lanes begin at places of the block. In
@@ -134,10 +159,15 @@ class BedDragForce final : public Component<D, Real> {
             });
     }
 
-    /// Each side wall takes wall_over_bed times the drag of the bed of the whole width: of all that is
-    /// simulated between two walls, of twice that where one half is simulated. Either way the coefficient of
-    /// its layer is 2 wall_over_bed sum(m beta u|u|) / sum over all layers (m u|u|).
+    /// By the log law from the mean u|u| of the layers. Else each side wall takes wall_over_bed times the
+    /// drag of the bed of the whole width: of all that is simulated between two walls, of twice that where
+    /// one half is simulated. Either way the coefficient of its layer is 2 wall_over_bed sum(m beta u|u|) /
+    /// sum over all layers (m u|u|).
     void set_side_drag(Flow& flow, const Sums& sums) const {
+        if (wall_friction_) {
+            flow.clock.side_wall_drag_coefficient = wall_friction_->coefficient(sums[1] / layer_mass_);
+            return;
+        }
         // Of water at rest nothing follows; the last coefficient stays.
         if (sums[0] >= 0.0 && sums[1] > 0.0) {
             flow.clock.side_wall_drag_coefficient = 2.0 * wall_over_bed_ * sums[0] / sums[1];
@@ -145,7 +175,9 @@ class BedDragForce final : public Component<D, Real> {
     }
 
     std::unique_ptr<const BedDrag> drag_;
-    double wall_over_bed_ = 0.0;  ///< force on each side wall over that on the bed; 0: a fixed coefficient
+    double wall_over_bed_ = 0.0;  ///< force on each side wall over that on the bed; 0: not by the bed
+    std::optional<SideWallFriction> wall_friction_;  ///< of side walls by the log law
+    double layer_mass_ = 0.0;                        ///< of the water in their layers, kg
 };
 
 template <int D, class Real>

@@ -153,6 +153,51 @@ def space_coarse(run):
     return table
 
 
+FLUME = "cases/plane-beds/flume.toml"
+
+
+def plane_sides(run):
+    """Plane beds between side walls by the log law, against the section twin and the law of Colebrook."""
+    table = Table("Plane beds between side walls by the log law, half of a channel 400 mm wide and 100 mm deep: against the cross-section twin",
+                  ["case", "mean U % (<= 2)", "U(y) beside the wall, max % (<= 10)", "walls' share of the weight", "twin", "less, points (<= 2)", "friction/weight - 1, % (<= 1)",
+                   "bulk U of the twin over Colebrook's, %"])
+    rows = [("gravel-glass", "k_s 5 mm, glass walls, dx 8 mm", {}),
+            ("gravel-glass-fine", "the same, dx 5 mm", {"numerics.spacing": '"5 mm"', "channel.length": '"60 mm"'}),
+            ("gravel", "k_s 5 mm, walls alike, dx 8 mm", {"side_walls.equivalent_roughness": '"5 mm"'}),
+            ("glass", "smooth, dx 8 mm", {"bed.kind": "smooth"}),
+            ("narrow", "k_s 2 mm, walls alike, 200 mm wide, dx 5 mm",
+             {"bed.equivalent_roughness": '"2 mm"', "side_walls.equivalent_roughness": '"2 mm"', "channel.width": '"200 mm"', "channel.length": '"60 mm"',
+              "numerics.spacing": '"5 mm"'})]
+    for name, label, settings in rows:
+        result = complete(run(f"sides-{name}", FLUME, settings))
+        v = result.values
+        with h5py.File(result.folder / "results.h5", "r") as file:
+            beside = lateral_error(file, v)
+            section = dict(file["/section"].attrs.items())
+            width, slope = (float(line.split(" = ")[1].split()[0]) for key in ("width", "slope")
+                            for line in file["/case/text"][()].decode().split("\n") if line.startswith(f"{key} = "))
+        roughness = 0.0 if name == "glass" else 0.002 if name == "narrow" else 0.005
+        alike = name != "gravel-glass" and name != "gravel-glass-fine"
+        law = colebrook(v["total_depth"], width, slope, roughness)
+        share = v["side_wall_over_gravity"] - section["side_wall_share"]
+        error = v["total_mean_velocity_error"]
+        balance = v["force_balance_error"]
+        table.rows.append([label, table.check(label, "mean U", error, 0.02, f"{100 * error:+.2f}"),
+                           table.check(label, "U(y)", beside, 0.10, f"{100 * beside:.1f}"),
+                           f"{v['side_wall_over_gravity']:.3f}", f"{section['side_wall_share']:.3f}",
+                           table.check(label, "walls' share", share, 0.02, f"{100 * share:+.1f}"),
+                           table.check(label, "friction over weight", balance, 0.01, f"{100 * balance:+.2f}"),
+                           f"{100 * (section['bulk_velocity'] / law - 1):+.1f}" if alike else ""])
+    return table
+
+
+def colebrook(depth, width, slope, roughness, viscosity=1e-6, gravity=9.81):
+    """Mean velocity with the hydraulic radius R in place of a quarter of a pipe's diameter."""
+    radius = depth * width / (width + 2 * depth)
+    friction_velocity = math.sqrt(gravity * math.sin(math.atan(slope)) * radius)
+    return -2 * math.sqrt(8) * friction_velocity * math.log10(roughness / (14.8 * radius) + 2.51 * viscosity / (4 * math.sqrt(8) * radius * friction_velocity))
+
+
 def space_transient(run):
     """From a power law, far from steady: the particles against the section twin at the same times."""
     settings = {"channel.width": '"86.6 mm"', "bed.drag_form": "plan-mean", "start.kind": "power-law", "start.exponent": "3",
@@ -221,5 +266,5 @@ def space_measured(run):
 
 
 SPACE_PARTS = {"space_twin": space_twin, "space_quick": space_quick, "space_side_quick": space_side_quick, "space_wide": space_wide,
-               "space_coarse": space_coarse, "space_transient": space_transient, "space_measured": space_measured}
-SPACE = ["space_twin", "space_wide", "space_coarse", "space_transient", "space_measured"]
+               "space_coarse": space_coarse, "plane_sides": plane_sides, "space_transient": space_transient, "space_measured": space_measured}
+SPACE = ["space_twin", "space_wide", "space_coarse", "plane_sides", "space_transient", "space_measured"]

@@ -185,6 +185,11 @@ class Bars(unittest.TestCase):
             self.assertEqual(len(check.missed), 0 if said is None else 1, value)
             if said:
                 self.assertIn(said, check.missed[0])
+        for value, verdict in ((0.005, "held"), (0.03, "missed")):  # an extreme of a flow that never repeats
+            check = Check("name", "Title", "text")
+            check.norm("rms", value, 0.01)
+            check.judge(_known(check, rms={"value": 0.02, "worst": 0.021, "may_hold": True}))
+            self.assertEqual(check.verdicts["rms"][0], verdict)
         check = Check("name", "Title", "text")
         check.norm("another", 0.0, 0.01)
         check.judge(_known(check, rms={"value": 0.02, "worst": 0.021}), complete=True)

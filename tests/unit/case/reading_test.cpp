@@ -341,8 +341,16 @@ Case any_case() {
         c.turbulence.edge_zone = 10.0;
         if (c.has_side_walls()) {
             c.side_walls.layer = *number_between(0.005, 0.01);
+            if (c.turbulence.closure == ClosureKind::none &&
+                c.side_walls.drag_form == SideDragForm::log_law) {
+                c.side_walls.drag_form = SideDragForm::none;
+            }
         }
         c.output.snapshot_y = {0.0, 0.01};
+    }
+    c.side_walls.equivalent_roughness.reset();
+    if (c.has_side_walls() && c.side_walls.drag_form == SideDragForm::log_law) {
+        c.side_walls.equivalent_roughness = *number_between(0.0, 0.004);
     }
     c.bed.roughness_height = c.bed.sphere_diameter * *number_between(0.5, 1.0);
     c.bed.datum_below_crest = c.bed.roughness_height * *number_between(0.0, 1.0);

@@ -107,6 +107,24 @@ TEST(Space, SideWallsOfSmoothBedsHaveNoDragByDefault) {
                  InputError);
 }
 
+TEST(Space, SideWallsOfPlaneBedsHaveTheLogLaw) {
+    const auto flume = [](const std::string& more) {
+        return parse_case(
+            "title = \"flume\"\n[channel]\nslope = 0.001\ndepth = \"100 mm\"\nlength = \"80 mm\"\nwidth = \"400 mm\"\n"
+            "dimensions = 3\nsides = \"half\"\n[bed]\nkind = \"roughness\"\nequivalent_roughness = \"5 mm\"\n"
+            "[turbulence]\nclosure = \"czernuszenko-rylov\"\n[numerics]\nspacing = \"5 mm\"\n" +
+                more,
+            "flume.toml");
+    };
+    EXPECT_EQ(flume("").side_walls.drag_form, SideDragForm::log_law);
+    EXPECT_DOUBLE_EQ(flume("").side_layer(), 3 * 0.005);
+    const Case glass = flume("[side_walls]\nequivalent_roughness = 0\nlayer = \"12 mm\"\n");
+    EXPECT_EQ(glass.side_walls.equivalent_roughness, 0.0);
+    EXPECT_DOUBLE_EQ(glass.side_layer(), 0.012);
+    EXPECT_EQ(flume("[side_walls]\ndrag_form = \"consistent\"\n").side_walls.drag_form,
+              SideDragForm::consistent);
+}
+
 TEST(Space, LatticesBelongToTheirDimensions) {
     EXPECT_EQ(error_of(channel + "\n[start]\nlattice = \"body-centred\"\n"), "");
     EXPECT_EQ(error_of(channel + "\n[start]\nlattice = \"hexagonal\"\n"), "");
