@@ -77,19 +77,25 @@ template <int D>
 double SolidDistance<D>::at(const std::vector<BodyState>& now, const Vec<D>& position) const {
     double nearest = limit_;
     for (std::size_t k = 0; k < grids_.size(); ++k) {
-        const Grid& grid = grids_[k];
-        const std::size_t body = static_cast<std::size_t>(first_solid) + k;
-        const bool turns = body < now.size() && now[body].turns;
-        const Vec<D> moved = body < now.size() && !turns ? in_flow<D>(now[body].displacement) : Vec<D>{};
-        Vec<D> place = turns ? turned_back(now[body], position) : position;
-        for (std::size_t axis = 0; axis < D; ++axis) {
-            place[axis] -= moved[axis];
-            const double middle = grid.lower[axis] + 0.5 * step_ * static_cast<double>(grid.count[axis] - 1);
-            place[axis] = image_near(middle, place[axis], period_[axis]);
-        }
-        nearest = std::min(nearest, in_grid(grid, place));
+        nearest = std::min(nearest, from(k, now, position));
     }
     return nearest;
+}
+
+template <int D>
+double SolidDistance<D>::from(std::size_t solid, const std::vector<BodyState>& now,
+                              const Vec<D>& position) const {
+    const Grid& grid = grids_[solid];
+    const std::size_t body = static_cast<std::size_t>(first_solid) + solid;
+    const bool turns = body < now.size() && now[body].turns;
+    const Vec<D> moved = body < now.size() && !turns ? in_flow<D>(now[body].displacement) : Vec<D>{};
+    Vec<D> place = turns ? turned_back(now[body], position) : position;
+    for (std::size_t axis = 0; axis < D; ++axis) {
+        place[axis] -= moved[axis];
+        const double middle = grid.lower[axis] + 0.5 * step_ * static_cast<double>(grid.count[axis] - 1);
+        place[axis] = image_near(middle, place[axis], period_[axis]);
+    }
+    return in_grid(grid, place);
 }
 
 template <int D>

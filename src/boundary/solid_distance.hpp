@@ -20,9 +20,17 @@ class SolidDistance {
     SolidDistance(const Case& c, double limit);
 
     [[nodiscard]] bool empty() const { return grids_.empty(); }
+    [[nodiscard]] std::size_t bytes() const {
+        std::size_t sum = 0;
+        for (const Grid& grid : grids_) sum += grid.distance.capacity() * sizeof(double);
+        return sum;
+    }
     /// Distance from the nearest surface, m; 0 inside of a solid, the limit or more beyond it. `now`: the
     /// bodies, WallMotion::at(); empty where none moves.
     [[nodiscard]] double at(const std::vector<BodyState>& now, const Vec<D>& position) const;
+    /// So from the surface of one solid.
+    [[nodiscard]] double from(std::size_t solid, const std::vector<BodyState>& now,
+                              const Vec<D>& position) const;
 
   private:
     struct Grid {

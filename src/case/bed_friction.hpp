@@ -55,6 +55,12 @@ inline constexpr double rows_of_wall_layer = 5.0;
     return has_wall_law(c) ? rows_of_wall_layer * c.numerics.spacing : c.crest();
 }
 
+/// Thickness of the layer in which the friction of a solid with surface = "log-law" acts, m.
+[[nodiscard]] inline double solid_friction_layer(const Case& c) {
+    constexpr double rows = 3.0;
+    return rows * c.numerics.spacing;
+}
+
 /// Friction velocity that the viscous parts of the law of a case are made for, m/s: sqrt(g S0 H); without a
 /// slope a twentieth of the velocity of the start, or 0.01 sqrt(g H).
 [[nodiscard]] inline double reference_friction_velocity(const Case& c) {

@@ -306,8 +306,9 @@ struct Solid {
     std::optional<double> level;  ///< spheres: height of their centres, m; unset: they lie on the bed
     long long seed = 1;           ///< spheres, random
     SolidSurface surface = SolidSurface::no_slip;
-    bool part_of_bed = false;          ///< whether the flow over it is one over a rough bed
-    std::vector<double> moment_about;  ///< x, y, z of a point of it at t = 0, m; in 2D x, z; empty: centroid
+    double equivalent_roughness = 0.0;  ///< k_s of a surface by the log law, m; 0: smooth
+    bool part_of_bed = false;           ///< whether the flow over it is one over a rough bed
+    std::vector<double> moment_about;   ///< x, y, z of a point of it at t = 0, m; in 2D x, z; empty: centroid
     SolidMotion motion = SolidMotion::fixed;
     double start = 0.0;          ///< time at which it starts to move, s
     std::optional<double> stop;  ///< time at which it stops, s; unset: never

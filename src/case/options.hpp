@@ -59,7 +59,7 @@ enum class SurfaceDetection { volume_fraction, position_divergence, density_rati
 enum class SolidShape { free_form, box, sphere, cylinder, rectangle, circle, bed, section, spheres };
 enum class SolidAxis { x, y, z };
 enum class SolidPacking { hexagonal, square, random };
-enum class SolidSurface { no_slip, slip };
+enum class SolidSurface { no_slip, slip, log_law };
 enum class SolidMotion { fixed, constant, oscillating, table, free };
 enum class RunUntil { time, converged };
 enum class ProbeKind { velocity, wave, surface_line, grid, flow_rate, pressure, force };

@@ -43,10 +43,11 @@ void refuse_to_run(const Case& c);
 [[nodiscard]] CheckList water_refusals();  ///< the outline of the water
 [[nodiscard]] CheckList run_refusals();
 [[nodiscard]] CheckList output_refusals();
-[[nodiscard]] CheckList solid_refusals();      ///< any dimensions
-[[nodiscard]] CheckList shape_refusals();      ///< solids by their shape
-[[nodiscard]] CheckList outline_refusals();    ///< solids in two dimensions
-[[nodiscard]] CheckList mesh_refusals();       ///< solids in three dimensions
+[[nodiscard]] CheckList solid_refusals();          ///< any dimensions
+[[nodiscard]] CheckList shape_refusals();          ///< solids by their shape
+[[nodiscard]] CheckList solid_surface_refusals();  ///< surfaces by the log law
+[[nodiscard]] CheckList outline_refusals();        ///< solids in two dimensions
+[[nodiscard]] CheckList mesh_refusals();           ///< solids in three dimensions
 [[nodiscard]] CheckList turning_refusals();    ///< the keys of solids that turn, follow a table or are free
 [[nodiscard]] CheckList motion_refusals();     ///< solids that move
 [[nodiscard]] CheckList free_body_refusals();  ///< solids that are free

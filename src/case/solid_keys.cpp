@@ -178,6 +178,12 @@ SectionKeys solid_keys() {
     add_shape_keys(s);
     add_bed_keys(s);
     s.keys.push_back(key("surface", &Solid::surface, "What the water does at it."));
+    s.keys.push_back(key("equivalent_roughness", &Solid::equivalent_roughness,
+                         "Equivalent sand roughness k_s of its surface; 0: smooth.")
+                         .measured_in(length)
+                         .at_least(0)
+                         .with_example(R"("2 mm")")
+                         .applies_with("solid.surface", {"log-law"}, true));
     s.keys.push_back(
         key("part_of_bed", &Solid::part_of_bed,
             "Whether it belongs to the bed: the flow over it is that over a rough bed, whose crests and "

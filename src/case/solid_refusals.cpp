@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "case/bed_friction.hpp"
 #include "case/end_floor.hpp"
 #include "case/outline_check.hpp"
 #include "case/refusals.hpp"
@@ -13,6 +14,8 @@ namespace {
 bool repeats_a_name(const Case& c, const Solid& solid) {
     return std::any_of(c.solids.data(), &solid, [&](const Solid& other) { return other.name == solid.name; });
 }
+
+bool by_log_law(const Solid& solid) { return solid.surface == SolidSurface::log_law; }
 
 Findings outline_that_fills_all(const Case& c, const Solid& solid) {
     const auto covers = [&](double share) {
@@ -67,6 +70,37 @@ CheckList solid_refusals() {
          "choose another one",
          [](const Case& c, const Solid& solid) {
              return found_if(repeats_a_name(c, solid), "another solid has this name already");
+         }},
+    }};
+}
+
+CheckList solid_surface_refusals() {
+    return {{
+        {{"solid.surface", "turbulence.closure"},
+         "`surface = \"log-law\"` with `turbulence.closure = \"none\"`",
+         "laminar flow has no log law",
+         R"(choose a closure, or surface = "no-slip")",
+         [](const Case& c, const Solid& solid) {
+             return found_if(by_log_law(solid) && c.turbulence.closure == ClosureKind::none,
+                             "its surface has a log law, the flow no closure");
+         }},
+        {{"solid.equivalent_roughness", "fluid.kinematic_viscosity"},
+         "a smooth `surface = \"log-law\"` without viscosity",
+         "the friction of a smooth wall is that of its viscous layer",
+         "give the viscosity of the water, 1e-6, or an equivalent_roughness",
+         [](const Case& c, const Solid& solid) {
+             return found_if(
+                 by_log_law(solid) && solid.equivalent_roughness <= 0.0 && c.fluid.kinematic_viscosity <= 0.0,
+                 "its surface is smooth, and the water has no viscosity");
+         }},
+        {{"solid.equivalent_roughness", "numerics.spacing"},
+         "`equivalent_roughness` of a solid above three spacings",
+         "the friction acts in a layer of three spacings, in which the log law must have begun",
+         "make the roughness smaller or the spacing larger, or give the roughness its shape",
+         [](const Case& c, const Solid& solid) {
+             return found_if(by_log_law(solid) && solid.equivalent_roughness > solid_friction_layer(c),
+                             "equivalent_roughness is {}, three spacings are {}",
+                             shown_length(solid.equivalent_roughness), shown_length(solid_friction_layer(c)));
          }},
     }};
 }

@@ -261,12 +261,16 @@ struct Words<SolidPacking> {
 
 template <>
 struct Words<SolidSurface> {
-    static constexpr std::array<Word, 2> list{{
+    static constexpr std::array<Word, 3> list{{
         {"no-slip", "the water rests at it",
          "dummy particles whose velocity continues the water's through that of the surface (Adami, Hu & Adams 2012)",
          "the default; the boundary layer needs some four particles"},
         {"slip", "frictionless: it gives pressure alone", "dummy particles without viscous pairs",
          "for water at rest and where the boundary layer is far thinner than the spacing"},
+        {"log-law",
+         "the friction of the log law over its `equivalent_roughness`, in a layer of three spacings",
+         "theory 9",
+         "banks, floors and beds from data in turbulent flow, whose boundary layer the spacing does not resolve"},
     }};
 };
 

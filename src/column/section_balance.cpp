@@ -83,7 +83,7 @@ SectionBalance::SectionBalance(const Case& c, const SectionGrid& grid)
     } else if (wall_form_ == SideDragForm::thesis) {
         fixed_coefficient_ = printed_side_wall_coefficient(c);
     } else if (wall_form_ == SideDragForm::log_law) {
-        wall_friction_.emplace(c);
+        wall_friction_ = side_wall_friction(c);
     }
     layer_extent_ = layer_area_.sum();
     add_vegetation(c, grid);

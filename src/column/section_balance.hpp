@@ -10,8 +10,8 @@
 
 #include "case/case.hpp"
 #include "column/section_grid.hpp"
+#include "roughness/log_law_friction.hpp"
 #include "roughness/porous_resistance.hpp"
-#include "roughness/side_wall_friction.hpp"
 #include "roughness/vegetation.hpp"
 
 namespace riffle {
@@ -41,7 +41,7 @@ class SectionBalance {
     [[nodiscard]] SectionJacobian jacobian(const Eigen::VectorXd& u) const;
 
     /// Friction coefficient beta_wall of the wall's layer, 1/m. Consistent form: such that the wall carries
-    /// H/(k^2 W_b) of what the flow exerts on the bed. By the log law: SideWallFriction.
+    /// H/(k^2 W_b) of what the flow exerts on the bed. By the log law: LogLawFriction.
     [[nodiscard]] double wall_coefficient(const Eigen::VectorXd& u) const;
 
     /// Force of the flow on the bed and on the wall.
@@ -111,7 +111,7 @@ class SectionBalance {
     double viscosity_;
     bool rests_below_;  ///< at the bed
     SideDragForm wall_form_;
-    std::optional<SideWallFriction> wall_friction_;  ///< by the log law
+    std::optional<LogLawFriction> wall_friction_;  ///< by the log law
     double wall_over_bed_ = 0.0;       ///< force on the wall over that on the bed of the half section
     double fixed_coefficient_ = 0.0;   ///< of the wall, printed form
     double bed_distance_ = 0.0;        ///< of the lowest centres from the bed

@@ -9,8 +9,8 @@
 #include "engine/pair_setup.hpp"
 #include "particles/lattice.hpp"
 #include "roughness/bed_drag.hpp"
+#include "roughness/log_law_friction.hpp"
 #include "roughness/row_mean_drag.hpp"
-#include "roughness/side_wall_friction.hpp"
 #include "roughness/side_wall_partition.hpp"
 #include "roughness/wall_drag.hpp"
 
@@ -33,7 +33,7 @@ class BedDragForce final : public Component<D, Real> {
             if (flow.c.side_walls.drag_form == SideDragForm::thesis) {
                 flow.clock.side_wall_drag_coefficient = printed_side_wall_coefficient(flow.c);
             } else if (flow.c.side_walls.drag_form == SideDragForm::log_law) {
-                wall_friction_.emplace(flow.c);
+                wall_friction_ = side_wall_friction(flow.c);
                 layer_mass_ = mass_of_layers(flow.c);
             } else if (drag_) {
                 wall_over_bed_ = side_wall_partition(flow.c).wall_over_bed;
@@ -176,8 +176,8 @@ class BedDragForce final : public Component<D, Real> {
 
     std::unique_ptr<const BedDrag> drag_;
     double wall_over_bed_ = 0.0;  ///< force on each side wall over that on the bed; 0: not by the bed
-    std::optional<SideWallFriction> wall_friction_;  ///< of side walls by the log law
-    double layer_mass_ = 0.0;                        ///< of the water in their layers, kg
+    std::optional<LogLawFriction> wall_friction_;  ///< of side walls by the log law
+    double layer_mass_ = 0.0;                      ///< of the water in their layers, kg
 };
 
 template <int D, class Real>

@@ -17,6 +17,7 @@
 #include "components/settling.hpp"
 #include "components/slow_correction.hpp"
 #include "components/solid_forces.hpp"
+#include "components/solid_friction.hpp"
 #include "components/stirring_force.hpp"
 #include "components/vegetation_drag.hpp"
 #include "components/xsph.hpp"
@@ -51,9 +52,10 @@ ComponentList<D, Real> make_components(FlowOf<D, Real>& flow, double celerity) {
     add(components, make_settling(flow));
     add(components, make_reference_pressure_force(flow));
     add(components, make_repulsion(flow));
-    add(components, make_porous_forces(flow));  // after all that adds forces, which it must know
-    add(components, make_open_ends(flow));      // after all that adds forces, which buffers do not feel
-    add(components, make_energy_budget(flow));  // after all that adds forces, before what changes velocities
+    add(components, make_solid_friction(flow));  // after solid_forces, to which it adds
+    add(components, make_porous_forces(flow));   // after all that adds forces, which it must know
+    add(components, make_open_ends(flow));       // after all that adds forces, which buffers do not feel
+    add(components, make_energy_budget(flow));   // after all that adds forces, before what changes velocities
     add(components, make_contact(flow));
     add(components, make_free_bodies(flow));  // after all that acts on them
     return components;

@@ -1,4 +1,4 @@
-#include "roughness/side_wall_friction.hpp"
+#include "roughness/log_law_friction.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,15 +8,22 @@
 
 namespace riffle {
 
-SideWallFriction::SideWallFriction(const Case& c)
+LogLawFriction::LogLawFriction(const Case& c, double layer, double roughness)
     : kappa_(c.turbulence.kappa),
-      layer_(c.side_layer()),
+      layer_(layer),
       viscosity_(c.fluid.kinematic_viscosity),
-      rough_zero_height_(zero_height_of_roughness(
-          c.side_walls.equivalent_roughness ? *c.side_walls.equivalent_roughness : equivalent_roughness(c),
-          kappa_)) {}
+      rough_zero_height_(zero_height_of_roughness(roughness, kappa_)) {}
 
-double SideWallFriction::coefficient(double square) const {
+LogLawFriction side_wall_friction(const Case& c) {
+    const auto& own = c.side_walls.equivalent_roughness;
+    return {c, c.side_layer(), own ? *own : equivalent_roughness(c)};
+}
+
+LogLawFriction solid_friction(const Case& c, const Solid& solid) {
+    return {c, solid_friction_layer(c), solid.equivalent_roughness};
+}
+
+double LogLawFriction::coefficient(double square) const {
     const double speed = std::sqrt(std::max(0.0, square));
     const auto ratio = [&](double friction_velocity) {
         double zero = rough_zero_height_;
@@ -42,7 +49,7 @@ double SideWallFriction::coefficient(double square) const {
     return 1.0 / (of_wall * of_wall * layer_);
 }
 
-double SideWallFriction::slope(double square) const {
+double LogLawFriction::slope(double square) const {
     if (viscosity_ <= 0.0 || !(square > 0.0)) return 0.0;
     constexpr double step = 1e-4;
     return (coefficient((1.0 + step) * square) - coefficient((1.0 - step) * square)) / (2.0 * step * square);

@@ -1,10 +1,10 @@
-#include "roughness/side_wall_friction.hpp"
+#include "roughness/log_law_friction.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-namespace riffle::side_wall_friction_test {
+namespace riffle::log_law_friction_test {
 namespace {
 
 Case flume(double roughness, double viscosity) {
@@ -28,9 +28,9 @@ double mean_of_law(double layer, double zero_height) {
     return sum / places;
 }
 
-TEST(SideWallFriction, OfARoughWallIsThatOfTheLogLawWithTheMeanOfTheLayer) {
+TEST(LogLawFriction, OfARoughWallIsThatOfTheLogLawWithTheMeanOfTheLayer) {
     const double zero_height = 1e-3 * std::exp(-8.5 * 0.41);
-    const SideWallFriction friction(flume(1e-3, 0.0));
+    const LogLawFriction friction = side_wall_friction(flume(1e-3, 0.0));
     for (const double speed : {0.01, 0.3, 4.0}) {
         const double friction_velocity = speed / mean_of_law(0.012, zero_height);
         const double stress = friction.coefficient(speed * speed) * 0.012 * speed * speed;
@@ -39,8 +39,8 @@ TEST(SideWallFriction, OfARoughWallIsThatOfTheLogLawWithTheMeanOfTheLayer) {
     }
 }
 
-TEST(SideWallFriction, OfASmoothWallHasTheZeroHeightOfItsOwnFrictionVelocity) {
-    const SideWallFriction friction(flume(0.0, 1e-6));
+TEST(LogLawFriction, OfASmoothWallHasTheZeroHeightOfItsOwnFrictionVelocity) {
+    const LogLawFriction friction = side_wall_friction(flume(0.0, 1e-6));
     for (const double speed : {0.1, 0.5, 2.0}) {
         const double square = speed * speed;
         const double friction_velocity = std::sqrt(friction.coefficient(square) * 0.012 * square);
@@ -49,9 +49,9 @@ TEST(SideWallFriction, OfASmoothWallHasTheZeroHeightOfItsOwnFrictionVelocity) {
     }
 }
 
-TEST(SideWallFriction, FallsWithTheSpeedWhereViscosityCountsAndKnowsItsSlope) {
+TEST(LogLawFriction, FallsWithTheSpeedWhereViscosityCountsAndKnowsItsSlope) {
     for (const double roughness : {0.0, 2e-4}) {
-        const SideWallFriction friction(flume(roughness, 1e-6));
+        const LogLawFriction friction = side_wall_friction(flume(roughness, 1e-6));
         double before = friction.coefficient(0.0);
         EXPECT_TRUE(std::isfinite(before));
         for (const double square : {1e-6, 1e-3, 0.1, 2.0}) {
@@ -68,20 +68,25 @@ TEST(SideWallFriction, FallsWithTheSpeedWhereViscosityCountsAndKnowsItsSlope) {
     }
 }
 
-TEST(SideWallFriction, WallsAreAsRoughAsABedByRoughness) {
+TEST(LogLawFriction, WallsAreAsRoughAsABedByRoughness) {
     Case c = flume(0.0, 1e-6);
     c.channel.depth = 0.1;
     c.bed.kind = BedKind::roughness;
     c.bed.roughness_height = 0.0;
     c.bed.datum_below_crest = 0.0;
     c.bed.equivalent_roughness = 5e-4;
-    const double smooth = SideWallFriction(c).coefficient(0.1);
+    const double smooth = side_wall_friction(c).coefficient(0.1);
     c.side_walls.equivalent_roughness.reset();
-    const double like_bed = SideWallFriction(c).coefficient(0.1);
+    const double like_bed = side_wall_friction(c).coefficient(0.1);
     c.side_walls.equivalent_roughness = 5e-4;
-    EXPECT_EQ(SideWallFriction(c).coefficient(0.1), like_bed);
+    EXPECT_EQ(side_wall_friction(c).coefficient(0.1), like_bed);
     EXPECT_GT(like_bed, 1.2 * smooth);
+    // Of a solid the layer is three spacings thick.
+    Solid bank;
+    bank.equivalent_roughness = 5e-4;
+    c.numerics.spacing = 0.004;
+    EXPECT_EQ(solid_friction(c, bank).coefficient(0.1), like_bed);
 }
 
 }  // namespace
-}  // namespace riffle::side_wall_friction_test
+}  // namespace riffle::log_law_friction_test

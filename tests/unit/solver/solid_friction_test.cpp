@@ -1,0 +1,93 @@
+// The friction of solids whose surface has a log law.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <utility>
+
+#include "base/parallel.hpp"
+#include "particles/force_on_solid.hpp"
+#include "roughness/log_law_friction.hpp"
+#include "small_case.hpp"
+
+namespace riffle::solid_friction_test {
+namespace {
+
+/// Water 40 mm deep over a slab of concrete that lies on the floor of all of a periodic channel.
+Case over_slab() {
+    Case c;
+    c.channel.depth = 0.05;
+    c.channel.length = 0.12;
+    c.channel.slope = 0.001;
+    c.bed.kind = BedKind::slip;
+    c.bed.roughness_height = 0.0;
+    c.bed.datum_below_crest = 0.0;
+    c.numerics.spacing = 0.0025;
+    c.start.kind = StartKind::uniform;
+    c.start.velocity = 0.5;
+    c.solids = {test::rectangle("slab", -0.05, 0.17, 0.0, 0.01)};
+    c.solids[0].surface = SolidSurface::log_law;
+    c.solids[0].equivalent_roughness = 5e-4;
+    return c;
+}
+
+std::unique_ptr<Simulation> started(const Case& c) {
+    auto simulation =
+        make_simulation<2>(c, nullptr, initial_particles<2>(c, make_scheme(c, nullptr), nullptr));
+    simulation->step();
+    return simulation;
+}
+
+TEST(SolidFriction, OfUniformWaterIsThatOfTheLogLaw) {
+    const Case c = over_slab();
+    const auto simulation = started(c);
+    const ForceOnSolid& force = simulation->solid_forces().front();
+    const double layer = 3 * c.numerics.spacing;
+    const double beta = solid_friction(c, c.solids[0]).coefficient(0.25);
+    const double expected = c.fluid.density * beta * 0.25 * layer * c.channel.length;
+    EXPECT_NEAR(force.friction[0], expected, 0.01 * expected);
+    EXPECT_NEAR(force.friction[2], 0.0, 0.01 * expected);
+    // It is what the walls take from the water.
+    double taken = 0.0;
+    for (std::size_t i = 0; i < simulation->particles().size(); ++i) {
+        taken -= simulation->particles().mass[i] * simulation->fields().wall_acceleration_x[i];
+    }
+    EXPECT_NEAR(force.friction[0] + force.pressure[0], taken, 1e-4 * expected);
+}
+
+TEST(SolidFriction, IsByTheVelocityPastTheSurface) {
+    Case c = over_slab();
+    c.channel.length = 0.3;
+    c.solids = {test::rectangle("raft", 0.1, 0.2, 0.02, 0.04)};
+    c.solids[0].surface = SolidSurface::log_law;
+    c.solids[0].motion = SolidMotion::constant;
+    c.solids[0].velocity_x = 0.5;
+    c.channel.slope = 0.0;
+    const auto friction = [&](double velocity) {
+        c.solids[0].velocity_x = velocity;
+        const auto simulation = started(c);  // which is the step in which it begins to move
+        simulation->step(0.0);
+        return simulation->solid_forces().front().friction[0];
+    };
+    const double slower = friction(0.0);
+    const double faster = friction(1.0);
+    const double with_the_water = std::abs(friction(0.5));
+    EXPECT_LT(with_the_water, 0.01 * slower);
+    EXPECT_GT(slower, 0.0);
+    EXPECT_NEAR(faster, -slower, 0.05 * slower);
+}
+
+TEST(SolidFriction, HasTheSameBitsForAnyNumberOfThreads) {
+    const Case c = over_slab();
+    const auto run = [&](int threads) {
+        set_thread_count(threads);
+        const auto simulation = started(c);
+        for (int step = 0; step < 20; ++step) simulation->step();
+        set_thread_count(0);
+        return std::pair(simulation->particles().velocity[0], simulation->solid_forces().front().friction[0]);
+    };
+    EXPECT_EQ(run(1), run(2));
+}
+
+}  // namespace
+}  // namespace riffle::solid_friction_test
