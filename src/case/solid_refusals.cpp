@@ -84,6 +84,14 @@ CheckList solid_surface_refusals() {
              return found_if(by_log_law(solid) && c.turbulence.closure == ClosureKind::none,
                              "its surface has a log law, the flow no closure");
          }},
+        {{"solid.surface", "bed.kind"},
+         "`surface = \"log-law\"` of a section or a bed from data over a bed by a wall law",
+         "it lies over all of the bed, whose friction would count twice",
+         R"(set [bed] kind = "slip")",
+         [](const Case& c, const Solid& solid) {
+             const bool covers = solid.shape == SolidShape::section || solid.shape == SolidShape::bed;
+             return found_if(by_log_law(solid) && covers && has_wall_law(c), "its surface and the bed have a log law");
+         }},
         {{"solid.equivalent_roughness", "fluid.kinematic_viscosity"},
          "a smooth `surface = \"log-law\"` without viscosity",
          "the friction of a smooth wall is that of its viscous layer",

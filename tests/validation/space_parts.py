@@ -191,9 +191,35 @@ def plane_sides(run):
     return table
 
 
-def colebrook(depth, width, slope, roughness, viscosity=1e-6, gravity=9.81):
+def canals(run):
+    """Banks as solids by the log law: a trapezoidal canal, and a rectangular one whose walls are solids."""
+    table = Table("Banks that are solids with the friction of the log law, k_s 1 mm: bulk velocity against Colebrook's with the hydraulic radius",
+                  ["case", "hydraulic radius, mm", "U of the law, m/s", "U of the particles", "% (<= 5)", "friction of the banks over the weight", "friction/weight - 1, % (<= 1)"])
+    for case, label, area, perimeter in (("canal", "banks 1:1, bottom 300 mm, dx 12 mm", 0.15 * 0.45, 0.3 + 2 * math.sqrt(2) * 0.15),
+                                         ("canal-upright", "upright banks, bottom 300 mm, dx 12 mm", 0.15 * 0.3, 0.6)):
+        result = run(case, f"cases/plane-beds/{case}.toml")
+        v = result.values
+        with h5py.File(result.folder / "results.h5", "r") as file:
+            force = file["/probes/standard_force"]
+            time = force["time"][:]
+            late = (time >= v["window_start"]) & (time <= v["window_end"])
+            banks, weight = (force[key][:][late].mean() for key in ("solid_force_1", "weight_component"))
+        law = colebrook_of(area / perimeter, 0.001, 0.001)
+        error = v["total_mean_velocity"] / law - 1
+        balance = v["drag_over_gravity"] + v["wall_over_gravity"] + v["side_wall_over_gravity"] - 1
+        table.rows.append([label, f"{1000 * area / perimeter:.1f}", f"{law:.4f}", f"{v['total_mean_velocity']:.4f}",
+                           table.check(label, "U against the law", error, 0.05, f"{100 * error:+.2f}"), f"{banks / weight:.3f}",
+                           table.check(label, "friction over weight", balance, 0.01, f"{100 * balance:+.2f}")])
+    return table
+
+
+def colebrook(depth, width, slope, roughness):
+    """Of a rectangular channel."""
+    return colebrook_of(depth * width / (width + 2 * depth), slope, roughness)
+
+
+def colebrook_of(radius, slope, roughness, viscosity=1e-6, gravity=9.81):
     """Mean velocity with the hydraulic radius R in place of a quarter of a pipe's diameter."""
-    radius = depth * width / (width + 2 * depth)
     friction_velocity = math.sqrt(gravity * math.sin(math.atan(slope)) * radius)
     return -2 * math.sqrt(8) * friction_velocity * math.log10(roughness / (14.8 * radius) + 2.51 * viscosity / (4 * math.sqrt(8) * radius * friction_velocity))
 
@@ -266,5 +292,5 @@ def space_measured(run):
 
 
 SPACE_PARTS = {"space_twin": space_twin, "space_quick": space_quick, "space_side_quick": space_side_quick, "space_wide": space_wide,
-               "space_coarse": space_coarse, "plane_sides": plane_sides, "space_transient": space_transient, "space_measured": space_measured}
-SPACE = ["space_twin", "space_wide", "space_coarse", "plane_sides", "space_transient", "space_measured"]
+               "space_coarse": space_coarse, "plane_sides": plane_sides, "canals": canals, "space_transient": space_transient, "space_measured": space_measured}
+SPACE = ["space_twin", "space_wide", "space_coarse", "plane_sides", "canals", "space_transient", "space_measured"]

@@ -183,6 +183,7 @@ std::vector<Wrong> wrong_methods() {
         {flume(), "numerics.xsph = 0.1"},
         {flume(), "numerics.pressure_form = riemann-non-conservative"},
         {with_solid(), "solid[0].surface = log-law; turbulence.closure = none"},
+        {with_shape(SolidShape::section), "solid[0].surface = log-law; bed.kind = smooth; turbulence.closure = nezu-rodi"},
         {with_solid(), "solid[0].surface = log-law; fluid.kinematic_viscosity = 0"},
         {with_solid(), "solid[0].surface = log-law; solid[0].equivalent_roughness = 20 mm"},
         {with_solid(), "numerics.wall = dynamic"},
