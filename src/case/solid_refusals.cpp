@@ -90,7 +90,8 @@ CheckList solid_surface_refusals() {
          R"(set [bed] kind = "slip")",
          [](const Case& c, const Solid& solid) {
              const bool covers = solid.shape == SolidShape::section || solid.shape == SolidShape::bed;
-             return found_if(by_log_law(solid) && covers && has_wall_law(c), "its surface and the bed have a log law");
+             return found_if(by_log_law(solid) && covers && has_wall_law(c),
+                             "its surface and the bed have a log law");
          }},
         {{"solid.equivalent_roughness", "fluid.kinematic_viscosity"},
          "a smooth `surface = \"log-law\"` without viscosity",
