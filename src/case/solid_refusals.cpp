@@ -77,7 +77,7 @@ CheckList solid_refusals() {
 CheckList solid_surface_refusals() {
     return {{
         {{"solid.surface", "turbulence.closure"},
-         "`surface = \"log-law\"` with `turbulence.closure = \"none\"`",
+         R"(`surface = "log-law"` with `turbulence.closure = "none"`)",
          "laminar flow has no log law",
          R"(choose a closure, or surface = "no-slip")",
          [](const Case& c, const Solid& solid) {
@@ -85,7 +85,7 @@ CheckList solid_surface_refusals() {
                              "its surface has a log law, the flow no closure");
          }},
         {{"solid.surface", "bed.kind"},
-         "`surface = \"log-law\"` of a section or a bed from data over a bed by a wall law",
+         R"(`surface = "log-law"` of a section or a bed from data over a bed by a wall law)",
          "it lies over all of the bed, whose friction would count twice",
          R"(set [bed] kind = "slip")",
          [](const Case& c, const Solid& solid) {
@@ -94,7 +94,7 @@ CheckList solid_surface_refusals() {
                              "its surface and the bed have a log law");
          }},
         {{"solid.equivalent_roughness", "fluid.kinematic_viscosity"},
-         "a smooth `surface = \"log-law\"` without viscosity",
+         R"(a smooth `surface = "log-law"` without viscosity)",
          "the friction of a smooth wall is that of its viscous layer",
          "give the viscosity of the water, 1e-6, or an equivalent_roughness",
          [](const Case& c, const Solid& solid) {
