@@ -56,10 +56,6 @@ Case harbour() {
     return c;
 }
 
-std::unique_ptr<Simulation> started(const Case& c) {
-    return make_simulation<2>(c, nullptr, initial_particles<2>(c, make_scheme(c, nullptr), nullptr));
-}
-
 struct Momentum {
     double x = 0.0;
     double z = 0.0;
@@ -84,7 +80,7 @@ TEST(FreeBodyInWater, SharesItsMomentumWithTheWater) {
     c.solids[0].velocity_z = 0.02;
     c.solids[0].angular_velocity = 1.0;
     const double mass = 500.0 * 0.032 * 0.024;
-    const auto simulation = started(c);
+    const auto simulation = test::simulation_of<2>(c);
     simulation->step();
     const double whole = 0.05 * mass;
     while (simulation->clock().time < 0.015 / 4.0) {
@@ -106,11 +102,11 @@ void expect_same_bodies(const Simulation& a, const Simulation& b) {
 
 TEST(FreeBodyInWater, GoesOnFromASavedStateWithTheSameBitsForAnyNumberOfThreads) {
     set_thread_count(1);
-    const auto straight = started(harbour());
+    const auto straight = test::simulation_of<2>(harbour());
     for (int i = 0; i < 60; ++i) {
         straight->step(i % 7 == 0 ? 0.0 : 1e9);
     }
-    const auto resumed = started(harbour());
+    const auto resumed = test::simulation_of<2>(harbour());
     resumed->restore(test::saved_particles(*straight), straight->clock(), straight->wall_density_deviation());
     set_thread_count(2);
     for (int i = 0; i < 60; ++i) {
@@ -133,7 +129,7 @@ TEST(TurningSolid, ItsWallParticlesTurnWithIt) {
     solid.density.reset();
     solid.angular_velocity = 2.0;
     c.fluid.kinematic_viscosity = 1e-3;
-    const auto simulation = started(c);
+    const auto simulation = test::simulation_of<2>(c);
     const WallParticles<2> before = simulation->walls();
     while (simulation->clock().time < 0.05) {
         simulation->step(1e9);

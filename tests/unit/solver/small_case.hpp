@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 
 #include "case/case.hpp"
 #include "column/column.hpp"
@@ -57,6 +58,12 @@ inline Case disordered_tank() {
     c.start.jitter = 0.2;
     c.start.packed = true;
     return c;
+}
+
+/// The simulation of a case at its start, without a column twin.
+template <int D>
+auto simulation_of(const Case& c) {
+    return make_simulation<D>(c, nullptr, initial_particles<D>(c, make_scheme(c, nullptr), nullptr));
 }
 
 /// A solid with upright and level slip faces in a plane.

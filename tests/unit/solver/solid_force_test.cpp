@@ -31,8 +31,7 @@ Case tank_with_blocks() {
 }
 
 std::unique_ptr<Simulation> started(const Case& c) {
-    auto simulation =
-        make_simulation<2>(c, nullptr, initial_particles<2>(c, make_scheme(c, nullptr), nullptr));
+    auto simulation = test::simulation_of<2>(c);
     simulation->step();
     return simulation;
 }

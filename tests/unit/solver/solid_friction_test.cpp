@@ -32,8 +32,7 @@ Case over_slab() {
 }
 
 std::unique_ptr<Simulation> started(const Case& c) {
-    auto simulation =
-        make_simulation<2>(c, nullptr, initial_particles<2>(c, make_scheme(c, nullptr), nullptr));
+    auto simulation = test::simulation_of<2>(c);
     simulation->step();
     return simulation;
 }
@@ -93,8 +92,7 @@ TEST(SolidFriction, IsAllThatBanksDoAlongTheChannel) {
     c.solids[0].z.clear();
     c.solids[0].y = {0.0, 0.02, 0.02, 0.1, 0.1, 0.12};
     c.solids[0].levels = {0.06, 0.06, 0.0, 0.0, 0.06, 0.06};
-    const auto simulation =
-        make_simulation<3>(c, nullptr, initial_particles<3>(c, make_scheme(c, nullptr), nullptr));
+    const auto simulation = test::simulation_of<3>(c);
     double pressure = 0.0;
     constexpr int steps = 1000;
     for (int step = 0; step < steps; ++step) {
