@@ -12,6 +12,7 @@
 #include "case/flow_kind.hpp"
 #include "case/outline_check.hpp"
 #include "case/solid_mesh.hpp"
+#include "case/solid_shapes.hpp"
 #include "engine/scheme.hpp"
 #include "record/flow_fields.hpp"
 #include "record/probe_fields.hpp"
@@ -53,8 +54,7 @@ double silhouette(const SolidMesh& mesh, double level) {
 
 /// Nothing of a body that fills a part of the bed rather than stands in the stream.
 std::optional<Front> front_of(const Case& c, const Solid& solid) {
-    if (solid.motion != SolidMotion::fixed || solid.shape == SolidShape::bed ||
-        solid.shape == SolidShape::section || solid.shape == SolidShape::spheres) {
+    if (solid.motion != SolidMotion::fixed || is_bed_shape(solid.shape)) {
         return std::nullopt;
     }
     const auto z = extent_of(c, solid, 2);

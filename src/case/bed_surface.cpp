@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "case/cross_section.hpp"
 #include "case/end_buffers.hpp"
 #include "case/polygon.hpp"
 
@@ -105,13 +106,14 @@ Outline bed_outline(const Case& c, const BedHeights& bed) {
 
 Triangles section_triangles(const Case& c, const Solid& solid) {
     const double reach = reach_beyond(c);
+    const auto [y, levels] = cross_section(c, solid);
     // Against the clock as seen from the end of the channel: below it from left to right, then back.
-    std::vector<PlanePoint> corners{{solid.y.front() - reach, -reach}, {solid.y.back() + reach, -reach}};
-    corners.push_back({solid.y.back() + reach, solid.levels.back()});
-    for (std::size_t i = solid.y.size(); i-- > 0;) {
-        corners.push_back({solid.y[i], solid.levels[i]});
+    std::vector<PlanePoint> corners{{y.front() - reach, -reach}, {y.back() + reach, -reach}};
+    corners.push_back({y.back() + reach, levels.back()});
+    for (std::size_t i = y.size(); i-- > 0;) {
+        corners.push_back({y[i], levels[i]});
     }
-    corners.push_back({solid.y.front() - reach, solid.levels.front()});
+    corners.push_back({y.front() - reach, levels.front()});
     corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
     const double begin = -reach;
     const double end = c.channel.length + reach;

@@ -293,15 +293,19 @@ struct Solid {
     double angle = 0.0;          ///< box: turned about its upright axis; rectangle: about its centre. Degrees
     double diameter = 0.0;       ///< sphere, cylinder, circle; of each of the spheres, m
     double length = 0.0;         ///< cylinder, m
-    SolidAxis axis = SolidAxis::z;       ///< of a cylinder
-    std::filesystem::path heights;       ///< bed: file of its heights
-    double unit = 1.0;                   ///< bed: length of the file's unit, m
-    std::optional<double> height_unit;   ///< bed: of its heights, m; unset: the same
-    std::vector<double> origin;          ///< bed: place in the file that comes to the channel's origin
-    double blend = 0.0;                  ///< bed: length over which its ends are made to meet, m
-    std::optional<double> largest_hole;  ///< bed: widest hole that is filled, m
-    std::vector<double> y;               ///< section: places across the channel, m
-    std::vector<double> levels;          ///< section: heights there, m
+    SolidAxis axis = SolidAxis::z;           ///< of a cylinder
+    std::filesystem::path heights;           ///< bed: file of its heights
+    double unit = 1.0;                       ///< bed: length of the file's unit, m
+    std::optional<double> height_unit;       ///< bed: of its heights, m; unset: the same
+    std::vector<double> origin;              ///< bed: place in the file that comes to the channel's origin
+    double blend = 0.0;                      ///< bed: length over which its ends are made to meet, m
+    std::optional<double> largest_hole;      ///< bed: widest hole that is filled, m
+    std::vector<double> y;                   ///< section: places across the channel, m
+    std::vector<double> levels;              ///< section: heights there, m
+    double bottom_width = 0.0;               ///< trapezoid, compound, m
+    double bank_slope = 1.0;                 ///< of their banks, horizontal over vertical
+    std::optional<double> bank_height;       ///< of their banks above the bottom, m; unset: up to the sides
+    std::optional<double> floodplain_width;  ///< compound: of each, m; unset: up to the sides
     SolidPacking packing = SolidPacking::hexagonal;  ///< spheres
     std::optional<double> level;  ///< spheres: height of their centres, m; unset: they lie on the bed
     long long seed = 1;           ///< spheres, random

@@ -163,9 +163,10 @@ SectionKeys start() {
             "uniform: the velocity; power-law: U_max at the surface; standing-wave, taylor-green: the "
             "velocity amplitude.")
             .measured_in(velocity)
-            .unset_by("auto",
-                      "from the column twin (uniform, power-law); zero (standing-wave); an error "
-                      "(taylor-green)")
+            .unset_by(
+                "auto",
+                "from the column twin (uniform, power-law), of a canal by Colebrook and White (uniform); zero (standing-wave); an error "
+                "(taylor-green)")
             .applies_with(kind, {"uniform", "power-law", "standing-wave", "taylor-green"}));
     s.keys.push_back(key("exponent", &Start::exponent, "m of the power law.")
                          .at_least(0.1)

@@ -56,7 +56,20 @@ enum class StartKind {
 };
 enum class StartLattice { square, hexagonal, body_centred };
 enum class SurfaceDetection { volume_fraction, position_divergence, density_ratio, depth_sum };
-enum class SolidShape { free_form, box, sphere, cylinder, rectangle, circle, bed, section, spheres };
+enum class SolidShape {
+    free_form,
+    box,
+    sphere,
+    cylinder,
+    rectangle,
+    circle,
+    bed,
+    section,
+    trapezoid,
+    compound,
+    pipe,
+    spheres
+};
 enum class SolidAxis { x, y, z };
 enum class SolidPacking { hexagonal, square, random };
 enum class SolidSurface { no_slip, slip, log_law };

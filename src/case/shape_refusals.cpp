@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "case/cross_section.hpp"
 #include "case/refusals.hpp"
 #include "case/solid_shapes.hpp"
 #include "case/sphere_tiling.hpp"
@@ -86,7 +87,7 @@ CheckList shape_refusals() {
         {{"solid.shape", "channel.dimensions"},
          "a `shape` of the other number of dimensions",
          "",
-         R"(in two dimensions choose "rectangle" or "circle", in three "box", "sphere", "cylinder", "section" or "spheres"; "free-form" and "bed" go with both)",
+         R"(in two dimensions choose "rectangle" or "circle", in three "box", "sphere", "cylinder", a cross-section or "spheres"; "free-form" and "bed" go with both)",
          wrong_dimensions,
          true},
         {{"solid.centre"},
@@ -148,12 +149,12 @@ CheckList shape_refusals() {
          "the two would meet",
          "choose a shorter one",
          long_blend},
-        {{"solid.y", "solid.levels"},
-         "a cross-section that does not reach from side to side on the bed, by as many `levels` as `y`",
+        {{"solid.y", "solid.levels", "solid.bottom_width", "solid.bank_height", "solid.diameter"},
+         "a cross-section that does not reach from side to side on the bed, by as many `levels` as `y`, or by the widths, heights and slopes of its banks",
          "it stands under all of the channel",
-         "correct its corners: y grows from 0 to the width, levels are at least 0, and equal at periodic sides",
+         "correct its corners (y grows from 0 to the width, levels are at least 0, and equal at periodic sides), its banks or the channel's width",
          [](const Case& c, const Solid& solid) {
-             const std::string fault = solid.shape == section ? section_fault(c, solid) : std::string();
+             const std::string fault = is_section(solid.shape) ? section_fault(c, solid) : std::string();
              return found_if(!fault.empty(), "{}", fault);
          },
          true},

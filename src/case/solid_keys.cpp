@@ -45,7 +45,7 @@ void add_shape_keys(SectionKeys& s) {
                          .at_least(0)
                          .with_default_note("required for these shapes")
                          .with_example(R"("20 mm")")
-                         .applies_with(shape, {"sphere", "cylinder", "circle", "spheres"}, true));
+                         .applies_with(shape, {"sphere", "cylinder", "circle", "pipe", "spheres"}, true));
     s.keys.push_back(solid_key("length", &Solid::length, "Length of a cylinder.")
                          .measured_in(length)
                          .at_least(0)
@@ -69,6 +69,36 @@ void add_shape_keys(SectionKeys& s) {
                          .with_default_note("required for a section")
                          .with_example(R"(["40 mm", "40 mm", "0 mm", "0 mm"])")
                          .applies_with(shape, {"section"}, true));
+    s.keys.push_back(
+        solid_key(
+            "bottom_width", &Solid::bottom_width,
+            "Width of the bottom of a trapezoid, or of the main channel of a compound one; 0: a triangle.")
+            .measured_in(length)
+            .at_least(0)
+            .with_example(R"("300 mm")")
+            .applies_with(shape, {"trapezoid", "compound"}, true));
+    s.keys.push_back(
+        solid_key("bank_slope", &Solid::bank_slope, "Horizontal over vertical of the banks; 0: upright ones.")
+            .at_least(0)
+            .at_most(100)
+            .with_example("1.5")
+            .applies_with(shape, {"trapezoid", "compound"}, true));
+    s.keys.push_back(
+        solid_key("bank_height", &Solid::bank_height,
+                  "Height of the banks above the bottom; beyond them it is level up to the sides, or the "
+                  "floodplains of a compound channel begin.")
+            .measured_in(length)
+            .at_least(0)
+            .unset_by("auto", "the banks reach up to the sides; a compound channel needs it")
+            .with_example(R"("80 mm")")
+            .applies_with(shape, {"trapezoid", "compound"}, true));
+    s.keys.push_back(solid_key("floodplain_width", &Solid::floodplain_width,
+                               "Width of each of the floodplains, beyond which banks of the same slope rise.")
+                         .measured_in(length)
+                         .at_least(0)
+                         .unset_by("auto", "up to the sides")
+                         .with_example(R"("200 mm")")
+                         .applies_with(shape, {"compound"}, true));
     s.keys.push_back(solid_key("packing", &Solid::packing, "How the spheres lie, seen from above.")
                          .applies_with(shape, {"spheres"}, true));
     s.keys.push_back(solid_key("level", &Solid::level, "Height of the spheres' centres above the bed level.")
@@ -88,8 +118,8 @@ void add_bed_keys(SectionKeys& s) {
     s.keys.push_back(
         solid_key(
             "heights", &Solid::heights,
-            "File of the heights of a bed: an ESRI ASCII grid (.asc), or lines of x, y and z on a regular "
-            "grid (.csv, .xyz, .txt); in two dimensions of x and z.")
+            "File of the heights of a bed: an ESRI ASCII grid (.asc), a GeoTIFF (.tif), or lines of x, y and z "
+            "on a regular grid (.csv, .xyz, .txt); in two dimensions of x and z.")
             .with_default_note("required for a bed")
             .with_example(R"("gravel.asc")")
             .applies_with(shape, {"bed"}, true));

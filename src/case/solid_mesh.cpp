@@ -37,6 +37,9 @@ ClosedSurface surface_of_solid(const Case& c, const Solid& solid, std::vector<st
             return closed_surface(bed_triangles(c, bed), solid.heights.string());
         }
         case SolidShape::section:
+        case SolidShape::trapezoid:
+        case SolidShape::compound:
+        case SolidShape::pipe:
             return closed_surface(section_triangles(c, solid), "the section");
         case SolidShape::spheres:
             return closed_surface(sphere_layer_triangles(c, solid), "the spheres");

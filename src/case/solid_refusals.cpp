@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "case/bed_friction.hpp"
+#include "case/cross_section.hpp"
 #include "case/end_floor.hpp"
 #include "case/outline_check.hpp"
 #include "case/refusals.hpp"
@@ -89,7 +90,7 @@ CheckList solid_surface_refusals() {
          "it lies over all of the bed, whose friction would count twice",
          R"(set [bed] kind = "slip")",
          [](const Case& c, const Solid& solid) {
-             const bool covers = solid.shape == SolidShape::section || solid.shape == SolidShape::bed;
+             const bool covers = is_section(solid.shape) || solid.shape == SolidShape::bed;
              return found_if(by_log_law(solid) && covers && has_wall_law(c),
                              "its surface and the bed have a log law");
          }},

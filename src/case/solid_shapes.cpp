@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "base/error.hpp"
-#include "case/units.hpp"
+#include "case/cross_section.hpp"
 
 namespace riffle {
 
@@ -203,34 +203,6 @@ Triangles sphere_triangles(const Point3& centre, double diameter, double error) 
     return triangles;
 }
 
-std::string section_fault(const Case& c, const Solid& solid) {
-    const auto shown = [](double value) { return shown_quantity(value, Dimension::length); };
-    if (solid.y.size() < 2 || solid.y.size() != solid.levels.size()) {
-        return fmt::format("y holds {} places and levels {} heights: expected two or more, as many of each",
-                           solid.y.size(), solid.levels.size());
-    }
-    for (std::size_t i = 1; i < solid.y.size(); ++i) {
-        if (solid.y[i] < solid.y[i - 1] || (i > 1 && solid.y[i] == solid.y[i - 2])) {
-            return fmt::format("y goes back, or stays for more than two corners, at {}", shown(solid.y[i]));
-        }
-    }
-    const double width = c.channel.simulated_width();
-    if (solid.y.front() > 1e-6 * width || solid.y.back() < width * (1 - 1e-6)) {
-        return fmt::format("y reaches from {} to {}, the channel from 0 to {}", shown(solid.y.front()),
-                           shown(solid.y.back()), shown(width));
-    }
-    const double lowest = *std::min_element(solid.levels.begin(), solid.levels.end());
-    if (lowest < 0.0) {
-        return fmt::format("levels go down to {}, below the bed level z = 0, where the floor stands",
-                           shown(lowest));
-    }
-    const double jump = std::abs(solid.levels.front() - solid.levels.back());
-    if (c.channel.sides == Sides::periodic && jump > 0.5 * c.numerics.spacing) {
-        return fmt::format("levels differ by {} between the two sides, which are periodic", shown(jump));
-    }
-    return "";
-}
-
 int dimensions_of(SolidShape shape) {
     switch (shape) {
         case SolidShape::rectangle:
@@ -240,6 +212,9 @@ int dimensions_of(SolidShape shape) {
         case SolidShape::sphere:
         case SolidShape::cylinder:
         case SolidShape::section:
+        case SolidShape::trapezoid:
+        case SolidShape::compound:
+        case SolidShape::pipe:
         case SolidShape::spheres:
             return 3;
         case SolidShape::free_form:
@@ -250,7 +225,7 @@ int dimensions_of(SolidShape shape) {
 }
 
 bool is_bed_shape(SolidShape shape) {
-    return shape == SolidShape::bed || shape == SolidShape::section || shape == SolidShape::spheres;
+    return shape == SolidShape::bed || is_section(shape) || shape == SolidShape::spheres;
 }
 
 bool shape_is_complete(const Case& c, const Solid& solid) {
@@ -273,6 +248,9 @@ bool shape_is_complete(const Case& c, const Solid& solid) {
         case SolidShape::bed:
             return !solid.heights.empty() && (solid.origin.empty() || solid.origin.size() == dimensions);
         case SolidShape::section:
+        case SolidShape::trapezoid:
+        case SolidShape::compound:
+        case SolidShape::pipe:
             return section_fault(c, solid).empty();
         case SolidShape::spheres:
             return solid.diameter > 0.0;

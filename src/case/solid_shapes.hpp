@@ -31,9 +31,6 @@ namespace riffle {
 /// dimensions, and lengths above zero.
 [[nodiscard]] bool shape_is_complete(const Case& c, const Solid& solid);
 
-/// What is wrong with the corners of a cross-section, in words; empty where nothing is.
-[[nodiscard]] std::string section_fault(const Case& c, const Solid& solid);
-
 /// The number of dimensions of a shape; 0 for those that go with either.
 [[nodiscard]] int dimensions_of(SolidShape shape);
 

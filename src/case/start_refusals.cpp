@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "case/cross_section.hpp"
 #include "case/flow_kind.hpp"
 #include "case/outline_check.hpp"
 #include "case/refusals.hpp"
@@ -39,7 +40,9 @@ CheckList start_refusals() {
          "or give the velocity, for example velocity = \"0.3 m/s\"",
          [](const Case& c) {
              const auto reason = why_no_column(c);
-             const bool asked = starts_as(c, StartKind::uniform) || starts_as(c, StartKind::power_law);
+             // The velocity of a canal is that of its hydraulic radius.
+             const bool asked = (starts_as(c, StartKind::uniform) && canal_of(c) == nullptr) ||
+                                starts_as(c, StartKind::power_law);
              return found_if(asked && c.channel.ends != Ends::open && !c.start.velocity && reason,
                              "velocity is missing, and the case has no column twin to take it from: {}",
                              reason.value_or(""));

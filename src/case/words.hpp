@@ -224,7 +224,7 @@ struct Words<StartKind> {
 
 template <>
 struct Words<SolidShape> {
-    static constexpr std::array<Word, 9> list{{
+    static constexpr std::array<Word, 12> list{{
         {"free-form", "the outline of `x` and `z` in two dimensions, the closed surface of `file` in three"},
         {"box", "three dimensions: by `centre` and `size`, turned by `angle`"},
         {"sphere", "three dimensions: by `centre` and `diameter`"},
@@ -235,6 +235,10 @@ struct Words<SolidShape> {
          "a bed from measured heights, by the file `heights`: under all of the channel, down to below the bed level"},
         {"section",
          "three dimensions: a bed of one cross-section all along the channel, by `y` and `levels`"},
+        {"trapezoid",
+         "three dimensions: such a bed, a canal about the centreline by `bottom_width` and `bank_slope`"},
+        {"compound", "three dimensions: the same with floodplains on both sides at `bank_height`"},
+        {"pipe", "three dimensions: such a bed, the lower half of a pipe about the centreline by `diameter`"},
         {"spheres",
          "three dimensions: a layer of equal spheres over all of the bed, by `diameter` and `packing`"},
     }};

@@ -65,6 +65,30 @@ void print_vegetation(const Forecast& f) {
     }
 }
 
+void print_canal(const Forecast& f) {
+    if (f.canal) {
+        print_row("canal",
+                  fmt::format("area {:.4g} m2, wetted perimeter {:.4g} m, hydraulic radius {:.4g} mm, "
+                              "surface {:.4g} mm wide",
+                              f.canal->wet.area, f.canal->wet.area / f.canal->hydraulic_radius,
+                              1e3 * f.canal->hydraulic_radius, 1e3 * f.canal->wet.top_width));
+        print_row("by Colebrook and White",
+                  fmt::format("U = {:.4g} m/s, Q = {:.4g} l/s", f.canal->velocity, 1e3 * f.canal->discharge));
+    }
+}
+
+nlohmann::ordered_json canal_json(const Forecast& f) {
+    if (!f.canal) {
+        return nullptr;
+    }
+    return {{"area", f.canal->wet.area},
+            {"wetted_perimeter", f.canal->wet.area / f.canal->hydraulic_radius},
+            {"hydraulic_radius", f.canal->hydraulic_radius},
+            {"top_width", f.canal->wet.top_width},
+            {"velocity", f.canal->velocity},
+            {"discharge", f.canal->discharge}};
+}
+
 nlohmann::ordered_json vegetation_json(const Forecast& f) {
     auto list = nlohmann::ordered_json::array();
     for (const VegetationForecast& stems : f.vegetation) {
@@ -140,6 +164,7 @@ void print_forecast(const Case& c, const Forecast& f) {
     if (f.relaxation_time) {
         print_row("relaxation time", fmt::format("{:.3g} s", *f.relaxation_time));
     }
+    print_canal(f);
     print_vegetation(f);
     print_porous(f);
     print_row("simulated time",
@@ -175,6 +200,7 @@ void print_json(const Case& c, const Forecast& f, const std::vector<std::string>
                                          {"disk_bytes", f.disk_bytes},
                                          {"replacing_bytes", f.replacing_bytes},
                                          {"disk_parts", parts_json(f)},
+                                         {"canal", canal_json(f)},
                                          {"vegetation", vegetation_json(f)},
                                          {"porous", porous_json(f)},
                                          {"probes", probes_json(f)},

@@ -210,6 +210,7 @@ Forecast forecast_in(const Case& c) {
         f.vegetation.push_back({stems.name, stems.frontal_area(), stems.solid_fraction(), reference.speed,
                                 reference.drag_coefficient, displacement_height(stems)});
     }
+    f.canal = canal_flow(c);
     for (const Porous& zone : c.porous) {
         const PorousResistance resistance(zone, c.fluid.kinematic_viscosity);
         // On a slope that under the weight, else that of a tenth of it.

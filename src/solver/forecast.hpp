@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "case/case.hpp"
+#include "column/canal_flow.hpp"
 
 namespace riffle {
 
@@ -71,6 +72,7 @@ struct Forecast {
     std::optional<double> relaxation_time;
     std::vector<VegetationForecast> vegetation;
     std::vector<PorousForecast> porous;
+    std::optional<CanalFlow> canal;  ///< of a canal of one cross-section
     std::vector<ProbeForecast> probes;
     std::vector<std::string> probe_notes;  ///< what the standard instruments leave out, and why
 };

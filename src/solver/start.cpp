@@ -9,6 +9,7 @@
 #include "case/flow_kind.hpp"
 #include "case/outline.hpp"
 #include "case/porous_zone.hpp"
+#include "column/canal_flow.hpp"
 #include "ends/end_input.hpp"
 #include "particles/lattice.hpp"
 #include "solver/isotropic_start.hpp"
@@ -68,7 +69,23 @@ void start_taylor_green(const Case& c, const Scheme& scheme, Particles<D>& parti
     }
 }
 
-double start_velocity(const Case& c, const Scheme& scheme, const ColumnResult* column, double z) {
+/// The one velocity of a uniform start.
+double uniform_velocity(const Case& c, const ColumnResult* column) {
+    if (c.start.velocity) {
+        return *c.start.velocity;
+    }
+    if (column != nullptr) {
+        return column->total_mean_velocity;
+    }
+    if (const auto canal = canal_flow(c)) {
+        return canal->velocity;
+    }
+    throw InputError(
+        "[start] kind = \"uniform\" needs `velocity`: this case has no column flow to take it from");
+}
+
+double start_velocity(const Case& c, const Scheme& scheme, const ColumnResult* column, double uniform,
+                      double z) {
     switch (c.start.kind) {
         case StartKind::column:
             if (column == nullptr) {
@@ -78,12 +95,7 @@ double start_velocity(const Case& c, const Scheme& scheme, const ColumnResult* c
             }
             return column->velocity_at(z);
         case StartKind::uniform:
-            if (!c.start.velocity && column == nullptr) {
-                throw InputError(
-                    "[start] kind = \"uniform\" needs `velocity`: this case has no column flow to take it "
-                    "from");
-            }
-            return c.start.velocity.value_or(column != nullptr ? column->total_mean_velocity : 0.0);
+            return uniform;
         case StartKind::power_law: {
             const double top = c.start.velocity.value_or(column != nullptr ? column->surface_velocity : 0.0);
             return top * std::pow(std::max(0.0, z / scheme.depth), 1.0 / c.start.exponent);
@@ -185,6 +197,7 @@ Particles<D> initial_particles(const Case& c, const Scheme& scheme, const Column
     // The lattice stands in porous zones as elsewhere: with the grains around it a particle takes up the same
     // room, of which its mass is that of the water.
     const PorosityField pores(c);
+    const double uniform = c.start.kind == StartKind::uniform && !open ? uniform_velocity(c, column) : 0.0;
     for (std::size_t i = 0; i < n; ++i) {
         const bool drawn_out = open && c.start.water_x.empty();  // rows to the depth of each column
         const double surface = drawn_out ? open->depth(particles.position[0][i])
@@ -206,7 +219,8 @@ Particles<D> initial_particles(const Case& c, const Scheme& scheme, const Column
             particles.velocity[0][i] =
                 open->velocity(particles.position[0][i], particles.position[vertical][i]);
         } else if (c.start.kind != StartKind::taylor_green && c.start.kind != StartKind::isotropic) {
-            particles.velocity[0][i] = start_velocity(c, scheme, column, particles.position[vertical][i]);
+            particles.velocity[0][i] =
+                start_velocity(c, scheme, column, uniform, particles.position[vertical][i]);
         }
         for (std::size_t k = 0; k < D; ++k) {
             double& x = particles.position[k][i];

@@ -9,6 +9,7 @@
 #include "case/case.hpp"
 #include "case/conversion.hpp"
 #include "case/key_table.hpp"
+#include "case/solid_shapes.hpp"
 #include "case_test.hpp"
 #include "stl_box.hpp"
 #include "temporary_folder.hpp"
@@ -271,6 +272,12 @@ inline Case with_shape(SolidShape shape) {
             solid.y = {0.0, 0.1};
             solid.levels = {0.01, 0.01};
             break;
+        case SolidShape::compound:
+            solid.bank_height = 0.01;
+            break;
+        case SolidShape::pipe:
+            solid.diameter = 0.1;
+            break;
         case SolidShape::spheres:
             solid.packing = SolidPacking::square;
             solid.diameter = 0.02;
@@ -279,9 +286,7 @@ inline Case with_shape(SolidShape shape) {
             solid.diameter = 0.03;
             solid.length = shape == SolidShape::cylinder ? 0.04 : 0.0;
     }
-    const bool centred =
-        shape != SolidShape::bed && shape != SolidShape::section && shape != SolidShape::spheres;
-    if (centred) {
+    if (!is_bed_shape(shape)) {
         solid.centre = plane ? std::vector{0.1, 0.02} : std::vector{0.1, 0.05, 0.02};
     }
     c.solids = {solid};

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "case/case.hpp"
+
+namespace riffle {
+
+/// A cross-section: places across the simulated channel and the heights of the bed there, m, from one side to
+/// the other.
+struct CrossSection {
+    std::vector<double> y;
+    std::vector<double> levels;
+};
+
+/// Whether a solid of this shape is a bed of one cross-section all along the channel.
+[[nodiscard]] bool is_section(SolidShape shape);
+
+/// The corners of such a solid: those it gives, or those of its trapezoid, compound channel or pipe about the
+/// channel's centreline. The polygon of a pipe holds the pipe's area.
+[[nodiscard]] CrossSection cross_section(const Case& c, const Solid& solid);
+
+/// What is wrong with the keys or the corners of a cross-section, in words; empty where nothing is.
+[[nodiscard]] std::string section_fault(const Case& c, const Solid& solid);
+
+/// The water up to a level over a cross-section.
+struct WettedSection {
+    double area = 0.0;       ///< m2
+    double perimeter = 0.0;  ///< of the section itself that is wet, m
+    double top_width = 0.0;  ///< of the surface, m
+};
+[[nodiscard]] WettedSection wetted_section(const CrossSection& section, double level);
+
+/// The one solid of a case that makes it a canal: of one cross-section all along a periodic channel, with the
+/// friction of the log law, and none beside it; nothing where the case is another.
+[[nodiscard]] const Solid* canal_of(const Case& c);
+
+}  // namespace riffle

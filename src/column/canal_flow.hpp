@@ -1,0 +1,23 @@
+#pragma once
+
+#include <optional>
+
+#include "case/case.hpp"
+#include "case/cross_section.hpp"
+
+namespace riffle {
+
+/// Uniform flow in a canal of one cross-section by the equation of Colebrook and White with the constants of
+/// a pipe and the hydraulic radius of the section: what the engineer's formula says, not a solution of the
+/// flow.
+struct CanalFlow {
+    WettedSection wet;              ///< of the whole width
+    double hydraulic_radius = 0.0;  ///< m, of all that holds the water back
+    double velocity = 0.0;          ///< U, m/s
+    double discharge = 0.0;         ///< Q, m3/s
+};
+
+/// Nothing where a case is no canal (canal_of()), or its roughness too large for the equation.
+[[nodiscard]] std::optional<CanalFlow> canal_flow(const Case& c);
+
+}  // namespace riffle
