@@ -3,7 +3,7 @@
 build_packages=(
     g++ cmake ninja-build pkg-config ca-certificates
     libboost-dev libcli11-dev libeigen3-dev libfmt-dev libhdf5-dev libkissfft-dev libspdlog-dev
-    libtbb-dev libtomlplusplus-dev nlohmann-json3-dev
+    libtbb-dev libtiff-dev libtomlplusplus-dev nlohmann-json3-dev
 )
 test_packages=(
     libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev clang-format-14

@@ -216,6 +216,11 @@ class BedMaker {
 
     void make_grid() {
         HeightGrid grid = parse_height_grid(content(), solid_.heights.string());
+        if (grid.unit && std::abs(solid_.unit / *grid.unit - 1.0) > 1e-6) {
+            refuse_bed(fmt::format(
+                "its places are in units of {0:.7g} m, as it says, and unit is {1:.7g} m: set unit = \"{0:.7g} m\"",
+                *grid.unit, solid_.unit));
+        }
         const auto placed = [&](double& first, double& step, std::size_t axis) {
             first = solid_.unit * (first - origin(axis));
             step *= solid_.unit;
@@ -254,7 +259,8 @@ class BedMaker {
                         .y = grid.y + grid.step_y * static_cast<double>(near),
                         .step_x = grid.step_x,
                         .step_y = grid.step_y,
-                        .z = {}};
+                        .z = {},
+                        .unit = {}};
         for (std::size_t row = near; row <= far; ++row) {
             for (std::size_t column = left; column <= right; ++column) {
                 part.z.push_back(grid.at(column, row));

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "case/height_raster.hpp"
 #include "case/text_lines.hpp"
 
 namespace riffle {
@@ -42,7 +43,8 @@ class AscReader {
                             "too few",
                             columns, rows, lines_.bytes_left() + line_bytes()));
         }
-        HeightGrid grid{.columns = columns, .rows = rows, .step_x = step_x_, .step_y = step_y_, .z = {}};
+        HeightGrid grid{
+            .columns = columns, .rows = rows, .step_x = step_x_, .step_y = step_y_, .z = {}, .unit = {}};
         grid.x = x_ + (x_is_corner_ ? 0.5 * step_x_ : 0.0);
         grid.y = y_ + (y_is_corner_ ? 0.5 * step_y_ : 0.0);
         grid.z.assign(columns * rows, missing_height);
@@ -289,7 +291,8 @@ HeightGrid grid_of_points(const std::vector<HeightPoint>& points, const std::str
                     .y = places[1].first,
                     .step_x = places[0].step,
                     .step_y = places[1].step,
-                    .z = {}};
+                    .z = {},
+                    .unit = {}};
     grid.z.assign(grid.columns * grid.rows, missing_height);
     std::vector<std::size_t> line_of(grid.z.size(), 0);
     for (const HeightPoint& point : points) {
@@ -311,11 +314,17 @@ HeightGrid grid_of_points(const std::vector<HeightPoint>& points, const std::str
 
 bool is_asc(const std::string& name) { return lower_case(name).ends_with(".asc"); }
 
+bool is_raster(const std::string& name) {
+    const std::string lower = lower_case(name);
+    return lower.ends_with(".tif") || lower.ends_with(".tiff");
+}
+
 }  // namespace
 
 HeightGrid parse_height_grid(std::string_view content, const std::string& name) {
-    HeightGrid grid = is_asc(name) ? AscReader(content, name).read()
-                                   : grid_of_points(read_points(content, name, {"x", "y", "z"}), name);
+    HeightGrid grid = is_asc(name)      ? AscReader(content, name).read()
+                      : is_raster(name) ? parse_height_raster(content, name)
+                                        : grid_of_points(read_points(content, name, {"x", "y", "z"}), name);
     if (std::all_of(grid.z.begin(), grid.z.end(), [](double z) { return std::isnan(z); })) {
         throw FileError(fmt::format("{}: holds no height: all are marked as missing", name));
     }
@@ -324,8 +333,9 @@ HeightGrid parse_height_grid(std::string_view content, const std::string& name) 
 
 HeightLine parse_height_line(std::string_view content, const std::string& name) {
     HeightLine line;
-    if (is_asc(name)) {
-        const HeightGrid grid = AscReader(content, name).read();
+    if (is_asc(name) || is_raster(name)) {
+        const HeightGrid grid =
+            is_asc(name) ? AscReader(content, name).read() : parse_height_raster(content, name);
         if (grid.rows != 1) {
             throw FileError(
                 fmt::format("{}: a grid of {} rows: in two dimensions give lines of x and z, or a "
