@@ -97,15 +97,6 @@ PairForm<Real> pair_form(const Case& c, const Scheme& scheme, const DirectionalV
     return form;
 }
 
-/// Whether a solid has faces across the channel, which continue the water along it too. The banks of a
-/// section by the log law run along it: like side walls they stay uncorrected there, or their pressure would
-/// be a force along the channel of a third of the weight where the slope is small.
-bool has_faces_across(const Case& c) {
-    return std::any_of(c.solids.begin(), c.solids.end(), [](const Solid& solid) {
-        return solid.shape != SolidShape::section || solid.surface != SolidSurface::log_law;
-    });
-}
-
 }  // namespace
 
 template <int D>
@@ -134,8 +125,6 @@ PairConstants<D, Real> pair_constants(const Case& c, const Scheme& scheme, const
         static_cast<Real>(diffusion == DensityDiffusion::molteni ? 0.0 : scheme.normal_gravity / (c0 * c0));
     constants.correct_pressure = by_gradient && c.numerics.pressure_form == PressureForm::corrected;
     constants.correct_gradient = by_gradient && c.numerics.velocity_gradient == VelocityGradient::corrected;
-    constants.correct_along =
-        has_faces_across(c) || c.channel.ends == Ends::open || (D == 3 && c.channel.ends == Ends::walls);
     if (has_directional_viscosity(c)) {
         const auto weights = pair_direction_weights(static_cast<Real>(spanwise_ratio(c)));
         constants.directional = {.slope = weights.slope,

@@ -100,8 +100,9 @@ void SimulationOf<D, Real>::allocate() {
         resize(flow_.data.pair_pressure);
     }
     // The force pass needs B only where walls continue the fluid.
-    const bool continued = std::any_of(flow_.data.wall_gradient.begin(), flow_.data.wall_gradient.end(),
-                                       [](const auto& record) { return record.continuation > Real(0); });
+    const bool continued =
+        std::any_of(flow_.data.wall_gradient.begin(), flow_.data.wall_gradient.end(),
+                    [](const auto& record) { return record.continuation.back() > Real(0); });
     if (continued && gradients) {
         std::int32_t lanes = 0;
         flow_.data.correction_lane.assign(flow_.clusters.size(), -1);

@@ -52,11 +52,12 @@ struct alignas(16) PressureRecord {
     Real pressure;
 };
 
-/// Rows of B, the components of the force, in which a wall may continue the fluid: all in a plane, where such
-/// walls stand across the channel; all but the streamwise one in three dimensions, where they stand along it
-/// and correcting would be friction. Each row of B is consistent for itself (docs/theory.md).
-template <int D>
-inline constexpr std::size_t first_continued_row = D == 2 ? 0 : 1;
+/// How far a wall particle continues the fluid, 0 to 1: its pairs are then corrected like the fluid's. By
+/// rows of B, the components of the force, each of which is consistent for itself (docs/theory.md): in three
+/// dimensions along the channel first, where what stands along it (a side wall, a bank) must not, or the
+/// correction would be a force along it; then across it. In a plane all rows are alike.
+template <int D, class Real>
+using Continuation = std::array<Real, static_cast<std::size_t>(D - 1)>;
 
 /// What the gradient pass needs of a wall particle.
 template <int D, class Real>
@@ -64,7 +65,7 @@ struct alignas(16) WallGradientRecord {
     std::array<std::int32_t, static_cast<std::size_t>(D)> x;
     std::array<Real, static_cast<std::size_t>(D* D)> projector;
     Real volume;
-    Real continuation;  ///< 1: the wall continues the fluid, its pairs are corrected like the fluid's; else 0
+    riffle::Continuation<D, Real> continuation;
 };
 
 /// What the force pass needs of a wall particle.
@@ -74,9 +75,9 @@ struct alignas(16) WallForceRecord {
     std::array<Real, static_cast<std::size_t>(D)> u;
     Real pressure;
     Real viscosity_root;
-    Real weight;          ///< of the pressure
-    Real viscous_weight;  ///< of the friction
-    Real continuation;    ///< as in WallGradientRecord
+    Real weight;                                 ///< of the pressure
+    Real viscous_weight;                         ///< of the friction
+    riffle::Continuation<D, Real> continuation;  ///< as in WallGradientRecord
 };
 
 /// Velocity of a wall particle through its projector, m/s.
@@ -95,7 +96,6 @@ struct PairConstants {
     Real half_way = Real(0);
     bool correct_pressure;  ///< B = M^-1 near full support, else the identity
     bool correct_gradient;
-    bool correct_along = false;  ///< walls that continue the fluid do so along the channel too: with solids
     DirectionalViscosity<Real> directional;  ///< where LoopOptions ask for it
     PairForm<Real> form;                     ///< where LoopOptions need one (needs_pair_form)
     const KernelTable<Real>* table;          ///< of a kernel without loops of its own

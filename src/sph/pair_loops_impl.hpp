@@ -107,6 +107,13 @@ RIFFLE_INLINE void add(std::array<T, N>& sum, const std::array<T, N>& term) {
     }
 }
 
+template <std::size_t N, class T>
+RIFFLE_INLINE void subtract(std::array<T, N>& sum, const std::array<T, N>& term) {
+    for (std::size_t k = 0; k < N; ++k) {
+        sum[k] -= term[k];
+    }
+}
+
 /// The folded sums times a factor.
 template <class Real, std::size_t N>
 RIFFLE_INLINE std::array<Lanes<Real>, N> fold_all(const std::array<Wide<Real>, N>& sums, Real factor) {
@@ -243,6 +250,7 @@ template <int D, class Real, class Kernel, bool Gradients, bool Midway>
 
         Symmetric<W, D> wide_m_wall{};       // walls whose pairs are not corrected
         Symmetric<W, D> wide_m_continued{};  // walls that continue the fluid
+        Symmetric<W, D> wide_m_along{};      // those of them that do so along the channel too
         [[maybe_unused]] const bool continued_cluster =
             data.fluid_wall != nullptr && !data.correction[0].empty() &&
             data.fluid_wall->run_begin[cluster] < data.fluid_wall->run_begin[cluster + 1];
@@ -279,12 +287,18 @@ template <int D, class Real, class Kernel, bool Gradients, bool Midway>
                         wall_divergence += continuity<W, D>(weight, u, r);
                     }
                     if constexpr (Gradients) {
-                        const W continued = weight * halves<Real, Real>(a.continuation, b.continuation);
+                        const W continued =
+                            weight * halves<Real, Real>(a.continuation.back(), b.continuation.back());
+                        [[maybe_unused]] const W along =
+                            weight * halves<Real, Real>(a.continuation.front(), b.continuation.front());
                         for (std::size_t l = 0; l < D; ++l) {
                             for (std::size_t k = 0; k <= l; ++k) {
                                 const std::size_t kl =
                                     symmetric_index<D>(static_cast<int>(k), static_cast<int>(l));
                                 wide_m_continued[kl] += continued * r[k] * r[l];
+                                if constexpr (D == 3) {
+                                    wide_m_along[kl] += along * r[k] * r[l];
+                                }
                                 wide_m_wall[kl] += (weight - continued) * r[k] * r[l];
                             }
                         }
@@ -325,7 +339,7 @@ template <int D, class Real, class Kernel, bool Gradients, bool Midway>
                 pressure_correction<T, D>(m_fluid, Symmetric<T, D>{}, gradient_blend);
 
             const Symmetric<T, D> m_wall = fold_all<Real>(wide_m_wall, -scale * c.h * c.h);
-            const Symmetric<T, D> m_water = m_fluid;
+            [[maybe_unused]] Symmetric<T, D> m_water = m_fluid;
             const Symmetric<T, D> m_continued = fold_all<Real>(wide_m_continued, -scale * c.h * c.h);
             add(m_fluid, m_continued);
             Symmetric<T, D> m_total = m_fluid;
@@ -335,12 +349,16 @@ template <int D, class Real, class Kernel, bool Gradients, bool Midway>
                 c.correct_pressure ? smoothstep<T>(Real(0.6), Real(0.9), regularity) : T(0);
             Components<T, D* D> b = pressure_correction<T, D>(m_fluid, m_wall, pressure_blend);
             if constexpr (D == 3) {
-                if (continued_cluster && !c.correct_along) {
-                    // Along the channel a side wall is uncorrected like a bed (first_continued_row).
-                    Symmetric<T, D> all_walls = m_wall;
-                    add(all_walls, m_continued);
+                if (continued_cluster) {
+                    // Along the channel fewer walls continue the fluid (Continuation).
+                    const Symmetric<T, D> m_along = fold_all<Real>(wide_m_along, -scale * c.h * c.h);
+                    Symmetric<T, D> across = m_continued;
+                    subtract(across, m_along);
+                    Symmetric<T, D> walls = m_wall;
+                    add(walls, across);
+                    add(m_water, m_along);
                     const Components<T, D* D> along =
-                        pressure_correction<T, D>(m_water, all_walls, pressure_blend);
+                        pressure_correction<T, D>(m_water, walls, pressure_blend);
                     std::copy_n(along.begin(), D, b.begin());
                 }
             }
@@ -465,8 +483,7 @@ template <int D, class Real, class Kernel, class Viscosity, class Record>
         Components<W, D> wall_tensor{};
         Components<W, D> wall_viscous{};
         if (wall_list != nullptr) {
-            // (p_i + p_j) I, or (p_i + p_j) B_i where the wall continues the fluid, in the rows of B from
-            // first_continued_row on.
+            // (p_i + p_j) I, or (p_i + p_j) B_i as far as the wall continues the fluid.
             const W pressure =
                 data.pair_pressure.empty()
                     ? gather<Real, Real>(own, [](const auto& r) { return r.pressure; })
@@ -475,8 +492,7 @@ template <int D, class Real, class Kernel, class Viscosity, class Record>
             const bool continued = correction_lane >= 0;
             Components<W, D * D> departure{};
             if (continued) {
-                for (std::size_t k = c.correct_along ? 0 : first_continued_row<D> * D; k < departure.size();
-                     ++k) {
+                for (std::size_t k = 0; k < departure.size(); ++k) {
                     const Real identity = k % (D + 1) == 0 ? Real(1) : Real(0);
                     departure[k] =
                         gather<Real, Real>(&data.correction[k][static_cast<std::size_t>(correction_lane)],
@@ -509,10 +525,13 @@ template <int D, class Real, class Kernel, class Viscosity, class Record>
                     }
                     add(wall_tensor, tensor_force<W, D>(weight, Components<W, 1>{pressure_sum}, r));
                     if (continued) {
-                        const W corrected = pressure_sum * halves<Real, Real>(a.continuation, b.continuation);
+                        const W along =
+                            pressure_sum * halves<Real, Real>(a.continuation.front(), b.continuation.front());
+                        const W across =
+                            pressure_sum * halves<Real, Real>(a.continuation.back(), b.continuation.back());
                         Components<W, D * D> stress_sum{};
                         for (std::size_t k = 0; k < stress_sum.size(); ++k) {
-                            stress_sum[k] = corrected * departure[k];
+                            stress_sum[k] = (k < D ? along : across) * departure[k];
                         }
                         add(wall_tensor, tensor_force<W, D>(weight, stress_sum, r));
                     }

@@ -101,7 +101,7 @@ TEST(SolidFriction, IsAllThatBanksDoAlongTheChannel) {
     }
     const double weight = c.fluid.density * c.streamwise_gravity() * 0.05 * 0.08 * 0.06;
     // Sound makes it swing by 0.6 of the weight: the mean of these steps is known to 0.13 of it. With banks
-    // that continue the water along the channel too it was -0.78 of the weight.
+    // that continue the water along the channel too it was -0.63 of the weight.
     EXPECT_NEAR(pressure, 0.0, 0.35 * weight);
 }
 

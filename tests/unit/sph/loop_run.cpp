@@ -157,7 +157,8 @@ void LoopRun<D, Real>::pack_walls(const PairSample<D>& sample) {
         auto& of_force = data.wall_force[wall_slot[i]];
         of_gradient.projector = rounded<Real>(p.projector);
         of_gradient.volume = static_cast<Real>(p.volume);
-        of_gradient.continuation = static_cast<Real>(p.continuation);
+        of_gradient.continuation.front() = static_cast<Real>(p.continuation_along);
+        of_gradient.continuation.back() = static_cast<Real>(p.continuation);
         of_force.u = rounded<Real>(p.u);
         of_force.pressure = static_cast<Real>(p.pressure);
         of_force.continuation = of_gradient.continuation;

@@ -130,10 +130,11 @@ void compare_matrices(const PlainSums<D>& plain, const LoopRun<D, Real>& run, st
         Matrix<D> exact = (Matrix<D>::Identity() - full<D>(m_wall)) * full<D>(free).inverse();
         double bound = rounding * inverse_amplification<D>(full<D>(free));
         if (D == 3) {
-            // Along the channel no wall continues the fluid.
-            const auto walls = sum_of<D>(m_wall, values_of<D>(plain.m_continued, i));
-            exact.row(0) = ((Matrix<D>::Identity() - full<D>(walls)) * full<D>(m_fluid).inverse()).row(0);
-            bound = std::max(bound, rounding * inverse_amplification<D>(full<D>(m_fluid)));
+            // Along the channel fewer walls continue the fluid.
+            const Matrix<D> along = full<D>(sum_of<D>(m_fluid, values_of<D>(plain.m_along, i)));
+            const Matrix<D> walls = full<D>(total) - along;
+            exact.row(0) = ((Matrix<D>::Identity() - walls) * along.inverse()).row(0);
+            bound = std::max(bound, rounding * inverse_amplification<D>(along));
         }
         for (int k = 0; k < D * D; ++k) {
             EXPECT_NEAR(static_cast<double>(run.gradient.correction[static_cast<std::size_t>(k)][slot]),

@@ -87,6 +87,7 @@ PairSample<D> disordered_sample(double jitter, int layers, unsigned seed) {
             p.projector[k] = k == D * D - 1 ? 0.9 : (diagonal ? 0.3 : 0.1);
         }
         p.continuation = wall && column < columns / 2 ? 1.0 : 0.0;
+        p.continuation_along = D == 2 || column < columns / 4 ? p.continuation : 0.0;
         (wall ? sample.wall : sample.fluid).push_back(p);
     };
     for (int column = 0; column < columns; ++column) {

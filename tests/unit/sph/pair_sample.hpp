@@ -26,7 +26,8 @@ struct PairSample {
         double viscosity_root = 0.0;  ///< sqrt(mu/rho0)
         std::array<double, static_cast<std::size_t>(D* D)> stress{};
         std::array<double, static_cast<std::size_t>(D* D)> projector{};
-        double continuation = 0.0;
+        double continuation = 0.0;        ///< of a wall
+        double continuation_along = 0.0;  ///< along the channel; in a plane the same
     };
     std::vector<Particle> fluid;
     std::vector<Particle> wall;

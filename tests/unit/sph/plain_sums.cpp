@@ -115,7 +115,7 @@ class Summation {
             array->resize(n);
         }
         resize(sums.gradient, n);
-        for (auto* arrays : {&sums.m_fluid, &sums.m_wall, &sums.m_continued, &sums.second}) {
+        for (auto* arrays : {&sums.m_fluid, &sums.m_wall, &sums.m_continued, &sums.m_along, &sums.second}) {
             resize(*arrays, n);
         }
         for (auto* arrays :
@@ -181,14 +181,18 @@ class Summation {
     void add_wall(std::size_t i, const Particle& a, const Particle& b, const Pair<D>& p) {
         const double V = b.volume;
         const bool continued = b.continuation > 0.0;
+        const bool along = b.continuation_along > 0.0;
         add_moment(continued ? sums.m_continued : sums.m_wall, i, V, p);
+        if (along) {
+            add_moment(sums.m_along, i, V, p);
+        }
         const double pressure =
             a.pressure + b.pressure + repulsion(a, b, p) - options_.non_conservative * a.pressure;
         for (std::size_t k = 0; k < D; ++k) {
             for (std::size_t l = 0; l < D; ++l) {
                 sums.density_rate[i].add(V * b.projector[D * k + l] * a.u[l] * p.gradient[k]);
                 const double identity = k == l ? 1.0 : 0.0;
-                const bool corrected = continued && (D == 2 || k > 0);  // in 3D not along the channel
+                const bool corrected = k == 0 ? along : continued;
                 const double matrix = corrected ? correction_[i][D * k + l] : identity;
                 const double force = -V * pressure * matrix * p.gradient[l];
                 sums.tensor[k][i].add(force);

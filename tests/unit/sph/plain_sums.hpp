@@ -29,6 +29,7 @@ struct PlainSums {
     Sums midway_density_rate;  ///< with each pair where it was `ago` before
     Matrices gradient;         ///< uncorrected, du_k/dx_l
     SymmetricMatrices m_fluid, m_wall, m_continued;
+    SymmetricMatrices m_along;  ///< of m_continued the walls that continue the fluid along the channel too
     Vectors tensor, viscous, wall;
     Sums wall_weight, wall_pressure, wall_density_rate;
     Vectors wall_offset, wall_velocity;
