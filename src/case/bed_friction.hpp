@@ -44,6 +44,16 @@ inline constexpr double rough_wall_constant = 8.5;
     return c.bed.kind == BedKind::roughness || c.bed.kind == BedKind::smooth;
 }
 
+/// Whether the water rests at the bed: a no-slip one, or one by a wall law.
+[[nodiscard]] inline bool rests_at_bed(const Case& c) {
+    return c.bed.kind == BedKind::no_slip || has_wall_law(c);
+}
+
+/// Whether the velocity over the bed has a log law: over spheres, and over a bed by a wall law.
+[[nodiscard]] inline bool has_log_law(const Case& c) {
+    return c.bed.kind == BedKind::spheres || has_wall_law(c);
+}
+
 /// Rows of particles of the layer in which the friction of a plane bed acts (turbulence/wall_layer.hpp): with
 /// five the depth mean of 12 to 36 rows in their places is that of the law to half a percent
 /// (tests/validation/wall_rows.py), with fewer the profile is not resolved.

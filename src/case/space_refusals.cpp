@@ -187,8 +187,7 @@ CheckList side_wall_refusals() {
              "the drag of the side walls follows from that of the bed, and this bed has none",
              R"(choose drag_form = "log-law" or "none")",
              [](const Case& c) {
-                 return c.side_walls.drag_form == SideDragForm::consistent && !over_spheres(c) &&
-                        !has_wall_law(c);
+                 return c.side_walls.drag_form == SideDragForm::consistent && !has_log_law(c);
              },
              true},
             {{"side_walls.drag_form", "bed.kind"},

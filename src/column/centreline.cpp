@@ -38,7 +38,7 @@ Centreline solve_centreline_and_section(const Case& c) {
     result.depth_mean_velocity = section.centreline_velocity;
     result.total_mean_velocity = section.depth_means(0.0, c.total_depth())[section.y.size() / 2];
     result.surface_velocity = result.profile.velocity.back();
-    if (c.bed.kind == BedKind::spheres || has_wall_law(c)) result.log_law = fit_column_profile(c, result);
+    if (has_log_law(c)) result.log_law = fit_column_profile(c, result);
     return both;
 }
 

@@ -169,8 +169,7 @@ ColumnResult solve_column(const Case& c, int cells) {
     result.porous_share = balance.porous_drag(u) / weight;
     result.relaxation_time = slowest_decay_time(balance, u);
     const bool over_bed_alone = c.vegetation.empty() && c.porous.empty();
-    if (over_bed_alone && (c.bed.kind == BedKind::spheres || has_wall_law(c)))
-        result.log_law = fit_column_profile(c, result);
+    if (over_bed_alone && has_log_law(c)) result.log_law = fit_column_profile(c, result);
 
     // A wide channel: the hydraulic radius is the depth over the datum.
     const double radius = c.channel.depth;

@@ -27,7 +27,7 @@ std::vector<double> Tridiagonal::solve(std::vector<double> b) const {
 MomentumBalance::MomentumBalance(const Case& c, const ColumnGrid& grid)
     : weight_(c.streamwise_gravity()),
       viscosity_(c.fluid.kinematic_viscosity),
-      wall_below_(c.bed.kind == BedKind::no_slip || has_wall_law(c)),
+      wall_below_(rests_at_bed(c)),
       wall_above_(c.bed.kind == BedKind::no_slip && c.channel.top == Top::wall),
       depth_(grid.face.back()) {
     const std::size_t n = grid.centre.size();

@@ -56,7 +56,7 @@ SectionBalance::SectionBalance(const Case& c, const SectionGrid& grid)
       rows_(grid.rows()),
       weight_(c.streamwise_gravity()),
       viscosity_(c.fluid.kinematic_viscosity),
-      rests_below_(c.bed.kind == BedKind::no_slip || has_wall_law(c)),
+      rests_below_(rests_at_bed(c)),
       wall_form_(c.side_walls.drag_form) {
     const auto size = static_cast<Eigen::Index>(grid.size());
     area_.resize(size);

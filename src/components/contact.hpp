@@ -51,7 +51,8 @@ class Contact final : public Component<D, Real> {
     void begin_evaluation(Flow& flow, const Stage& stage) override {
         velocity_step_ = stage.velocity_step();
         depth_.assign(flow.block_advance.size(), 0.0);
-        impulses_.assign(books(flow) ? flow.block_advance.size() * points_.size() : 0, BodyLoad{});
+        impulses_.assign(flow.keeps_solid_forces() ? flow.block_advance.size() * points_.size() : 0,
+                         BodyLoad{});
     }
 
     void after_motion(Flow& flow, Task& /*task*/, const Stage& /*stage*/, std::size_t begin,
@@ -87,9 +88,6 @@ class Contact final : public Component<D, Real> {
     [[nodiscard]] std::size_t bytes() const override { return impulses_.capacity() * sizeof(BodyLoad); }
 
   private:
-    /// Whether the solids' forces are kept in the step in progress: SolidForces.
-    static bool books(const Flow& flow) { return flow.keep_fields || !flow.free.empty(); }
-
     /// Returns how far a particle was put back, m.
     double put_back(Flow& flow, std::size_t i, const Push& push) const {
         constexpr std::size_t vertical = Flow::vertical;

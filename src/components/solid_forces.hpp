@@ -35,7 +35,6 @@ class SolidForces final : public Component<D, Real> {
                                    : 0.0);
             free_.push_back(solid.motion == SolidMotion::free);
         }
-        any_free_ = std::find(free_.begin(), free_.end(), true) != free_.end();
         if (flow.particle_data.reference_pressure.acts()) {
             for (std::size_t solid = 0; solid < lists_.size(); ++solid) {
                 reference_loads_.push_back(reference_load(flow, solid));
@@ -49,13 +48,13 @@ class SolidForces final : public Component<D, Real> {
                 list(flow, solid);
             }
         }
-        if (flow.keep_fields || any_free_) {
+        if (flow.keeps_solid_forces()) {
             block_forces_.resize(blocks_of(flow.clusters.size()) * lists_.size());
         }
     }
 
     void add_forces(Flow& flow, Task& task, std::size_t begin, std::size_t end) override {
-        if (!flow.keep_fields && !any_free_) {
+        if (!flow.keeps_solid_forces()) {
             return;
         }
         thread_local BlockWork<D, Real> work;
@@ -87,7 +86,7 @@ class SolidForces final : public Component<D, Real> {
 
     /// The sums over the blocks, in their order.
     void end_evaluation(Flow& flow) override {
-        if (!flow.keep_fields && !any_free_) {
+        if (!flow.keeps_solid_forces()) {
             return;
         }
         flow.solid_forces.assign(lists_.size(), ForceOnSolid{});
@@ -227,7 +226,6 @@ class SolidForces final : public Component<D, Real> {
     std::vector<Vec<3>> points_;   ///< of each solid, the one that its moments are about, at t = 0
     std::vector<double> volumes_;  ///< of those that turn and hold the water, m3; else 0
     std::vector<bool> free_;
-    bool any_free_ = false;
     std::vector<NeighbourList> lists_;  ///< of FlowOf::fluid_wall, the pairs with each solid
     NeighbourList no_list_;             ///< without any neighbour, for as many clusters
     std::vector<SolidFeet<D, Real>> feet_;

@@ -36,7 +36,7 @@ class SolidFriction final : public Component<D, Real> {
 
     void begin_step(Flow& flow, double dt) override {
         step_ = dt;
-        loads_.resize(books(flow) ? blocks_of(flow.clusters.size()) * surfaces_.size() : 0);
+        loads_.resize(flow.keeps_solid_forces() ? blocks_of(flow.clusters.size()) * surfaces_.size() : 0);
     }
 
     void add_forces(Flow& flow, Task& task, std::size_t begin, std::size_t end) override {
@@ -72,8 +72,6 @@ class SolidFriction final : public Component<D, Real> {
         LogLawFriction friction;
         Point3 about;  ///< what moments on it are about, at t = 0
     };
-
-    static bool books(const Flow& flow) { return flow.keep_fields || !flow.free.empty(); }
 
     void hold_back(const Flow& flow, Task& task, const Surface& surface, std::size_t i, std::size_t lane,
                    BodyLoad& load) const {

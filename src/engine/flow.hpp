@@ -63,9 +63,12 @@ struct FlowIn {
     std::vector<BodyState> bodies_after;     ///< at the end of its motion; empty without solids
     bool keep_fields = true;                 ///< in the step in progress
     ParticleFields fields;                   ///< where they are kept
-    std::vector<ForceOnSolid> solid_forces;  ///< at the same times; empty without solids
+    std::vector<ForceOnSolid> solid_forces;  ///< where they are kept; empty without solids
     EnergyRates energy_rates;                ///< at the same times
 
+    /// Whether the forces on the solids are kept in the step in progress: with the fields, and where a body
+    /// moves by them.
+    [[nodiscard]] bool keeps_solid_forces() const { return keep_fields || !free.empty(); }
     /// All bodies at the time of the clock.
     [[nodiscard]] std::vector<BodyState> bodies_now() const {
         return motion.at(clock.time, clock.free_bodies);

@@ -84,6 +84,14 @@ class Study:
         return table
 
 
+def build_of(study):
+    """The program that made the runs, in words; some checks ask it for twins alone and make none."""
+    if study.done:
+        return next(iter(study.done.values())).build
+    version, build, instructions, *_ = subprocess.run([study.riffle, "version"], check=True, capture_output=True, text=True).stdout.splitlines()
+    return f"R{version[1:]}, {build.removeprefix('build: ')}, {instructions.removeprefix('instruction set: ').split()[0]}"
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("tier", nargs="+", choices=["quick", "full", *CHECKS], metavar="TIER", help="quick, full, or names of cases: " + ", ".join(CHECKS))
@@ -107,7 +115,7 @@ def main():
         for name in names:
             done.append(CHECKS[name](study).judge(complete=not study.quick))
             print(checks.text(done[-1]), flush=True)
-        build = next(iter(study.done.values())).build
+        build = build_of(study)
     table = checks.summary_table(done)
     budgets = checks.budget_table(done)
     arguments.page.parent.mkdir(parents=True, exist_ok=True)
