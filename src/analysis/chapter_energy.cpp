@@ -3,10 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
 
 #include "analysis/chapters.hpp"
 #include "analysis/figure_tools.hpp"
 #include "record/flow_fields.hpp"
+#include "record/probe_fields.hpp"
 #include "statistics/confidence.hpp"
 
 namespace riffle {
@@ -15,7 +19,7 @@ namespace {
 
 /// A part of the budget: its series, the key and the label of its findings.
 struct Part {
-    Field series;
+    std::optional<Field> series;  ///< none: of instruments
     const char* key;
     const char* label;
     bool input = false;  ///< drives the flow
@@ -49,10 +53,15 @@ std::vector<double> all_energy(const std::vector<double>& kinetic, const std::ve
     return sum;
 }
 
-/// The parts that act, each with its power by row of the time series.
+/// The parts that act, each with its power by row of the time series within the window.
 struct Budget {
     std::vector<Part> parts;
     std::vector<std::vector<double>> powers;
+
+    void add(const Part& part, std::vector<double> power) {
+        parts.push_back(part);
+        powers.push_back(std::move(power));
+    }
 
     [[nodiscard]] std::vector<double> sum(std::size_t rows, bool inputs_alone) const {
         std::vector<double> total(rows, 0.0);
@@ -64,14 +73,40 @@ struct Budget {
     }
 };
 
+/// What flows in through the section of an open channel at its inflow less what flows out at the other, at
+/// the rows of the time series within the window; empty where no instrument knows.
+std::vector<double> energy_between_ends(const FlowRecord& record) {
+    const auto flux = [&](const char* number) {
+        return find_scalar(record, fields::flow_rate.energy_flux.name + std::string(number),
+                           "standard_end_sections");
+    };
+    const ScalarProbe* const in = flux("_1");
+    const ScalarProbe* const out = flux("_2");
+    if (in == nullptr || out == nullptr || in->time.size() != out->time.size()) return {};
+    std::vector<double> difference = in->value;
+    for (std::size_t i = 0; i < difference.size(); ++i) difference[i] -= out->value[i];
+    std::vector<double> at_rows;
+    for (const double t : within_window(record, fields::time_series.time)) {
+        at_rows.push_back(
+            interpolated(in->time, difference, std::clamp(t, in->time.front(), in->time.back())));
+    }
+    return at_rows;
+}
+
 /// Of a driven channel: the means of the parts over the window as shares of what drives the flow.
 void add_shares(const FlowRecord& record, const Figure& frame, Analysis& analysis) {
     Budget budget;
     const auto& of = fields::time_series;
+    const bool open = record.flow()->channel.ends == Ends::open;
+    if (open) {
+        const Part ends{.series = std::nullopt,
+                        .key = "ends",
+                        .label = "what flows in less what flows out",
+                        .input = true};
+        budget.add(ends, energy_between_ends(record));
+    }
     for (const Part& part : budget_parts()) {
-        if (!acts(record.series()[part.series])) continue;
-        budget.parts.push_back(part);
-        budget.powers.push_back(within_window(record, part.series));
+        if (acts(record.series()[*part.series])) budget.add(part, within_window(record, *part.series));
     }
     const std::vector<double> time = within_window(record, of.time);
     const std::vector<double> energy =
@@ -122,10 +157,13 @@ void add_shares(const FlowRecord& record, const Figure& frame, Analysis& analysi
                         "compression; none in the exact equations"
                       : "");
         }
-        std::vector<double> shares = record.series()[part.series];
+        // What passes the ends is known within the window.
+        const bool of_series = part.series.has_value();
+        std::vector<double> shares = of_series ? record.series()[*part.series] : budget.powers[n];
         for (double& value : shares) value /= input.mean;
-        figure.curves.push_back(make_curve(part.label, Origin::simulated, Mark::line, thinned(all_time, most),
-                                           thinned(shares, most), variant++));
+        figure.curves.push_back(make_curve(part.label, Origin::simulated, Mark::line,
+                                           thinned(of_series ? all_time : time, most), thinned(shares, most),
+                                           variant++));
     }
     mark_window(record, figure);
     analysis.figures.push_back(std::move(figure));
@@ -139,6 +177,13 @@ void add_shares(const FlowRecord& record, const Figure& frame, Analysis& analysi
     std::vector<double> scheme(rows, change);
     const std::vector<double> all = budget.sum(rows, false);
     for (std::size_t i = 0; i < rows; ++i) scheme[i] -= all[i];
+    if (open) {
+        share(
+            "residual", "what the budget leaves open", scheme,
+            "the change of the energy less all other parts: time stepping, and what the sections at the ends "
+            "miss, whose fluxes are far larger than their difference");
+        return;
+    }
     share("stepping", "time stepping, filters and spray", scheme,
           "the change of the energy less all other parts, sampled once each row");
     for (std::size_t n = 0; n < budget.parts.size(); ++n) {
@@ -177,7 +222,7 @@ void add_works(const FlowRecord& record, Figure figure, Analysis& analysis) {
         analysis.findings.push_back(std::move(found));
     };
     for (const Part& part : budget_parts()) {
-        const std::vector<double>& power = series[part.series];
+        const std::vector<double>& power = series[*part.series];
         if (power.size() != time.size() || !acts(power)) continue;
         std::vector<double> work(power.size(), 0.0);
         for (std::size_t i = 1; i < work.size(); ++i) {

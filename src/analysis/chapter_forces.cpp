@@ -145,12 +145,15 @@ void analyse_forces(const FlowRecord& record, Analysis& analysis) {
                     analysis);
     Figure figure = make_figure(
         chapters::forces, "force_history", "Forces on the water",
-        fmt::format("Drag of the bed elements, streamwise force of the walls{}{}{} and rate of change of the "
-                    "momentum, each over the weight component down the slope. Their sum is one where the "
-                    "momentum is balanced.",
-                    c.has_side_walls() ? ", drag of the side walls" : "",
-                    c.vegetation.empty() ? "" : ", drag of the vegetation",
-                    c.porous.empty() ? "" : ", resistance of porous zones"),
+        fmt::format(
+            "Drag of the bed elements, streamwise force of the walls{}{}{}{}",
+            c.has_side_walls() ? ", drag of the side walls" : "",
+            c.vegetation.empty() ? "" : ", drag of the vegetation",
+            c.porous.empty() ? "" : ", resistance of porous zones",
+            c.channel.ends == Ends::open
+                ? ", each over the weight component down the slope."
+                : " and rate of change of the momentum, each over the weight component down the slope. "
+                  "Their sum is one where the momentum is balanced."),
         "thesis (2.16), (4.3), bed stress of chapter 4", make_axis("time t", "s"),
         make_axis("force over weight component", "1"));
     if (is_undriven(flow_kind(c))) return;
@@ -189,9 +192,13 @@ void analyse_forces(const FlowRecord& record, Analysis& analysis) {
     const auto& of = fields::time_series;
     std::vector<Share> shares = {
         {of.drag_over_gravity, "bed_drag_share", "bed drag over the weight component", drag_share, 0},
-        {of.wall_over_gravity, "wall_force_share", "wall force over the weight component", wall_share, 1},
-        {of.acceleration_over_gravity, "acceleration_share",
-         "rate of change of the momentum over the weight component", 0.0, 2}};
+        {of.wall_over_gravity, "wall_force_share", "wall force over the weight component", wall_share, 1}};
+    // Between open ends momentum comes and goes with the water: its budget tells (momentum_budget.cpp).
+    const bool open = c.channel.ends == Ends::open;
+    if (!open) {
+        shares.push_back({of.acceleration_over_gravity, "acceleration_share",
+                          "rate of change of the momentum over the weight component", 0.0, 2});
+    }
     if (c.has_side_walls()) {
         shares.push_back({of.side_wall_over_gravity, "side_wall_share",
                           "drag of the side walls over the weight component",
@@ -245,11 +252,13 @@ void analyse_forces(const FlowRecord& record, Analysis& analysis) {
         add_missing(record, analysis, std::move(figure), "the time series hold no forces");
         return;
     }
-    figure.curves.push_back(
-        make_curve("balance", Origin::theory, Mark::line, {time.front(), time.back()}, {1.0, 1.0}));
+    if (!open) {
+        figure.curves.push_back(
+            make_curve("balance", Origin::theory, Mark::line, {time.front(), time.back()}, {1.0, 1.0}));
+    }
     mark_window(record, figure);
     analysis.figures.push_back(std::move(figure));
-    if (sum_of_forces.size() < 2) return;
+    if (sum_of_forces.size() < 2 || open) return;
     if (!complete) {
         analysis.warnings.emplace_back(
             "the time series of the forces have gaps at different times: their balance is left out");

@@ -14,7 +14,6 @@ namespace riffle {
 
 std::span<const Chapter> analysis_chapters() {
     const auto uniform = [](FlowKind kind) { return kind == FlowKind::uniform_channel; };
-    const auto without_open_ends = [](FlowKind kind) { return kind != FlowKind::open_channel; };
     static const std::array chapters = {
         Chapter{chapters::course, "Course of the flow", analyse_course, is_undriven},
         Chapter{chapters::along, "Along the channel", analyse_along, varies_along},
@@ -24,7 +23,7 @@ std::span<const Chapter> analysis_chapters() {
         Chapter{chapters::surface, "Free surface", analyse_surface, is_channel},
         Chapter{chapters::subsurface, "Velocities below the surface", analyse_subsurface, is_channel},
         Chapter{chapters::forces, "Forces", analyse_forces},
-        Chapter{chapters::energy, "Energy", analyse_energy, without_open_ends},
+        Chapter{chapters::energy, "Energy", analyse_energy},
         Chapter{chapters::section, "Cross-section", analyse_section},
         Chapter{chapters::secondary, "Secondary flow", analyse_secondary, is_channel},
         Chapter{chapters::bed, "Bed and side walls", analyse_bed, uniform},

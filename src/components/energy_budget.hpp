@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "boundary/wall_motion.hpp"
+#include "case/end_buffers.hpp"
 #include "case/solid_volume.hpp"
 #include "engine/component.hpp"
 #include "engine/pair_setup.hpp"
@@ -25,7 +26,8 @@ class EnergyBudget final : public Component<D, Real> {
     explicit EnergyBudget(const Flow& flow)
         : corrected_(weighs_by_volume(flow.c)),
           two_point_(flow.particle_data.closure && flow.particle_data.two_point),
-          tensor_(flow.particle_data.closure && !flow.particle_data.two_point) {
+          tensor_(flow.particle_data.closure && !flow.particle_data.two_point),
+          open_(flow.c.channel.ends == Ends::open) {
         LoopOptions options = loop_options(flow.c);
         options.gradients = false;
         options.directional = false;  // a weight of the eddies alone
@@ -57,8 +59,16 @@ class EnergyBudget final : public Component<D, Real> {
         if (two_point_) {
             put_molecular_records(flow, task.sums.gradient, begin, end);
         }
+        if (tensor_ || corrects(flow)) {
+            Own& own = own_of(task);
+            own.sums.uncorrected_gradient = true;
+            flow.loops.gradient(flow.data, begin, end, own.sums);
+        }
         if (tensor_) {
             keep_strain_work(flow, task, begin, end);
+        }
+        if (corrects(flow)) {
+            add_correction_work(flow, task, begin, end);
         }
     }
 
@@ -84,7 +94,7 @@ class EnergyBudget final : public Component<D, Real> {
         }
         const Own& own = own_of(task);
         EnergyRates& sum = blocks_[begin / block_clusters];
-        flow.for_particles(begin, end, [&](std::size_t i, std::size_t lane) {
+        for_water(flow, begin, end, [&](std::size_t i, std::size_t lane) {
             Vec<D> u{};
             for (std::size_t k = 0; k < Flow::axes; ++k) {
                 const double before = own.velocity[k][lane];
@@ -99,7 +109,9 @@ class EnergyBudget final : public Component<D, Real> {
             return;
         }
         flow.energy_rates = std::accumulate(blocks_.begin(), blocks_.end(), EnergyRates{});
-        flow.energy_rates.pressure += flow.energy_rates.compression;
+        if (!open_) {
+            flow.energy_rates.pressure += flow.energy_rates.compression;
+        }
     }
 
     void end_step(Flow& flow) override {
@@ -133,7 +145,7 @@ class EnergyBudget final : public Component<D, Real> {
     void add_compression(const Flow& flow, const GradientResult<D, Real>& gradient, std::size_t begin,
                          std::size_t end) {
         EnergyRates& sum = blocks_[begin / block_clusters];
-        flow.for_particles(begin, end, [&](std::size_t i, std::size_t lane) {
+        for_water(flow, begin, end, [&](std::size_t i, std::size_t lane) {
             const double before = flow.particles.density_deviation[i];
             const double compression = (1.0 + before) * static_cast<double>(gradient.density_rate[lane]);
             const auto diffusion = static_cast<double>(gradient.diffusion[lane]);
@@ -168,9 +180,7 @@ class EnergyBudget final : public Component<D, Real> {
     /// tau:G over rho nu_t of the eddy stresses in the tensor. With G, the velocity gradient without
     /// correction, its sum is that of the forces' work, pair by pair.
     void keep_strain_work(Flow& flow, Task& task, std::size_t begin, std::size_t end) {
-        Own& own = own_of(task);
-        own.sums.uncorrected_gradient = true;
-        flow.loops.gradient(flow.data, begin, end, own.sums);
+        const Own& own = own_of(task);
         const ParticleData<D>& p = flow.particle_data;
         flow.for_particles(begin, end, [&](std::size_t i, std::size_t lane) {
             const auto strain = [&](std::size_t k, std::size_t l) {
@@ -195,6 +205,38 @@ class EnergyBudget final : public Component<D, Real> {
                 }
             }
             strain_work_.set(i, static_cast<Real>(work));
+        });
+    }
+
+    /// Whether the pressure's own part is found from the correction.
+    [[nodiscard]] bool corrects(const Flow& flow) const {
+        return open_ && flow.data.constants.correct_pressure;
+    }
+
+    /// The same sum over pairs, of the water alone, by particles: V p (B - I):G. Between open ends pairs with
+    /// the water beyond them do the work of the pressure on the sections, which is no part of the scheme's.
+    void add_correction_work(const Flow& flow, const Task& task, std::size_t begin, std::size_t end) {
+        const Own& own = own_of(task);
+        EnergyRates& sum = blocks_[begin / block_clusters];
+        for_water(flow, begin, end, [&](std::size_t i, std::size_t lane) {
+            double work = 0.0;
+            for (std::size_t k = 0; k < D * D; ++k) {
+                const double identity = k % (D + 1) == 0 ? 1.0 : 0.0;
+                work += (static_cast<double>(task.sums.gradient.correction[k][lane]) - identity) *
+                        static_cast<double>(own.sums.gradient.velocity_gradient[k][lane]);
+            }
+            const double s = flow.particles.density_deviation[i];
+            sum.pressure += flow.particles.mass[i] / (1.0 + s) * flow.scheme.state.pressure(s) * work;
+        });
+    }
+
+    /// f(particle, lane) for the water of a block; between open ends that which stands between them.
+    template <class F>
+    void for_water(const Flow& flow, std::size_t begin, std::size_t end, const F& f) const {
+        flow.for_particles(begin, end, [&](std::size_t i, std::size_t lane) {
+            if (in_channel(flow.c, flow.particles.position[0][i])) {
+                f(i, lane);
+            }
         });
     }
 
@@ -248,13 +290,15 @@ class EnergyBudget final : public Component<D, Real> {
         sum.kinetic += tensor + viscous + weight + mass * (bed + side) + further;
         sum.closure += closure;
         sum.viscosity += two_point_ ? molecular : viscous;
-        sum.pressure += tensor + held - (tensor_ ? closure : 0.0);
+        if (!open_) {
+            sum.pressure += tensor + held - (tensor_ ? closure : 0.0);
+        }
         sum.bed_drag += mass * bed;
         sum.side_drag += mass * side;
         sum.vegetation += stems;
         sum.porous += grains;
         sum.further_forces += further - held - stems - grains;
-        if (flow.domain.periodic[0]) {
+        if (flow.domain.periodic[0] || open_) {
             sum.gravity += mass * u[0] * flow.particle_data.gravity[0];
         }
     }
@@ -276,7 +320,9 @@ class EnergyBudget final : public Component<D, Real> {
                 friction -= force.friction_moment[axis] * body.angular_velocity[axis];
             }
             flow.energy_rates.solids += pressure + friction;
-            flow.energy_rates.pressure -= pressure;
+            if (!open_) {
+                flow.energy_rates.pressure -= pressure;
+            }
             flow.energy_rates.viscosity -= friction;
         }
     }
@@ -284,6 +330,7 @@ class EnergyBudget final : public Component<D, Real> {
     bool corrected_;
     bool two_point_;  ///< an eddy viscosity acts between pairs
     bool tensor_;     ///< or in the stress tensor
+    bool open_;       ///< between open ends
     PairLoops<D, Real> molecular_loops_;
     std::vector<Point3> points_;  ///< of each solid, that the moments on it are about, at t = 0
     Stage stage_;
@@ -293,8 +340,7 @@ class EnergyBudget final : public Component<D, Real> {
 
 template <int D, class Real>
 std::unique_ptr<Component<D, Real>> make_energy_budget(FlowOf<D, Real>& flow) {
-    // What the water brings in and takes out at open ends is no rate of the pair sums.
-    return flow.c.channel.ends != Ends::open ? std::make_unique<EnergyBudget<D, Real>>(flow) : nullptr;
+    return std::make_unique<EnergyBudget<D, Real>>(flow);
 }
 
 }  // namespace riffle

@@ -1,4 +1,4 @@
-// Discharge, depth and momentum at sections: per unit width, in three dimensions of the whole width.
+// Discharge, depth, momentum and energy at sections: per unit width, in three dimensions of the whole width.
 
 #include "base/parallel.hpp"
 #include "instruments/instrument.hpp"
@@ -11,15 +11,16 @@ namespace {
 class FlowRateSections final : public Instrument {
   public:
     FlowRateSections(const Probe& probe, const Case& c)
-        : Instrument(probe, c), momentum_(c.channel.ends == Ends::open) {
+        : Instrument(probe, c), balance_(c.channel.ends == Ends::open) {
         const std::size_t n = probe.x.size();
         add_axis(fields::flow_rate.x, probe.x);
         add_record(fields::flow_rate.time, {}, true);
         add_record(fields::flow_rate.flow_rate, {n});
         add_record(fields::flow_rate.depth, {n});
-        if (momentum_) {
+        if (balance_) {
             add_record(fields::flow_rate.momentum_flux, {n});
             add_record(fields::flow_rate.pressure_force, {n});
+            add_record(fields::flow_rate.energy_flux, {n});
         }
     }
 
@@ -27,25 +28,26 @@ class FlowRateSections final : public Instrument {
         std::vector<FluidView::Section> sections(probe().x.size());
         parallel_blocks(sections.size(), 8, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
-                sections[i] = state.fluid->section_at(probe().x[i], momentum_ ? state.pressure : nullptr);
+                sections[i] = state.fluid->section_at(probe().x[i], balance_ ? state.pressure : nullptr);
             }
         });
         record(0).add(state.time);
         for (const auto& section : sections) {
             record(1).add(section.flow_rate);
             record(2).add(section.depth);
-            if (momentum_) {
+            if (balance_) {
                 record(3).add(section.momentum_flux);
                 record(4).add(section.pressure_force);
+                record(5).add(section.energy_flux);
             }
         }
         end_row();
     }
-    [[nodiscard]] bool needs_fields() const override { return momentum_; }
+    [[nodiscard]] bool needs_fields() const override { return balance_; }
     [[nodiscard]] std::size_t points() const override { return probe().x.size(); }
 
   private:
-    bool momentum_;  ///< the ends are open: what passes a section enters a balance
+    bool balance_;  ///< the ends are open: what passes a section enters a balance
 };
 
 }  // namespace

@@ -148,6 +148,7 @@ FluidViewIn<D>::FluidViewIn(const Case& c, const Particles<D>& particles, double
       kernel_(c.numerics.kernel),
       h_(h),
       width_(D == 2 ? 1.0 : c.channel.simulated_width()),
+      gravity_(c.normal_gravity()),
       detection_(c.output.surface_detection),
       surface_threshold_(c.output.surface_threshold.value_or(usual_surface_threshold(detection_, D))),
       mirrored_(mirror(c, particles, 2.0 * h)),
@@ -322,7 +323,14 @@ FluidView::Section FluidViewIn<D>::section_at(double x, const WorkingValues* pre
             section.flow_rate += of_water * area * u;
             section.depth += area;
             section.momentum_flux += particles_.mass[j] * weight * u * u;
-            section.pressure_force += pressure != nullptr ? area * (*pressure)[j] : 0.0;
+            double squares = 0.0;
+            for (const auto& component : particles_.velocity) {
+                squares += component[j] * component[j];
+            }
+            const double push = pressure != nullptr ? area * (*pressure)[j] : 0.0;
+            const double per_mass = 0.5 * squares + gravity_ * particles_.position[D - 1][j];
+            section.pressure_force += push;
+            section.energy_flux += (particles_.mass[j] * weight * per_mass + of_water * push) * u;
         });
     });
     section.depth /= width_;

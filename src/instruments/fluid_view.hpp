@@ -70,6 +70,9 @@ class FluidView {
         double depth;      ///< area of water per length of channel; volume per plan area, m
         double momentum_flux;   ///< along the channel: per unit width, N/m; of the whole width, N
         double pressure_force;  ///< on the section, so; 0 where no pressures are given
+        /// Of motion, height over the bed level and pressure: per unit width, W/m; of the whole width, W.
+        /// Without the work of the pressure where no pressures are given.
+        double energy_flux;
     };
     /// Flow through a section: the sums of V u, V, m u^2 and V p over the particles, weighted along x with
     /// the one-dimensional kernel. The means of the first two over all sections of a channel are those of its
@@ -120,7 +123,8 @@ class FluidViewIn final : public FluidView {
     Domain<D> domain_;
     KernelKind kernel_;
     double h_;
-    double width_;  ///< of a section: 1 in two dimensions
+    double width_;    ///< of a section: 1 in two dimensions
+    double gravity_;  ///< across the bed, m/s2
     SurfaceDetection detection_;
     double surface_threshold_;
     Mirrored mirrored_;

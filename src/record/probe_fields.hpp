@@ -162,6 +162,13 @@ struct FlowRate {
         groups::flow_rate, "pressure_force", {"N/m", "N"},
         {"force of the pressure on the section per unit width", "force of the pressure on the section"},
         {.written = with_open_ends});
+    Field energy_flux =
+        at_points(groups::flow_rate, "energy_flux", {"W/m", "W"},
+                  {"flux of energy through the section per unit width: of motion, of height over "
+                   "the bed level, and work of the pressure",
+                   "flux of energy through the section: of motion, of height over the bed level, "
+                   "and work of the pressure"},
+                  {.written = with_open_ends});
 };
 inline constexpr FlowRate flow_rate;
 

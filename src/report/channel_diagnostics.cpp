@@ -277,13 +277,19 @@ class ChannelRows : public DiagnosticRows {
 
     /// What the pair sums add to the motion or take from it beside the physics: it tells eddies from noise.
     void energy() {
-        const Finding* const found = finding("energy_share_scheme");
+        // Between open ends what the sections there miss counts with the time stepping, and says nothing of
+        // it.
+        const bool open = data_.flow.channel.ends == Ends::open;
+        const Finding* const found = finding(open ? "energy_share_pressure" : "energy_share_scheme");
         if (found == nullptr) return;
         constexpr double bar = 0.1;
         add({"energy", "Energy that the scheme itself adds or takes",
              signed_percent(found->value) + " of the energy input", "at most 10 %",
-             "Weight drives the flow; drag, closure and viscosity take its energy. What pressure forces and "
-             "time stepping add or take beside them is not physics: it feeds noise or damps eddies.",
+             open
+                 ? "Weight and what flows in with more energy than flows out drive the flow; drag, closure and "
+                   "viscosity take it. What the pressure adds or takes beside them is not physics."
+                 : "Weight drives the flow; drag, closure and viscosity take its energy. What pressure forces and "
+                   "time stepping add or take beside them is not physics: it feeds noise or damps eddies.",
              mark_of(std::abs(found->value), bar, found->half_width.value_or(0.0))});
     }
 

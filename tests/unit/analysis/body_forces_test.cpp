@@ -1,4 +1,4 @@
-// Coefficients of bodies in a stream, and the budget of momentum between open ends.
+// Coefficients of bodies in a stream, and the budgets of momentum and energy between open ends.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "analysis/body_coefficients.hpp"
+#include "analysis/chapters.hpp"
 #include "analysis/figure_tools.hpp"
 #include "analysis/momentum_budget.hpp"
 #include "record/flow_fields.hpp"
@@ -195,6 +196,28 @@ TEST(MomentumBudget, ClosesNothingWithGrainsWhosePressureIsNotRecorded) {
     add_momentum_budget(record, analysis);
     EXPECT_NEAR(value_of(analysis, "momentum_porous_zones"), -5.0, 1e-9);
     EXPECT_EQ(find_finding(analysis, "momentum_residual_share"), nullptr);
+}
+
+// What flows in with more energy than flows out drives the water, beside its weight.
+TEST(EnergyBudget, BooksWhatPassesTheEnds) {
+    Record record(duct());
+    record.add("standard_end_sections", "flow_rate", "energy_flux_1", 10.0, 0.1);
+    record.add("standard_end_sections", "flow_rate", "energy_flux_2", 8.5);
+    const auto& of = fields::time_series;
+    for (const Field& field : {of.kinetic_energy, of.potential_energy, of.elastic_energy}) {
+        record.set(field, 3.0);
+    }
+    record.set(of.gravity_power, 0.5);
+    record.set(of.viscosity_power, -1.9);
+    record.set(of.pressure_power, 0.05);
+    Analysis analysis;
+    analyse_energy(record, analysis);
+    EXPECT_NEAR(value_of(analysis, "energy_input"), 2.0 / 2.0, 1e-6);  // over the length
+    EXPECT_NEAR(value_of(analysis, "energy_share_ends"), 1.5 / 2.0, 1e-6);
+    EXPECT_NEAR(value_of(analysis, "energy_share_gravity"), 0.5 / 2.0, 1e-6);
+    EXPECT_NEAR(value_of(analysis, "energy_share_viscosity"), -1.9 / 2.0, 1e-6);
+    EXPECT_NEAR(value_of(analysis, "energy_share_residual"), -0.15 / 2.0, 1e-6);
+    EXPECT_EQ(find_finding(analysis, "energy_share_scheme"), nullptr);
 }
 
 TEST(MomentumBudget, IsThatOfOpenEndsAlone) {

@@ -130,6 +130,23 @@ TEST(FluidView, MomentumOfASectionIsItsFluxAndTheForceOfThePressure) {
     }
 }
 
+TEST(FluidView, EnergyOfASectionIsItsDischargeTimesTheHead) {
+    const double u = 0.35;
+    const Water water =
+        Water(small_water())
+            .with_velocity([=](double, double) { return u; }, [](double, double) { return 0.0; });
+    const double gravity = water.parameters.normal_gravity();
+    const WorkingValues pressure =
+        test::working(water.of_particles([=](double, double z) { return 1000.0 * gravity * (0.04 - z); }));
+    for (const double x : {0.0, 0.031, 0.0502}) {
+        const auto section = water.view().section_at(x, &pressure);
+        // Over the bed: depth and velocity head. The weights are those of the discharge.
+        const double head = 0.04 + u * u / (2.0 * gravity);
+        EXPECT_NEAR(section.energy_flux, 1000.0 * gravity * section.flow_rate * head,
+                    1e-10 * section.energy_flux);
+    }
+}
+
 TEST(FluidView, FlowRateIsTheMassFlux) {
     // The mean of the flow rate over the channel is the streamwise momentum of the water over its density and
     // length, whatever the flow. Midpoint sums of a C2 kernel every half spacing are exact to 1e-4.
