@@ -3,10 +3,10 @@
 build_packages=(
     g++ cmake ninja-build pkg-config ca-certificates
     libboost-dev libcli11-dev libeigen3-dev libfmt-dev libhdf5-dev libkissfft-dev libspdlog-dev
-    libtbb-dev libtiff-dev libtomlplusplus-dev nlohmann-json3-dev
+    libtbb-dev libtomlplusplus-dev nlohmann-json3-dev
 )
 test_packages=(
-    libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev clang-format-14
+    libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev libtiff-dev clang-format-14
     python3 python3-h5py python3-matplotlib python3-numpy python3-xarray python3-paraview chromium-headless-shell mount valgrind
 )
 lint_packages=(clang-tidy-14)

@@ -4,7 +4,7 @@
 
 #include "base/error.hpp"
 
-#ifdef RIFFLE_HAS_TIFF
+#ifdef RIFFLE_GEOTIFF
 
 #include <tiffio.h>
 
@@ -370,8 +370,8 @@ bool reads_rasters() { return false; }
 
 HeightGrid parse_height_raster(std::string_view /*content*/, const std::string& name) {
     throw FileError(fmt::format(
-        "{}: this build of Riffle does not read GeoTIFF: install libtiff (Debian: libtiff-dev) and build "
-        "again, or write the heights as an ESRI ASCII grid (gdal_translate -of AAIGrid)",
+        "{}: this build of Riffle does not read GeoTIFF: build it with -D RIFFLE_GEOTIFF=ON, which needs libtiff "
+        "(Debian: libtiff-dev), or write the heights as an ESRI ASCII grid (gdal_translate -of AAIGrid)",
         name));
 }
 

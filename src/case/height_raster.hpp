@@ -7,7 +7,7 @@
 
 namespace riffle {
 
-/// Whether this build reads GeoTIFF files: it was made where libtiff is installed.
+/// Whether this build reads GeoTIFF files: it was made with RIFFLE_GEOTIFF.
 [[nodiscard]] bool reads_rasters();
 
 /// Heights from the content of a GeoTIFF file, its first image: one band of whole or floating numbers in

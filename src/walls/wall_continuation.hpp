@@ -34,9 +34,9 @@ class Continuations {
           walls_(walls),
           domain_(domain_of<D>(c)),
           edge_(bed_ends(c) ? c.channel.length : std::numeric_limits<double>::infinity()),
-          stands_across_(c.channel.ends != Ends::periodic) {
+          walls_run_along_(D == 3 && c.channel.ends == Ends::periodic) {
         for (const Solid& solid : c.solids) {
-            has_faces_across_.push_back(stands_across_ || !is_section(solid.shape));
+            has_faces_across_.push_back(!walls_run_along_ || !is_section(solid.shape));
         }
         for (std::size_t i = 0; i < walls.body.size(); ++i) {
             if (is_solid(walls, i)) {
@@ -52,32 +52,29 @@ class Continuations {
     template <class Real>
     [[nodiscard]] Continuation<D, Real> of(std::size_t i) const {
         Continuation<D, Real> result{};
-        result.front() = static_cast<Real>(along(i));
-        if constexpr (D == 3) {
-            result.back() = static_cast<Real>(across(i));
+        if (is_bed(i)) {
+            // The search among the particles of solids is made once where all of them are alike.
+            const double solids = beside_solids(i, solids_);
+            const bool alike = solids_across_.size() == solids_.size();
+            const double solids_across = alike ? solids : beside_solids(i, solids_across_);
+            const double walls = beside_walls(i);
+            result.back() = static_cast<Real>(std::max(walls, solids));
+            result.front() = static_cast<Real>(std::max(walls_run_along_ ? 0.0 : walls, solids_across));
+        } else {
+            result.back() = Real(1);
+            const bool along = is_solid(walls_, i) ? has_faces_across(i) : !walls_run_along_;
+            result.front() = along ? Real(1) : Real(0);
         }
         return result;
     }
 
   private:
     [[nodiscard]] bool has_faces_across(std::size_t i) const {
-        return D == 2 || has_faces_across_[static_cast<std::size_t>(walls_.body[i] - first_solid)];
+        return has_faces_across_[static_cast<std::size_t>(walls_.body[i] - first_solid)];
     }
 
     [[nodiscard]] bool is_bed(std::size_t i) const {
         return !is_solid(walls_, i) && walls_.normal[D - 1][i] != 0.0;
-    }
-
-    [[nodiscard]] double along(std::size_t i) const {
-        if (is_solid(walls_, i)) {
-            return has_faces_across(i) ? 1.0 : 0.0;
-        }
-        const double walls = D == 2 || stands_across_ ? (is_bed(i) ? beside_walls(i) : 1.0) : 0.0;
-        return is_bed(i) ? std::max(walls, beside_solids(i, solids_across_)) : walls;
-    }
-
-    [[nodiscard]] double across(std::size_t i) const {
-        return is_bed(i) ? std::max(beside_walls(i), beside_solids(i, solids_)) : 1.0;
     }
 
     [[nodiscard]] double faded(double distance) const {
@@ -114,7 +111,7 @@ class Continuations {
     const WallParticles<D>& walls_;
     Domain<D> domain_;
     double edge_;                             ///< where the bed ends, m
-    bool stands_across_;                      ///< whether walls stand, or the bed ends, across the channel
+    bool walls_run_along_;                    ///< all walls but solids, of a periodic channel
     std::vector<bool> has_faces_across_;      ///< by solid
     std::vector<std::size_t> solids_;         ///< particles of solids
     std::vector<std::size_t> solids_across_;  ///< of those with faces across the channel
