@@ -13,6 +13,7 @@
 #include "base/not_a_number.hpp"
 #include "case/flow_kind.hpp"
 #include "case/porous_zone.hpp"
+#include "column/canal_flow.hpp"
 #include "ends/end_input.hpp"
 #include "record/flow_fields.hpp"
 #include "statistics/confidence.hpp"
@@ -62,6 +63,28 @@ std::optional<MeanEstimate> unit_discharge(const FlowRecord& record) {
         return mean;
     }
     return std::nullopt;
+}
+
+/// Velocity and discharge of a canal beside those of its hydraulic radius.
+void add_canal(const FlowRecord& record, const CanalFlow& canal, Analysis& analysis) {
+    const auto add = [&](const char* key, const char* label, const char* unit, std::vector<double> values,
+                         double factor, double law) {
+        if (values.size() < 2) return;
+        for (double& value : values) value *= factor;
+        const MeanEstimate mean = mean_with_confidence(values);
+        analysis.findings.push_back(against(
+            make_finding(chapters::along, key, label, unit, mean.mean, trusted_half_width(mean)), law,
+            "Colebrook and White", fmt::format("hydraulic radius {:.4g} mm", 1e3 * canal.hydraulic_radius)));
+    };
+    add("canal_velocity", "mean velocity of the canal's water", "m/s",
+        within_window(record, fields::time_series.total_mean_velocity), 1.0, canal.velocity);
+    const bool half = record.flow()->channel.sides == Sides::half;
+    for (const ScalarProbe& probe : record.scalar_probes()) {
+        if (probe.kind != "flow_rate" || probe.quantity.rfind("flow_rate", 0) != 0) continue;
+        add("canal_discharge", "discharge of the canal", "m3/s", probe.value, half ? 2.0 : 1.0,
+            canal.discharge);
+        return;
+    }
 }
 
 void add_extreme(const LongProfile& profile, bool highest, Analysis& analysis) {
@@ -206,6 +229,8 @@ void analyse_along(const FlowRecord& record, Analysis& analysis) {
     figure.x.from = 0.0;
     figure.x.to = c.channel.length;
     figure.y.from = 0.0;
+    const std::optional<CanalFlow> canal = canal_flow(c);
+    if (canal) add_canal(record, *canal, analysis);
     const SpaceTime& surface = record.surface();
     if (surface.rows() < 2) {
         add_missing(record, analysis, std::move(figure),
@@ -229,7 +254,7 @@ void analyse_along(const FlowRecord& record, Analysis& analysis) {
 
     if (c.channel.ends == Ends::open) compare_with_varied_flow(record, profile, figure, analysis);
 
-    const std::optional<MeanEstimate> discharge = unit_discharge(record);
+    const std::optional<MeanEstimate> discharge = canal ? std::nullopt : unit_discharge(record);
     std::optional<Heads> heads;
     if (discharge) {
         analysis.findings.push_back(make_finding(chapters::along, "unit_discharge",

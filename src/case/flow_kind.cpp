@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "case/cross_section.hpp"
 #include "case/porous_zone.hpp"
 
 namespace riffle {
@@ -198,6 +199,14 @@ std::optional<std::string> why_no_column(const Case& c) {
     if (c.channel.ends == Ends::walls) {
         return "walls close the channel at its ends (channel.ends = \"walls\"), so no steady flow runs "
                "along it: a uniform flow needs channel.ends = \"periodic\" and channel.slope > 0";
+    }
+    if (has_bodies(c) && std::all_of(c.solids.begin(), c.solids.end(),
+                                     [](const Solid& solid) { return is_section(solid.shape); })) {
+        return fmt::format(
+            "the bed is the cross-section \"{}\", and the twins know none but the rectangle: what a "
+            "canal by the log law is compared with are the velocity and the discharge of Colebrook "
+            "and White, which `riffle check` prints",
+            c.solids.front().name);
     }
     if (has_bodies(c)) {
         const auto bodies = std::count_if(c.solids.begin(), c.solids.end(), is_body);

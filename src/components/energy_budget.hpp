@@ -254,6 +254,7 @@ class EnergyBudget final : public Component<D, Real> {
         double held = 0.0;  // by the reference pressure
         double stems = 0.0;
         double grains = 0.0;
+        double friction = 0.0;  // of solids by the log law
         // As PorousForces has it of all viscous forces.
         const double molecular_factor = flow.porous.empty() ? factor : factor / flow.porous_at[i].porosity;
         for (std::size_t k = 0; k < Flow::axes; ++k) {
@@ -268,6 +269,9 @@ class EnergyBudget final : public Component<D, Real> {
             }
             if (flow.with_vegetation) {
                 stems += mass * u[k] * task.vegetation_acceleration[k][lane];
+            }
+            if (flow.with_solid_friction) {
+                friction += mass * u[k] * task.wall_acceleration[k][lane];
             }
             if (!flow.porous.empty()) {
                 grains += mass * u[k] * task.porous_acceleration[k][lane];
@@ -289,7 +293,7 @@ class EnergyBudget final : public Component<D, Real> {
                                           : 0.0;
         sum.kinetic += tensor + viscous + weight + mass * (bed + side) + further;
         sum.closure += closure;
-        sum.viscosity += two_point_ ? molecular : viscous;
+        sum.viscosity += (two_point_ ? molecular : viscous) + friction;
         if (!open_) {
             sum.pressure += tensor + held - (tensor_ ? closure : 0.0);
         }
@@ -297,7 +301,7 @@ class EnergyBudget final : public Component<D, Real> {
         sum.side_drag += mass * side;
         sum.vegetation += stems;
         sum.porous += grains;
-        sum.further_forces += further - held - stems - grains;
+        sum.further_forces += further - held - stems - grains - friction;
         if (flow.domain.periodic[0] || open_) {
             sum.gravity += mass * u[0] * flow.particle_data.gravity[0];
         }

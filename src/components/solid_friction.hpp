@@ -25,6 +25,7 @@ class SolidFriction final : public Component<D, Real> {
 
     explicit SolidFriction(Flow& flow) : layer_(solid_friction_layer(flow.c)), width_(flow.scheme.spacing) {
         flow.inputs.acceleration = true;
+        flow.with_solid_friction = true;
         distance_ = SolidDistance<D>(flow.c, layer_ + 2.0 * width_);
         for (std::size_t k = 0; k < flow.c.solids.size(); ++k) {
             const Solid& solid = flow.c.solids[k];

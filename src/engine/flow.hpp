@@ -132,8 +132,9 @@ struct FlowOf : FlowIn<D> {
     NeighbourList fluid_wall;
     NeighbourList wall_fluid;
 
-    AdvanceOptions inputs;        ///< what the components add to the motion; the steps are those of a stage
-    bool with_side_drag = false;  ///< side walls with drag
+    AdvanceOptions inputs;  ///< what the components add to the motion; the steps are those of a stage
+    bool with_solid_friction = false;  ///< of the log law: BlockTask::wall_acceleration holds it
+    bool with_side_drag = false;       ///< side walls with drag
     bool with_vegetation = false;
     /// Of a case with porous zones: what they are, and what they make of the place of each particle, found
     /// when its records are packed. Empty without zones.

@@ -289,7 +289,10 @@ void add_findings(Table& table, const Analysis& analysis,
         std::string label = finding->label;
         if (!label.empty() && label.front() >= 'a' && label.front() <= 'z')
             label.front() = static_cast<char>(label.front() - 'a' + 'A');
-        const std::string unit = millimetres ? "mm" : finding->unit == "m2/s" ? "m²/s" : finding->unit;
+        const std::string unit = millimetres               ? "mm"
+                                 : finding->unit == "m2/s" ? "m²/s"
+                                 : finding->unit == "m3/s" ? "m³/s"
+                                                           : finding->unit;
         SummaryRow row = row_of(key, std::move(label), symbol, unit.c_str(), millimetres ? 1000.0 : 1.0);
         row.theory = plain(finding->reference);
         table.add(std::move(row), {SummaryValue{finding->value, finding->half_width}, {}, {}});
@@ -321,7 +324,9 @@ std::vector<SummaryRow> summarize(const ReportData& data, const Analysis& analys
     add_velocities(table, data, mean);
     if (varies_along(kind)) {
         add_findings(table, analysis,
-                     {{"unit_discharge", "<i>q</i>"},
+                     {{"canal_velocity", "<i>U</i>"},
+                      {"canal_discharge", "<i>Q</i>"},
+                      {"unit_discharge", "<i>q</i>"},
                       {"highest_level", ""},
                       {"lowest_level", ""},
                       {"largest_froude", "Fr"}});

@@ -289,14 +289,17 @@ void SimulationOf<D, Real>::keep_force_fields(const Task& task, std::size_t begi
     const ParticleWork<D, Real>& work = task.particles;
     flow_.for_particles(begin, end, [&](std::size_t i, std::size_t lane) {
         const double factor = flow_.force_factor(i);
+        // What walls do without pairs: repulsion, the friction of the log law.
+        const auto further = [&](std::size_t k) {
+            return inputs.acceleration ? task.wall_acceleration[k][lane] : 0.0;
+        };
         const auto by_walls = [&](std::size_t k) {
-            return factor * static_cast<double>(force.wall[k][lane]) +
-                   (inputs.acceleration ? task.wall_acceleration[k][lane] : 0.0);
+            return factor * static_cast<double>(force.wall[k][lane]) + further(k);
         };
         // Under a reference pressure the bed bears through it what no pair of theirs carries.
         const double held =
             flow_.particle_data.reference_pressure.acts() ? task.reference_acceleration[lane] : 0.0;
-        fields.pair_acceleration_x[i] = factor * static_cast<double>(force.tensor[0][lane]);
+        fields.pair_acceleration_x[i] = factor * static_cast<double>(force.tensor[0][lane]) + further(0);
         fields.viscous_acceleration_x[i] = factor * static_cast<double>(force.viscous[0][lane]);
         fields.wall_acceleration_x.set(i, by_walls(0));
         fields.wall_acceleration_z.set(i, by_walls(vertical) + held);

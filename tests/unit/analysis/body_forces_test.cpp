@@ -220,6 +220,37 @@ TEST(EnergyBudget, BooksWhatPassesTheEnds) {
     EXPECT_EQ(find_finding(analysis, "energy_share_scheme"), nullptr);
 }
 
+// A half of a canal: its discharge is twice what the section of the half records.
+TEST(Canal, StandsBesideTheLawOfItsHydraulicRadius) {
+    Case c = duct();
+    c.channel.top = Top::free_surface;
+    c.channel.ends = Ends::periodic;
+    c.channel.dimensions = 3;
+    c.channel.sides = Sides::half;
+    c.channel.slope = 0.001;
+    c.channel.depth = 0.15;
+    c.channel.width = 0.64;
+    c.side_walls.drag_form = SideDragForm::none;
+    Solid canal;
+    canal.name = "canal";
+    canal.shape = SolidShape::trapezoid;
+    canal.bottom_width = 0.3;
+    canal.surface = SolidSurface::log_law;
+    canal.equivalent_roughness = 1e-3;
+    c.solids = {canal};
+    Record record(c);
+    record.set(fields::time_series.total_mean_velocity, 0.54);
+    record.add("standard_flow_rate", "flow_rate", "flow_rate_1", 0.018, 1e-4);
+    Analysis analysis;
+    analyse_along(record, analysis);
+    EXPECT_NEAR(value_of(analysis, "canal_velocity"), 0.54, 1e-9);
+    EXPECT_NEAR(value_of(analysis, "canal_discharge"), 0.036, 1e-6);
+    const Finding* const velocity = find_finding(analysis, "canal_velocity");
+    ASSERT_NE(velocity, nullptr);
+    EXPECT_NEAR(velocity->reference.value_or(0.0), 0.5295, 2e-4);
+    EXPECT_EQ(find_finding(analysis, "unit_discharge"), nullptr);
+}
+
 TEST(MomentumBudget, IsThatOfOpenEndsAlone) {
     Case c = duct();
     c.channel.ends = Ends::periodic;

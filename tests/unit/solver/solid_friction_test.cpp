@@ -52,6 +52,16 @@ TEST(SolidFriction, OfUniformWaterIsThatOfTheLogLaw) {
         taken -= simulation->particles().mass[i] * simulation->fields().wall_acceleration_x[i];
     }
     EXPECT_NEAR(force.friction[0] + force.pressure[0], taken, 1e-4 * expected);
+    // So the balance of momentum knows of it, and the energy that it takes is that of friction.
+    double given = 0.0;
+    for (std::size_t i = 0; i < simulation->particles().size(); ++i) {
+        given += simulation->particles().mass[i] * (simulation->fields().pair_acceleration_x[i] +
+                                                    simulation->fields().viscous_acceleration_x[i]);
+    }
+    EXPECT_NEAR(given, -taken, 1e-4 * expected);
+    const EnergyRates& rates = simulation->energy_rates();
+    EXPECT_NEAR(rates.viscosity, -0.5 * expected, 0.02 * expected);
+    EXPECT_NEAR(rates.further_forces, 0.0, 1e-4 * expected);
 }
 
 TEST(SolidFriction, IsByTheVelocityPastTheSurface) {
