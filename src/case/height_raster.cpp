@@ -36,7 +36,7 @@ constexpr std::uint16_t linear_unit_key = 3076;
 
 /// Heights of more places than this are refused, and so are strips or tiles of more bytes.
 constexpr double most_heights = 1e8;
-constexpr tmsize_t most_bytes_at_once = 256 * 1024 * 1024;
+constexpr tmsize_t most_bytes_at_once = tmsize_t{256} * 1024 * 1024;
 
 /// The content of a file as libtiff reads it, and the first fault that it found.
 struct TiffSource {
