@@ -49,20 +49,26 @@ LongProfile long_profile(const SpaceTime& surface) {
     return profile;
 }
 
-/// Discharge per unit width, m2/s: the mean over the flow-rate sections, which all carry the same in steady
-/// flow.
+/// The discharge through the first section that records it, in steady flow that of all; empty where none
+/// does.
+std::vector<double> discharge_of(const FlowRecord& record) {
+    for (const ScalarProbe& probe : record.scalar_probes()) {
+        if (probe.kind == "flow_rate" && probe.quantity.rfind("flow_rate", 0) == 0 && probe.value.size() > 1)
+            return probe.value;
+    }
+    return {};
+}
+
+/// Discharge per unit width, m2/s.
 std::optional<MeanEstimate> unit_discharge(const FlowRecord& record) {
     const Case& c = *record.flow();
     const double width = c.channel.dimensions == 3 ? c.channel.simulated_width() : 1.0;
-    for (const ScalarProbe& probe : record.scalar_probes()) {
-        if (probe.kind != "flow_rate" || probe.quantity.rfind("flow_rate", 0) != 0 || probe.value.size() < 2)
-            continue;
-        MeanEstimate mean = mean_with_confidence(probe.value);
-        mean.mean /= width;
-        mean.half_width /= width;
-        return mean;
-    }
-    return std::nullopt;
+    const std::vector<double> discharge = discharge_of(record);
+    if (discharge.empty()) return std::nullopt;
+    MeanEstimate mean = mean_with_confidence(discharge);
+    mean.mean /= width;
+    mean.half_width /= width;
+    return mean;
 }
 
 /// Velocity and discharge of a canal beside those of its hydraulic radius.
@@ -79,12 +85,8 @@ void add_canal(const FlowRecord& record, const CanalFlow& canal, Analysis& analy
     add("canal_velocity", "mean velocity of the canal's water", "m/s",
         within_window(record, fields::time_series.total_mean_velocity), 1.0, canal.velocity);
     const bool half = record.flow()->channel.sides == Sides::half;
-    for (const ScalarProbe& probe : record.scalar_probes()) {
-        if (probe.kind != "flow_rate" || probe.quantity.rfind("flow_rate", 0) != 0) continue;
-        add("canal_discharge", "discharge of the canal", "m3/s", probe.value, half ? 2.0 : 1.0,
-            canal.discharge);
-        return;
-    }
+    add("canal_discharge", "discharge of the canal", "m3/s", discharge_of(record), half ? 2.0 : 1.0,
+        canal.discharge);
 }
 
 void add_extreme(const LongProfile& profile, bool highest, Analysis& analysis) {

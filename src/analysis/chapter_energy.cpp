@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <string>
 #include <utility>
 
 #include "analysis/chapters.hpp"
@@ -76,12 +75,8 @@ struct Budget {
 /// What flows in through the section of an open channel at its inflow less what flows out at the other, at
 /// the rows of the time series within the window; empty where no instrument knows.
 std::vector<double> energy_between_ends(const FlowRecord& record) {
-    const auto flux = [&](const char* number) {
-        return find_scalar(record, fields::flow_rate.energy_flux.name + std::string(number),
-                           "standard_end_sections");
-    };
-    const ScalarProbe* const in = flux("_1");
-    const ScalarProbe* const out = flux("_2");
+    const ScalarProbe* const in = find_at_end(record, fields::flow_rate.energy_flux, 1);
+    const ScalarProbe* const out = find_at_end(record, fields::flow_rate.energy_flux, 2);
     if (in == nullptr || out == nullptr || in->time.size() != out->time.size()) return {};
     std::vector<double> difference = in->value;
     for (std::size_t i = 0; i < difference.size(); ++i) difference[i] -= out->value[i];

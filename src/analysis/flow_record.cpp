@@ -1,5 +1,7 @@
 #include "analysis/flow_record.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -120,6 +122,10 @@ const ScalarProbe* find_scalar(const FlowRecord& record, const std::string& quan
         }
     }
     return nullptr;
+}
+
+const ScalarProbe* find_at_end(const FlowRecord& record, const Field& quantity, int end) {
+    return find_scalar(record, fmt::format("{}_{}", quantity.name, end), "standard_end_sections");
 }
 
 double bulk_velocity(const FlowRecord& record) {

@@ -172,6 +172,10 @@ class FlowRecord {
 [[nodiscard]] const ScalarProbe* find_scalar(const FlowRecord& record, const std::string& quantity,
                                              const std::string& instrument = "");
 
+/// The record of a quantity at the section at an open end, 1: the inflow, 2: the outflow; null where there is
+/// none.
+[[nodiscard]] const ScalarProbe* find_at_end(const FlowRecord& record, const Field& quantity, int end);
+
 /// Velocity that the flow is scaled with, m/s: the simulated depth-mean velocity over the window; of a
 /// laboratory profile its own depth mean above the datum (profile_depth_mean), of other laboratory records
 /// the measured one of their case. 0 where none is known.

@@ -25,10 +25,8 @@ struct MomentumTerm {
     std::vector<double> value;
 };
 
-/// The samples of a quantity of an instrument times a factor; empty where there are none.
-std::vector<double> samples(const FlowRecord& record, const std::string& instrument,
-                            const std::string& quantity, double factor) {
-    const ScalarProbe* const found = find_scalar(record, quantity, instrument);
+/// The samples of an instrument times a factor; empty where there are none.
+std::vector<double> samples(const ScalarProbe* found, double factor) {
     std::vector<double> values = found != nullptr ? found->value : std::vector<double>{};
     for (double& value : values) value *= factor;
     return values;
@@ -43,21 +41,20 @@ std::vector<double> less(std::vector<double> values, const std::vector<double>& 
 
 /// What comes in and goes out with the water and by its pressure at the sections of both ends.
 std::vector<MomentumTerm> terms_at_ends(const FlowRecord& record) {
-    const auto at = [&](const Field& field, const char* number, double sign) {
-        return samples(record, "standard_end_sections", field.name + std::string(number), sign);
+    const auto at = [&](const Field& field, int end, double sign) {
+        return samples(find_at_end(record, field, end), sign);
     };
     const auto& of = fields::flow_rate;
-    return {
-        {"inflow", "momentum that flows in", at(of.momentum_flux, "_1", 1.0)},
-        {"inflow_pressure", "pressure on the section at the inflow", at(of.pressure_force, "_1", 1.0)},
-        {"outflow", "momentum that flows out", at(of.momentum_flux, "_2", -1.0)},
-        {"outflow_pressure", "pressure on the section at the outflow", at(of.pressure_force, "_2", -1.0)}};
+    return {{"inflow", "momentum that flows in", at(of.momentum_flux, 1, 1.0)},
+            {"inflow_pressure", "pressure on the section at the inflow", at(of.pressure_force, 1, 1.0)},
+            {"outflow", "momentum that flows out", at(of.momentum_flux, 2, -1.0)},
+            {"outflow_pressure", "pressure on the section at the outflow", at(of.pressure_force, 2, -1.0)}};
 }
 
 /// The forces on the water between the ends.
 std::vector<MomentumTerm> terms_between(const FlowRecord& record, const Case& c) {
     const auto of_force = [&](const std::string& quantity, double sign) {
-        return samples(record, "standard_force", quantity, sign);
+        return samples(find_scalar(record, quantity, "standard_force"), sign);
     };
     const auto& of = fields::forces;
     std::vector<MomentumTerm> terms = {

@@ -214,13 +214,18 @@ class BedMaker {
             length_text(before.deviation), length_text(after.deviation)));
     }
 
-    void make_grid() {
-        HeightGrid grid = parse_height_grid(content(), solid_.heights.string());
-        if (grid.unit && std::abs(solid_.unit / *grid.unit - 1.0) > 1e-6) {
+    /// Refuse another unit than that which the file itself says.
+    void check_unit_of_file(const std::optional<double>& unit) const {
+        if (unit && std::abs(solid_.unit / *unit - 1.0) > 1e-6) {
             refuse_bed(fmt::format(
                 "its places are in units of {0:.7g} m, as it says, and unit is {1:.7g} m: set unit = \"{0:.7g} m\"",
-                *grid.unit, solid_.unit));
+                *unit, solid_.unit));
         }
+    }
+
+    void make_grid() {
+        HeightGrid grid = parse_height_grid(content(), solid_.heights.string());
+        check_unit_of_file(grid.unit);
         const auto placed = [&](double& first, double& step, std::size_t axis) {
             first = solid_.unit * (first - origin(axis));
             step *= solid_.unit;
@@ -259,8 +264,7 @@ class BedMaker {
                         .y = grid.y + grid.step_y * static_cast<double>(near),
                         .step_x = grid.step_x,
                         .step_y = grid.step_y,
-                        .z = {},
-                        .unit = {}};
+                        .z = {}};
         for (std::size_t row = near; row <= far; ++row) {
             for (std::size_t column = left; column <= right; ++column) {
                 part.z.push_back(grid.at(column, row));
@@ -271,6 +275,7 @@ class BedMaker {
 
     void make_line() {
         HeightLine line = parse_height_line(content(), solid_.heights.string());
+        check_unit_of_file(line.unit);
         HeightLine part;
         std::vector<double> gaps;
         for (std::size_t i = 0; i < line.x.size(); ++i) {

@@ -43,8 +43,7 @@ class AscReader {
                             "too few",
                             columns, rows, lines_.bytes_left() + line_bytes()));
         }
-        HeightGrid grid{
-            .columns = columns, .rows = rows, .step_x = step_x_, .step_y = step_y_, .z = {}, .unit = {}};
+        HeightGrid grid{.columns = columns, .rows = rows, .step_x = step_x_, .step_y = step_y_, .z = {}};
         grid.x = x_ + (x_is_corner_ ? 0.5 * step_x_ : 0.0);
         grid.y = y_ + (y_is_corner_ ? 0.5 * step_y_ : 0.0);
         grid.z.assign(columns * rows, missing_height);
@@ -291,8 +290,7 @@ HeightGrid grid_of_points(const std::vector<HeightPoint>& points, const std::str
                     .y = places[1].first,
                     .step_x = places[0].step,
                     .step_y = places[1].step,
-                    .z = {},
-                    .unit = {}};
+                    .z = {}};
     grid.z.assign(grid.columns * grid.rows, missing_height);
     std::vector<std::size_t> line_of(grid.z.size(), 0);
     for (const HeightPoint& point : points) {
@@ -312,19 +310,24 @@ HeightGrid grid_of_points(const std::vector<HeightPoint>& points, const std::str
     return grid;
 }
 
-bool is_asc(const std::string& name) { return lower_case(name).ends_with(".asc"); }
-
-bool is_raster(const std::string& name) {
+/// The grid of a file of a kind that always holds one; nothing of lines of points.
+std::optional<HeightGrid> whole_grid(std::string_view content, const std::string& name) {
     const std::string lower = lower_case(name);
-    return lower.ends_with(".tif") || lower.ends_with(".tiff");
+    if (lower.ends_with(".asc")) {
+        return AscReader(content, name).read();
+    }
+    if (lower.ends_with(".tif") || lower.ends_with(".tiff")) {
+        return parse_height_raster(content, name);
+    }
+    return std::nullopt;
 }
 
 }  // namespace
 
 HeightGrid parse_height_grid(std::string_view content, const std::string& name) {
-    HeightGrid grid = is_asc(name)      ? AscReader(content, name).read()
-                      : is_raster(name) ? parse_height_raster(content, name)
-                                        : grid_of_points(read_points(content, name, {"x", "y", "z"}), name);
+    std::optional<HeightGrid> whole = whole_grid(content, name);
+    HeightGrid grid =
+        whole ? *std::move(whole) : grid_of_points(read_points(content, name, {"x", "y", "z"}), name);
     if (std::all_of(grid.z.begin(), grid.z.end(), [](double z) { return std::isnan(z); })) {
         throw FileError(fmt::format("{}: holds no height: all are marked as missing", name));
     }
@@ -333,19 +336,18 @@ HeightGrid parse_height_grid(std::string_view content, const std::string& name) 
 
 HeightLine parse_height_line(std::string_view content, const std::string& name) {
     HeightLine line;
-    if (is_asc(name) || is_raster(name)) {
-        const HeightGrid grid =
-            is_asc(name) ? AscReader(content, name).read() : parse_height_raster(content, name);
-        if (grid.rows != 1) {
+    if (const std::optional<HeightGrid> grid = whole_grid(content, name)) {
+        if (grid->rows != 1) {
             throw FileError(
                 fmt::format("{}: a grid of {} rows: in two dimensions give lines of x and z, or a "
                             "grid of one row",
-                            name, grid.rows));
+                            name, grid->rows));
         }
-        for (std::size_t i = 0; i < grid.columns; ++i) {
-            line.x.push_back(grid.x + grid.step_x * static_cast<double>(i));
-            line.z.push_back(grid.z[i]);
+        for (std::size_t i = 0; i < grid->columns; ++i) {
+            line.x.push_back(grid->x + grid->step_x * static_cast<double>(i));
+            line.z.push_back(grid->z[i]);
         }
+        line.unit = grid->unit;
     } else {
         std::vector<HeightPoint> points = read_points(content, name, {"x", "z"});
         std::stable_sort(points.begin(), points.end(),

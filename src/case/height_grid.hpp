@@ -17,8 +17,8 @@ struct HeightGrid {
     double y = 0.0;           ///< of the first row
     double step_x = 1.0;
     double step_y = 1.0;
-    std::vector<double> z;       ///< NaN where there is none
-    std::optional<double> unit;  ///< of its places, m, where the file says so
+    std::vector<double> z;                      ///< NaN where there is none
+    std::optional<double> unit = std::nullopt;  ///< of its places, m, where the file says so
 
     [[nodiscard]] double& at(std::size_t column, std::size_t row) { return z[row * columns + column]; }
     [[nodiscard]] double at(std::size_t column, std::size_t row) const { return z[row * columns + column]; }
@@ -28,6 +28,7 @@ struct HeightGrid {
 struct HeightLine {
     std::vector<double> x;
     std::vector<double> z;
+    std::optional<double> unit = std::nullopt;  ///< of its places, m, where the file says so
 };
 
 /// What was filled of heights with holes.

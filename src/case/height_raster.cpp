@@ -121,7 +121,7 @@ class RasterReader {
 
     HeightGrid read() {
         read_kind();
-        HeightGrid grid{.columns = width_, .rows = height_, .z = {}, .unit = {}};
+        HeightGrid grid{.columns = width_, .rows = height_, .z = {}};
         place(grid);
         grid.z.assign(static_cast<std::size_t>(width_) * height_, std::numeric_limits<double>::quiet_NaN());
         if (TIFFIsTiled(tiff_.get()) != 0) {

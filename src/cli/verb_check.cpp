@@ -70,8 +70,8 @@ void print_canal(const Forecast& f) {
         print_row("canal",
                   fmt::format("area {:.4g} m2, wetted perimeter {:.4g} m, hydraulic radius {:.4g} mm, "
                               "surface {:.4g} mm wide",
-                              f.canal->wet.area, f.canal->wet.area / f.canal->hydraulic_radius,
-                              1e3 * f.canal->hydraulic_radius, 1e3 * f.canal->wet.top_width));
+                              f.canal->wet.area, f.canal->wet.perimeter, 1e3 * f.canal->hydraulic_radius,
+                              1e3 * f.canal->wet.top_width));
         print_row("by Colebrook and White",
                   fmt::format("U = {:.4g} m/s, Q = {:.4g} l/s", f.canal->velocity, 1e3 * f.canal->discharge));
     }
@@ -82,7 +82,7 @@ nlohmann::ordered_json canal_json(const Forecast& f) {
         return nullptr;
     }
     return {{"area", f.canal->wet.area},
-            {"wetted_perimeter", f.canal->wet.area / f.canal->hydraulic_radius},
+            {"wetted_perimeter", f.canal->wet.perimeter},
             {"hydraulic_radius", f.canal->hydraulic_radius},
             {"top_width", f.canal->wet.top_width},
             {"velocity", f.canal->velocity},

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/error.hpp"
 #include "hydraulics/channel_laws.hpp"
 
 namespace riffle {
@@ -27,26 +26,17 @@ std::optional<CanalFlow> canal_flow(const Case& c) {
     } else {
         sides += std::max(0.0, level - section.levels.back());
     }
-    const bool sides_rub = c.channel.sides != Sides::periodic && c.side_walls.drag_form != SideDragForm::none;
-    const double perimeter = flow.wet.perimeter + (sides_rub ? sides : 0.0);
-    if (flow.wet.area <= 0.0 || perimeter <= 0.0) {
+    if (c.channel.sides != Sides::periodic && c.side_walls.drag_form != SideDragForm::none) {
+        flow.wet.perimeter += sides;
+    }
+    if (flow.wet.area <= 0.0) {
         return std::nullopt;
     }
-    flow.hydraulic_radius = flow.wet.area / perimeter;
-    // A water without viscosity has the friction of a very large Reynolds number.
-    const double viscosity = std::max(c.fluid.kinematic_viscosity, 1e-12);
-    const double weight = c.streamwise_gravity();
-    flow.velocity = 10.0 * friction_velocity_from_slope(weight, flow.hydraulic_radius);
-    try {
-        // The factor depends on the velocity by its logarithm: each turn gains two digits.
-        constexpr int turns = 20;
-        for (int turn = 0; turn < turns; ++turn) {
-            const double reynolds = reynolds_number(flow.velocity, 4.0 * flow.hydraulic_radius, viscosity);
-            const double factor = colebrook_white_friction_factor(canal->equivalent_roughness,
-                                                                  flow.hydraulic_radius, reynolds, full_pipe);
-            flow.velocity = velocity_from_friction_factor(weight, flow.hydraulic_radius, factor);
-        }
-    } catch (const Error&) {
+    flow.hydraulic_radius = flow.wet.area / flow.wet.perimeter;
+    // A smooth canal without viscosity holds nothing back.
+    flow.velocity = colebrook_white_velocity(c.streamwise_gravity(), canal->equivalent_roughness,
+                                             flow.hydraulic_radius, c.fluid.kinematic_viscosity, full_pipe);
+    if (!(flow.velocity > 0.0 && std::isfinite(flow.velocity))) {
         return std::nullopt;
     }
     flow.discharge = flow.velocity * flow.wet.area;

@@ -11,8 +11,8 @@ namespace riffle {
 /// a pipe and the hydraulic radius of the section: what the engineer's formula says, not a solution of the
 /// flow.
 struct CanalFlow {
-    WettedSection wet;              ///< of the whole width
-    double hydraulic_radius = 0.0;  ///< m, of all that holds the water back
+    WettedSection wet;              ///< of the whole width; the perimeter of all that holds the water back
+    double hydraulic_radius = 0.0;  ///< m
     double velocity = 0.0;          ///< U, m/s
     double discharge = 0.0;         ///< Q, m3/s
 };

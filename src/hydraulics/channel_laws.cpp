@@ -62,6 +62,17 @@ double colebrook_white_friction_factor(double equivalent_roughness, double hydra
     return 1.0 / (x * x);
 }
 
+double colebrook_white_velocity(double gravity_component, double equivalent_roughness,
+                                double hydraulic_radius, double kinematic_viscosity,
+                                const ColebrookWhiteConstants& constants) {
+    const double friction_velocity = friction_velocity_from_slope(gravity_component, hydraulic_radius);
+    const double root8 = std::sqrt(8.0);
+    const double viscous =
+        constants.c3 * kinematic_viscosity / (4.0 * root8 * hydraulic_radius * friction_velocity);
+    return -root8 * constants.c1 * friction_velocity *
+           std::log10(equivalent_roughness / (constants.c2 * hydraulic_radius) + viscous);
+}
+
 double velocity_from_friction_factor(double gravity_component, double hydraulic_radius,
                                      double friction_factor) {
     return std::sqrt(8.0 * gravity_component * hydraulic_radius / friction_factor);

@@ -53,6 +53,12 @@ inline constexpr ColebrookWhiteConstants rouse_channel{"Rouse", 2.03, 10.95, 1.7
     double equivalent_roughness, double hydraulic_radius, double reynolds,
     const ColebrookWhiteConstants& constants = henderson_wide_channel);
 
+/// Velocity of uniform flow by the same equation, m/s: with Re sqrt(f) = 4 sqrt(8) R u_*/nu it is explicit in
+/// the friction velocity sqrt(g S0 R). Not above 0 where k_s/R is beyond about c2.
+[[nodiscard]] double colebrook_white_velocity(
+    double gravity_component, double equivalent_roughness, double hydraulic_radius,
+    double kinematic_viscosity, const ColebrookWhiteConstants& constants = henderson_wide_channel);
+
 /// Velocity of uniform flow from a friction factor, U = sqrt(8 g S0 R/f) (thesis 2.6), m/s.
 [[nodiscard]] double velocity_from_friction_factor(double gravity_component, double hydraulic_radius,
                                                    double friction_factor);

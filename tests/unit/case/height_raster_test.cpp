@@ -72,16 +72,23 @@ TEST_F(HeightRaster, HoldsWholeNumbers) {
 
 TEST_F(HeightRaster, KnowsItsUnitOfLength) {
     EXPECT_NEAR(parse_height_raster(content_of("feet.tif"), "feet.tif").unit.value_or(0.0), 0.3048006, 1e-6);
-    // A bed refuses another unit than that of its file.
-    Case c = test::with_shape(SolidShape::bed);
-    Solid& solid = c.solids[0];
-    solid.heights = path_of("feet.tif");
-    solid.origin = {500000.0, 5400000.0, 99.9};
-    try {
-        static_cast<void>(bed_heights(c, solid));
-        FAIL() << "expected a refusal";
-    } catch (const InputError& e) {
-        EXPECT_NE(std::string(e.what()).find("set unit = \"0.3048006 m\""), std::string::npos) << e.what();
+    // A bed refuses another unit than that of its file, in a plane too.
+    for (const int dimensions : {3, 2}) {
+        Case c = test::with_shape(SolidShape::bed);
+        c.channel.dimensions = dimensions;
+        Solid& solid = c.solids[0];
+        solid.heights = path_of(dimensions == 3 ? "feet.tif" : "feet-row.tif");
+        solid.origin = {500000.0, 5400000.0, 99.9};
+        if (dimensions == 2) {
+            solid.origin = {500000.0, 99.9};
+        }
+        try {
+            static_cast<void>(bed_heights(c, solid));
+            FAIL() << "expected a refusal";
+        } catch (const InputError& e) {
+            EXPECT_NE(std::string(e.what()).find("set unit = \"0.3048006 m\""), std::string::npos)
+                << e.what();
+        }
     }
 }
 

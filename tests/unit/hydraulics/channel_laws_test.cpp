@@ -73,6 +73,17 @@ TEST(ColebrookWhite, SolvesItsEquationWithTheConstantsOfEachSource) {
     }
 }
 
+// The velocity is that of the friction factor at its own Reynolds number.
+TEST(ColebrookWhite, HasTheVelocityOfItsFrictionFactor) {
+    for (const double roughness : {0.0, 1e-4, 5e-3}) {
+        const double radius = 0.08;
+        const double velocity = colebrook_white_velocity(0.0098, roughness, radius, 1e-6, full_pipe);
+        const double reynolds = reynolds_number(velocity, 4.0 * radius, 1e-6);
+        const double factor = colebrook_white_friction_factor(roughness, radius, reynolds, full_pipe);
+        EXPECT_NEAR(velocity, velocity_from_friction_factor(0.0098, radius, factor), 1e-12);
+    }
+}
+
 TEST(ColebrookWhite, GivesTheVelocityThatHasItsFrictionFactor) {
     const double f = colebrook_white_friction_factor(0.02, 0.05, 4 * 0.05 * 0.3 / 1e-6);
     const double velocity = velocity_from_friction_factor(9.81 * 0.004, 0.05, f);
