@@ -46,10 +46,12 @@ struct Inflow {
     std::optional<double> depth;           ///< over the zero datum, m
     std::filesystem::path discharge_file;  ///< CSV with the columns time, and discharge or unit_discharge
     std::filesystem::path depth_file;      ///< CSV with the columns time, depth
-    InflowProfile profile = InflowProfile::column;
+    InflowProfile profile = InflowProfile::twin;
     double exponent = 7.0;                  ///< m of the power law u = U_max (z/H)^(1/m)
     double equivalent_roughness = 0.0;      ///< k_s of the log law, m
     std::filesystem::path profile_file;     ///< CSV with the columns z, u; z above the datum
+    std::filesystem::path results;          ///< results file whose water enters
+    std::optional<double> results_from;     ///< time from which on its snapshots are taken, s
     std::optional<double> relaxation_time;  ///< in which the discharge comes back after a wave, s
 
     [[nodiscard]] bool gives_discharge() const {

@@ -61,6 +61,18 @@ SectionKeys inflow_keys() {
     s.keys.push_back(make_key("inflow", "profile_file", &Case::inflow, &Inflow::profile_file,
                               "CSV file of the profile, the columns z, u; z above the zero datum.")
                          .applies_with(profile, {"file"}, true));
+    s.keys.push_back(make_key("inflow", "results", &Case::inflow, &Inflow::results,
+                              "Results file of a run with periodic ends over the same depth, whose snapshots "
+                              "enter: in a loop, each carried along by the mean flow from one to the next, "
+                              "scaled to the discharge.")
+                         .with_example("\"reach/results.h5\"")
+                         .applies_with(profile, {"results"}, true));
+    s.keys.push_back(make_key("inflow", "results_from", &Case::inflow, &Inflow::results_from,
+                              "Time of that run from which on its snapshots are taken.")
+                         .measured_in(time)
+                         .at_least(0)
+                         .unset_by("auto", "`run.average_from` of that run")
+                         .applies_with(profile, {"results"}, true));
     s.keys.push_back(
         key("relaxation_time", &Inflow::relaxation_time,
             "Time in which the discharge comes back after a wave has gone out through the inflow; its mean is "

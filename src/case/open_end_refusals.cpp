@@ -50,6 +50,17 @@ Findings too_near(const Case& c, const Solid& solid) {
         shown_length(upstream ? -beyond : length - clear), shown_length(upstream ? clear : length + beyond));
 }
 
+/// Whether the profile that enters is one of the twins'.
+bool enters_as_twin(const Case& c) {
+    return c.inflow.profile == InflowProfile::twin || c.inflow.profile == InflowProfile::column;
+}
+
+/// Whether side walls hold the water back in the twin of the profile that enters.
+bool side_walls_resist(const Case& c) {
+    return c.has_side_walls() && c.side_walls.drag_form != SideDragForm::none &&
+           c.inflow.profile != InflowProfile::column;
+}
+
 /// Depth at an end, of all the water over what it stands on, from a level over the datum, m.
 double over_floor(const Case& c, double level, double floor) { return total(c, level) - floor; }
 
@@ -131,11 +142,24 @@ CheckList open_end_refusals() {
                  return found_if(c.inflow.profile == InflowProfile::file && c.inflow.profile_file.empty(),
                                  "profile_file is missing");
              }},
+            {{"inflow.results", "inflow.profile"},
+             "`results` missing with `profile = \"results\"`",
+             "the water of another run enters",
+             "give the results file of a run with periodic ends, for example results = \"reach/results.h5\"",
+             [](const Case& c) {
+                 return found_if(c.inflow.profile == InflowProfile::results && c.inflow.results.empty(),
+                                 "results is missing");
+             }},
             {{"inflow.profile", "bed.kind"},
-             "`profile = \"column\"` over a bed without friction",
+             R"(`profile = "twin"`, the default, or `"column"` over a bed without friction, the former without friction of side walls too)",
              "no profile is the twin's own there",
              "choose profile = \"uniform\", or another",
-             [](const Case& c) { return c.inflow.profile == InflowProfile::column && !channel_resists(c); }},
+             [](const Case& c) { return enters_as_twin(c) && !channel_resists(c) && !side_walls_resist(c); }},
+            {{"inflow.profile", "turbulence.closure"},
+             R"(`profile = "twin"`, the default, or `"column"` with a closure of resolved eddies)",
+             "it has no twin, and water without eddies would enter",
+             R"(choose profile = "results", the water of a run with periodic ends, or for a start of their growth "power-law")",
+             [](const Case& c) { return enters_as_twin(c) && channel_resists(c) && resolves_eddies(c); }},
             {{"outflow.depth", "outflow.kind"},
              "`kind = \"depth\"` without a depth",
              "",
@@ -170,10 +194,16 @@ CheckList open_end_refusals() {
              "a bed that does not fall, or without friction, has no normal depth",
              "choose kind = \"depth\" or another",
              [](const Case& c) {
-                 return found_if(c.outflow.kind == OutflowKind::normal_depth &&
-                                     (!(c.streamwise_gravity() > 0.0) || !channel_resists(c)),
-                                 "kind = \"normal-depth\" needs a slope and a bed with friction");
+                 return found_if(
+                     c.outflow.kind == OutflowKind::normal_depth &&
+                         (!(c.streamwise_gravity() > 0.0) || (!channel_resists(c) && !side_walls_resist(c))),
+                     "kind = \"normal-depth\" needs a slope and a bed with friction");
              }},
+            {{"outflow.kind", "turbulence.closure"},
+             "`kind = \"normal-depth\"`, the default, with a closure of resolved eddies",
+             "no twin tells the normal depth of such a flow",
+             "choose kind = \"depth\", with that of a run with periodic ends, or another",
+             [](const Case& c) { return c.outflow.kind == OutflowKind::normal_depth && resolves_eddies(c); }},
             {{"outflow.kind", "inflow.discharge_file"},
              "`kind = \"normal-depth\"` without a constant discharge",
              "the normal depth is found once, for one discharge",
@@ -204,6 +234,8 @@ CheckList open_end_refusals() {
                       [](const Case& c) { return is_lost(c, c.inflow.depth_file); }),
             lost_file("inflow.profile_file", "a `profile_file` that is not there",
                       [](const Case& c) { return is_lost(c, c.inflow.profile_file); }),
+            lost_file("inflow.results", "a `results` file of the inflow that is not there",
+                      [](const Case& c) { return is_lost(c, c.inflow.results); }),
             lost_file("outflow.depth_file", "a `depth_file` of the outflow that is not there",
                       [](const Case& c) { return is_lost(c, c.outflow.depth_file); }),
             lost_file("outflow.rating_file", "a `rating_file` that is not there",
@@ -258,12 +290,11 @@ CheckList open_end_refusals() {
                  return below_floor(c.channel.depth, c, std::max(floors.upstream, floors.downstream));
              }},
             {{"inflow.profile", "solid.z"},
-             R"(`profile = "column"` over a solid at the inflow, unless `bed.kind = "no-slip"`)",
+             R"(`profile = "twin"`, the default, or `"column"` over a solid at the inflow, unless `bed.kind = "no-slip"`)",
              "the twin's profile is that over the bed",
              "choose profile = \"uniform\", or another",
              [](const Case& c) {
-                 return end_floors(c).upstream > 0.0 && c.inflow.profile == InflowProfile::column &&
-                        c.bed.kind != BedKind::no_slip;
+                 return end_floors(c).upstream > 0.0 && enters_as_twin(c) && c.bed.kind != BedKind::no_slip;
              }},
             {{"outflow.kind", "solid.z"},
              R"(`kind = "normal-depth"` or `"free-fall"` over a solid at the outflow)",
@@ -306,14 +337,13 @@ CheckList open_end_refusals() {
              "choose lattice = \"square\"",
              [](const Case& c) { return c.start.lattice != StartLattice::square; }},
             {{"start.kind"},
-             "a `kind` of start other than column, uniform, rest, power-law or backwater with open ends",
+             "a `kind` of start other than column, uniform, rest, power-law, backwater or results with open ends",
              "the others are flows without ends",
              R"(choose kind = "column" or "backwater")",
              [](const Case& c) {
                  const StartKind kind = c.start.kind;
                  return kind == StartKind::standing_wave || kind == StartKind::taylor_green ||
-                        kind == StartKind::isotropic || kind == StartKind::section ||
-                        kind == StartKind::results;
+                        kind == StartKind::isotropic || kind == StartKind::section;
              }},
             {{"start.kind", "inflow.discharge"},
              "`kind = \"backwater\"` without a constant discharge",

@@ -8,7 +8,7 @@ namespace riffle {
 
 enum class Preset { riffle, violent, thesis, paper };
 enum class Ends { periodic, walls, open };
-enum class InflowProfile { column, uniform, power_law, log_law, file };
+enum class InflowProfile { twin, column, uniform, power_law, log_law, file, results };
 enum class OutflowKind { depth, normal_depth, critical_depth, weir, rating_curve, free, free_fall, pressure };
 enum class Top { free_surface, wall, periodic };
 enum class Sides { periodic, walls, half };

@@ -401,7 +401,7 @@ Case parse_case(const std::string& text, const std::string& name, const std::fil
     c.path = path;
     c.start.file = resolved(c.start.file, path);
     for (auto* const file : {&c.inflow.discharge_file, &c.inflow.depth_file, &c.inflow.profile_file,
-                             &c.outflow.depth_file, &c.outflow.rating_file}) {
+                             &c.inflow.results, &c.outflow.depth_file, &c.outflow.rating_file}) {
         *file = resolved(*file, path);
     }
     for (Solid& solid : c.solids) {

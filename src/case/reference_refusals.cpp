@@ -17,10 +17,14 @@ CheckList reference_refusals() {
              R"(set reference_pressure = "none", or [channel] top = "free-surface")",
              [](const Case& c) { return !has_free_surface(c); }},
             {{"numerics.reference_pressure", "channel.ends"},
-             "`reference_pressure = \"hydrostatic\"` between open ends",
-             "it is a function of the height below one level, and water that comes and goes has another one at each place",
+             R"(`reference_pressure = "hydrostatic"` between open ends with an outflow that is `"free"` or `"free-fall"`, or an outline of the water at the start)",
+             "it is a function of the height below one level, and the surface of such water falls far below it",
              "set reference_pressure = \"none\"",
-             [](const Case& c) { return c.channel.ends == Ends::open; }},
+             [](const Case& c) {
+                 return c.channel.ends == Ends::open &&
+                        (c.outflow.kind == OutflowKind::free || c.outflow.kind == OutflowKind::free_fall ||
+                         !c.start.water_x.empty());
+             }},
             {{"numerics.reference_pressure", "numerics.wall"},
              R"(`reference_pressure = "hydrostatic"` with a `wall` other than `"dummy"`)",
              "the other walls take the whole pressure from the density",

@@ -20,9 +20,12 @@ struct Words<Ends> {
 
 template <>
 struct Words<InflowProfile> {
-    static constexpr std::array<Word, 5> list{{
-        {"column", "that of the column twin which carries the discharge at the depth of the case",
-         "theory 20", "wherever the bed has friction"},
+    static constexpr std::array<Word, 7> list{{
+        {"twin",
+         "that of the twin which carries the discharge at the depth of the case: of the cross-section between side walls, else of the column",
+         "theory 20", "wherever bed or side walls resist"},
+        {"column", "that of the column twin, the same all across the channel", "theory 20",
+         "over a bed with friction, where the water comes from a channel that is wider"},
         {"uniform", "one velocity over the depth", "", "over slip beds, below gates"},
         {"power-law", "u = U_max (z / H)^(1 / m)", "thesis (5.8)",
          "where no more is known of the flow upstream"},
@@ -30,6 +33,9 @@ struct Words<InflowProfile> {
          "a developed flow over another bed than that of the case"},
         {"file", "measured or computed velocities from a CSV file with the columns z, u", "",
          "profiles of a flume or of another run"},
+        {"results",
+         "the water of a run with periodic ends, with its eddies: what its snapshots hold, one after the other",
+         "theory 20", "turbulence that enters"},
     }};
 };
 

@@ -107,11 +107,11 @@ SteadyChannel channel_of(const GivenFriction& friction, const Case& c, double q)
     return twin_channel(c, q);
 }
 
-std::string friction_text(const GivenFriction& friction) {
+std::string friction_text(const GivenFriction& friction, const Case& c) {
     if (friction.manning) return fmt::format("Manning n {} s/m^(1/3)", printed_number(*friction.manning));
     if (const auto& k = friction.equivalent_roughness)
         return fmt::format("rough log law, k_s {} m", printed_number(*k));
-    return "column twin";
+    return has_section_reach(c) ? "section twin, between side walls" : "column twin";
 }
 
 /// A depth given as a length, or by one of the words for the channel's own depths.
@@ -170,7 +170,7 @@ Backwater solve(const BackwaterArguments& a, Case c) {
     }
     Backwater b;
     const GivenFriction friction = friction_of(a);
-    b.friction = friction_text(friction);
+    b.friction = friction_text(friction, c);
     const double q = unit_discharge(a.discharge, friction, c);
     if (a.slope) c.channel.slope = *a.slope;
     b.channel = channel_of(friction, c, q);

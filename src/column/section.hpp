@@ -25,6 +25,8 @@ struct SectionResult {
     double maximum_velocity = 0.0;
     double wall_layer_velocity = 0.0;    ///< mean over the walls' layers; without their drag 0
     double discharge = 0.0;              ///< of the whole width above the bed level, m3/s
+    double momentum_coefficient = 1.0;   ///< beta, mean of U^2 over the square of the mean
+    double energy_coefficient = 1.0;     ///< alpha, mean of U^3 over the cube of the mean
     double drag_share = 0.0;             ///< force on the bed / weight component
     double side_wall_share = 0.0;        ///< force on both side walls / weight component
     double vegetation_share = 0.0;       ///< force on the vegetation / weight component
@@ -51,6 +53,8 @@ struct SectionOptions {
     int cells_over_depth = 90;
     /// Transient: largest local error of a step, relative to the largest velocity (root mean square).
     double tolerance = 3e-4;
+    /// Steady: whether to find the relaxation time, which takes as long as the flow; it is 0 without.
+    bool with_relaxation_time = true;
 };
 
 /// Why a case has no section twin, the steady uniform flow between side walls: a sentence with what to

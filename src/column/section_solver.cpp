@@ -108,6 +108,10 @@ SectionResult section_result(const Case& c, const SectionGrid& grid, const Secti
     }
     const double water = balance.water_area().sum();
     r.bulk_velocity = balance.area().dot(u) / water;
+    const double square = balance.area().dot(u.cwiseProduct(u)) / water;
+    const double cube = balance.area().dot(u.cwiseProduct(u).cwiseProduct(u)) / water;
+    r.momentum_coefficient = square / (r.bulk_velocity * r.bulk_velocity);
+    r.energy_coefficient = cube / (r.bulk_velocity * r.bulk_velocity * r.bulk_velocity);
     r.depth_mean_velocity = above / above_area;
     r.centreline_velocity = r.depth_means(c.datum(), depth)[columns - 1];
     r.maximum_velocity = *std::max_element(r.velocity.begin(), r.velocity.end());

@@ -73,7 +73,7 @@ class TwinStates {
     }
 
   private:
-    static constexpr double step = 0.1;  // in ln h
+    static constexpr double step = 0.1;  // in ln h; the section twin is solved as seldom
     static constexpr int points = 6;
 
     [[nodiscard]] const SectionState& node_at(int i) {
@@ -83,7 +83,12 @@ class TwinStates {
                    : nodes_.emplace(i, solve(least_depth_ * std::exp(step * i))).first->second;
     }
 
-    [[nodiscard]] SectionState solve(double depth) {
+    [[nodiscard]] SectionState solve(double depth) const {
+        if (has_section_reach(case_)) {
+            const CarryingSection carrying = carrying_section(case_, depth, unit_discharge_);
+            return {carrying.weight / case_.fluid.gravity, carrying.section.depth_mean_velocity,
+                    carrying.section.momentum_coefficient, carrying.section.energy_coefficient};
+        }
         const CarryingColumn carrying = carrying_column(case_, depth, unit_discharge_);
         const ProfileMeans means = means_of(carrying.column.profile);
         return {carrying.weight / case_.fluid.gravity, carrying.column.depth_mean_velocity,
@@ -113,11 +118,20 @@ Case uniform_reach(const Case& c) {
     return reach;
 }
 
-// By secants between the logarithms: over rough beds the discharge goes with the root of the weight, in
-// laminar flow with the weight. It may be more than g, where the water is braked faster than it would fall;
-// the column knows of gravity and slope only their product, so that the slope stays small and gravity is
-// changed.
-CarryingColumn carrying_column(const Case& of, double depth, double unit_discharge) {
+bool has_section_reach(const Case& c) { return has_section(uniform_reach(c)); }
+
+namespace {
+
+/// The grid of sections that are solved many times.
+constexpr SectionOptions coarse{.cells_across = 40, .cells_over_depth = 30, .with_relaxation_time = false};
+
+/// By secants between the logarithms: over rough beds the discharge goes with the root of the weight, in
+/// laminar flow with the weight. It may be more than g, where the water is braked faster than it would fall;
+/// the twins know of gravity and slope only their product, so that the slope stays small and gravity is
+/// changed. `solve`: the twin of a case; `discharge_of`: its unit discharge; `close`: in the logarithm.
+template <class Twin, class Solve, class Discharge>
+std::pair<double, Twin> carry(const Case& of, double depth, double unit_discharge, double close,
+                              const char* name, const Solve& solve, const Discharge& discharge_of) {
     Case c = uniform_reach(of);
     c.channel.depth = depth;
     c.channel.slope = 1e-3;
@@ -130,13 +144,12 @@ CarryingColumn carrying_column(const Case& of, double depth, double unit_dischar
     double last_weight = 0.0;
     double last_excess = 0.0;
     constexpr int most_iterations = 50;
-    constexpr double close = 1e-9;
     for (int i = 0; i < most_iterations; ++i) {
         c.fluid.gravity = std::exp(log_weight) / sine;
-        ColumnResult column = solve_column(c);
-        const double excess = std::log(means_of(column.profile).unit_discharge) - wanted;
+        Twin twin = solve(c);
+        const double excess = std::log(discharge_of(twin)) - wanted;
         if (std::abs(excess) < close) {
-            return {std::exp(log_weight), std::move(column)};
+            return {std::exp(log_weight), std::move(twin)};
         }
         if (i > 0) {
             constexpr double least = 0.3;
@@ -148,12 +161,60 @@ CarryingColumn carrying_column(const Case& of, double depth, double unit_dischar
         log_weight -= excess / exponent;
     }
     throw InputError(
-        fmt::format("the column twin of a depth of {:.4g} m was not found for a discharge of {:.4g} m2/s",
+        fmt::format("the {} twin of a depth of {:.4g} m was not found for a discharge of {:.4g} m2/s", name,
                     depth, unit_discharge));
 }
 
+}  // namespace
+
+CarryingColumn carrying_column(const Case& c, double depth, double unit_discharge) {
+    auto [weight, column] = carry<ColumnResult>(
+        c, depth, unit_discharge, 1e-9, "column", [](const Case& at) { return solve_column(at); },
+        [](const ColumnResult& twin) { return means_of(twin.profile).unit_discharge; });
+    return {weight, std::move(column)};
+}
+
+CarryingSection carrying_section(const Case& c, double depth, double unit_discharge) {
+    auto [weight, section] = carry<SectionResult>(
+        c, depth, unit_discharge, 1e-7, "cross-section",
+        [](const Case& at) { return solve_section(at, coarse); },
+        [&c](const SectionResult& twin) { return twin.discharge / c.channel.width; });
+    return {weight, std::move(section)};
+}
+
+std::optional<double> twin_normal_depth(const Case& c, double unit_discharge) {
+    if (!has_section_reach(c)) {
+        return normal_depth(twin_channel(c, unit_discharge));
+    }
+    Case at = uniform_reach(c);
+    double exponent = 1.5;
+    double last_depth = 0.0;
+    double last_discharge = 0.0;
+    constexpr int most_iterations = 50;
+    for (int i = 0; i < most_iterations; ++i) {
+        const double discharge = solve_section(at, coarse).discharge / at.channel.width;
+        const double depth = at.channel.depth;
+        if (std::abs(discharge / unit_discharge - 1.0) < 1e-7) {
+            return depth;
+        }
+        if (i > 0) {
+            constexpr double least = 0.7;
+            constexpr double most = 4.0;
+            exponent =
+                std::clamp(std::log(discharge / last_discharge) / std::log(depth / last_depth), least, most);
+        }
+        last_depth = depth;
+        last_discharge = discharge;
+        at.channel.depth = depth * std::pow(unit_discharge / discharge, 1.0 / exponent);
+    }
+    throw InputError(
+        fmt::format("the normal depth of {:.4g} m2/s between the side walls was not found", unit_discharge));
+}
+
 double uniform_unit_discharge(const Case& c) {
-    return means_of(solve_column(uniform_reach(c)).profile).unit_discharge;
+    const Case reach = uniform_reach(c);
+    return has_section_reach(c) ? solve_section(reach).discharge / c.channel.width
+                                : means_of(solve_column(reach).profile).unit_discharge;
 }
 
 SteadyChannel twin_channel(const Case& c, double unit_discharge) {

@@ -154,6 +154,11 @@ class EnergyBudget final : public Component<D, Real> {
                 flow.particles.mass[i] * flow.scheme.state.pressure(s) / ((1.0 + s) * (1.0 + s));
             sum.compression += slope * compression;
             sum.density_diffusion += slope * diffusion;
+            if (open_) {
+                // What the diffusion takes under the reference pressure the motion gives back in the mean.
+                sum.pressure -=
+                    flow.particles.mass[i] * reference_at(flow, i) / ((1.0 + s) * (1.0 + s)) * diffusion;
+            }
         });
     }
 
@@ -213,8 +218,16 @@ class EnergyBudget final : public Component<D, Real> {
         return open_ && flow.data.constants.correct_pressure;
     }
 
-    /// The same sum over pairs, of the water alone, by particles: V p (B - I):G. Between open ends pairs with
-    /// the water beyond them do the work of the pressure on the sections, which is no part of the scheme's.
+    /// The reference pressure at a particle, over rho0, m2/s2.
+    [[nodiscard]] static double reference_at(const Flow& flow, std::size_t i) {
+        const auto& reference = flow.particle_data.reference_pressure;
+        return reference.acts() ? reference.value(flow.particles.position[Flow::vertical][i]) : 0.0;
+    }
+
+    /// The same sum over pairs, of the water alone, by particles: V p (B - I):G, p the pressure that the
+    /// pairs carry (what the reference pressure gives comes back in the mean, being a function of the
+    /// height). Between open ends pairs with the water beyond them do the work of the pressure on the
+    /// sections, which is no part of the scheme's.
     void add_correction_work(const Flow& flow, const Task& task, std::size_t begin, std::size_t end) {
         const Own& own = own_of(task);
         EnergyRates& sum = blocks_[begin / block_clusters];
@@ -226,7 +239,8 @@ class EnergyBudget final : public Component<D, Real> {
                         static_cast<double>(own.sums.gradient.velocity_gradient[k][lane]);
             }
             const double s = flow.particles.density_deviation[i];
-            sum.pressure += flow.particles.mass[i] / (1.0 + s) * flow.scheme.state.pressure(s) * work;
+            const double pressure = flow.scheme.state.pressure(s) - reference_at(flow, i);
+            sum.pressure += flow.particles.mass[i] / (1.0 + s) * pressure * work;
         });
     }
 

@@ -39,6 +39,9 @@ class OpenEnds final : public Component<D, Real> {
           watch_(length_, std::ceil(2.0 * flow.c.numerics.smoothing_ratio - 1e-9) * lattice_.dx),
           streams_(D == 3 ? lattice_.files : 1, lattice_.dx * lattice_.dz, lattice_.dz,
                    -(support_ + travel_)) {
+        for (int file = 0; file < (D == 3 ? lattice_.files : 1); ++file) {
+            files_.push_back(lattice_.y(file, 0));
+        }
         flow.inputs.acceleration = true;
         begin(flow);
     }
@@ -100,7 +103,7 @@ class OpenEnds final : public Component<D, Real> {
         }
         leaving_.finish(state, leaving_speed(state, std::max(state.downstream.watched_depth, lattice_.dz)),
                         dt);
-        shape_mean_ = shape().mean_of_rows(state.rows);
+        go_to_now(flow);
         fastest_ = std::max(start.fastest, end.fastest);
     }
 
@@ -144,14 +147,36 @@ class OpenEnds final : public Component<D, Real> {
     void end_step(Flow& flow) override {
         OpenEndsState& state = flow.clock.open_ends;
         const EndState& end = state.upstream;
-        streams_.advance(state, step_, [&](int row) { return velocity_of_row(state, row, end); });
-        state.travel += step_ * std::max(fastest_, std::abs(end.velocity) * shape().largest());
+        streams_.advance(state, step_, [&](int row, int file) {
+            const double place = (row + 0.5) / state.rows;
+            return end.velocity * entering().at(moment_, files_[static_cast<std::size_t>(file)], place)[0] /
+                   entering_mean_;
+        });
+        state.travel += step_ * std::max(fastest_, std::abs(end.velocity) * entering().fastest());
     }
 
-    [[nodiscard]] std::size_t bytes() const override { return near_end_.capacity() + watch_.bytes(); }
+    [[nodiscard]] std::size_t bytes() const override {
+        return near_end_.capacity() + watch_.bytes() + entering().bytes();
+    }
 
   private:
-    [[nodiscard]] const VelocityShape& shape() const { return sections_.input().shape; }
+    [[nodiscard]] const EnteringFlow& entering() const { return *sections_.input().entering; }
+
+    /// What enters is that of the time now.
+    void go_to_now(const Flow& flow) {
+        moment_ = flow.clock.time;
+        entering_mean_ = entering().mean_of_streams(moment_, flow.clock.open_ends.rows, files_);
+    }
+
+    /// See the particles as they stand, before any list.
+    void look(const Flow& flow) {
+        watch_.clear();
+        const auto& x = flow.particles.position[0];
+        for (std::size_t i = 0; i < x.size(); ++i) {
+            watch_.add(0, i);
+            watch_.add(1, i);
+        }
+    }
 
     void begin(Flow& flow) {
         OpenEndsState& state = flow.clock.open_ends;
@@ -159,29 +184,53 @@ class OpenEnds final : public Component<D, Real> {
             return;
         }
         state.begun = true;
-        const auto depth = start_depths(flow.c, sections_.input());
-        const double q =
-            flow.c.start.kind == StartKind::rest ? 0.0 : start_unit_discharge(flow.c, sections_.input());
-        state.upstream = sections_.start(depth(0.0) - floors_.upstream, q);
-        state.upstream.depth = std::max(state.upstream.depth, lattice_.dz);
-        state.downstream = sections_.start(std::max(0.0, depth(length_) - floors_.downstream), q);
+        if (flow.c.start.kind == StartKind::results) {
+            // The particles say it.
+            look(flow);
+            const auto section = [&](std::size_t end) {
+                const auto water = watch_.watch(flow, end);
+                return sections_.start(std::max(water.depth, lattice_.dz), water.depth * water.velocity);
+            };
+            state.upstream = section(0);
+            state.downstream = section(1);
+        } else {
+            const auto depth = start_depths(flow.c, sections_.input());
+            const double q =
+                flow.c.start.kind == StartKind::rest ? 0.0 : start_unit_discharge(flow.c, sections_.input());
+            state.upstream = sections_.start(depth(0.0) - floors_.upstream, q);
+            state.upstream.depth = std::max(state.upstream.depth, lattice_.dz);
+            state.downstream = sections_.start(std::max(0.0, depth(length_) - floors_.downstream), q);
+        }
         const int bins = std::max(4, lattice_.rows / 2);
         for (int bin = 0; bin < bins; ++bin) {
-            state.leaving.push_back(state.downstream.velocity * shape().at((bin + 0.5) / bins));
+            state.leaving.push_back(state.downstream.velocity * mean_across((bin + 0.5) / bins));
         }
         streams_.begin(state, streams_.rows_for(state.upstream.depth), 0.5 * lattice_.dx);
     }
 
-    [[nodiscard]] double velocity_of_row(const OpenEndsState& state, int row, const EndState& end) const {
-        return end.velocity * shape().at((row + 0.5) / state.rows) / shape_mean_;
+    /// The mean of what enters at z/H across the channel, over that of the section.
+    [[nodiscard]] double mean_across(double place) const {
+        double sum = 0.0;
+        for (const double y : files_) {
+            sum += entering().mean_at(y, place);
+        }
+        return sum / static_cast<double>(files_.size());
     }
 
+    /// In its stream, that is straight; the motions across it begin within one support of the channel, over
+    /// which they grow to their size.
     [[nodiscard]] Vec<D> entering_velocity(const Flow& flow, std::size_t i) const {
         const EndState& end = flow.clock.open_ends.upstream;
         const double place = over_floor(flow, i, true) / end.depth;
+        const double y = D == 3 ? flow.particles.position[1][i] : 0.0;
+        const Vec<3> relative = entering().at(moment_, y, place);
+        const double grown = std::clamp(1.0 + flow.particles.position[0][i] / support_, 0.0, 1.0);
         Vec<D> u{};
-        u[0] = end.velocity * shape().at(place) / shape_mean_;
-        u[Flow::vertical] = place * end.depth_rate;
+        u[0] = end.velocity * relative[0] / entering_mean_;
+        if constexpr (D == 3) {
+            u[1] = grown * end.velocity * relative[1] / entering_mean_;
+        }
+        u[Flow::vertical] = place * end.depth_rate + grown * end.velocity * relative[2] / entering_mean_;
         return u;
     }
 
@@ -279,7 +328,7 @@ class OpenEnds final : public Component<D, Real> {
     void make(Flow& flow) {
         OpenEndsState& state = flow.clock.open_ends;
         const EndState& end = state.upstream;
-        shape_mean_ = shape().mean_of_rows(state.rows);
+        go_to_now(flow);
         std::vector<Vec<D>> places;
         streams_.fill(state, end.depth, [&](int row, int file, double x) {
             places.push_back(place_of(row, file, x, state.rows, end.depth, floors_.upstream));
@@ -375,10 +424,12 @@ class OpenEnds final : public Component<D, Real> {
     double support_;  ///< water that must stand beyond an end, m
     EndWatch<D, Real> watch_;
     InflowStreams streams_;
+    std::vector<double> files_;           ///< places of the streams across the channel, m
     std::vector<std::uint8_t> near_end_;  ///< by cluster
     double step_ = 0.0;                   ///< dt of the step in progress
     double kick_ = 0.0;                   ///< dt of the velocities
-    double shape_mean_ = 1.0;             ///< of the profile over the rows
+    double moment_ = 0.0;                 ///< time of what enters, s
+    double entering_mean_ = 1.0;          ///< of it over its streams, over that of the section
     double fastest_ = 0.0;                ///< at the ends, m/s
 };
 

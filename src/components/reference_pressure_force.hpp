@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "case/end_buffers.hpp"
 #include "engine/component.hpp"
 #include "engine/particle_fault.hpp"
 #include "engine/pass_order.hpp"
@@ -32,12 +33,14 @@ class ReferencePressureForce final : public Component<D, Real> {
     }
 
     /// The pairs know nothing of a reference pressure beyond a surface, and what stands there would be
-    /// pressed as if there were water above it.
+    /// pressed as if there were water above it. Beyond open ends the water ends somewhere, and its motion is
+    /// given.
     void complete_gradients(Flow& flow, Task& task, std::size_t begin, std::size_t end) override {
         const double lowest = lowest_at_surface(flow);
         std::size_t& bare = bare_[begin / block_clusters];
         flow.for_particles(begin, end, [&](std::size_t i, std::size_t lane) {
             if (flow.particles.position[Flow::vertical][i] < lowest &&
+                in_channel(flow.c, flow.particles.position[0][i]) &&
                 task.sums.gradient.regularity[lane] < Real(surface_regularity)) {
                 bare = std::min(bare, i);
             }

@@ -15,6 +15,7 @@
 #include "case/outline.hpp"
 #include "case/units.hpp"
 #include "column/twin_channel.hpp"
+#include "ends/flow_of_results.hpp"
 #include "ends/section_state.hpp"
 #include "hydraulics/varied_flow.hpp"
 #include "laboratory/profile_record.hpp"
@@ -62,39 +63,63 @@ VelocityShape profile_from_file(const Case& c, double floor) {
     return {height, velocity->values, c.total_depth() - floor};
 }
 
-VelocityShape shape_of(const Case& c, const std::optional<TimeTable>& unit_discharge, double floor) {
-    const double depth = c.total_depth() - floor;
+/// Discharge at which a twin gives its profile, m2/s.
+double twin_discharge(const Case& c, const std::optional<TimeTable>& unit_discharge, double depth) {
+    if (unit_discharge && unit_discharge->at(0.0) > 0.0) {
+        return unit_discharge->at(0.0);
+    }
+    return c.streamwise_gravity() > 0.0 ? uniform_unit_discharge(c) : 0.1 * depth;
+}
+
+/// The profile of a law u(z) over a depth.
+template <class Law>
+VelocityShape shape_of_law(double depth, const Law& law) {
     constexpr int points = 400;
-    const auto from_law = [&](const auto& law) {
-        std::vector<double> height;
-        std::vector<double> velocity;
-        for (int i = 0; i < points; ++i) {
-            height.push_back(depth * (i + 0.5) / points);
-            velocity.push_back(law(height.back()));
-        }
-        return VelocityShape(height, velocity, depth);
+    std::vector<double> height;
+    std::vector<double> velocity;
+    for (int i = 0; i < points; ++i) {
+        height.push_back(depth * (i + 0.5) / points);
+        velocity.push_back(law(height.back()));
+    }
+    return {height, velocity, depth};
+}
+
+std::shared_ptr<const EnteringFlow> entering_flow(const Case& c,
+                                                  const std::optional<TimeTable>& unit_discharge,
+                                                  double floor) {
+    const double depth = c.total_depth() - floor;
+    const auto profile = [](VelocityShape shape) {
+        return std::make_shared<const ProfileFlow>(std::move(shape));
     };
     switch (c.inflow.profile) {
+        case InflowProfile::twin:
+            if (has_section_reach(c)) {
+                const double q = twin_discharge(c, unit_discharge, depth);
+                return std::make_shared<const SectionFlow>(
+                    carrying_section(c, c.channel.depth - floor, q).section, depth);
+            }
+            [[fallthrough]];
         case InflowProfile::column: {
-            const double q = unit_discharge && unit_discharge->at(0.0) > 0.0 ? unit_discharge->at(0.0)
-                             : c.streamwise_gravity() > 0.0                  ? uniform_unit_discharge(c)
-                                                                             : 0.1 * depth;
+            const double q = twin_discharge(c, unit_discharge, depth);
             const CarryingColumn twin = carrying_column(c, c.channel.depth - floor, q);
-            return {twin.column.profile.z, twin.column.profile.velocity, depth};
+            return profile({twin.column.profile.z, twin.column.profile.velocity, depth});
         }
         case InflowProfile::power_law:
-            return from_law([&](double z) { return std::pow(z / depth, 1.0 / c.inflow.exponent); });
+            return profile(
+                shape_of_law(depth, [&](double z) { return std::pow(z / depth, 1.0 / c.inflow.exponent); }));
         case InflowProfile::log_law:
-            return from_law([&](double z) {
+            return profile(shape_of_law(depth, [&](double z) {
                 const double over_datum = floor > 0.0 ? z : std::max(0.0, z - c.datum());
                 return std::log(1.0 + 30.0 * over_datum / c.inflow.equivalent_roughness);
-            });
+            }));
         case InflowProfile::file:
-            return profile_from_file(c, floor);
+            return profile(profile_from_file(c, floor));
+        case InflowProfile::results:
+            return recorded_flow(c);
         case InflowProfile::uniform:
             break;
     }
-    return {};
+    return profile({});
 }
 
 std::function<double(double, double)> outflow_rule(const Case& c, double floor) {
@@ -107,7 +132,7 @@ std::function<double(double, double)> outflow_rule(const Case& c, double floor) 
                 return table.at(time);
             };
         case OutflowKind::normal_depth: {
-            const auto depth = normal_depth(twin_channel(c, c.inflow_unit_discharge().value_or(0.0)));
+            const auto depth = twin_normal_depth(c, c.inflow_unit_discharge().value_or(0.0));
             return [total = depth.value_or(c.channel.depth) + datum](double, double) { return total; };
         }
         case OutflowKind::critical_depth:
@@ -140,7 +165,7 @@ std::function<double(double, double)> outflow_rule(const Case& c, double floor) 
 void add_duct(const Case& c, double floor, EndInput& input) {
     input.duct = true;
     const double narrow = c.total_depth() - floor;
-    const double velocity = input.shape.largest() * input.unit_discharge->largest() / narrow;
+    const double velocity = input.entering->largest() * input.unit_discharge->largest() / narrow;
     // Only differences of the pressure act; so the water is nowhere under tension.
     input.outflow_pressure = velocity * velocity;
     // Sound passes the duct in L/c0, twice as long as which lets most of it out; the sound speed is at least
@@ -170,7 +195,7 @@ EndInput read_end_input(const Case& c) {
     if (c.inflow.gives_depth()) {
         input.inflow_depth = depth_table(c, c.inflow.depth, c.inflow.depth_file, floors.upstream);
     }
-    input.shape = shape_of(c, input.unit_discharge, floors.upstream);
+    input.entering = entering_flow(c, input.unit_discharge, floors.upstream);
     if (is_duct(c)) {
         add_duct(c, floors.upstream, input);
         return input;
@@ -198,7 +223,8 @@ EndExtremes end_extremes(const Case& c, const EndInput& input) {
     EndExtremes extremes{.depth = c.total_depth(), .velocity = 0.0};
     double least_depth = c.total_depth() - floor;
     if (is_duct(c)) {
-        extremes.velocity = std::max(input.shape.largest() * q / least_depth, c.start.velocity.value_or(0.0));
+        extremes.velocity =
+            std::max(input.entering->largest() * q / least_depth, c.start.velocity.value_or(0.0));
         return extremes;
     }
     if (input.inflow_depth) {
@@ -216,8 +242,8 @@ EndExtremes end_extremes(const Case& c, const EndInput& input) {
     const double critical = critical_depth_of(g, q);
     extremes.depth = std::max(extremes.depth, floor + critical);
     const double shallow = input.inflow_depth ? least_depth : std::max(least_depth, critical);
-    extremes.velocity =
-        std::max(shallow > 0.0 ? input.shape.largest() * q / shallow : 0.0, c.start.velocity.value_or(0.0));
+    extremes.velocity = std::max(shallow > 0.0 ? input.entering->largest() * q / shallow : 0.0,
+                                 c.start.velocity.value_or(0.0));
     return extremes;
 }
 

@@ -1,11 +1,12 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 
 #include "case/case.hpp"
+#include "ends/entering_flow.hpp"
 #include "ends/time_table.hpp"
-#include "ends/velocity_shape.hpp"
 
 namespace riffle {
 
@@ -14,7 +15,7 @@ namespace riffle {
 struct EndInput {
     std::optional<TimeTable> unit_discharge;  ///< q at the inflow, m2/s
     std::optional<TimeTable> inflow_depth;
-    VelocityShape shape;  ///< of the velocity that enters
+    std::shared_ptr<const EnteringFlow> entering;
     /// Depth that rules the outflow, from the discharge that leaves (m2/s) and the time (s); none where
     /// nothing does.
     std::function<double(double unit_discharge, double time)> outflow_depth;

@@ -15,11 +15,10 @@ void InflowStreams::begin(OpenEndsState& state, int rows, double front) const {
 }
 
 void InflowStreams::advance(OpenEndsState& state, double dt,
-                            const std::function<double(int)>& velocity) const {
+                            const std::function<double(int, int)>& velocity) const {
     for (int row = 0; row < state.rows; ++row) {
-        const double way = dt * velocity(row);
         for (int file = 0; file < files_; ++file) {
-            front(state, row, file) += way;
+            front(state, row, file) += dt * velocity(row, file);
         }
     }
 }

@@ -28,7 +28,8 @@ class InflowStreams {
     /// Streams of so many rows whose last particles stand at x = `front`.
     void begin(OpenEndsState& state, int rows, double front) const;
     /// Move the streams for dt, each at its velocity.
-    void advance(OpenEndsState& state, double dt, const std::function<double(int row)>& velocity) const;
+    void advance(OpenEndsState& state, double dt,
+                 const std::function<double(int row, int file)>& velocity) const;
     /// Take another number of rows where the depth has changed by more than most of a row; the area stays.
     void rearrange(OpenEndsState& state, double depth) const;
     /// Fill the streams up to their edge: add(row, file, x) for each new particle, in a fixed order; streams

@@ -107,6 +107,18 @@ std::vector<double> planes_across(const Case& c, std::size_t axis) {
 
 }  // namespace
 
+FluidView::Velocity velocity_below(const FluidView& view, Vec<3> place, double smoothing_length) {
+    constexpr int points = 5;
+    for (int point = 0; point < points; ++point) {
+        const FluidView::Velocity velocity = view.velocity_at(place);
+        if (std::isfinite(velocity.u)) {
+            return velocity;
+        }
+        place[2] -= 0.5 * smoothing_length;
+    }
+    return {0.0, 0.0, 0.0};
+}
+
 template <int D>
 typename FluidViewIn<D>::Mirrored FluidViewIn<D>::mirror(const Case& c, const Particles<D>& particles,
                                                          double reach) {

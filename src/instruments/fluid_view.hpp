@@ -82,6 +82,11 @@ class FluidView {
     [[nodiscard]] Section section_at(double x) const { return section_at(x, nullptr); }
 };
 
+/// The velocity of the water at a place: near and above its surface, where a point is not wet, that of the
+/// wet point below it, at most two smoothing lengths (m) down; nothing where there is none.
+[[nodiscard]] FluidView::Velocity velocity_below(const FluidView& view, Vec<3> place,
+                                                 double smoothing_length);
+
 /// The view of the particles of a simulation in D dimensions. Keeps views of the particles, which must
 /// outlive it and stay as they are.
 template <int D>

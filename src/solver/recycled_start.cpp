@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "base/parallel.hpp"
+#include "case/end_buffers.hpp"
+#include "case/words.hpp"
 #include "instruments/fluid_view.hpp"
 #include "solver/start.hpp"
 
@@ -28,20 +30,6 @@ std::string wrong_extent(const char* what, double here, double there, bool perio
                        periodic ? "the same or several times that" : "the same");
 }
 
-/// The velocity of the water at a place: near and above its surface, where a point is not wet, that of the
-/// wet point below it, at most two smoothing lengths down; nothing where there is none.
-FluidView::Velocity velocity_below(const FluidView& view, Vec<3> place, double h) {
-    constexpr int points = 5;
-    for (int point = 0; point < points; ++point) {
-        const FluidView::Velocity velocity = view.velocity_at(place);
-        if (std::isfinite(velocity.u)) {
-            return velocity;
-        }
-        place[2] -= 0.5 * h;
-    }
-    return {0.0, 0.0, 0.0};
-}
-
 }  // namespace
 
 bool is_recycled(const Case& c, const Case& other) {
@@ -51,7 +39,13 @@ bool is_recycled(const Case& c, const Case& other) {
 }
 
 std::string why_not_recycled(const Case& c, const Case& other) {
-    const bool repeats = c.channel.ends == Ends::periodic && other.channel.ends == Ends::periodic;
+    const bool repeats = c.channel.ends != Ends::walls && other.channel.ends == Ends::periodic;
+    const bool open = c.channel.ends == Ends::open;
+    if (open ? other.channel.ends == Ends::walls : other.channel.ends == Ends::open) {
+        return fmt::format(R"(channel.ends is "{}" there and "{}" here, expected {})",
+                           word(other.channel.ends), word(c.channel.ends),
+                           open ? R"("periodic" or "open")" : R"("periodic" or "walls")");
+    }
     const bool across = c.channel.sides == Sides::periodic;
     if (differs(c.total_depth(), other.total_depth())) {
         return wrong_extent("the total depth", c.total_depth(), other.total_depth(), false);
@@ -96,6 +90,41 @@ Particles<D> recycled_particles(const Case& c, const Scheme& scheme, const Case&
     return particles;
 }
 
+template <int D>
+void stand_between_open_ends(const Case& c, const Case& other, Particles<D>& water) {
+    std::vector<std::int32_t> kept;
+    for (std::size_t i = 0; i < water.size(); ++i) {
+        if (water.position[0][i] >= 0.0) {
+            kept.push_back(static_cast<std::int32_t>(i));
+        }
+    }
+    water.permute(kept);
+    if (other.channel.ends == Ends::open) {
+        return;
+    }
+    const std::size_t n = water.size();
+    std::vector<std::size_t> beyond;
+    for (std::size_t i = 0; i < n; ++i) {
+        if (water.position[0][i] < end_support(c)) {
+            beyond.push_back(i);
+        }
+    }
+    water.created = n > 0 ? *std::max_element(water.id.begin(), water.id.end()) + 1 : 0;
+    const std::size_t first = water.append(beyond.size());
+    for (std::size_t k = 0; k < beyond.size(); ++k) {
+        const std::size_t i = beyond[k];
+        const std::size_t image = first + k;
+        for (std::size_t axis = 0; axis < static_cast<std::size_t>(D); ++axis) {
+            water.position[axis][image] = water.position[axis][i] + (axis == 0 ? c.channel.length : 0.0);
+            water.velocity[axis][image] = water.velocity[axis][i];
+        }
+        water.mass[image] = water.mass[i];
+        water.density_deviation[image] = water.density_deviation[i];
+    }
+}
+
+template void stand_between_open_ends(const Case&, const Case&, Particles<2>&);
+template void stand_between_open_ends(const Case&, const Case&, Particles<3>&);
 template Particles<2> recycled_particles(const Case&, const Scheme&, const Case&, const Particles<2>&);
 template Particles<3> recycled_particles(const Case&, const Scheme&, const Case&, const Particles<3>&);
 

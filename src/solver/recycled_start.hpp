@@ -13,7 +13,8 @@ namespace riffle {
 [[nodiscard]] bool is_recycled(const Case& c, const Case& other);
 
 /// Why the flow of one case cannot be put into the channel of another by repeating it; empty where it can. A
-/// periodic channel takes several lengths, with periodic sides several widths, of another one.
+/// channel with periodic or open ends takes several lengths of a periodic one, with periodic sides several
+/// widths.
 [[nodiscard]] std::string why_not_recycled(const Case& c, const Case& other);
 
 /// The start of a case, its particles on their lattice and hydrostatic, with the velocity that another case's
@@ -23,5 +24,11 @@ namespace riffle {
 template <int D>
 [[nodiscard]] Particles<D> recycled_particles(const Case& c, const Scheme& scheme, const Case& other,
                                               const Particles<D>& water);
+
+/// Particles of another run of the same spacing and length, for a channel with open ends: those before the
+/// inflow are left out, where the ends make their own, and water of a periodic channel goes on behind the
+/// outflow.
+template <int D>
+void stand_between_open_ends(const Case& c, const Case& other, Particles<D>& water);
 
 }  // namespace riffle

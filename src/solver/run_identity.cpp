@@ -59,10 +59,24 @@ std::vector<InputFile> input_files(const Case& c) {
         if (!c.solids[i].file.empty()) {
             files.push_back({fmt::format("solid[{}].file", i + 1), c.solids[i].file, true});
         }
+        if (!c.solids[i].heights.empty()) {
+            files.push_back({fmt::format("solid[{}].heights", i + 1), c.solids[i].heights, true});
+        }
     }
     if (c.start.kind == StartKind::results || c.start.kind == StartKind::isotropic) {
         files.push_back({"start.file", c.start.file, false});
     }
+    const auto add = [&files](const char* key, const std::filesystem::path& path) {
+        if (!path.empty()) {
+            files.push_back({key, path, true});
+        }
+    };
+    add("inflow.discharge_file", c.inflow.discharge_file);
+    add("inflow.depth_file", c.inflow.depth_file);
+    add("inflow.profile_file", c.inflow.profile_file);
+    add("inflow.results", c.inflow.results);
+    add("outflow.depth_file", c.outflow.depth_file);
+    add("outflow.rating_file", c.outflow.rating_file);
     if (!c.measured.velocity_profile.empty()) {
         files.push_back({"measured.velocity_profile", c.measured.velocity_profile, false});
     }

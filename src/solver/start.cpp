@@ -117,7 +117,7 @@ class OpenStart {
     /// Pressure over the density that a duct starts with.
     [[nodiscard]] double pressure() const { return input_.outflow_pressure; }
 
-    [[nodiscard]] double velocity(double x, double height) const {
+    [[nodiscard]] double velocity(double x, double y, double height) const {
         if (c_.start.kind == StartKind::rest) {
             return 0.0;
         }
@@ -134,7 +134,7 @@ class OpenStart {
                 return top * std::pow(std::max(0.0, z / water), 1.0 / m);
             }
             default:
-                return unit_discharge_ / water * input_.shape.at(z / water);
+                return unit_discharge_ / water * input_.entering->mean_at(y, z / water);
         }
     }
 
@@ -216,8 +216,9 @@ Particles<D> initial_particles(const Case& c, const Scheme& scheme, const Column
                 particles.velocity[0][i] = section(particles.position[1][i], particles.position[2][i]);
             }
         } else if (open) {
+            const double y = D == 3 ? particles.position[1][i] : 0.0;
             particles.velocity[0][i] =
-                open->velocity(particles.position[0][i], particles.position[vertical][i]);
+                open->velocity(particles.position[0][i], y, particles.position[vertical][i]);
         } else if (c.start.kind != StartKind::taylor_green && c.start.kind != StartKind::isotropic) {
             particles.velocity[0][i] =
                 start_velocity(c, scheme, column, uniform, particles.position[vertical][i]);

@@ -319,6 +319,9 @@ Particles<D> particles_from_results(const Case& c, const Scheme& scheme, const R
     if (is_recycled(c, other)) {
         return recycled_particles(c, scheme, other, p);
     }
+    if (c.channel.ends == Ends::open) {
+        stand_between_open_ends(c, other, p);
+    }
     const Field& sound = fields::clock.sound_speed;
     const auto sound_speed = results.attribute(sound.group->path, sound.name);
     const StateEquation old{

@@ -1,74 +1,15 @@
-"""Flow that changes within a few depths: hydraulic jumps, and water that parts from a step."""
+"""Water that parts from a step."""
 
-import math
-
-import h5py
 import numpy
 
 import figures
 from check import Check
-from open_end_checks import account, backwater, depth_by_area
+from open_end_checks import account
 from options import options_text
-
-# Froude number at the inflow, 20 mm deep: unit discharge (m2/s), depth that is held at the end (mm), length (m), until and from (s).
-JUMPS = {3: (0.02658, 70, 1.0, 25, 5), 2.3: (0.02038, 52.5, 0.8, 15, 5), 4: (0.03544, 97, 1.5, 12, 5)}
 
 # Length behind the step, in its heights, by the Reynolds number of the mean velocity and twice the height of the inflow (Erturk 2008):
 # viscosity (m2/s), until (s).
 STEPS = {100: (2.922, 2e-5, 8), 200: (4.982, 1e-5, 12), 300: (6.751, 6.6667e-6, 16), 400: (8.237, 5e-6, 20)}
-
-
-def _one_jump(study, check, froude, axes, colour):
-    case = "cases/open-ends/hydraulic-jump.toml"
-    q, tailwater, length, until, start = JUMPS[froude]
-    settings = {} if froude == 3 else {
-        "inflow.unit_discharge": f'"{q} m2/s"', "channel.depth": f'"{tailwater} mm"', "outflow.depth": f'"{tailwater} mm"',
-        "channel.length": f'"{length} m"', "run.until": f'"{until} s"'}
-    flow = study.run(f"open_jump_{froude}", case, settings)
-    g = flow.gravity_z
-    with h5py.File(flow.folder / "results.h5", "r") as file:
-        surface = file["/surface"]
-        time, x, level = surface["time"][:], surface["x"][:], surface["elevation"][:]
-    late = time > start
-    mean = numpy.nanmean(level[late], axis=0)
-    deep = mean[x > 0.9 * flow.length].mean()
-    half = 0.5 * (mean[x < 0.1 * flow.length].mean() + deep)
-    toes = numpy.array([x[numpy.argmax(row > half)] for row in level[late]])
-    place = float(numpy.median(toes))
-    # Before the jump, as near to it as the water does not rise yet; behind it, as near as the roller ends.
-    before = depth_by_area(flow, max(place - 1.5 * deep, 0.05), 0.01, start)
-    begin, end = place + 4 * deep, 0.95 * flow.length
-    after = depth_by_area(flow, 0.5 * (begin + end), 0.5 * (end - begin), start)
-    local = q / before / math.sqrt(g * before)
-    conjugate = 0.5 * before * (math.sqrt(1 + 8 * local**2) - 1)
-    energy = lambda h: h + q**2 / (2 * g * h**2)
-    name = f"Fr {froude} at the inflow"
-    check.norm(f"{name}: Froude number before the jump, {before / flow.spacing:.0f} rows deep", local, None, "", 3)
-    check.norm(f"{name}: depth behind the jump against the conjugate one", after / conjugate - 1, 0.03)
-    check.norm(f"{name}: loss of energy head against that of the conjugate depths",
-               (energy(before) - energy(after)) / ((conjugate - before) ** 3 / (4 * before * conjugate)) - 1, 0.05)
-    check.norm(f"{name}: standard deviation of the place of the jump in {time[-1] - start:.0f} s, over the depth before it",
-               float(toes.std()) / before, 1.0, "", 2)
-    check.norm(f"{name}: place of the jump", place, None, "m", 2)
-    behind = (x > begin) & (x < end)
-    check.norm(f"{name}: how much higher the surface stands than the water's own depth", float(mean[behind].mean() / after - 1))
-    exact = backwater(study, case, 0.0, "--discharge", f"{q} m2/s", "--upstream", "20mm", "--downstream", f"{tailwater}mm", "--length", str(length), "--stations", "1001")
-    figures.exact(axes, x, exact(x), "riffle backwater" if froude == 3 else None)
-    figures.simulated(axes, x, mean, f"Fr {froude} at the inflow", colour, most=200)
-    if froude == 3:
-        check.best, check.cost = options_text(flow), flow.cost_text
-        account(check, flow)
-
-
-def jump(study):
-    check = Check("open_jump", "Hydraulic jumps",
-                  "The depth of the water behind the jump, without the gaps in it, against the one whose momentum function is that of the water before it (Bélanger), where the particles' jump stands.")
-    figure = figures.Figure(1, width=7)
-    axes = figure.panel("distance along the channel x (m)", "level (m)", "mean from 5 s on")
-    for number, froude in enumerate([3] if study.quick else JUMPS):
-        _one_jump(study, check, froude, axes, figures.COLOURS[number])
-    check.figures.append((figure.svg(check.name), "Mean level along the channel; the jump of the theory has no length."))
-    return check
 
 
 def _wall_shear(flow, start, rows=4, wide=2):
@@ -117,4 +58,4 @@ def step(study):
     return check
 
 
-CHECKS = {"open_jump": jump, "open_step": step}
+CHECKS = {"open_step": step}

@@ -73,6 +73,30 @@ TEST(TwinChannel, KnowsFrictionBeyondGravity) {
     EXPECT_GT(channel.state(0.012).friction_slope, 1.0);
 }
 
+// Between side walls the friction is that of bed and walls: the section twin's.
+TEST(TwinChannel, SideWallsBrakeToo) {
+    Case c = read_case(std::string(RIFFLE_SOURCE_DIR) + "/cases/rough-bed-3d/condition-2-coarse.toml");
+    c.channel.width = 0.2;  // four depths: the walls count
+    ASSERT_TRUE(c.has_side_walls());
+    const double q = uniform_unit_discharge(c);
+    const SteadyChannel channel = twin_channel(c, q);
+    EXPECT_NEAR(*normal_depth(channel), c.channel.depth, 2e-3 * c.channel.depth);
+    Case wide = c;
+    wide.channel.sides = Sides::periodic;
+    EXPECT_LT(q, 0.95 * uniform_unit_discharge(wide));
+    EXPECT_GT(channel.state(0.05).friction_slope, 1.1 * twin_channel(wide, q).state(0.05).friction_slope);
+    EXPECT_GT(channel.state(0.05).energy_coefficient, twin_channel(wide, q).state(0.05).energy_coefficient);
+    // Whatever the discharge: the section of that slope carries it.
+    const CarryingSection carrying = carrying_section(c, 0.04, 0.02);
+    EXPECT_NEAR(carrying.section.discharge / c.channel.width, 0.02, 1e-8);
+    EXPECT_GE(carrying.section.momentum_coefficient, 1.0);
+    Case other = c;
+    other.channel.depth = 0.04;
+    other.channel.slope = std::tan(std::asin(carrying.weight / c.fluid.gravity));
+    EXPECT_NEAR(uniform_unit_discharge(other), 0.02, 1e-3 * 0.02);  // on another grid
+    EXPECT_NEAR(*twin_normal_depth(other, 0.02), 0.04, 1e-5 * 0.04);
+}
+
 TEST(TwinChannel, NeedsAColumn) {
     const Case c = read_case(std::string(RIFFLE_SOURCE_DIR) + "/cases/checks/flow-over-step.toml");
     try {

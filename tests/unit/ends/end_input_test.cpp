@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fstream>
 #include <string>
+#include <vector>
 
 #include "base/error.hpp"
 #include "column/column.hpp"
@@ -51,18 +52,46 @@ class EndFiles : public ::testing::Test {
 
 TEST(EndInput, TheTwinsProfileHasTheDischarge) {
     const EndInput input = read_end_input(open_case("[inflow]\nunit_discharge = \"0.0174 m2/s\"\n"));
-    EXPECT_NEAR(input.shape.mean_of_rows(1000), 1.0, 1e-4);
+    EXPECT_NEAR(input.entering->mean_of_streams(0.0, 1000, std::vector{0.0}), 1.0, 1e-4);
     // The velocities of the uniform flow of the same bed over its mean.
     const Case uniform = parse_case(
         "[channel]\nslope = 0.004\ndepth = \"50 mm\"\n[bed]\nkind = \"spheres\"\nroughness_height = \"0.4 D\"\n",
         "test");
     const ColumnResult twin = solve_column(uniform);
     for (const double place : {0.05, 0.2, 0.5, 0.95}) {
-        EXPECT_NEAR(input.shape.at(place) * twin.total_mean_velocity /
+        EXPECT_NEAR(input.entering->mean_at(0.0, place) * twin.total_mean_velocity /
                         twin.velocity_at(place * uniform.total_depth()),
                     1.0, 2e-3)
             << place;
     }
+}
+
+// Between side walls the water that enters is that of the section twin: slower beside them; with the column's
+// profile it is the same all across.
+TEST(EndInput, BetweenSideWallsTheSectionEnters) {
+    const auto read = [](const std::string& profile) {
+        return read_end_input(parse_case(
+            "[channel]\nslope = 0.004\ndepth = \"50 mm\"\nlength = \"300 mm\"\nends = \"open\"\ndimensions = 3\n"
+            "sides = \"walls\"\nwidth = \"200 mm\"\n[bed]\nkind = \"spheres\"\nroughness_height = \"0.4 D\"\n"
+            "[side_walls]\ndrag_form = \"consistent\"\n[turbulence]\nclosure = \"czernuszenko-rylov\"\n"
+            "[numerics]\nspacing = \"3 mm\"\n[run]\nuntil = \"10 s\"\n[inflow]\nunit_discharge = \"0.015 m2/s\"\n" +
+                profile,
+            "test"));
+    };
+    const EndInput twin = read("");
+    std::vector<double> files;
+    for (int file = 0; file < 200; ++file) {
+        files.push_back(0.001 * (file + 0.5));
+    }
+    EXPECT_NEAR(twin.entering->mean_of_streams(0.0, 200, files), 1.0, 2e-3);
+    EXPECT_LT(twin.entering->mean_at(0.003, 0.6), 0.9 * twin.entering->mean_at(0.1, 0.6));
+    EXPECT_NEAR(twin.entering->mean_at(0.02, 0.6), twin.entering->mean_at(0.18, 0.6), 1e-9);
+    EXPECT_GE(twin.entering->largest(), twin.entering->mean_at(0.1, 0.9));
+    const EndInput column = read("profile = \"column\"\n");
+    EXPECT_EQ(column.entering->mean_at(0.003, 0.6), column.entering->mean_at(0.1, 0.6));
+    // The normal depth of the outflow knows of the walls too.
+    EXPECT_NEAR(twin.outflow_depth(0.0, 0.0), column.outflow_depth(0.0, 0.0), 1e-9);
+    EXPECT_GT(twin.outflow_depth(0.0, 0.0), 0.056);
 }
 
 TEST(EndInput, TheNormalDepthIsThatOfTheUniformFlow) {

@@ -46,7 +46,9 @@ TEST(InflowStreams, TheDischargeIsExact) {
     const double before = inflow.waiting();
     double discharge = 0.0;
     for (int step = 0; step < 20000; ++step) {
-        const auto velocity = [&](int row) { return 0.02 * (row + 1) * (1.0 + 0.5 * std::sin(1e-3 * step)); };
+        const auto velocity = [&](int row, int /*file*/ = 0) {
+            return 0.02 * (row + 1) * (1.0 + 0.5 * std::sin(1e-3 * step));
+        };
         for (int row = 0; row < inflow.state.rows; ++row) {
             discharge += dt * velocity(row) * inflow.depth / inflow.state.rows;
         }
@@ -61,7 +63,7 @@ TEST(InflowStreams, TheDischargeIsExact) {
 TEST(InflowStreams, AChangeOfTheRowsKeepsTheArea) {
     for (const int files : {1, 3}) {
         Inflow inflow(0.05, files);
-        inflow.streams.advance(inflow.state, 0.01, [](int row) { return 0.01 * row; });
+        inflow.streams.advance(inflow.state, 0.01, [](int row, int) { return 0.01 * row; });
         const int rows = inflow.state.rows;
         const double before = inflow.waiting();
         const double shallow = inflow.depth;
@@ -88,7 +90,7 @@ TEST(InflowStreams, ADepthThatWaversChangesNoRows) {
 
 TEST(InflowStreams, WaterThatGoesBackIsGivenUp) {
     Inflow inflow(0.05);
-    inflow.streams.advance(inflow.state, 1.0, [](int) { return -0.1; });
+    inflow.streams.advance(inflow.state, 1.0, [](int, int) { return -0.1; });
     inflow.fill();
     for (const double front : inflow.state.front) {
         EXPECT_GE(front, edge - spacing * 1.0001);

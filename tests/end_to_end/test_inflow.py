@@ -1,0 +1,133 @@
+"""Water of one run that enters another one, and channels with open ends that start from results."""
+
+from riffle_cli import SPACE_CASE, CommandLineTest, every, main, until
+
+# What turns the periodic cell into a channel that the cell's water enters.
+OPEN = """
+[inflow]
+unit_discharge = "0.0174 m2/s"
+profile = "results"
+results = "{results}"
+[outflow]
+kind = "depth"
+depth = "50 mm"
+"""
+
+
+class Inflow(CommandLineTest):
+    def setUp(self):
+        super().setUp()
+        cell = self.folder / "cell.toml"
+        cell.write_text(SPACE_CASE.replace("czernuszenko-rylov", "ramp"))
+        self.cell = self.folder / "cell"
+        self.succeed("run", cell, "-o", self.cell, "-q", *until(0.3), *every(snapshot=0.05))
+
+    def case(self, more="", results=None, name="open.toml"):
+        text = SPACE_CASE.replace("czernuszenko-rylov", "ramp").replace('length = "50 mm"', 'length = "250 mm"\nends = "open"')
+        path = self.folder / name
+        path.write_text(text.replace('[output]\nmean_field_interval = "0.15 s"\n', "")
+                        + OPEN.format(results=results or self.cell / "results.h5") + more)
+        return path
+
+    def run_open(self, name, seconds, *options, threads=1):
+        folder = self.folder / name
+        self.succeed("run", self.case(), "-o", folder, "-j", threads, "-q", *until(seconds), *options)
+        return folder
+
+    def test_the_water_of_another_run_enters_with_the_discharge_of_the_case(self):
+        import h5py
+        import numpy
+
+        folder = self.run_open("open", 0.6, *every(snapshot=0.1))
+        with h5py.File(folder / "results.h5") as file, h5py.File(self.cell / "results.h5") as cell:
+            series = {name: file[f"time_series/{name}"][:] for name in
+                      ("time", "inflow_discharge", "particles_stored", "particles_entered", "particles_left", "particles_lost")}
+            late = series["time"] > 0.2
+            self.assertLess(abs(series["inflow_discharge"][late].mean() / (0.0174 * 0.0433013) - 1), 0.02)
+            account = series["particles_stored"] - series["particles_entered"] + series["particles_left"] + series["particles_lost"]
+            self.assertEqual(numpy.ptp(account), 0)
+            self.assertGreater(series["particles_entered"][-1], 300)
+
+            def rows(snapshot, far):
+                position, velocity = snapshot["position"][:], snapshot["velocity"][:]
+                here = (position[:, 0] >= 0) & (position[:, 0] < far)
+                row = (position[here, 2] / 5.6e-3).astype(int).clip(0, 9)
+                return numpy.bincount(row, velocity[here, 0], 10) / numpy.bincount(row, minlength=10)
+
+            last = lambda results: results["snapshots"][sorted(results["snapshots"])[-1]]
+            entered, recorded = rows(last(file), 0.05), rows(last(cell), 1.0)
+            scale = 0.0174 / 0.056 / recorded.mean()
+            self.assertLess(numpy.sqrt(((entered / recorded / scale - 1) ** 2)[2:].mean()), 0.06)
+
+    def test_the_same_bits_with_two_threads_and_after_a_resume(self):
+        one = self.run_open("one", 0.2)
+        self.assert_same_results(one, self.run_open("two", 0.2, threads=2))
+        part = self.run_open("part", 0.1)
+        self.succeed("resume", part, "-q", *until(0.2))
+        self.assert_same_results(one, part)
+
+    def test_what_enters_must_stay_the_file_that_it_was(self):
+        part = self.run_open("part", 0.1)
+        with open(self.cell / "results.h5", "ab") as file:
+            file.write(b"\0" * 8)
+        self.fail_with(2, "resume", part, "-q", *until(0.2), says=["inflow.results", "is not the file that it was"])
+
+    def test_a_hydrograph_must_stay_the_file_that_it_was(self):
+        table = self.folder / "flood.csv"
+        table.write_text("time,unit_discharge\n0,0.0174\n1,0.02\n")
+        path = self.case(name="flood.toml")
+        path.write_text(path.read_text().replace('unit_discharge = "0.0174 m2/s"', 'discharge_file = "flood.csv"'))
+        folder = self.folder / "flood"
+        self.succeed("run", path, "-o", folder, "-q", *until(0.05))
+        table.write_text("time,unit_discharge\n0,0.0174\n1,0.03\n")
+        self.fail_with(2, "resume", folder, "-q", *until(0.1), says=["inflow.discharge_file", "is not the file that it was"])
+
+    def test_water_that_does_not_fit_is_refused_with_what_to_do(self):
+        def refused(case, *words):
+            self.fail_with(2, "check", case, says=["[inflow] results", *words])
+
+        wide = self.folder / "wide.toml"
+        wide.write_text((self.folder / "cell.toml").read_text().replace("43.3013 mm", "86.6026 mm"))
+        self.succeed("run", wide, "-o", self.folder / "wide", "-q", *until(0.05))
+        refused(self.case(results=self.folder / "wide" / "results.h5"), "channel.width is 0.0866026 m there and 0.0433013 m here", "several times")
+        plain = self.folder / "plain"
+        self.succeed("run", self.folder / "cell.toml", "-o", plain, "-q", *until(0.05), "--set", 'output.snapshot_fields="pressure"')
+        refused(self.case(results=plain / "results.h5"), "no snapshots with velocities")
+        late = self.case(name="late.toml")
+        late.write_text(late.read_text().replace('profile = "results"', 'profile = "results"\nresults_from = "9 s"'))
+        refused(late, "from 9 s on", "inflow.results_from")
+        opened = self.run_open("open", 0.05)
+        refused(self.case(results=opened / "results.h5"), 'ends = "open"', "periodic")
+
+    def test_a_channel_with_open_ends_starts_from_results(self):
+        import h5py
+
+        # From the cell, five times as long, then from that channel itself, its particles as they are.
+        source = lambda results: ["--set", "start.kind=results", "--set", f'start.file="{results / "results.h5"}"']
+        first = self.run_open("first", 0.1, *source(self.cell))
+        second = self.run_open("second", 0.1, *source(first))
+        with h5py.File(self.cell / "results.h5") as cell, h5py.File(first / "results.h5") as a, h5py.File(second / "results.h5") as b:
+            end = lambda file, name: file[f"time_series/{name}"][-1]
+            start = lambda file, name: file[f"time_series/{name}"][0]
+            self.assertLess(abs(start(a, "depth_mean_velocity") / end(cell, "depth_mean_velocity") - 1), 0.02)
+            self.assertLess(abs(start(b, "depth_mean_velocity") / end(a, "depth_mean_velocity") - 1), 0.005)
+            self.assertLess(abs(start(b, "mean_level") / end(a, "mean_level") - 1), 0.005)
+            self.assertLess(abs(start(b, "outflow_depth") / end(a, "outflow_depth") - 1), 0.02)
+            numbers = b["state/id"][:]
+            self.assertEqual(len(set(numbers)), len(numbers))
+        # A periodic run of the same length and spacing goes on between open ends with its particles.
+        long = self.folder / "long.toml"
+        long.write_text((self.folder / "cell.toml").read_text().replace('length = "50 mm"', 'length = "250 mm"'))
+        reach = self.folder / "reach"
+        self.succeed("run", long, "-o", reach, "-q", *until(0.1))
+        third = self.run_open("third", 0.1, *source(reach))
+        with h5py.File(reach / "results.h5") as a, h5py.File(third / "results.h5") as b:
+            self.assertLess(abs(b["time_series/mean_level"][0] / a["time_series/mean_level"][-1] - 1), 0.005)
+            self.assertLess(abs(b["time_series/mean_level"][-1] / a["time_series/mean_level"][-1] - 1), 0.02)
+            self.assertEqual(len(set(b["state/id"][:])), b["state/id"].shape[0])
+        self.fail_with(2, "run", long, "-o", self.folder / "back", "-q", *until(0.1), *source(first),
+                       says=['channel.ends is "open" there and "periodic" here'])
+
+
+if __name__ == "__main__":
+    main()

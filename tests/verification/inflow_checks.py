@@ -1,0 +1,137 @@
+"""Water that enters otherwise than with a profile over the depth: that of a flow between side walls, and of another run with its eddies."""
+
+import csv
+import io
+import subprocess
+
+import numpy
+
+import figures
+from check import Check
+from open_end_checks import account
+from options import options_text
+from runs import ROOT
+
+# The channel is fed with the water of the periodic reach from 20 s on; what stands at a place at t entered about 0.9 s before.
+RECORDED_FROM, UNTIL, WINDOW, DELAY = 20.0, 34.0, (3.0, 8.0), 0.9
+
+
+class Rows:
+    """Means over time and width in rows of one spacing of the water between two places: U, rms and -u'w', m/s."""
+
+    def __init__(self, flow, begin, end, window):
+        count = round(flow.depth / flow.spacing)
+        sums = numpy.zeros((8, count))
+        for s in flow.snapshots():
+            if not window[0] <= s.time <= window[1]:
+                continue
+            here = (s.x >= begin) & (s.x < end)
+            row = numpy.clip((s.z[here] / flow.depth * count).astype(int), 0, count - 1)
+            u, v, w = s.u[here], s.v[here], s.w[here]
+            for k, values in enumerate((numpy.ones(u.size), u, v, w, u * u, v * v, w * w, u * w)):
+                sums[k] += numpy.bincount(row, values, count)
+        mean = sums[1:] / sums[0]
+        self.place = (numpy.arange(count) + 0.5) / count
+        self.u = mean[0]
+        self.rms = {axis: numpy.sqrt(mean[3 + k] - mean[k] ** 2) for k, axis in enumerate("uvw")}
+        self.stress = mean[0] * mean[2] - mean[6]
+
+
+def turbulence(study):
+    case = "cases/open-ends/resolved-eddies.toml"
+    check = Check("open_turbulence", "Turbulence that enters",
+                  "Condition 2 with resolved eddies: a channel twelve depths long that the water of a periodic reach enters keeps its mean flow and its eddies.")
+    reach = study.run("open_turbulence_reach", "cases/rough-bed-3d/resolved-eddies.toml",
+                      {"run.until": f'"{UNTIL:g} s"', "output.snapshot_interval": '"0.2 s"'})
+    series = reach.series
+    late = series["time"] > RECORDED_FROM
+    q = float((series["total_mean_velocity"] * series["mean_level"])[late].mean())
+    results = reach.folder / "results.h5"
+    flow = study.run("open_turbulence", case, {
+        "inflow.unit_discharge": f'"{q:.5f} m2/s"', "inflow.profile": "results", "inflow.results": f'"{results}"',
+        "start.kind": "results", "start.file": f'"{results}"'})
+    recorded = Rows(reach, 0.0, reach.length, tuple(RECORDED_FROM + time - DELAY for time in WINDOW))
+    crest = flow.parameters["bed"]["roughness_height"]
+    above = recorded.place * flow.depth > crest
+    middle = (recorded.place > 0.2) & (recorded.place < 0.8)
+    figure = figures.Figure(3, width=10)
+    panels = [figure.panel("U (m/s)", "z/H", ""), figure.panel("u', w' (m/s)", "z/H", ""), figure.panel("$-\\overline{u'w'}$ (m2/s2)", "z/H", "")]
+    curves = lambda rows: ((rows.u,), (rows.rms["u"], rows.rms["w"]), (rows.stress,))
+    for axes, values in zip(panels, curves(recorded)):
+        for number, curve in enumerate(values):
+            figures.exact(axes, curve, recorded.place, "periodic reach" if number == 0 else None)
+    for number, share in enumerate((0.25, 0.5, 0.75)):
+        half = 0.125 * flow.length
+        rows = Rows(flow, share * flow.length - half, share * flow.length + half, WINDOW)
+        name = f"at {share:.0%} of the length"
+        check.norm(f"U(z) above the crests {name}, rms over the mean of the reach's",
+                   float(numpy.sqrt(((rows.u - recorded.u)[above] ** 2).mean()) / recorded.u[above].mean()), 0.05)
+        for axis in "uvw":
+            check.norm(f"{axis}' from 0.2 to 0.8 of the depth {name}, over that of the reach, less one",
+                       float(rows.rms[axis][middle].mean() / recorded.rms[axis][middle].mean() - 1), 0.1)
+        check.norm(f"-<u'w'> from 0.2 to 0.8 of the depth {name}, over that of the reach, less one",
+                   float(rows.stress[middle].mean() / recorded.stress[middle].mean() - 1), 0.15)
+        for axes, values in zip(panels, curves(rows)):
+            for curve in values:
+                figures.simulated(axes, curve, rows.place, name if curve is values[0] else None, figures.COLOURS[number])
+    levels = flow.series["mean_level"][flow.series["time"] > WINDOW[0]]
+    check.norm("mean level, largest departure from its mean", float(numpy.abs(levels / levels.mean() - 1).max()), 0.01)
+    check.figures.append((figure.svg(check.name), "Mean velocity, intensities and Reynolds stress at three places against those of the reach whose water enters."))
+    check.best, check.cost = options_text(flow), flow.cost_text
+    account(check, flow)
+    return check
+
+
+def _section_means(study, case):
+    """The section twin of a case: y and the mean velocity over the depth there."""
+    text = subprocess.run([str(study.riffle), "section", case, "--csv", "-"], cwd=ROOT, check=True, capture_output=True, text=True).stdout
+    cells = numpy.array([[float(value) for value in row] for row in csv.reader(io.StringIO(text)) if row[0][0].isdigit()])
+    y, z = (numpy.unique(cells[:, axis]) for axis in (0, 1))
+    faces = numpy.zeros(z.size + 1)
+    for k, middle in enumerate(z):
+        faces[k + 1] = 2 * middle - faces[k]
+    return y, numpy.diff(faces) @ cells[:, 2].reshape(z.size, y.size) / faces[-1]
+
+
+def _means_across(flow, place, half, start):
+    """Depth means of the velocity in files of one spacing about a place, from the snapshots from a time on: y, U."""
+    width = 0.5 * flow.parameters["channel"]["width"]
+    files = round(width / flow.spacing)
+    count, sums = numpy.zeros(files), numpy.zeros(files)
+    for s in flow.snapshots():
+        if s.time >= start:
+            near = numpy.abs(s.x - place) < half
+            file = (s.y[near] / width * files).astype(int).clip(0, files - 1)
+            count += numpy.bincount(file, minlength=files)
+            sums += numpy.bincount(file, s.u[near], files)
+    return (numpy.arange(files) + 0.5) * width / files, sums / count
+
+
+def side_walls(study):
+    case = "cases/open-ends/side-walls.toml"
+    check = Check("open_side_walls", "Uniform flow between side walls and open ends",
+                  "Half of a flume between glass walls, ten depths long: water that enters with the profile of the section twin keeps it.")
+    flow = study.run("open_side_walls", case)
+    start = flow.parameters["run"]["average_from"]
+    twin_y, twin_u = _section_means(study, "cases/plane-beds/flume.toml")
+    figure = figures.Figure(2)
+    axes = figure.panel("distance from the wall y (m)", "depth mean of u (m/s)", f"means from {start:g} s on")
+    figures.exact(axes, twin_y, twin_u, "section twin")
+    for number, share in enumerate((0.25, 0.5, 0.75)):
+        y, u = _means_across(flow, share * flow.length, 0.1, start)
+        twin = numpy.interp(y, twin_y, twin_u)
+        check.norm(f"U(y) at {share:.0%} of the length, rms over the twin's mean", float(numpy.sqrt(((u - twin) ** 2).mean()) / twin.mean()), 0.03)
+        check.norm(f"U(y) in the file beside the wall at {share:.0%} of the length, over the twin's, less one", float(u[0] / twin[0] - 1))
+        figures.simulated(axes, y, u, f"at {share:.0%} of the length", figures.COLOURS[number])
+    time, level = flow.series["time"], flow.series["mean_level"]
+    check.norm("mean level, largest departure from H from 1 s on", float(numpy.abs(level[time > 1] / flow.depth - 1).max()), 0.01)
+    axes = figure.panel("time t (s)", "mean level over H", "")
+    figures.exact(axes, [0, time[-1]], [1, 1], "depth of the case")
+    figures.simulated(axes, time, level / flow.depth, "particles", most=400)
+    check.figures.append((figure.svg(check.name), "Depth-mean velocity across half of the flume at three places, and the level in time."))
+    check.best, check.cost = options_text(flow), flow.cost_text
+    account(check, flow)
+    return check
+
+
+CHECKS = {"open_turbulence": turbulence, "open_side_walls": side_walls}
