@@ -86,6 +86,7 @@ EddiesAndNoise NoiseSplit::result(double fewest) const {
         }
         const auto mean = [&](double sum) { return sum / layer.count; };
         split.z.push_back((static_cast<double>(l) + 0.5) * spacing_);
+        split.velocity.push_back(mean(layer.particle[0]));
         for (std::size_t k = 0; k < 3; ++k) {
             const double of_eddies = mean(layer.eddy[k]);
             split.eddies[k].push_back(
@@ -98,6 +99,23 @@ EddiesAndNoise NoiseSplit::result(double fewest) const {
                                          mean(layer.eddy_product));
     }
     return split;
+}
+
+double noise_viscosity(const EddiesAndNoise& split, double from, double to) {
+    double stress = 0.0;
+    std::vector<std::size_t> layers;
+    for (std::size_t i = 0; i < split.z.size(); ++i) {
+        if (split.z[i] > from && split.z[i] < to) {
+            layers.push_back(i);
+            stress += split.stress[i] - split.stress_of_eddies[i];
+        }
+    }
+    if (layers.size() < 2) {
+        return 0.0;
+    }
+    const double gradient = (split.velocity[layers.back()] - split.velocity[layers.front()]) /
+                            (split.z[layers.back()] - split.z[layers.front()]);
+    return gradient > 0.0 ? stress / static_cast<double>(layers.size()) / gradient : 0.0;
 }
 
 }  // namespace riffle

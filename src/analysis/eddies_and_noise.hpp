@@ -13,7 +13,8 @@ namespace riffle {
 /// left out, is what a probe would see: eddies larger than some four spacings. What the particle departs from
 /// it is noise, and smaller eddies. By layer of one spacing; about the means of the layers over time.
 struct EddiesAndNoise {
-    std::vector<double> z;  ///< middle of the layer above the bed level, m
+    std::vector<double> z;         ///< middle of the layer above the bed level, m
+    std::vector<double> velocity;  ///< mean of u, m/s
     /// Root mean squares of u, v, w, m/s: of the fitted field, and of the departures from it.
     std::array<std::vector<double>, 3> eddies, noise;
     std::vector<double> stress;            ///< -<u'w'> of the particles, m2/s2
@@ -24,6 +25,11 @@ struct EddiesAndNoise {
 };
 
 inline constexpr double noise_reach = 2.2;
+
+/// The viscosity as which the noise carries momentum down the gradient of the mean velocity, its mean stress
+/// over the mean gradient of the layers between two heights (m), m2/s; 0 where they are fewer than two, or
+/// the velocity does not grow upwards.
+[[nodiscard]] double noise_viscosity(const EddiesAndNoise& split, double from, double to);
 
 /// The particles of one moment: m and m/s, component after component.
 struct ParticleVelocities {

@@ -21,20 +21,43 @@ std::string snapshots_text(const EddiesAndNoise& split) {
     return fmt::format("from {} snapshot{}", split.snapshots, split.snapshots == 1 ? "" : "s");
 }
 
-/// Mean of a quantity over the layers from 0.2 to 0.8 of the depth over the datum, where neither the bed
-/// nor the surface is near.
+// Of the depth over the datum: where neither the bed nor the surface is near.
+constexpr double middle_from = 0.2;
+constexpr double middle_to = 0.8;
+
+/// Mean of a quantity over the layers there.
 template <class Value>
 double mean_at_middle(const Case& c, const EddiesAndNoise& split, const Value& value) {
     double sum = 0.0;
     int count = 0;
     for (std::size_t i = 0; i < split.z.size(); ++i) {
         const double height = (split.z[i] - c.datum()) / c.channel.depth;
-        if (height > 0.2 && height < 0.8) {
+        if (height > middle_from && height < middle_to) {
             sum += value(i);
             ++count;
         }
     }
     return count > 0 ? sum / count : 0.0;
+}
+
+/// Eddies that have to live in water of the noise's viscosity need a Reynolds number like any others.
+void add_noise_viscosity(const FlowRecord& record, const EddiesAndNoise& split, Analysis& analysis) {
+    const Case& c = *record.flow();
+    const double h = c.channel.depth;
+    const double viscosity = noise_viscosity(split, c.datum() + middle_from * h, c.datum() + middle_to * h);
+    if (!(viscosity > 0.0)) return;
+    Finding noise = make_finding(chapters::profiles, "noise_viscosity",
+                                 "viscosity that the particles' noise acts as", "m2/s", viscosity);
+    noise.remark =
+        "what it carries of the Reynolds stress over the gradient of the mean velocity, 0.2 to 0.8 of the depth";
+    analysis.findings.push_back(std::move(noise));
+    Finding reynolds =
+        make_finding(chapters::profiles, "reynolds_number_with_noise",
+                     "Reynolds number u_* h/nu with the viscosity of water and noise", "1",
+                     friction_velocity_of(record) * h / (c.fluid.kinematic_viscosity + viscosity));
+    reynolds.remark =
+        "of the flow in which the eddies live: where it is small they die out, and the water runs faster";
+    analysis.findings.push_back(std::move(reynolds));
 }
 
 Figure intensities(const FlowRecord& record, const EddiesAndNoise& split) {
@@ -114,6 +137,7 @@ void add_eddies_and_noise(const FlowRecord& record, Analysis& analysis) {
             "share of the Reynolds stress that eddies carry, 0.2 to 0.8 of the depth", "1",
             mean_at_middle(c, split, [&](std::size_t i) { return split.stress_of_eddies[i]; }) / stress));
     }
+    add_noise_viscosity(record, split, analysis);
 }
 
 }  // namespace riffle

@@ -12,8 +12,8 @@ from open_end_checks import account
 from options import options_text
 from runs import ROOT
 
-# The channel is fed with the water of the periodic reach from 20 s on; what stands at a place at t entered about 0.9 s before.
-RECORDED_FROM, UNTIL, WINDOW, DELAY = 20.0, 34.0, (3.0, 8.0), 0.9
+# The channel is fed with the water of the periodic reach from 20 s on; what stands at a place at t entered about 0.5 s before.
+RECORDED_FROM, UNTIL, WINDOW, DELAY = 20.0, 34.0, (2.0, 6.0), 0.5
 
 
 class Rows:
@@ -40,7 +40,7 @@ class Rows:
 def turbulence(study):
     case = "cases/open-ends/resolved-eddies.toml"
     check = Check("open_turbulence", "Turbulence that enters",
-                  "Condition 2 with resolved eddies: a channel twelve depths long that the water of a periodic reach enters keeps its mean flow and its eddies.")
+                  "Condition 2 with resolved eddies: a channel nine depths long that the water of a periodic reach enters keeps its mean flow and its eddies.")
     reach = study.run("open_turbulence_reach", "cases/rough-bed-3d/resolved-eddies.toml",
                       {"run.until": f'"{UNTIL:g} s"', "output.snapshot_interval": '"0.2 s"'})
     series = reach.series

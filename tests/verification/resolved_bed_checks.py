@@ -127,6 +127,7 @@ def _table(check, beds):
             "Nezu " + "; ".join(f"{NEZU[axis] * numpy.exp(-x):.2f}" for x in (0.2, 0.5, 0.8)))
     row("share of noise in w'^2, 0.2 to 0.8 of the depth", finding("noise_share_of_vertical_velocity"), "0")
     row("share of the Reynolds stress that eddies carry, there", finding("eddies_share_of_stress"), "1")
+    row("Reynolds number u* h/nu with the viscosity of water and noise", finding("reynolds_number_with_noise", digits=0), "")
     row("form drag of the solids, of their force", lambda b: f"{100 * b.findings['solid_form_drag_share'] / b.findings['solid_force_share']:.0f} %"
         if "solid_form_drag_share" in b.findings else "-", "")
     row("friction factor above the crests", finding("friction_factor_above_crests", digits=3), "")

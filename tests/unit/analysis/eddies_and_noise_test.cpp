@@ -92,6 +92,10 @@ TEST(EddiesAndNoise, WhatNeighboursDoNotShareIsNoise) {
     EXPECT_LT(eddies / count, 0.35);
     EXPECT_NEAR(stress / count, 1.0, 0.15);
     EXPECT_LT(of_eddies / count, 0.12);
+    // It goes down the gradient of 3/s: a viscosity of a third.
+    const double top = split.z[split.z.size() - 3];
+    EXPECT_NEAR(noise_viscosity(split, split.z[1], top + 0.1 * spacing), 1.0 / 3.0, 0.06);
+    EXPECT_EQ(noise_viscosity(split, top, top + 0.1 * spacing), 0.0);
 }
 
 TEST(EddiesAndNoise, DropsAndParticlesAboveTheLayersAreLeftOut) {
