@@ -13,7 +13,6 @@
 #include "case/outline_check.hpp"
 #include "case/solid_mesh.hpp"
 #include "case/solid_shapes.hpp"
-#include "engine/scheme.hpp"
 #include "record/flow_fields.hpp"
 #include "record/probe_fields.hpp"
 #include "statistics/confidence.hpp"
@@ -112,11 +111,12 @@ std::optional<Oscillation> shedding(const FlowRecord& record, std::size_t number
 
 /// The highest frequency that is looked at: bodies shed at 0.1 to 0.4 U/D. Above stands sound, in a duct from
 /// its first wave across the height, c0/(2 H), on.
-double highest_shedding(const Case& c, double velocity, double extent) {
+double highest_shedding(const FlowRecord& record, double velocity, double extent) {
+    const Case& c = *record.flow();
     const double of_body = 0.5 * velocity / extent;
-    if (c.channel.top != Top::wall) return of_body;
-    const double sound = make_scheme(c, nullptr).state.sound_speed;
-    return std::min(of_body, 0.8 * sound / (2.0 * c.total_depth()));
+    const std::optional<double> sound = record.sound_speed();
+    if (c.channel.top != Top::wall || !sound) return of_body;
+    return std::min(of_body, 0.8 * *sound / (2.0 * c.total_depth()));
 }
 
 }  // namespace
@@ -151,7 +151,7 @@ void add_body_coefficients(const FlowRecord& record, Analysis& analysis) {
             Top::free_surface) {  // else it carries the weight of the water that it displaces
             add(fields::solid_forces.lift, "lift_coefficient", "lift coefficient");
         }
-        const auto swing = shedding(record, k + 1, highest_shedding(c, *velocity, front->extent));
+        const auto swing = shedding(record, k + 1, highest_shedding(record, *velocity, front->extent));
         if (!swing) continue;
         Finding strouhal = make_finding(chapters::forces, fmt::format("strouhal_number_{}", k + 1),
                                         fmt::format("Strouhal number of \"{}\", f D/U", name), "1",

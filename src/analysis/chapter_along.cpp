@@ -158,12 +158,12 @@ void add_velocity(const LongProfile& profile, const Heads& heads, Analysis& anal
 void compare_with_varied_flow(const FlowRecord& record, const LongProfile& profile, Figure& figure,
                               Analysis& analysis) {
     const Case& c = *record.flow();
-    if (!c.solids.empty() || vegetation_varies_along(c) || porosity_varies_along(c) || !channel_resists(c) ||
-        !c.inflow_unit_discharge())
+    if (!c.solids.empty() || vegetation_varies_along(c) || porosity_varies_along(c) ||
+        !(channel_resists(c) || side_walls_resist(c)) || resolves_eddies(c) || !c.inflow_unit_discharge())
         return;
     std::vector<double> depth;
     try {
-        const auto varied = varied_depths(c, read_end_input(c));
+        const auto varied = varied_depths(c, read_end_levels(c));
         for (const double x : profile.x) depth.push_back(varied(x));
     } catch (const Error& error) {
         analysis.warnings.push_back(std::string("no steady varied flow to compare with: ") + error.what());

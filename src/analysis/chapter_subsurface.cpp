@@ -11,7 +11,6 @@
 #include "analysis/space_time.hpp"
 #include "analysis/subsurface_parts.hpp"
 #include "analysis/velocity_spectra.hpp"
-#include "engine/scheme.hpp"
 #include "statistics/power_spectrum.hpp"
 
 namespace riffle {
@@ -127,9 +126,9 @@ void add_scales(const FlowRecord& record, const VelocityInstrument& instrument, 
 /// the depth. Where that is all that w shows, say so.
 void warn_of_sound(const FlowRecord& record, const PowerSpectrum& spectrum, const std::string& where,
                    Analysis& analysis) {
-    if (record.flow() == nullptr || record.origin() != Origin::simulated) return;
-    const double mode =
-        make_scheme(*record.flow(), record.column()).state.sound_speed / (4.0 * record.flow()->total_depth());
+    const std::optional<double> sound = record.sound_speed();
+    if (record.flow() == nullptr || !sound) return;
+    const double mode = *sound / (4.0 * record.flow()->total_depth());
     const double peak = peak_frequency(spectrum);
     constexpr double near = 0.15;
     if (std::abs(peak - mode) > near * mode) return;

@@ -121,6 +121,8 @@ class FlowRecord {
     [[nodiscard]] virtual const Case* flow() const = 0;
     /// Its column twin; null where it has none.
     [[nodiscard]] virtual const ColumnResult* column() const { return nullptr; }
+    /// Speed of sound of simulated water, m/s; none of measured one.
+    [[nodiscard]] virtual std::optional<double> sound_speed() const { return std::nullopt; }
     /// The window of the averages.
     [[nodiscard]] virtual TimeWindow window() const = 0;
 

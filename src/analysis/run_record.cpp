@@ -155,6 +155,9 @@ const RunResults& RunRecord::results() const { return impl_->results; }
 std::string RunRecord::source() const { return impl_->path.string(); }
 const Case* RunRecord::flow() const { return &impl_->flow; }
 const ColumnResult* RunRecord::column() const { return impl_->column ? &*impl_->column : nullptr; }
+std::optional<double> RunRecord::sound_speed() const {
+    return impl_->results.number(fields::summary.sound_speed);
+}
 TimeWindow RunRecord::window() const { return impl_->window; }
 const SeriesTable& RunRecord::series() const { return impl_->series; }
 std::vector<std::string> RunRecord::warnings() const { return impl_->warnings; }

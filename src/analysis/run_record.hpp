@@ -39,6 +39,7 @@ class RunRecord final : public FlowRecord {
     [[nodiscard]] Origin origin() const override { return Origin::simulated; }
     [[nodiscard]] const Case* flow() const override;
     [[nodiscard]] const ColumnResult* column() const override;
+    [[nodiscard]] std::optional<double> sound_speed() const override;
     [[nodiscard]] TimeWindow window() const override;
     [[nodiscard]] const SeriesTable& series() const override;
     [[nodiscard]] const Profiles& profiles() const override;

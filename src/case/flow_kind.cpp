@@ -109,6 +109,10 @@ bool channel_resists(const Case& c) {
     return bed_resists(c.bed) || vegetation_everywhere(c) != nullptr || layer_resists(c);
 }
 
+bool side_walls_resist(const Case& c) {
+    return c.has_side_walls() && c.side_walls.drag_form != SideDragForm::none;
+}
+
 FlowKind flow_kind(const Case& c) {
     if (c.channel.top == Top::periodic) return FlowKind::periodic_box;
     if (c.start.kind == StartKind::standing_wave) return FlowKind::standing_wave;

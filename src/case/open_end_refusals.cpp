@@ -55,12 +55,6 @@ bool enters_as_twin(const Case& c) {
     return c.inflow.profile == InflowProfile::twin || c.inflow.profile == InflowProfile::column;
 }
 
-/// Whether side walls hold the water back in the twin of the profile that enters.
-bool side_walls_resist(const Case& c) {
-    return c.has_side_walls() && c.side_walls.drag_form != SideDragForm::none &&
-           c.inflow.profile != InflowProfile::column;
-}
-
 /// Depth at an end, of all the water over what it stands on, from a level over the datum, m.
 double over_floor(const Case& c, double level, double floor) { return total(c, level) - floor; }
 
@@ -154,7 +148,10 @@ CheckList open_end_refusals() {
              R"(`profile = "twin"`, the default, or `"column"` over a bed without friction, the former without friction of side walls too)",
              "no profile is the twin's own there",
              "choose profile = \"uniform\", or another",
-             [](const Case& c) { return enters_as_twin(c) && !channel_resists(c) && !side_walls_resist(c); }},
+             [](const Case& c) {
+                 const bool walls = c.inflow.profile == InflowProfile::twin && side_walls_resist(c);
+                 return enters_as_twin(c) && !channel_resists(c) && !walls;
+             }},
             {{"inflow.profile", "turbulence.closure"},
              R"(`profile = "twin"`, the default, or `"column"` with a closure of resolved eddies)",
              "it has no twin, and water without eddies would enter",

@@ -22,7 +22,7 @@ template <>
 struct Words<InflowProfile> {
     static constexpr std::array<Word, 7> list{{
         {"twin",
-         "that of the twin which carries the discharge at the depth of the case: of the cross-section between side walls, else of the column",
+         "that of the twin which carries the discharge at the depth of the case: of the cross-section between side walls, where it has one, else of the column",
          "theory 20", "wherever bed or side walls resist"},
         {"column", "that of the column twin, the same all across the channel", "theory 20",
          "over a bed with friction, where the water comes from a channel that is wider"},

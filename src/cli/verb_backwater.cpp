@@ -181,7 +181,7 @@ Backwater solve(const BackwaterArguments& a, Case c) {
     choose_length(a, b, controls);
     b.length = controls.length;
     b.flow = solve_varied_flow(b.channel, controls);
-    if (c.has_side_walls()) {
+    if (c.has_side_walls() && (friction.manning || friction.equivalent_roughness || !has_section_reach(c))) {
         b.notes.emplace_back(
             "The friction of the side walls takes no part: the channel is as good as endlessly wide.");
     }

@@ -19,6 +19,16 @@ namespace riffle {
 
 namespace {
 
+constexpr double small_slope = 1e-3;
+
+/// From where on the friction of a case is known, m over the datum.
+double least_depth_of(const Case& c) {
+    constexpr double least_share = 1e-3;  // of the case's depth, over a smooth bed
+    // A log law holds in water of twice its roughness and more.
+    return std::max({c.crest() - c.datum(), least_share * c.channel.depth,
+                     has_wall_law(c) ? 2.0 * equivalent_roughness(c) : 0.0});
+}
+
 /// Means over the depth of a column's profile.
 struct ProfileMeans {
     double unit_discharge = 0.0;  ///< m2/s
@@ -118,7 +128,11 @@ Case uniform_reach(const Case& c) {
     return reach;
 }
 
-bool has_section_reach(const Case& c) { return has_section(uniform_reach(c)); }
+bool has_section_reach(const Case& c) {
+    Case reach = uniform_reach(c);
+    reach.channel.slope = small_slope;  // the twin that carries a discharge has its own
+    return has_section(reach);
+}
 
 namespace {
 
@@ -132,9 +146,9 @@ constexpr SectionOptions coarse{.cells_across = 40, .cells_over_depth = 30, .wit
 template <class Twin, class Solve, class Discharge>
 std::pair<double, Twin> carry(const Case& of, double depth, double unit_discharge, double close,
                               const char* name, const Solve& solve, const Discharge& discharge_of) {
-    Case c = uniform_reach(of);
+    Case c = uniform_reach(with_fixed_roughness(of));
     c.channel.depth = depth;
-    c.channel.slope = 1e-3;
+    c.channel.slope = small_slope;
     const double sine = std::sin(std::atan(c.channel.slope));
     const double water = c.total_depth();
     const double wanted = std::log(unit_discharge);
@@ -186,7 +200,8 @@ std::optional<double> twin_normal_depth(const Case& c, double unit_discharge) {
     if (!has_section_reach(c)) {
         return normal_depth(twin_channel(c, unit_discharge));
     }
-    Case at = uniform_reach(c);
+    Case at = uniform_reach(with_fixed_roughness(c));
+    const double least_depth = least_depth_of(c);
     double exponent = 1.5;
     double last_depth = 0.0;
     double last_discharge = 0.0;
@@ -206,9 +221,14 @@ std::optional<double> twin_normal_depth(const Case& c, double unit_discharge) {
         last_depth = depth;
         last_discharge = discharge;
         at.channel.depth = depth * std::pow(unit_discharge / discharge, 1.0 / exponent);
+        if (at.channel.depth < least_depth) {
+            break;
+        }
     }
-    throw InputError(
-        fmt::format("the normal depth of {:.4g} m2/s between the side walls was not found", unit_discharge));
+    throw InputError(fmt::format(
+        "the normal depth of {:.4g} m2/s between the side walls was not found at or above {:.3g} m, below which the "
+        "friction of the bed is not known: give a larger discharge, or [outflow] kind = \"depth\"",
+        unit_discharge, least_depth));
 }
 
 double uniform_unit_discharge(const Case& c) {
@@ -218,10 +238,7 @@ double uniform_unit_discharge(const Case& c) {
 }
 
 SteadyChannel twin_channel(const Case& c, double unit_discharge) {
-    constexpr double least_share = 1e-3;  // of the case's depth, over a smooth bed
-    // A log law holds in water of twice its roughness and more.
-    const double least_depth = std::max({c.crest() - c.datum(), least_share * c.channel.depth,
-                                         has_wall_law(c) ? 2.0 * equivalent_roughness(c) : 0.0});
+    const double least_depth = least_depth_of(c);
     SteadyChannel channel{.slope = c.channel.slope,
                           .gravity = c.fluid.gravity,
                           .unit_discharge = unit_discharge,

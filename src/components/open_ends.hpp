@@ -189,7 +189,12 @@ class OpenEnds final : public Component<D, Real> {
             look(flow);
             const auto section = [&](std::size_t end) {
                 const auto water = watch_.watch(flow, end);
-                return sections_.start(std::max(water.depth, lattice_.dz), water.depth * water.velocity);
+                // A duct is as high as it is.
+                const double depth =
+                    sections_.in_duct()
+                        ? flow.c.total_depth() - (end == 0 ? floors_.upstream : floors_.downstream)
+                        : std::max(water.depth, lattice_.dz);
+                return sections_.start(depth, depth * water.velocity);
             };
             state.upstream = section(0);
             state.downstream = section(1);

@@ -184,7 +184,7 @@ double default_relaxation_time(const Case& c) {
 
 }  // namespace
 
-EndInput read_end_input(const Case& c) {
+EndInput read_end_levels(const Case& c) {
     EndInput input;
     if (!c.inflow.discharge_file.empty()) {
         input.unit_discharge = read_time_table(c.inflow.discharge_file, discharge_columns(c), 0.0);
@@ -195,16 +195,23 @@ EndInput read_end_input(const Case& c) {
     if (c.inflow.gives_depth()) {
         input.inflow_depth = depth_table(c, c.inflow.depth, c.inflow.depth_file, floors.upstream);
     }
-    input.entering = entering_flow(c, input.unit_discharge, floors.upstream);
-    if (is_duct(c)) {
-        add_duct(c, floors.upstream, input);
-        return input;
+    if (!is_duct(c)) {
+        input.outflow_depth = outflow_rule(c, floors.downstream);
+        constexpr double times = 5.0;
+        input.inflow_relaxation_time =
+            c.inflow.relaxation_time.value_or(times * std::sqrt(c.total_depth() / c.normal_gravity()));
+        input.relaxation_time = c.outflow.relaxation_time.value_or(default_relaxation_time(c));
     }
-    input.outflow_depth = outflow_rule(c, floors.downstream);
-    constexpr double times = 5.0;
-    input.inflow_relaxation_time =
-        c.inflow.relaxation_time.value_or(times * std::sqrt(c.total_depth() / c.normal_gravity()));
-    input.relaxation_time = c.outflow.relaxation_time.value_or(default_relaxation_time(c));
+    return input;
+}
+
+EndInput read_end_input(const Case& c) {
+    EndInput input = read_end_levels(c);
+    const double floor = end_floors(c).upstream;
+    input.entering = entering_flow(c, input.unit_discharge, floor);
+    if (is_duct(c)) {
+        add_duct(c, floor, input);
+    }
     return input;
 }
 
@@ -212,7 +219,8 @@ double start_unit_discharge(const Case& c, const EndInput& input) {
     if (input.unit_discharge) {
         return input.unit_discharge->at(0.0);
     }
-    return c.streamwise_gravity() > 0.0 && channel_resists(c) ? uniform_unit_discharge(c) : 0.0;
+    const bool has_twin = (channel_resists(c) || side_walls_resist(c)) && !resolves_eddies(c);
+    return c.streamwise_gravity() > 0.0 && has_twin ? uniform_unit_discharge(c) : 0.0;
 }
 
 EndExtremes end_extremes(const Case& c, const EndInput& input) {

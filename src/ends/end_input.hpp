@@ -15,7 +15,7 @@ namespace riffle {
 struct EndInput {
     std::optional<TimeTable> unit_discharge;  ///< q at the inflow, m2/s
     std::optional<TimeTable> inflow_depth;
-    std::shared_ptr<const EnteringFlow> entering;
+    std::shared_ptr<const EnteringFlow> entering;  ///< null of read_end_levels()
     /// Depth that rules the outflow, from the discharge that leaves (m2/s) and the time (s); none where
     /// nothing does.
     std::function<double(double unit_discharge, double time)> outflow_depth;
@@ -27,6 +27,9 @@ struct EndInput {
 
 /// Read it. Throws FileError or InputError that name file, line or key where something does not hold.
 [[nodiscard]] EndInput read_end_input(const Case& c);
+
+/// The discharges and depths alone, for which nothing of the velocity that enters needs to be there.
+[[nodiscard]] EndInput read_end_levels(const Case& c);
 
 /// Discharge of the start, m2/s: that of the inflow, or where the case gives none that of the uniform flow of
 /// its bed; 0 where that is not known either.

@@ -7,12 +7,15 @@
 #include <cstddef>
 #include <filesystem>
 #include <mutex>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "base/error.hpp"
+#include "base/not_a_number.hpp"
 #include "base/parallel.hpp"
+#include "case/end_floor.hpp"
 #include "case/word.hpp"
 #include "case/words.hpp"
 #include "instruments/fluid_view.hpp"
@@ -48,6 +51,15 @@ void require_fitting(const Case& c, const Case& other) {
         refuse(c,
                fmt::format("it was run with top = \"{}\", this case has \"{}\"; give a run of the same top",
                            word(other.channel.top), word(c.channel.top)));
+    }
+    const double depth = c.total_depth() - end_floors(c).upstream;
+    constexpr double close = 0.01;
+    if (std::abs(other.total_depth() - depth) > close * depth) {
+        refuse(c,
+               fmt::format(
+                   "the water there is {:.6g} m deep in all and here {:.6g} m, expected the same depth: its "
+                   "eddies are as large as that",
+                   other.total_depth(), depth));
     }
     if (c.channel.dimensions == 2) {
         return;
@@ -94,7 +106,7 @@ std::vector<std::pair<double, std::string>> snapshots_from(const Case& c, const 
     return found;
 }
 
-/// Velocities of a snapshot in the middle of the cells of a grid.
+/// Velocities of a snapshot in the middle of the cells of a grid; not a number where there is no water.
 template <int D>
 std::vector<float> on_cells(const Case& other, const std::vector<double>& position,
                             const std::vector<double>& velocity, const RecordedWater& water) {
@@ -121,17 +133,41 @@ std::vector<float> on_cells(const Case& other, const std::vector<double>& positi
             const auto middle = [](std::size_t index, double extent, std::size_t cells) {
                 return extent * (static_cast<double>(index) + 0.5) / static_cast<double>(cells);
             };
-            const FluidView::Velocity u =
+            const auto velocity =
                 velocity_below(view,
                                {middle(cell % nx, water.length, nx), middle(cell / nx % ny, water.width, ny),
                                 middle(cell / (nx * ny), other.total_depth(), nz)},
                                h);
+            const auto u = velocity.value_or(FluidView::Velocity{not_a_number, not_a_number, not_a_number});
             values[3 * cell] = static_cast<float>(u.u);
             values[3 * cell + 1] = static_cast<float>(u.v);
             values[3 * cell + 2] = static_cast<float>(u.w);
         }
     });
     return values;
+}
+
+/// What enters is scaled to the discharge at each moment, so at none may the water stand or flow back.
+void require_flowing(const Case& c, const RecordedWater& water) {
+    std::vector<double> means;
+    for (const std::vector<float>& moment : water.velocity) {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < moment.size(); i += 3) {
+            sum += static_cast<double>(moment[i]);
+        }
+        means.push_back(sum / (static_cast<double>(moment.size()) / 3.0));
+    }
+    const double mean = std::accumulate(means.begin(), means.end(), 0.0) / static_cast<double>(means.size());
+    constexpr double least = 0.5;
+    for (std::size_t i = 0; i < means.size(); ++i) {
+        if (!(means[i] > 0.0) || means[i] < least * mean) {
+            refuse(c, fmt::format(
+                          "the mean velocity of its water is {:.4g} m/s at {:g} s and {:.4g} m/s over all "
+                          "snapshots, expected above 0 and at least half of that; give an "
+                          "inflow.results_from from which on it flows steadily",
+                          means[i], water.time[i], mean));
+        }
+    }
 }
 
 std::shared_ptr<const RecordedFlow> read(const Case& c) {
@@ -152,21 +188,28 @@ std::shared_ptr<const RecordedFlow> read(const Case& c) {
     for (const auto& [time, group] : snapshots_from(c, results, other)) {
         const std::vector<double> position = results.values({group, of.position});
         const std::vector<double> velocity = results.values({group, of.velocity});
-        if (position.empty() || position.size() != velocity.size()) {
-            throw FileError(
-                fmt::format("{} of {}: positions and velocities do not fit each other; the file is damaged",
-                            group, c.inflow.results.string()));
+        const auto is_number = [](double value) { return std::isfinite(value); };
+        if (position.empty() || position.size() != velocity.size() ||
+            !std::all_of(position.begin(), position.end(), is_number) ||
+            !std::all_of(velocity.begin(), velocity.end(), is_number)) {
+            throw FileError(fmt::format(
+                "{} of {}: positions and velocities do not fit each other, or are not all numbers; "
+                "the file has been altered: give one as `riffle run` wrote it",
+                group, c.inflow.results.string()));
         }
         water.time.push_back(time);
         water.velocity.push_back(space ? on_cells<3>(other, position, velocity, water)
                                        : on_cells<2>(other, position, velocity, water));
+        if (!std::all_of(water.velocity.back().begin(), water.velocity.back().end(), is_number)) {
+            refuse(c,
+                   fmt::format(
+                       "at {:g} s there is no water at places within its depth; give an inflow.results_from "
+                       "from which on the water fills it",
+                       time));
+        }
     }
-    auto flow = std::make_shared<const RecordedFlow>(std::move(water));
-    if (!(flow->bulk_velocity() > 0.0)) {
-        refuse(c, fmt::format("the mean velocity of its water is {:g} m/s; it must be above 0",
-                              flow->bulk_velocity()));
-    }
-    return flow;
+    require_flowing(c, water);
+    return std::make_shared<const RecordedFlow>(std::move(water));
 }
 
 }  // namespace

@@ -107,7 +107,8 @@ std::vector<double> planes_across(const Case& c, std::size_t axis) {
 
 }  // namespace
 
-FluidView::Velocity velocity_below(const FluidView& view, Vec<3> place, double smoothing_length) {
+std::optional<FluidView::Velocity> velocity_below(const FluidView& view, Vec<3> place,
+                                                  double smoothing_length) {
     constexpr int points = 5;
     for (int point = 0; point < points; ++point) {
         const FluidView::Velocity velocity = view.velocity_at(place);
@@ -116,7 +117,7 @@ FluidView::Velocity velocity_below(const FluidView& view, Vec<3> place, double s
         }
         place[2] -= 0.5 * smoothing_length;
     }
-    return {0.0, 0.0, 0.0};
+    return std::nullopt;
 }
 
 template <int D>

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -84,8 +85,8 @@ class FluidView {
 
 /// The velocity of the water at a place: near and above its surface, where a point is not wet, that of the
 /// wet point below it, at most two smoothing lengths (m) down; nothing where there is none.
-[[nodiscard]] FluidView::Velocity velocity_below(const FluidView& view, Vec<3> place,
-                                                 double smoothing_length);
+[[nodiscard]] std::optional<FluidView::Velocity> velocity_below(const FluidView& view, Vec<3> place,
+                                                                double smoothing_length);
 
 /// The view of the particles of a simulation in D dimensions. Keeps views of the particles, which must
 /// outlive it and stay as they are.

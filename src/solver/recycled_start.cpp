@@ -79,7 +79,7 @@ Particles<D> recycled_particles(const Case& c, const Scheme& scheme, const Case&
             place[0] = inside(place[0], other.channel.length, other.channel.ends == Ends::periodic);
             place[1] =
                 inside(place[1], other.channel.width, D == 3 && other.channel.sides == Sides::periodic);
-            const FluidView::Velocity velocity = velocity_below(view, place, h);
+            const auto velocity = velocity_below(view, place, h).value_or(FluidView::Velocity{0.0, 0.0, 0.0});
             particles.velocity[0][i] = velocity.u;
             particles.velocity[D - 1][i] = velocity.w;
             if constexpr (D == 3) {

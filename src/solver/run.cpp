@@ -91,8 +91,10 @@ RunOutcome resume_run(const RunOptions& given, const fs::path& checkpoint,
         }
     }
     const FolderLock lock = lock_folder(options);
-    const std::string text = CheckpointReader(from).read_string("/case/text");
-    const Case c = parse_case(text, from.string(), {}, overrides);
+    const CheckpointReader checkpoint_file(from);
+    const Case c = parse_case(checkpoint_file.read_string("/case/text"), from.string(), {}, overrides);
+    // Before any of its files is read: one that is gone or another one is said to be so.
+    static_cast<void>(compare_identity(checkpoint_file, c));
     check_runnable(c);
     return in_dimensions(c, [&]<int D>() { return RunSession<D>(c, options).resume(from); });
 }

@@ -2,10 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <cstddef>
+#include <cstdint>
+#include <fstream>
 #include <map>
 #include <random>
+#include <span>
 #include <sstream>
-#include <system_error>
+#include <vector>
 
 #include "base/error.hpp"
 #include "base/version.hpp"
@@ -19,14 +23,20 @@ namespace riffle {
 
 namespace {
 
-/// "checksum bytes" of a file.
+/// "checksum bytes" of a file, which may be larger than the memory.
 std::string checksum_text(const std::filesystem::path& path) {
-    try {
-        const std::vector<std::byte> bytes = read_file_bytes(path);
-        return fmt::format("{:016x} {}", crc64(bytes), bytes.size());
-    } catch (const std::system_error&) {
-        return "- -";
+    constexpr std::size_t piece = std::size_t{1} << 20U;
+    std::ifstream file(path, std::ios::binary);
+    std::vector<char> bytes(piece);
+    std::uint64_t checksum = 0;
+    std::uint64_t size = 0;
+    while (file) {
+        file.read(bytes.data(), static_cast<std::streamsize>(piece));
+        const auto count = static_cast<std::size_t>(file.gcount());
+        checksum = crc64(std::as_bytes(std::span(bytes).first(count)), checksum);
+        size += count;
     }
+    return file.eof() ? fmt::format("{:016x} {}", checksum, size) : "- -";
 }
 
 /// By key and path: "checksum bytes".

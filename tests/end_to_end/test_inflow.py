@@ -72,6 +72,13 @@ class Inflow(CommandLineTest):
             file.write(b"\0" * 8)
         self.fail_with(2, "resume", part, "-q", *until(0.2), says=["inflow.results", "is not the file that it was"])
 
+    def test_a_run_is_read_without_the_water_that_entered_and_not_resumed(self):
+        folder = self.run_open("part", 0.3)
+        (self.cell / "results.h5").unlink()
+        self.succeed("analyse", folder)
+        self.succeed("report", folder, "-o", self.folder / "report.html")
+        self.fail_with(2, "resume", folder, "-q", *until(0.4), says=["inflow.results", "is gone"])
+
     def test_a_hydrograph_must_stay_the_file_that_it_was(self):
         table = self.folder / "flood.csv"
         table.write_text("time,unit_discharge\n0,0.0174\n1,0.02\n")
@@ -96,6 +103,12 @@ class Inflow(CommandLineTest):
         late = self.case(name="late.toml")
         late.write_text(late.read_text().replace('profile = "results"', 'profile = "results"\nresults_from = "9 s"'))
         refused(late, "from 9 s on", "inflow.results_from")
+        deep = self.case(name="deep.toml")
+        deep.write_text(deep.read_text().replace('depth = "50 mm"\nlength', 'depth = "60 mm"\nlength'))
+        refused(deep, "0.056 m deep in all and here 0.066 m")
+        still = self.folder / "still"
+        self.succeed("run", self.folder / "cell.toml", "-o", still, "-q", *until(0.1), *every(snapshot=0.05), "--set", "start.kind=rest")
+        refused(self.case(results=still / "results.h5"), "at 0 s", "inflow.results_from")
         opened = self.run_open("open", 0.05)
         refused(self.case(results=opened / "results.h5"), 'ends = "open"', "periodic")
 

@@ -95,6 +95,15 @@ TEST(TwinChannel, SideWallsBrakeToo) {
     other.channel.slope = std::tan(std::asin(carrying.weight / c.fluid.gravity));
     EXPECT_NEAR(uniform_unit_discharge(other), 0.02, 1e-3 * 0.02);  // on another grid
     EXPECT_NEAR(*twin_normal_depth(other, 0.02), 0.04, 1e-5 * 0.04);
+    // A horizontal channel has that twin too, and what carries hardly anything is said to be too shallow.
+    other.channel.slope = 0.0;
+    EXPECT_TRUE(has_section_reach(other));
+    try {
+        static_cast<void>(twin_normal_depth(c, 1e-7));
+        FAIL() << "no error";
+    } catch (const InputError& e) {
+        EXPECT_THAT(e.what(), testing::HasSubstr("below which the friction of the bed is not known"));
+    }
 }
 
 TEST(TwinChannel, NeedsAColumn) {

@@ -130,6 +130,17 @@ TEST(RecordedFlow, RepeatsWithoutAJump) {
     }
 }
 
+// Multiples of the period, a little less by rounding.
+TEST(RecordedFlow, IsThereAtEachMultipleOfItsPeriod) {
+    const RecordedFlow flow(record({0.0, 0.05}, profile, [](std::size_t, double x, double y, double place) {
+        return eddy(x, y, place, 0.0);
+    }));
+    for (int i = 0; i < 2000; ++i) {
+        const double u = flow.at(0.1 * i, 0.03, 0.5)[0];
+        EXPECT_NEAR(u, flow.at(0.0, 0.03, 0.5)[0], 1e-6) << i;
+    }
+}
+
 // One moment alone: the frozen water goes by.
 TEST(RecordedFlow, ASingleMomentIsCarriedAlong) {
     const RecordedFlow flow(record(
