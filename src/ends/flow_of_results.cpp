@@ -133,12 +133,12 @@ std::vector<float> on_cells(const Case& other, const std::vector<double>& positi
             const auto middle = [](std::size_t index, double extent, std::size_t cells) {
                 return extent * (static_cast<double>(index) + 0.5) / static_cast<double>(cells);
             };
-            const auto velocity =
+            const auto found =
                 velocity_below(view,
                                {middle(cell % nx, water.length, nx), middle(cell / nx % ny, water.width, ny),
                                 middle(cell / (nx * ny), other.total_depth(), nz)},
                                h);
-            const auto u = velocity.value_or(FluidView::Velocity{not_a_number, not_a_number, not_a_number});
+            const auto u = found.value_or(FluidView::Velocity{not_a_number, not_a_number, not_a_number});
             values[3 * cell] = static_cast<float>(u.u);
             values[3 * cell + 1] = static_cast<float>(u.v);
             values[3 * cell + 2] = static_cast<float>(u.w);

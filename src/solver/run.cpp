@@ -11,6 +11,7 @@
 #include "output/checkpoint_file.hpp"
 #include "output/folder_lock.hpp"
 #include "solver/recorder.hpp"
+#include "solver/run_identity.hpp"
 #include "solver/run_session.hpp"
 #include "solver/start.hpp"
 
