@@ -48,9 +48,8 @@ void require_fitting(const Case& c, const Case& other) {
                       word(other.channel.ends)));
     }
     if (other.channel.top != c.channel.top) {
-        refuse(c,
-               fmt::format("it was run with top = \"{}\", this case has \"{}\"; give a run of the same top",
-                           word(other.channel.top), word(c.channel.top)));
+        refuse(c, fmt::format(R"(it was run with top = "{}", this case has "{}"; give a run of the same top)",
+                              word(other.channel.top), word(c.channel.top)));
     }
     const double depth = c.total_depth() - end_floors(c).upstream;
     constexpr double close = 0.01;
@@ -66,7 +65,7 @@ void require_fitting(const Case& c, const Case& other) {
     }
     if (other.channel.sides != c.channel.sides) {
         refuse(c, fmt::format(
-                      "it was run with sides = \"{}\", this case has \"{}\"; give a run of the same sides",
+                      R"(it was run with sides = "{}", this case has "{}"; give a run of the same sides)",
                       word(other.channel.sides), word(c.channel.sides)));
     }
     const bool across = c.channel.sides == Sides::periodic;
@@ -125,7 +124,9 @@ std::vector<float> on_cells(const Case& other, const std::vector<double>& positi
     }
     const double h = other.numerics.smoothing_ratio * other.numerics.spacing;
     const FluidViewIn<D> view(other, particles, h);
-    const auto [nx, ny, nz] = water.cells;
+    const std::size_t nx = water.cells[0];
+    const std::size_t ny = water.cells[1];
+    const std::size_t nz = water.cells[2];
     std::vector<float> values(3 * nx * ny * nz);
     constexpr std::size_t block = 256;
     parallel_blocks(nx * ny * nz, block, [&](std::size_t begin, std::size_t end) {

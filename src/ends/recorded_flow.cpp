@@ -26,7 +26,9 @@ std::size_t RecordedFlow::bytes() const {
 }
 
 void RecordedFlow::take_off_mean() {
-    const auto [nx, ny, nz] = water_.cells;
+    const std::size_t nx = water_.cells[0];
+    const std::size_t ny = water_.cells[1];
+    const std::size_t nz = water_.cells[2];
     mean_columns_ = water_.repeats_across ? 1 : ny;
     mean_.assign(3 * mean_columns_ * nz, 0.0);
     const auto mean_of = [&](std::size_t iy, std::size_t iz) {
@@ -60,8 +62,9 @@ void RecordedFlow::take_off_mean() {
         });
     }
     double largest = 0.0;
+    const std::size_t places = mean_columns_ * nz;
     for (std::size_t i = 0; i < mean_.size(); i += 3) {
-        bulk_velocity_ += mean_[i] / static_cast<double>(mean_.size() / 3);
+        bulk_velocity_ += mean_[i] / static_cast<double>(places);
         largest = std::max(largest, mean_[i]);
     }
     largest_ = largest / bulk_velocity_;
@@ -70,8 +73,10 @@ void RecordedFlow::take_off_mean() {
 
 void RecordedFlow::find_correlations() {
     const auto& time = water_.time;
-    const auto [nx, ny, nz] = water_.cells;
-    const double cells = static_cast<double>(nx * ny * nz);
+    const std::size_t nx = water_.cells[0];
+    const std::size_t ny = water_.cells[1];
+    const std::size_t nz = water_.cells[2];
+    const auto cells = static_cast<double>(nx * ny * nz);
     const double cell_length = water_.length / static_cast<double>(nx);
     for (std::size_t moment = 0; moment < time.size(); ++moment) {
         const std::size_t next = (moment + 1) % time.size();
@@ -100,7 +105,7 @@ void RecordedFlow::find_correlations() {
 }
 
 RecordedFlow::Between RecordedFlow::between(double place, std::size_t cells, bool repeats) {
-    const double count = static_cast<double>(cells);
+    const auto count = static_cast<double>(cells);
     const double at = place * count - 0.5;
     const double low = std::floor(at);
     const auto index = [&](double cell) {
@@ -132,7 +137,9 @@ Vec<3> RecordedFlow::mean(double y, double place) const {
 }
 
 Vec<3> RecordedFlow::departure(std::size_t moment, double x, double y, double place) const {
-    const auto [nx, ny, nz] = water_.cells;
+    const std::size_t nx = water_.cells[0];
+    const std::size_t ny = water_.cells[1];
+    const std::size_t nz = water_.cells[2];
     const std::array<Between, 3> at{between(x / water_.length, nx, true), across(y),
                                     between(place, nz, false)};
     const std::vector<float>& velocity = water_.velocity[moment];

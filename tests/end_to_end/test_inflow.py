@@ -1,6 +1,12 @@
 """Water of one run that enters another one, and channels with open ends that start from results."""
 
-from riffle_cli import SPACE_CASE, CommandLineTest, every, main, until
+import pathlib
+import shutil
+import tempfile
+
+from riffle_cli import SPACE_CASE, CommandLineTest, every, main, riffle, until
+
+CELL = SPACE_CASE.replace("czernuszenko-rylov", "ramp")
 
 # What turns the periodic cell into a channel that the cell's water enters.
 OPEN = """
@@ -15,15 +21,24 @@ depth = "50 mm"
 
 
 class Inflow(CommandLineTest):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.shared = tempfile.TemporaryDirectory(prefix="riffle-test-")
+        cls.addClassCleanup(cls.shared.cleanup)
+        case = pathlib.Path(cls.shared.name) / "cell.toml"
+        case.write_text(CELL)
+        made = riffle("run", case, "-o", case.parent / "cell", "-q", *until(0.3), *every(snapshot=0.05))
+        assert made.returncode == 0, made.stderr
+
     def setUp(self):
         super().setUp()
-        cell = self.folder / "cell.toml"
-        cell.write_text(SPACE_CASE.replace("czernuszenko-rylov", "ramp"))
+        shutil.copytree(pathlib.Path(self.shared.name) / "cell", self.folder / "cell")
+        (self.folder / "cell.toml").write_text(CELL)
         self.cell = self.folder / "cell"
-        self.succeed("run", cell, "-o", self.cell, "-q", *until(0.3), *every(snapshot=0.05))
 
     def case(self, more="", results=None, name="open.toml"):
-        text = SPACE_CASE.replace("czernuszenko-rylov", "ramp").replace('length = "50 mm"', 'length = "250 mm"\nends = "open"')
+        text = CELL.replace('length = "50 mm"', 'length = "250 mm"\nends = "open"')
         path = self.folder / name
         path.write_text(text.replace('[output]\nmean_field_interval = "0.15 s"\n', "")
                         + OPEN.format(results=results or self.cell / "results.h5") + more)

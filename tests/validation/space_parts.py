@@ -93,9 +93,9 @@ def space_twin(run):
 def space_quick(run):
     """What continuous integration runs: some seconds of a coarse cell."""
     bars = space_bars(0.02)
-    table = Table("Cell of 50 by 43.3 mm, dx 3 mm, drag by its plan mean, 5 s: against the column twin", bar_header(bars) + WIDE_EXTRA)
+    table = Table("Cell of 50 by 43.3 mm, dx 3 mm, drag by its plan mean, 4 s: against the column twin", bar_header(bars) + WIDE_EXTRA)
     # The forces swing with the sound of the water, 28 ms long: samples that are closer than that know their mean to the bar.
-    settings = dict(PLAN_MEAN, **{"run.until": '"5 s"', "run.average_from": "2.5", "output.series_interval": '"4 ms"'})
+    settings = dict(PLAN_MEAN, **{"run.until": '"4 s"', "run.average_from": "2", "output.series_interval": '"4 ms"'})
     wide_row(table, run, "quick-2", "condition 2", 2, settings, bars)
     return table
 
