@@ -1,4 +1,4 @@
-"""Hydraulic jumps: with a roller, undular, and behind a gate."""
+"""Hydraulic jumps: with a roller, and undular."""
 
 import math
 
@@ -146,49 +146,4 @@ def undular(study):
     return check
 
 
-def gate(study):
-    case = "cases/open-ends/sluice-gate.toml"
-    check = Check("open_gate", "Jump behind a sluice gate",
-                  "Water shoots out under a gate and jumps: the contraction of the jet, the discharge of the pool's energy, and the depths on both sides of the jump.")
-    flow = study.run("open_gate", case)
-    start, g = flow.parameters["run"]["average_from"], flow.gravity_z
-    solid = flow.parameters["solid"][0]
-    opening, edge = min(solid["z"]), max(solid["x"])
-    q = float(flow.series["outflow_discharge"][flow.series["time"] > start].mean())
-    pool = depth_by_area(flow, 0.5 * edge, 0.25 * edge, start)
-    places = edge + numpy.arange(0.02, 0.15, 2 * flow.spacing)
-    jet = float(depth_by_area(flow, places, 2 * flow.spacing, start).min())
-    check.norm(f"depth of the jet ({jet / flow.spacing:.0f} rows) against 0.605 of the opening", jet / (0.605 * opening) - 1, 0.03)
-    energy = lambda h: h + q**2 / (2 * g * h**2)
-    check.norm("discharge against that of the pool's energy and the jet's depth", q / (jet * math.sqrt(2 * g * (energy(pool) - jet))) - 1, 0.03)
-    with h5py.File(flow.folder / "results.h5", "r") as file:
-        surface = file["/surface"]
-        time, x, level = surface["time"][:], surface["x"][:], surface["elevation"][:]
-    late, behind_gate = time > start, x > edge + 0.05
-    mean = numpy.nanmean(level[late], axis=0)
-    deep = mean[x > 0.9 * flow.length].mean()
-    toes = numpy.array([x[behind_gate][numpy.argmax(row[behind_gate] > 0.5 * (jet + deep))] for row in level[late]])
-    place = float(numpy.median(toes))
-    before = depth_by_area(flow, max(place - 1.0 * deep, edge + 0.05), 0.01, start)
-    begin, end = min(place + 4 * deep, 0.85 * flow.length), 0.95 * flow.length
-    after = depth_by_area(flow, 0.5 * (begin + end), 0.5 * (end - begin), start)
-    froude = q / before / math.sqrt(g * before)
-    conjugate = 0.5 * before * (math.sqrt(1 + 8 * froude**2) - 1)
-    check.norm("Froude number before the jump", froude, None, "", 3)
-    check.norm("depth behind the jump against the conjugate one", after / conjugate - 1, 0.03)
-    check.norm("loss of energy head against that of the conjugate depths",
-               (energy(before) - energy(after)) / ((conjugate - before) ** 3 / (4 * before * conjugate)) - 1, 0.05)
-    check.norm("place of the jump behind the gate, over the opening", (place - edge) / opening, None, "", 2)
-    check.norm(f"standard deviation of the place of the jump in {time[-1] - start:.0f} s, over the depth before it", float(toes.std()) / before, 1.0, "", 2)
-    figure = figures.Figure(1, width=7)
-    axes = figure.panel("distance along the channel x (m)", "level (m)", f"mean from {start:g} s on")
-    figures.exact(axes, [edge, flow.length], [0.605 * opening] * 2, "contraction of irrotational flow")
-    figures.exact(axes, [place, flow.length], [conjugate] * 2, "conjugate depth", linestyle=":")
-    figures.simulated(axes, x, mean, "particles", figures.COLOURS[0], most=300)
-    check.figures.append((figure.svg(check.name), "Mean level before and behind the gate."))
-    check.best, check.cost = options_text(flow), flow.cost_text
-    account(check, flow)
-    return check
-
-
-CHECKS = {"open_jump": jump, "open_undular": undular, "open_gate": gate}
+CHECKS = {"open_jump": jump, "open_undular": undular}
