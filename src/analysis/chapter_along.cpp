@@ -159,7 +159,7 @@ void compare_with_varied_flow(const FlowRecord& record, const LongProfile& profi
                               Analysis& analysis) {
     const Case& c = *record.flow();
     if (!c.solids.empty() || vegetation_varies_along(c) || porosity_varies_along(c) ||
-        !(channel_resists(c) || side_walls_resist(c)) || resolves_eddies(c) || !c.inflow_unit_discharge())
+        !channel_or_walls_resist(c) || resolves_eddies(c) || !c.inflow_unit_discharge())
         return;
     std::vector<double> depth;
     try {

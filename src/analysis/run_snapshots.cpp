@@ -1,24 +1,19 @@
 #include "analysis/run_snapshots.hpp"
 
 #include <algorithm>
-#include <optional>
 #include <string>
+#include <utility>
 
 #include "base/error.hpp"
 #include "case/flow_kind.hpp"
 #include "case/solid_shapes.hpp"
 #include "particles/lattice.hpp"
 #include "record/particle_fields.hpp"
+#include "record/whole_snapshots.hpp"
 
 namespace riffle {
 
 namespace {
-
-/// Whether a snapshot holds all of the water, so that each particle has its neighbours.
-bool snapshots_are_whole(const Case& c) {
-    const Output& output = c.output;
-    return output.snapshot_x.empty() && output.snapshot_y.empty() && output.snapshot_z.empty();
-}
 
 /// Whether the flow is the same all along a channel, on the mean over its plan: nothing stands in it but a
 /// bed of bodies.
@@ -49,12 +44,9 @@ EddiesAndNoise read_eddies_and_noise(const RunResults& results, const Case& c, c
     }
     const auto& of = fields::snapshot;
     std::vector<std::string> groups;
-    for (const std::string& name : results.children(snapshots_group)) {
-        std::string group = std::string(snapshots_group) + "/" + name;
-        const std::optional<double> time = results.number({group, of.time});
-        if (time && window.holds(*time) && results.has({group, of.position}) &&
-            results.has({group, of.velocity})) {
-            groups.push_back(std::move(group));
+    for (SnapshotPlace& snapshot : snapshots_with_velocities(results)) {
+        if (window.holds(snapshot.time)) {
+            groups.push_back(std::move(snapshot.group));
         }
     }
     if (groups.empty()) {

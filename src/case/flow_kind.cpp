@@ -109,8 +109,8 @@ bool channel_resists(const Case& c) {
     return bed_resists(c.bed) || vegetation_everywhere(c) != nullptr || layer_resists(c);
 }
 
-bool side_walls_resist(const Case& c) {
-    return c.has_side_walls() && c.side_walls.drag_form != SideDragForm::none;
+bool channel_or_walls_resist(const Case& c) {
+    return channel_resists(c) || (c.has_side_walls() && c.side_walls.drag_form != SideDragForm::none);
 }
 
 FlowKind flow_kind(const Case& c) {

@@ -78,8 +78,8 @@ enum class FlowKind {
 
 /// Whether the bed, or vegetation or a porous layer all over it, holds the water back.
 [[nodiscard]] bool channel_resists(const Case& c);
-/// Whether side walls do.
-[[nodiscard]] bool side_walls_resist(const Case& c);
+/// Whether that does, or side walls with friction do.
+[[nodiscard]] bool channel_or_walls_resist(const Case& c);
 
 /// Whether the closure of a case is a mixing length, which grows from the bed and follows the depth.
 [[nodiscard]] bool has_mixing_length(const Case& c);

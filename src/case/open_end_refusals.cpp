@@ -149,8 +149,8 @@ CheckList open_end_refusals() {
              "no profile is the twin's own there",
              "choose profile = \"uniform\", or another",
              [](const Case& c) {
-                 const bool walls = c.inflow.profile == InflowProfile::twin && side_walls_resist(c);
-                 return enters_as_twin(c) && !channel_resists(c) && !walls;
+                 const bool column = c.inflow.profile == InflowProfile::column;
+                 return enters_as_twin(c) && !(column ? channel_resists(c) : channel_or_walls_resist(c));
              }},
             {{"inflow.profile", "turbulence.closure"},
              R"(`profile = "twin"`, the default, or `"column"` with a closure of resolved eddies)",
@@ -191,10 +191,9 @@ CheckList open_end_refusals() {
              "a bed that does not fall, or without friction, has no normal depth",
              "choose kind = \"depth\" or another",
              [](const Case& c) {
-                 return found_if(
-                     c.outflow.kind == OutflowKind::normal_depth &&
-                         (!(c.streamwise_gravity() > 0.0) || (!channel_resists(c) && !side_walls_resist(c))),
-                     "kind = \"normal-depth\" needs a slope and a bed with friction");
+                 return found_if(c.outflow.kind == OutflowKind::normal_depth &&
+                                     (!(c.streamwise_gravity() > 0.0) || !channel_or_walls_resist(c)),
+                                 "kind = \"normal-depth\" needs a slope and a bed with friction");
              }},
             {{"outflow.kind", "turbulence.closure"},
              "`kind = \"normal-depth\"`, the default, with a closure of resolved eddies",

@@ -59,6 +59,7 @@ class TwinStates {
   public:
     TwinStates(Case c, double unit_discharge, double least_depth)
         : case_(with_fixed_roughness(std::move(c))),
+          has_section_(has_section_reach(case_)),
           unit_discharge_(unit_discharge),
           least_depth_(least_depth) {}
 
@@ -83,7 +84,7 @@ class TwinStates {
     }
 
   private:
-    static constexpr double step = 0.1;  // in ln h; the section twin is solved as seldom
+    static constexpr double step = 0.1;  // in ln h
     static constexpr int points = 6;
 
     [[nodiscard]] const SectionState& node_at(int i) {
@@ -94,7 +95,7 @@ class TwinStates {
     }
 
     [[nodiscard]] SectionState solve(double depth) const {
-        if (has_section_reach(case_)) {
+        if (has_section_) {
             const CarryingSection carrying = carrying_section(case_, depth, unit_discharge_);
             return {carrying.weight / case_.fluid.gravity, carrying.section.depth_mean_velocity,
                     carrying.section.momentum_coefficient, carrying.section.energy_coefficient};
@@ -106,6 +107,7 @@ class TwinStates {
     }
 
     Case case_;
+    bool has_section_;  ///< between side walls
     double unit_discharge_;
     double least_depth_;
     std::map<int, SectionState> nodes_;

@@ -219,7 +219,7 @@ double start_unit_discharge(const Case& c, const EndInput& input) {
     if (input.unit_discharge) {
         return input.unit_discharge->at(0.0);
     }
-    const bool has_twin = (channel_resists(c) || side_walls_resist(c)) && !resolves_eddies(c);
+    const bool has_twin = channel_or_walls_resist(c) && !resolves_eddies(c);
     return c.streamwise_gravity() > 0.0 && has_twin ? uniform_unit_discharge(c) : 0.0;
 }
 

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "base/multiple.hpp"
 #include "base/not_a_number.hpp"
 #include "base/parallel.hpp"
 #include "case/end_floor.hpp"
@@ -22,6 +23,7 @@
 #include "particles/lattice.hpp"
 #include "record/particle_fields.hpp"
 #include "record/run_results.hpp"
+#include "record/whole_snapshots.hpp"
 
 namespace riffle {
 
@@ -29,11 +31,6 @@ namespace {
 
 [[noreturn]] void refuse(const Case& c, const std::string& why) {
     throw InputError(fmt::format("[inflow] results = \"{}\": {}", c.inflow.results.string(), why));
-}
-
-bool is_multiple(double a, double b) {
-    const double times = std::round(a / b);
-    return times >= 1.0 && std::abs(times * b - a) < 1e-6 * a;
 }
 
 void require_fitting(const Case& c, const Case& other) {
@@ -69,31 +66,26 @@ void require_fitting(const Case& c, const Case& other) {
                       word(other.channel.sides), word(c.channel.sides)));
     }
     const bool across = c.channel.sides == Sides::periodic;
-    const bool same = std::abs(other.channel.width - c.channel.width) < 1e-6 * c.channel.width;
-    if (!same && !(across && is_multiple(c.channel.width, other.channel.width))) {
+    constexpr double rounded = 1e-6;
+    const bool same = std::abs(other.channel.width - c.channel.width) < rounded * c.channel.width;
+    if (!same && !(across && is_multiple(c.channel.width, other.channel.width, rounded))) {
         refuse(c, fmt::format("channel.width is {:.10g} m there and {:.10g} m here, expected the same{}",
                               other.channel.width, c.channel.width, across ? ", or several times that" : ""));
     }
 }
 
-/// Snapshots of all the water with their velocities, by their groups.
-std::vector<std::pair<double, std::string>> snapshots_from(const Case& c, const RunResults& results,
-                                                           const Case& other) {
-    const Output& output = other.output;
-    if (!output.snapshot_x.empty() || !output.snapshot_y.empty() || !output.snapshot_z.empty()) {
+/// The snapshots that enter.
+std::vector<SnapshotPlace> snapshots_from(const Case& c, const RunResults& results, const Case& other) {
+    if (!snapshots_are_whole(other)) {
         refuse(c,
                "its snapshots hold a part of the water (output.snapshot_x, snapshot_y or snapshot_z); give a "
                "run whose snapshots hold all of it");
     }
     const double from = c.inflow.results_from.value_or(other.run.average_from.value_or(0.0));
-    const auto& of = fields::snapshot;
-    std::vector<std::pair<double, std::string>> found;
-    for (const std::string& name : results.children(snapshots_group)) {
-        std::string group = std::string(snapshots_group) + "/" + name;
-        const std::optional<double> time = results.number({group, of.time});
-        const bool later = time && *time >= from && (found.empty() || *time > found.back().first);
-        if (later && results.has({group, of.position}) && results.has({group, of.velocity})) {
-            found.emplace_back(*time, std::move(group));
+    std::vector<SnapshotPlace> found;
+    for (SnapshotPlace& snapshot : snapshots_with_velocities(results)) {
+        if (snapshot.time >= from && (found.empty() || snapshot.time > found.back().time)) {
+            found.push_back(std::move(snapshot));
         }
     }
     if (found.empty()) {

@@ -166,10 +166,9 @@ Vec<3> RecordedFlow::at(double time, double y, double place) const {
     const auto& times = water_.time;
     // Rounding may put the phase a little before the first moment.
     const double since = std::clamp(time - period_ * std::floor(time / period_), 0.0, period_);
-    std::size_t moment = 0;
-    while (moment + 1 < times.size() && times[moment + 1] - times.front() <= since) {
-        ++moment;
-    }
+    const auto later = times.begin() + 1;
+    const auto moment =
+        static_cast<std::size_t>(std::upper_bound(later, times.end(), times.front() + since) - later);
     const std::size_t next = (moment + 1) % times.size();
     const double end = next > moment ? times[next] - times.front() : period_;
     const double begin = times[moment] - times.front();

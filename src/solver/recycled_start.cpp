@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/multiple.hpp"
 #include "base/parallel.hpp"
 #include "case/end_buffers.hpp"
 #include "case/words.hpp"
@@ -17,13 +18,9 @@ namespace {
 
 constexpr std::size_t block = 1024;
 
-bool differs(double a, double b) { return std::abs(a - b) > 1e-9 * std::abs(b); }
+constexpr double rounding = 1e-9;
 
-/// Whether a is b or several times it.
-bool is_multiple(double a, double b) {
-    const double times = std::round(a / b);
-    return times >= 1.0 && !differs(times * b, a);
-}
+bool differs(double a, double b) { return std::abs(a - b) > rounding * std::abs(b); }
 
 std::string wrong_extent(const char* what, double here, double there, bool periodic) {
     return fmt::format("{} is {:.10g} m there and {:.10g} m here, expected {}", what, there, here,
@@ -51,11 +48,11 @@ std::string why_not_recycled(const Case& c, const Case& other) {
         return wrong_extent("the total depth", c.total_depth(), other.total_depth(), false);
     }
     if (differs(c.channel.length, other.channel.length) &&
-        !(repeats && is_multiple(c.channel.length, other.channel.length))) {
+        !(repeats && is_multiple(c.channel.length, other.channel.length, rounding))) {
         return wrong_extent("channel.length", c.channel.length, other.channel.length, repeats);
     }
     if (c.channel.dimensions == 3 && differs(c.channel.width, other.channel.width) &&
-        !(across && is_multiple(c.channel.width, other.channel.width))) {
+        !(across && is_multiple(c.channel.width, other.channel.width, rounding))) {
         return wrong_extent("channel.width", c.channel.width, other.channel.width, across);
     }
     return {};

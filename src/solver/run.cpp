@@ -95,9 +95,9 @@ RunOutcome resume_run(const RunOptions& given, const fs::path& checkpoint,
     const CheckpointReader checkpoint_file(from);
     const Case c = parse_case(checkpoint_file.read_string("/case/text"), from.string(), {}, overrides);
     // Before any of its files is read: one that is gone or another one is said to be so.
-    static_cast<void>(compare_identity(checkpoint_file, c));
+    const std::vector<std::string> warnings = compare_identity(checkpoint_file, c);
     check_runnable(c);
-    return in_dimensions(c, [&]<int D>() { return RunSession<D>(c, options).resume(from); });
+    return in_dimensions(c, [&]<int D>() { return RunSession<D>(c, options).resume(from, warnings); });
 }
 
 }  // namespace riffle

@@ -121,8 +121,9 @@ RunOutcome RunSession<D>::run() {
 }
 
 template <int D>
-RunOutcome RunSession<D>::resume(const std::filesystem::path& checkpoint) {
-    return logged([&] { restore(checkpoint); });
+RunOutcome RunSession<D>::resume(const std::filesystem::path& checkpoint,
+                                 const std::vector<std::string>& warnings) {
+    return logged([&] { restore(checkpoint, warnings); });
 }
 
 template <int D>
@@ -160,7 +161,8 @@ void RunSession<D>::start() {
 }
 
 template <int D>
-void RunSession<D>::restore(const std::filesystem::path& checkpoint) {
+void RunSession<D>::restore(const std::filesystem::path& checkpoint,
+                            const std::vector<std::string>& warnings) {
     {
         const CheckpointReader saved(checkpoint);
         const ResultsReader results(files_.results());
@@ -168,7 +170,7 @@ void RunSession<D>::restore(const std::filesystem::path& checkpoint) {
         require_same_run(saved, results);
         run_id_ = run_id_of(saved);
         inputs_ = saved.read_string(fields::stored_case.inputs.path());
-        for (const std::string& warning : compare_identity(saved, case_)) {
+        for (const std::string& warning : warnings) {
             log_.warning(warning);
             if (options_.warn) {
                 options_.warn(warning);

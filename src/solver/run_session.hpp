@@ -22,7 +22,8 @@ class RunSession {
     RunOutcome run();
 
     /// Go on from a checkpoint: check that everything belongs together, cut the results back to it, advance.
-    RunOutcome resume(const std::filesystem::path& checkpoint);
+    /// `warnings`: what compare_identity() says of it.
+    RunOutcome resume(const std::filesystem::path& checkpoint, const std::vector<std::string>& warnings);
 
   private:
     using Clock = std::chrono::steady_clock;
@@ -33,7 +34,7 @@ class RunSession {
     template <class F>
     RunOutcome logged(const F& f);
     void start();
-    void restore(const std::filesystem::path& checkpoint);
+    void restore(const std::filesystem::path& checkpoint, const std::vector<std::string>& warnings);
     RunOutcome advance();
     void make_simulation_of_case(bool from_start);
     void step(double fields_due);
