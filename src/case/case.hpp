@@ -148,6 +148,7 @@ struct Numerics {
     double pressure_correction_time = 0.0;  ///< of the mean that corrects the pressure, s; 0: none is taken
     DensityDiffusion density_diffusion = DensityDiffusion::fourtakas;
     double density_diffusion_coefficient = 0.1;
+    double density_relaxation = 0.0;  ///< to the kernel's sum, over the strain rate; 0: none
     DensityFilter density_filter = DensityFilter::none;
     int density_filter_interval = 30;  ///< steps
     ViscosityForm viscosity = ViscosityForm::morris;
@@ -190,8 +191,9 @@ struct Start {
     std::vector<double> water_x;  ///< corners of the outline of the water at the start, m; empty: all up to
     std::vector<double> water_z;  ///< the depth
     double jitter = 0.0;          ///< random displacement of the lattice, in units of the spacing
-    bool packed = false;          ///< whether the particles are moved to fill the water evenly
-    double settling_time = 0.0;   ///< over which a drag takes the motion out of the water, s
+    /// Whether the particles are moved to fill the water evenly; none: starts_packed().
+    std::optional<bool> packed;
+    double settling_time = 0.0;  ///< over which a drag takes the motion out of the water, s
     /// Random velocity without divergence, root mean square of a component, m/s; none: start_perturbation().
     std::optional<double> perturbation;
     long long seed = 1;

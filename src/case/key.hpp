@@ -158,6 +158,16 @@ struct Binding<bool> {
 };
 
 template <>
+struct Binding<std::optional<bool>> {
+    static constexpr ValueType type = ValueType::boolean;
+    static Value to_value(const std::optional<bool>& member) { return member ? Value(*member) : Value(); }
+    static std::optional<bool> from_value(const Value& value) {
+        const auto* const boolean = std::get_if<bool>(&value);
+        return boolean ? std::optional(*boolean) : std::nullopt;
+    }
+};
+
+template <>
 struct Binding<std::string> {
     static constexpr ValueType type = ValueType::text;
     static Value to_value(const std::string& member) { return member; }

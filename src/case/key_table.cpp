@@ -80,6 +80,14 @@ SectionKeys numerics() {
                          .at_most(1)
                          .because("0.1 is usual")
                          .applies_with("numerics.density_diffusion", {"fourtakas", "molteni", "antuono"}));
+    s.keys.push_back(
+        key("density_relaxation", &Numerics::density_relaxation,
+            "Rate, over the strain rate, at which the density that a particle carries goes to what the "
+            "kernel's sum over the particles makes of it, so that water that is sheared long stays even; "
+            "not near a free surface. 0: it does not.")
+            .at_least(0)
+            .at_most(1)
+            .because("it is for departures that grow over many turns"));
     s.keys.push_back(key("density_filter", &Numerics::density_filter, "Renormalisation of the density."));
     s.keys.push_back(key("density_filter_interval", &Numerics::density_filter_interval,
                          "Steps from one density filter to the next.")
@@ -209,6 +217,10 @@ SectionKeys start() {
             "Whether the particles beside solids, with jitter all, are moved before the run until they fill the "
             "water evenly; else faces that cut the rows of the lattice start with gaps beside them, and in three "
             "dimensions the surface of solids is that of the lattice, to half a spacing.")
+            .unset_by(
+                "auto",
+                "in two dimensions beside solids whose faces leave such gaps, but for free surfaces between open "
+                "ends; in three dimensions not")
             .applies_with("start.kind", {"rest", "uniform", "column", "section", "power-law", "results"}));
     s.keys.push_back(
         key("settling_time", &Start::settling_time,

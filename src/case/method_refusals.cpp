@@ -76,6 +76,14 @@ CheckList method_refusals() {
                     c.turbulence.closure != ClosureKind::none &&
                     c.numerics.eddy_stress == EddyStress::two_point;
          }},
+        {{"numerics.density_relaxation", "numerics.pressure_form", "turbulence.closure"},
+         "`density_relaxation` above 0 without a closure and without `pressure_form = \"corrected\"`",
+         "its rate is a share of the strain rate, and such a run finds no velocity gradient",
+         "set it to 0, or choose pressure_form = \"corrected\"",
+         [](const Case& c) {
+             return c.numerics.density_relaxation > 0.0 && c.turbulence.closure == ClosureKind::none &&
+                    c.numerics.pressure_form != PressureForm::corrected;
+         }},
         {{"numerics.courant_number", "numerics.stepping", "numerics.density_diffusion"},
          "`stepping = \"verlet\"` with density diffusion and `courant_number` above 0.2",
          "the leap over two steps amplifies any diffusion of the density, and the run fails (docs/theory.md, section 10)",

@@ -71,7 +71,7 @@ std::shared_ptr<const std::vector<SolidMesh>> meshes_of(const Case& c) {
     return meshes;
 }
 
-bool walls_end_at_surface(const Case& c) { return c.start.packed; }
+bool walls_end_at_surface(const Case& c) { return c.start.packed.value_or(false); }
 
 double SolidMesh::volume() const {
     double sum = 0.0;

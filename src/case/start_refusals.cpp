@@ -2,7 +2,7 @@
 
 #include "case/cross_section.hpp"
 #include "case/flow_kind.hpp"
-#include "case/outline_check.hpp"
+#include "case/packed_start.hpp"
 #include "case/refusals.hpp"
 #include "case/units.hpp"
 
@@ -51,36 +51,24 @@ CheckList start_refusals() {
          "`packed = true` between open ends under a free surface",
          "the rows of the water that enters are those of the lattice, drawn out to the surface",
          "remove the key",
-         [](const Case& c) {
-             return c.start.packed && c.channel.ends == Ends::open && c.channel.top != Top::wall;
-         }},
+         [](const Case& c) { return c.start.packed.value_or(false) && packing_meets_entering_rows(c); }},
         {{"start.packed", "solid.x", "channel.ends"},
          "`packed = true` with a solid near an open end",
          "the water within ten smoothing lengths of solids is moved, and that at the ends stands on the lattice",
          "make the channel longer, or remove packed",
-         [](const Case& c) {
-             const double clear = 10.0 * c.numerics.smoothing_ratio * c.numerics.spacing;
-             const auto near = [&](const Solid& solid) {
-                 const auto extent = extent_of(c, solid, 0);
-                 return extent && (extent->low < clear || extent->high > c.channel.length - clear);
-             };
-             return c.start.packed && c.channel.ends == Ends::open &&
-                    std::any_of(c.solids.begin(), c.solids.end(), near);
-         }},
+         [](const Case& c) { return c.start.packed.value_or(false) && packing_reaches_an_open_end(c); }},
         {{"start.packed", "channel.top", "numerics.wall"},
          "`packed = true` in a periodic box, or with walls that are no layers of dummy particles",
          "it fills the water up between layers of wall particles as dense as the water",
          R"(remove the key, or choose wall = "dummy")",
-         [](const Case& c) {
-             const bool layers =
-                 c.numerics.wall == WallKind::dummy || c.numerics.wall == WallKind::modified_dynamic;
-             return c.start.packed && (c.channel.top == Top::periodic || !layers);
-         }},
+         [](const Case& c) { return c.start.packed.value_or(false) && packing_lacks_wall_layers(c); }},
         {{"start.packed", "start.jitter"},
          "`packed = true` without solids and without `jitter`",
          "the lattice is even already, and no particle would move",
          "remove the key, or give jitter",
-         [](const Case& c) { return c.start.packed && c.solids.empty() && c.start.jitter == 0.0; }},
+         [](const Case& c) {
+             return c.start.packed.value_or(false) && c.solids.empty() && c.start.jitter == 0.0;
+         }},
         {{"start.file", "start.kind"},
          "`file` missing with `kind = \"results\"`",
          "kind = \"results\" needs the results file to start from",

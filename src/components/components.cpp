@@ -6,6 +6,7 @@
 #include "components/contact.hpp"
 #include "components/crowds.hpp"
 #include "components/density_filter.hpp"
+#include "components/density_relaxation.hpp"
 #include "components/energy_budget.hpp"
 #include "components/free_bodies.hpp"
 #include "components/further_pair_sums.hpp"
@@ -43,6 +44,7 @@ ComponentList<D, Real> make_components(FlowOf<D, Real>& flow, double celerity) {
     add(components, make_xsph(flow));
     add(components, make_crowds(flow));
     add(components, make_further_pair_sums(flow));
+    add(components, make_density_relaxation(flow));
     add(components, make_slow_correction(flow));  // after all that makes the correction
     add(components, make_mixing_lengths(flow));
     add(components, make_solid_forces(flow));

@@ -12,6 +12,7 @@
 #include "case/bed_surface.hpp"
 #include "case/outline.hpp"
 #include "case/outline_check.hpp"
+#include "case/packed_start.hpp"
 #include "case/solid_mesh.hpp"
 #include "case/solid_shapes.hpp"
 #include "engine/scheme.hpp"

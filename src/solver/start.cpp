@@ -8,6 +8,7 @@
 #include "case/end_floor.hpp"
 #include "case/flow_kind.hpp"
 #include "case/outline.hpp"
+#include "case/packed_start.hpp"
 #include "case/porous_zone.hpp"
 #include "column/canal_flow.hpp"
 #include "ends/end_input.hpp"

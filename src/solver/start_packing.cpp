@@ -14,6 +14,7 @@
 #include "boundary/wall_motion.hpp"
 #include "particles/lattice.hpp"
 #include "particles/particle_cells.hpp"
+#include "sph/lattice_sum.hpp"
 #include "sph/scalar_kernel.hpp"
 
 namespace riffle {
@@ -28,6 +29,8 @@ constexpr double pace = 0.3;
 constexpr double longest_move = 0.1;  // of a spacing, in an iteration
 constexpr int most_iterations = 2000;
 constexpr double even_enough = 2e-3;
+// A start that is not asked to be packed keeps its lattice up to here.
+constexpr double worth_packing = 0.05;
 
 template <int D>
 using Places = std::array<std::vector<double>, static_cast<std::size_t>(D)>;
@@ -103,9 +106,12 @@ class Packer {
 
     PackedStart run() {
         PackedStart result;
-        notice(fmt::format("packing {} particles", mobile_.size()));
         std::vector<Sum> sums = sums_of_mobile();
         result.unevenness_before = result.unevenness_after = unevenness(sums);
+        if (!c_.start.packed && result.unevenness_before < worth_packing) {
+            return result;
+        }
+        notice(fmt::format("packing {} particles", mobile_.size()));
         while (result.unevenness_after >= even_enough && result.iterations < most_iterations) {
             parallel_blocks(mobile_.size(), packing_block, [&](std::size_t begin, std::size_t end) {
                 for (std::size_t m = begin; m < end; ++m) {
@@ -117,7 +123,7 @@ class Packer {
             ++result.iterations;
         }
         result.share.assign(particles_.size(), 1.0);
-        const double full = lattice_sum();
+        const double full = lattice_kernel_sum<D>(c_);
         for (std::size_t m = 0; m < mobile_.size(); ++m) {
             const std::size_t i = mobile_[m].place;
             if (!is_water(i)) {
@@ -286,27 +292,6 @@ class Packer {
         }
     }
 
-    /// Sum of V W in the lattice without end.
-    [[nodiscard]] double lattice_sum() const {
-        const Lattice lattice = lattice_of(c_);
-        const int columns = static_cast<int>(2.0 * h_ / lattice.dx) + 2;
-        const int files = D == 3 ? static_cast<int>(2.0 * h_ / lattice.dy) + 2 : 0;
-        const int rows = 2 * static_cast<int>(h_ / lattice.dz) + 4;  // an even number: the same shift
-        double sum = 0.0;
-        for (int row = -rows; row <= rows; ++row) {
-            for (int column = -columns; column <= columns; ++column) {
-                for (int file = -files; file <= files; ++file) {
-                    const double across = D == 3 ? lattice.y(file, row) - lattice.y(0, 0) : 0.0;
-                    const double q = std::hypot(lattice.x(column, row) - lattice.x(0, 0), across,
-                                                lattice.z(row) - lattice.z(0)) /
-                                     h_;
-                    sum += q < 2.0 ? kernel_.value(q) : 0.0;
-                }
-            }
-        }
-        return sum * volume_ / (D == 2 ? h_ * h_ : h_ * h_ * h_);
-    }
-
     const Case& c_;
     double h_;
     ScalarKernel kernel_;
@@ -327,6 +312,9 @@ class Packer {
 template <int D>
 PackedStart pack_start(const Case& c, const Scheme& scheme, Particles<D>& particles) {
     PackedStart packing = Packer<D>(c, scheme, particles).run();
+    if (packing.share.empty()) {
+        return packing;
+    }
     notice(fmt::format(
         "packed in {} iterations: unevenness {:.2g}{}, was {:.2g}", packing.iterations,
         packing.unevenness_after,

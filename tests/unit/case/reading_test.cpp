@@ -390,6 +390,9 @@ Case any_case() {
     if (n.stepping == Stepping::leapfrog) {
         n.xsph = 0.0;
     }
+    if (c.turbulence.closure == ClosureKind::none && n.pressure_form != PressureForm::corrected) {
+        n.density_relaxation = 0.0;
+    }
     if (c.channel.dimensions == 2 && resolves_eddies(c)) {
         c.turbulence.closure = ClosureKind::nezu_rodi;
     }
@@ -475,7 +478,7 @@ TEST(RoundTrip, EveryKeyIsBoundToItsOwnMember) {
             } else if (auto* const list = std::get_if<std::vector<double>>(&value)) {
                 list->push_back(0.125);
             } else if (std::holds_alternative<std::monostate>(value)) {
-                value = 0.125;
+                value = key.type == ValueType::boolean ? Value(true) : Value(0.125);
             } else {
                 value = std::string("other");
             }

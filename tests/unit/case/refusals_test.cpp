@@ -182,6 +182,8 @@ std::vector<Wrong> wrong_methods() {
          "numerics.viscosity = artificial; turbulence.closure = none; numerics.pressure_form = riemann"},
         {flume(), "numerics.impact_dissipation = 3; numerics.pressure_form = riemann"},
         {flume(),
+         "numerics.density_relaxation = 0.3; turbulence.closure = none; numerics.pressure_form = symmetric"},
+        {flume(),
          "numerics.impact_dissipation = 3; turbulence.closure = none; numerics.viscosity = artificial"},
         {flume(), "numerics.stepping = verlet; numerics.courant_number = 0.21"},
         {flume(), "numerics.xsph = 0.1"},

@@ -1,0 +1,48 @@
+#include "case/packed_start.hpp"
+
+#include <algorithm>
+
+#include "case/outline_check.hpp"
+
+namespace riffle {
+
+bool packing_meets_entering_rows(const Case& c) {
+    return c.channel.ends == Ends::open && c.channel.top != Top::wall;
+}
+
+bool packing_reaches_an_open_end(const Case& c) {
+    // Packing moves the water within eight smoothing lengths of solids, and what it is pressed against lies
+    // two beyond.
+    const double clear = 10.0 * c.numerics.smoothing_ratio * c.numerics.spacing;
+    const auto near = [&](const Solid& solid) {
+        const auto extent = extent_of(c, solid, 0);
+        return extent && (extent->low < clear || extent->high > c.channel.length - clear);
+    };
+    return c.channel.ends == Ends::open && std::any_of(c.solids.begin(), c.solids.end(), near);
+}
+
+bool packing_lacks_wall_layers(const Case& c) {
+    const bool layers = c.numerics.wall == WallKind::dummy || c.numerics.wall == WallKind::modified_dynamic;
+    return c.channel.top == Top::periodic || !layers;
+}
+
+bool starts_packed(const Case& c) {
+    switch (c.start.kind) {
+        case StartKind::rest:
+        case StartKind::uniform:
+        case StartKind::column:
+        case StartKind::section:
+        case StartKind::power_law:
+            break;
+        default:
+            return false;
+    }
+    if (c.start.packed) {
+        return *c.start.packed;
+    }
+    return c.channel.dimensions == 2 && !c.solids.empty() && c.start.jitter == 0.0 &&
+           !packing_lacks_wall_layers(c) && !packing_meets_entering_rows(c) &&
+           !packing_reaches_an_open_end(c);
+}
+
+}  // namespace riffle

@@ -1,0 +1,149 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "engine/component.hpp"
+#include "sph/lattice_sum.hpp"
+#include "sph/listed_pairs.hpp"
+#include "sph/scalar_kernel.hpp"
+#include "sph/strain_measure.hpp"
+
+namespace riffle {
+
+/// The density that a particle carries goes, at a rate in proportion to the strain rate, to what the kernel's
+/// sum over the particles makes of it. The continuity equation knows changes alone, and density diffusion
+/// parts them from the particles: where water is sheared long, particles crowd in one place and part in
+/// another while their densities stay even (docs/theory.md, section 11). The sum is looked at each so many
+/// steps, and not near a free surface, where it is small for want of neighbours.
+template <int D, class Real>
+class DensityRelaxation final : public Component<D, Real> {
+  public:
+    using typename Component<D, Real>::Flow;
+    using typename Component<D, Real>::Task;
+
+    explicit DensityRelaxation(Flow& flow)
+        : coefficient_(flow.c.numerics.density_relaxation),
+          kernel_(scalar_kernel<D>(flow.c.numerics.kernel)),
+          full_(lattice_kernel_sum<D>(flow.c)),
+          surplus_(flow.particles.add_field(
+              {"volume_surplus", "1", "how much more volume of particles than room the kernel finds"})) {}
+
+    void begin_step(Flow& flow, double /*dt*/) override {
+        // A particle that has just come has none yet.
+        flow.particles.further[surplus_].values.resize(flow.particles.size(), 0.0);
+        if (flow.clock.steps % interval == 0) {
+            look_at_volumes(flow);
+        }
+    }
+
+    void complete_gradients(Flow& flow, Task& task, std::size_t begin, std::size_t end) override {
+        const std::vector<double>& surplus = flow.particles.further[surplus_].values;
+        auto& sums = task.sums.gradient;
+        flow.for_particles(begin, end, [&](std::size_t i, std::size_t lane) {
+            Components<double, D * D> gradient{};
+            for (std::size_t k = 0; k < gradient.size(); ++k) {
+                gradient[k] = static_cast<double>(sums.velocity_gradient[k][lane]);
+            }
+            sums.diffusion[lane] +=
+                static_cast<Real>(coefficient_ * strain_rate<double, D>(gradient) * surplus[i]);
+        });
+    }
+
+    [[nodiscard]] std::size_t bytes() const override {
+        return (fill_.capacity() + at_surface_.capacity()) * sizeof(double);
+    }
+
+  private:
+    /// Steps from one look to the next: some hundredths of the time in which strain moves a particle by a
+    /// spacing.
+    static constexpr std::int64_t interval = 16;
+    // By the sum over the lattice: a particle of the uppermost row has 0.75 at most, one of the second 0.87
+    // and more.
+    static constexpr double surface_row = 0.80;
+    static constexpr double below_surface_row = 0.92;
+    // Share of the uppermost row in what a particle sees: 0.23 of the second row, 0.02 of the third at h
+    // = 1.5 dx.
+    static constexpr double sees_no_surface = 0.01;
+    static constexpr double sees_surface = 0.06;
+    static constexpr double largest_surplus = 0.1;
+
+    void look_at_volumes(Flow& flow) {
+        const std::size_t slots = flow.clusters.size() * cluster_size;
+        fill_.assign(slots, 0.0);
+        at_surface_.assign(slots, 0.0);
+        const double support = 2.0 * flow.scheme.smoothing_length;
+        const double unit = std::pow(flow.scheme.smoothing_length, D);
+        const auto share = [&](double volume, double squared) {
+            return volume * kernel_.value(std::sqrt(squared) / flow.scheme.smoothing_length) / unit;
+        };
+        flow.for_blocks([&](Task& task, std::size_t begin, std::size_t end) {
+            flow.loops.filter(flow.data, begin, end, task.sums);
+            flow.for_particles(begin, end, [&](std::size_t, std::size_t lane) {
+                fill_[begin * cluster_size + lane] = static_cast<double>(task.sums.filter.zeroth[lane]);
+            });
+            if (flow.data.fluid_wall != nullptr) {
+                for_listed_pairs<D>(flow.fluid_wall, flow.clusters, flow.data.motion, flow.data.wall_gradient,
+                                    flow.fixed_point, support, begin, end,
+                                    [&](std::size_t i, std::size_t j, const Vec<D>&, double squared) {
+                                        fill_[i] += share(
+                                            static_cast<double>(flow.data.wall_gradient[j].volume), squared);
+                                    });
+            }
+            flow.for_particles(begin, end, [&](std::size_t, std::size_t lane) {
+                const std::size_t slot = begin * cluster_size + lane;
+                fill_[slot] /= full_;
+                at_surface_[slot] = 1.0 - smoothstep<double>(surface_row, below_surface_row, fill_[slot]);
+            });
+        });
+        std::vector<double>& surplus = flow.particles.further[surplus_].values;
+        flow.for_blocks([&](Task& task, std::size_t begin, std::size_t end) {
+            std::array<double, cluster_size> sees{};
+            for (std::size_t cluster = begin; cluster < end; ++cluster) {
+                sees.fill(0.0);
+                if (lists_surface(flow, task, cluster)) {
+                    for_listed_pairs<D>(flow.fluid_fluid, flow.clusters, flow.data.motion, flow.data.motion,
+                                        flow.fixed_point, support, cluster, cluster + 1,
+                                        [&](std::size_t i, std::size_t j, const Vec<D>&, double squared) {
+                                            sees[i % cluster_size] +=
+                                                at_surface_[j] *
+                                                share(static_cast<double>(flow.data.motion[j].volume),
+                                                      squared);
+                                        });
+                }
+                flow.for_particles(cluster, cluster + 1, [&](std::size_t i, std::size_t lane) {
+                    const double found = fill_[cluster * cluster_size + lane] - 1.0;
+                    surplus[i] = std::clamp(found, -largest_surplus, largest_surplus) *
+                                 (1.0 - smoothstep<double>(sees_no_surface, sees_surface, sees[lane]));
+                });
+            }
+        });
+    }
+
+    /// Whether a particle of the uppermost row is in the list of a cluster.
+    [[nodiscard]] bool lists_surface(const Flow& flow, Task& task, std::size_t cluster) const {
+        std::int32_t* const slots = task.sums.slots.data();
+        const std::size_t count = flow.fluid_fluid.spell(cluster, slots);
+        return std::any_of(slots, slots + count, [&](std::int32_t slot) {
+            return at_surface_[static_cast<std::size_t>(slot)] > 0.0;
+        });
+    }
+
+    double coefficient_;
+    ScalarKernel kernel_;
+    double full_;                     ///< lattice_kernel_sum()
+    std::size_t surplus_;             ///< field of the particles
+    std::vector<double> fill_;        ///< by slot, sum of V W of water and walls over that of the lattice
+    std::vector<double> at_surface_;  ///< by slot, 1 in the uppermost row
+};
+
+template <int D, class Real>
+std::unique_ptr<Component<D, Real>> make_density_relaxation(FlowOf<D, Real>& flow) {
+    return flow.c.numerics.density_relaxation > 0.0 ? std::make_unique<DensityRelaxation<D, Real>>(flow)
+                                                    : nullptr;
+}
+
+}  // namespace riffle
