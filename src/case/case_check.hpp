@@ -20,6 +20,7 @@ struct CaseFinding {
     std::string key = {};   ///< of which key, where the check looks at several; empty: of the first
     std::string cure = {};  ///< what to do, with numbers of the case; empty: what the check says
     std::size_t item = 0;   ///< in which of the sections of the key's name
+    std::string name = {};  ///< of that section, where messages call it by its name
 };
 using Findings = std::vector<CaseFinding>;
 
@@ -68,8 +69,10 @@ class CheckCondition {
             for (CaseFinding& finding : found) {
                 finding.item = item;
                 if constexpr (!std::same_as<Item, Probe>) {  // which messages call by their names
-                    const std::string& name = (c.*items)[item].name;
-                    finding.detail.insert(0, name.empty() ? "" : name + ": ");
+                    finding.name = (c.*items)[item].name;
+                    if (!finding.detail.empty() && !finding.name.empty()) {
+                        finding.detail.insert(0, finding.name + ": ");
+                    }
                 }
             }
             return found;

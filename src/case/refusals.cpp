@@ -21,7 +21,8 @@ std::string values_in_case(const CaseCheck& check, const CaseFinding& finding, c
     for (const std::string& id : finding.key.empty() ? check.keys : std::vector{finding.key}) {
         values.push_back(value_in_case(id, c, check, finding.item));
     }
-    return fmt::format("{}", fmt::join(values, " with "));
+    return fmt::format("{}{}{}", fmt::join(values, " with "), finding.name.empty() ? "" : " of ",
+                       finding.name);
 }
 
 const Place& place_of(const CaseCheck& check, const CaseFinding& finding, const Places& places) {

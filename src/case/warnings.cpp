@@ -477,7 +477,9 @@ const CheckList& warnings() {
 std::vector<std::string> case_warnings(const Case& c) {
     std::vector<std::string> messages;
     for_each_finding(warnings(), c, [&](const CaseCheck& check, const CaseFinding& finding) {
-        messages.push_back(check.keys.front() + ": " + finding_text(finding.detail, check, finding));
+        messages.push_back(
+            check.keys.front() + ": " +
+            finding_text(finding.detail.empty() ? finding.name : finding.detail, check, finding));
     });
     warn_of_keys_without_effect(c, messages);
     return messages;

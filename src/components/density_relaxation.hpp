@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <memory>
 #include <vector>
@@ -41,20 +40,23 @@ class DensityRelaxation final : public Component<D, Real> {
     }
 
     void complete_gradients(Flow& flow, Task& task, std::size_t begin, std::size_t end) override {
-        const std::vector<double>& surplus = flow.particles.further[surplus_].values;
+        const double* const surplus = flow.particles.further[surplus_].values.data();
         auto& sums = task.sums.gradient;
-        flow.for_particles(begin, end, [&](std::size_t i, std::size_t lane) {
-            Components<double, D * D> gradient{};
-            for (std::size_t k = 0; k < gradient.size(); ++k) {
-                gradient[k] = static_cast<double>(sums.velocity_gradient[k][lane]);
+        const auto rate = static_cast<Real>(coefficient_);
+        flow.for_clusters(begin, end, [&](std::size_t first, std::size_t last, std::size_t first_lane) {
+            for (std::size_t i = first; i < last; ++i) {
+                const std::size_t lane = first_lane + (i - first);
+                Components<Real, D * D> gradient{};
+                for (std::size_t k = 0; k < gradient.size(); ++k) {
+                    gradient[k] = sums.velocity_gradient[k][lane];
+                }
+                sums.diffusion[lane] += rate * strain_rate<Real, D>(gradient) * static_cast<Real>(surplus[i]);
             }
-            sums.diffusion[lane] +=
-                static_cast<Real>(coefficient_ * strain_rate<double, D>(gradient) * surplus[i]);
         });
     }
 
     [[nodiscard]] std::size_t bytes() const override {
-        return (fill_.capacity() + at_surface_.capacity()) * sizeof(double);
+        return (fill_.capacity() + at_surface_.capacity() + sees_.capacity()) * sizeof(double);
     }
 
   private:
@@ -100,35 +102,21 @@ class DensityRelaxation final : public Component<D, Real> {
             });
         });
         std::vector<double>& surplus = flow.particles.further[surplus_].values;
-        flow.for_blocks([&](Task& task, std::size_t begin, std::size_t end) {
-            std::array<double, cluster_size> sees{};
-            for (std::size_t cluster = begin; cluster < end; ++cluster) {
-                sees.fill(0.0);
-                if (lists_surface(flow, task, cluster)) {
-                    for_listed_pairs<D>(flow.fluid_fluid, flow.clusters, flow.data.motion, flow.data.motion,
-                                        flow.fixed_point, support, cluster, cluster + 1,
-                                        [&](std::size_t i, std::size_t j, const Vec<D>&, double squared) {
-                                            sees[i % cluster_size] +=
-                                                at_surface_[j] *
-                                                share(static_cast<double>(flow.data.motion[j].volume),
-                                                      squared);
-                                        });
-                }
-                flow.for_particles(cluster, cluster + 1, [&](std::size_t i, std::size_t lane) {
-                    const double found = fill_[cluster * cluster_size + lane] - 1.0;
-                    surplus[i] = std::clamp(found, -largest_surplus, largest_surplus) *
-                                 (1.0 - smoothstep<double>(sees_no_surface, sees_surface, sees[lane]));
-                });
-            }
-        });
-    }
-
-    /// Whether a particle of the uppermost row is in the list of a cluster.
-    [[nodiscard]] bool lists_surface(const Flow& flow, Task& task, std::size_t cluster) const {
-        std::int32_t* const slots = task.sums.slots.data();
-        const std::size_t count = flow.fluid_fluid.spell(cluster, slots);
-        return std::any_of(slots, slots + count, [&](std::int32_t slot) {
-            return at_surface_[static_cast<std::size_t>(slot)] > 0.0;
+        sees_.assign(slots, 0.0);
+        flow.for_blocks([&](Task& /*task*/, std::size_t begin, std::size_t end) {
+            for_listed_pairs<D>(
+                flow.fluid_fluid, flow.clusters, flow.data.motion, flow.data.motion, flow.fixed_point,
+                support, begin, end,
+                [&](std::size_t i, std::size_t j, const Vec<D>&, double squared) {
+                    sees_[i] +=
+                        at_surface_[j] * share(static_cast<double>(flow.data.motion[j].volume), squared);
+                },
+                [&](std::size_t slot) { return at_surface_[slot] > 0.0; });
+            flow.for_particles(begin, end, [&](std::size_t i, std::size_t lane) {
+                const std::size_t slot = begin * cluster_size + lane;
+                surplus[i] = std::clamp(fill_[slot] - 1.0, -largest_surplus, largest_surplus) *
+                             (1.0 - smoothstep<double>(sees_no_surface, sees_surface, sees_[slot]));
+            });
         });
     }
 
@@ -138,6 +126,7 @@ class DensityRelaxation final : public Component<D, Real> {
     std::size_t surplus_;             ///< field of the particles
     std::vector<double> fill_;        ///< by slot, sum of V W of water and walls over that of the lattice
     std::vector<double> at_surface_;  ///< by slot, 1 in the uppermost row
+    std::vector<double> sees_;        ///< by slot, share of the uppermost row in its sum
 };
 
 template <int D, class Real>

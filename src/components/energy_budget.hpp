@@ -233,7 +233,7 @@ class EnergyBudget final : public Component<D, Real> {
         EnergyRates& sum = blocks_[begin / block_clusters];
         for_water(flow, begin, end, [&](std::size_t i, std::size_t lane) {
             double work = 0.0;
-            for (std::size_t k = 0; k < D * D; ++k) {
+            for (std::size_t k = 0; k < task.sums.gradient.correction.size(); ++k) {
                 const double identity = k % (D + 1) == 0 ? 1.0 : 0.0;
                 work += (static_cast<double>(task.sums.gradient.correction[k][lane]) - identity) *
                         static_cast<double>(own.sums.gradient.velocity_gradient[k][lane]);

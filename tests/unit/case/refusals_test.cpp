@@ -488,6 +488,7 @@ TEST(Refusals, EachRowHasACaseThatItRefusesAndSaysSo) {
         load_shapes(c);
         const std::string message = refusal_of(c);
         EXPECT_NE(message, "") << wrong.keys << " is taken";
+        EXPECT_THAT(message, Not(HasSubstr(": :"))) << wrong.keys;
         for (const CheckList& list : refusals()) {
             for_each_finding(list, c, [&](const CaseCheck& check, const CaseFinding& finding) {
                 broken.insert(&check);
