@@ -170,6 +170,7 @@ Case resolved_eddies() {
     c.numerics.reference_pressure = ReferencePressure::hydrostatic;
     c.numerics.reference_depth_ratio = 2.0;
     c.numerics.pressure_correction_time = 0.2;
+    c.numerics.density_relaxation = 0.2;
     c.start.kind = StartKind::power_law;
     c.start.velocity = 0.4;
     c.start.jitter = 0.1;

@@ -58,6 +58,7 @@ enum Condition : unsigned {
     with_vegetation = 1U << 20U,
     with_porous_zones = 1U << 21U,
     with_free_bodies = 1U << 22U,
+    density_relaxation = 1U << 23U,  ///< numerics.density_relaxation
 };
 
 /// Who reads a field.

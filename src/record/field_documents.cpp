@@ -44,6 +44,7 @@ constexpr ConditionWords condition_words[] = {
     {with_free_bodies, "free_bodies", "with free bodies"},
     {with_local_depth, "local_depth", "where mixing lengths follow the local depth"},
     {slow_correction, "slow_correction", "with `numerics.pressure_correction_time` above 0"},
+    {density_relaxation, "density_relaxation", "with `numerics.density_relaxation` above 0"},
 };
 
 const char* word(Averaging averaging) {

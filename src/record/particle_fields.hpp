@@ -160,6 +160,9 @@ struct State {
         of_state("wall_density_deviation", "1", "rho/rho0 - 1 of the wall particles", at_the_end, "wall");
     Field closure_depth =
         of_state("closure_depth", "m", "depth that the mixing length follows", at_the_end | with_local_depth);
+    Field volume_surplus =
+        of_state("volume_surplus", "1", "how much more volume of particles than room the kernel finds",
+                 at_the_end | density_relaxation);
     std::array<Field, 9> correction = {
         of_state("correction_xx", "1", "mean departure of the pressure correction from the identity, xx",
                  at_the_end | slow_correction),

@@ -81,8 +81,8 @@ class Fields(CommandLineTest):
         }
         runs["float"] = ([SOURCE / "cases/bodies/floating-box-3d.toml", "--set", "numerics.spacing=10mm", *until(0.05), *every(snapshot=0.02)],
                          {"three_dimensions", "free_surface", "no_section_twin", "solids", "moving_solids", "free_bodies", "asked", "end"})
-        runs["slow"] = ([bare, *until(0.02), "--set", 'numerics.pressure_correction_time="0.1 s"'],
-                        CONDUIT - {"section_twin", "profiles"} | {"no_section_twin", "slow_correction"})
+        runs["slow"] = ([bare, *until(0.02), "--set", 'numerics.pressure_correction_time="0.1 s"', "--set", "numerics.density_relaxation=0.2"],
+                        CONDUIT - {"section_twin", "profiles"} | {"no_section_twin", "slow_correction", "density_relaxation"})
         for stepping in ("verlet", "beeman"):
             runs[stepping] = ([bare, *until(0.02), "--set", f"numerics.stepping={stepping}", "--set",
                                "numerics.courant_number=0.2"],
