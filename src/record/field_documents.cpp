@@ -192,7 +192,7 @@ std::string results_fields_json() {
     const char* between_groups = "\n";
     for (const FieldTable& table : field_tables()) {
         const Group& group = *table.group;
-        text += fmt::format("{}{{\"path\": {}, \"title\": {}, \"kind\": {}, \"fields\": [", between_groups,
+        text += fmt::format(R"({}{{"path": {}, "title": {}, "kind": {}, "fields": [)", between_groups,
                             Json(group.path).dump(), Json(group.title).dump(), Json(group.kind).dump());
         between_groups = ",\n";
         const char* between_fields = "\n ";

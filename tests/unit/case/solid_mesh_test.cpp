@@ -84,7 +84,7 @@ std::string binary_of(const Triangles& triangles) {
 
 std::filesystem::path file_of(const std::string& content) {
     const std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
-    const auto file = test::folder_of_this_process() / (name + ".stl");
+    auto file = test::folder_of_this_process() / (name + ".stl");
     std::ofstream(file, std::ios::binary) << content;
     return file;
 }
@@ -182,7 +182,8 @@ TEST(StlFile, FaultsNameFileAndTriangle) {
                 HasSubstr("cut short: `endsolid` is missing"));
     std::string infinite = binary;
     const float nan = std::nanf("");
-    std::memcpy(infinite.data() + 84 + 50 * 2 + 12, &nan, 4);
+    constexpr std::size_t third_triangle = 84 + 50 * 2;
+    std::memcpy(&infinite[third_triangle + 12], &nan, 4);
     EXPECT_THAT(fault_of(infinite), HasSubstr("triangle 3: a coordinate is not a finite number"));
 }
 
