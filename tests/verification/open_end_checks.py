@@ -67,35 +67,42 @@ def _profile(flow, place, half, start):
 def uniform(study):
     case = "cases/open-ends/uniform.toml"
     check = Check("open_uniform", "Uniform flow between open ends",
-                  "Condition 2 in a channel ten depths long that is fed with the twin's profile: its flow is that of the channel without ends.")
-    flow = study.run("open_uniform", case)
+                  "Condition 2 in channels ten and a hundred depths long that are fed with the twin's profile: their flow is that of the channel without ends.")
     rows = list(csv.DictReader(line for line in io.StringIO(_program(study, "column", "cases/rough-bed-2d/condition-2.toml", "--csv")) if not line.startswith("#")))
     height, velocity = (numpy.array([float(row[next(k for k in row if k.split(" ")[0] == name)]) for row in rows]) for name in ("z", "u"))
-    crest = flow.parameters["bed"]["roughness_height"]
-    figure = figures.Figure(2)
-    axes = figure.panel("velocity u (m/s)", "height z (m)", "at 25, 50 and 75 % of the length")
-    figures.exact(axes, velocity, height, "column twin")
-    for number, share in enumerate((0.25, 0.5, 0.75)):
-        z, u = _profile(flow, share * flow.length, 0.03, 20.0)
-        twin = numpy.interp(z, height, velocity)
-        scale = twin.mean()
-        for name, part, bar in (("above", z > crest, 0.01), ("below", z <= crest, 0.03)):
-            check.norm(f"U(z) {name} the crests at {share:.0%} of the length, rms over the twin's mean",
-                       float(numpy.sqrt(numpy.mean((u - twin)[part] ** 2)) / scale), bar)
-        figures.simulated(axes, u, z, f"{share:.0%}", figures.COLOURS[number])
-    time = flow.series["time"]
-    level = flow.series["mean_level"]
-    axes = figure.panel("time t (s)", "mean level over H", "")
-    figures.exact(axes, [0, time[-1]], [1, 1], "normal depth")
-    figures.simulated(axes, time, level / flow.depth, "level", most=400)
-    good = numpy.isfinite(level) & (time > 1)
-    check.norm("mean level, largest departure from H in 60 s", float(numpy.abs(level[good] / flow.depth - 1).max()), 0.005)
-    late = time > 20
-    check.norm("discharge that leaves, mean from 20 s on, against that which enters",
-               float(flow.series["outflow_discharge"][late].mean() / flow.series["inflow_discharge"][late].mean() - 1), 0.01)
-    check.figures.append((figure.svg(check.name), "Velocity at three places against the column twin, and the level in time."))
-    check.best, check.cost = options_text(flow), flow.cost_text
-    account(check, flow)
+    runs = [("", "open_uniform", {})] + ([] if study.quick else [(", a hundred depths long", "open_uniform_long", {"channel.length": '"5 m"', "numerics.spacing": '"2.5 mm"'})])
+    for label, name, settings in runs:
+        flow = study.run(name, case, settings)
+        crest = flow.parameters["bed"]["roughness_height"]
+        figure = figures.Figure(2)
+        axes = figure.panel("velocity u (m/s)", "height z (m)", "at 25, 50 and 75 % of the length")
+        figures.exact(axes, velocity, height, "column twin")
+        for number, share in enumerate((0.25, 0.5, 0.75)):
+            z, u = _profile(flow, share * flow.length, 0.03, 20.0)
+            twin = numpy.interp(z, height, velocity)
+            scale = twin.mean()
+            for part_name, part, bar in (("above", z > crest, 0.01), ("below", z <= crest, 0.03)):
+                check.norm(f"U(z) {part_name} the crests at {share:.0%} of the length, rms over the twin's mean{label}",
+                           float(numpy.sqrt(numpy.mean((u - twin)[part] ** 2)) / scale), bar)
+            figures.simulated(axes, u, z, f"{share:.0%}", figures.COLOURS[number])
+        time = flow.series["time"]
+        level = flow.series["mean_level"]
+        axes = figure.panel("time t (s)", "mean level over H", "")
+        figures.exact(axes, [0, time[-1]], [1, 1], "normal depth")
+        figures.simulated(axes, time, level / flow.depth, "level", most=400)
+        good = numpy.isfinite(level) & (time > 1)
+        check.norm(f"mean level, largest departure from H in 60 s{label}", float(numpy.abs(level[good] / flow.depth - 1).max()), 0.005)
+        late = time > 20
+        check.norm(f"discharge that leaves, mean from 20 s on, against that which enters{label}",
+                   float(flow.series["outflow_discharge"][late].mean() / flow.series["inflow_discharge"][late].mean() - 1), 0.01)
+        x, mean = _level(flow, 20.0)
+        inside = (x > 0.1 * flow.length) & (x < 0.9 * flow.length)
+        check.norm(f"slope of the surface from 10 to 90 % of the length against that of the bed{label}",
+                   float(numpy.polyfit(x[inside], mean[inside], 1)[0]) / flow.parameters["channel"]["slope"], 0.05 if label else None)
+        account(check, flow)
+        if not label:
+            check.figures.append((figure.svg(check.name), "Velocity at three places against the column twin, and the level in time."))
+            check.best, check.cost = options_text(flow), flow.cost_text
     return check
 
 
