@@ -127,16 +127,6 @@ struct Binding<double> {
 };
 
 template <>
-struct Binding<std::optional<double>> {
-    static constexpr ValueType type = ValueType::number;
-    static Value to_value(const std::optional<double>& member) { return member ? Value(*member) : Value(); }
-    static std::optional<double> from_value(const Value& value) {
-        const auto* const number = std::get_if<double>(&value);
-        return number ? std::optional(*number) : std::nullopt;
-    }
-};
-
-template <>
 struct Binding<int> {
     static constexpr ValueType type = ValueType::integer;
     static Value to_value(int member) { return static_cast<long long>(member); }
@@ -157,13 +147,14 @@ struct Binding<bool> {
     static bool from_value(const Value& value) { return std::get<bool>(value); }
 };
 
-template <>
-struct Binding<std::optional<bool>> {
-    static constexpr ValueType type = ValueType::boolean;
-    static Value to_value(const std::optional<bool>& member) { return member ? Value(*member) : Value(); }
-    static std::optional<bool> from_value(const Value& value) {
-        const auto* const boolean = std::get_if<bool>(&value);
-        return boolean ? std::optional(*boolean) : std::nullopt;
+/// A member that may be unset.
+template <class T>
+struct Binding<std::optional<T>> {
+    static constexpr ValueType type = Binding<T>::type;
+    static Value to_value(const std::optional<T>& member) { return member ? Value(*member) : Value(); }
+    static std::optional<T> from_value(const Value& value) {
+        const auto* const given = std::get_if<T>(&value);
+        return given ? std::optional(*given) : std::nullopt;
     }
 };
 

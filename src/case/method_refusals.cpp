@@ -1,5 +1,6 @@
 #include "case/flow_kind.hpp"
 #include "case/refusals.hpp"
+#include "case/velocity_gradient.hpp"
 
 namespace riffle {
 
@@ -80,10 +81,7 @@ CheckList method_refusals() {
          "`density_relaxation` above 0 without a closure and without `pressure_form = \"corrected\"`",
          "its rate is a share of the strain rate, and such a run finds no velocity gradient",
          "set it to 0, or choose pressure_form = \"corrected\"",
-         [](const Case& c) {
-             return c.numerics.density_relaxation > 0.0 && c.turbulence.closure == ClosureKind::none &&
-                    c.numerics.pressure_form != PressureForm::corrected;
-         }},
+         [](const Case& c) { return c.numerics.density_relaxation > 0.0 && !needs_gradients(c); }},
         {{"numerics.courant_number", "numerics.stepping", "numerics.density_diffusion"},
          "`stepping = \"verlet\"` with density diffusion and `courant_number` above 0.2",
          "the leap over two steps amplifies any diffusion of the density, and the run fails (docs/theory.md, section 10)",

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "case/key_table.hpp"
 #include "case/outline_check.hpp"
 
 namespace riffle {
@@ -27,15 +28,8 @@ bool packing_lacks_wall_layers(const Case& c) {
 }
 
 bool starts_packed(const Case& c) {
-    switch (c.start.kind) {
-        case StartKind::rest:
-        case StartKind::uniform:
-        case StartKind::column:
-        case StartKind::section:
-        case StartKind::power_law:
-            break;
-        default:
-            return false;
+    if (c.start.kind == StartKind::results || !key_applies(*find_key("start.packed"), c)) {
+        return false;
     }
     if (c.start.packed) {
         return *c.start.packed;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "case/velocity_gradient.hpp"
 #include "particles/lattice.hpp"
 #include "roughness/side_wall_partition.hpp"
 #include "sph/correction.hpp"
@@ -14,10 +15,6 @@
 #include "turbulence/czernuszenko_rylov.hpp"
 
 namespace riffle {
-
-bool needs_gradients(const Case& c) {
-    return c.turbulence.closure != ClosureKind::none || c.numerics.pressure_form == PressureForm::corrected;
-}
 
 namespace {
 

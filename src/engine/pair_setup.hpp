@@ -13,9 +13,6 @@ namespace riffle {
 
 // What the loops are given of a case: by the simulation, and by whoever runs the loops without one.
 
-/// Whether the velocity gradient and the correction matrix enter the equations of a case.
-[[nodiscard]] bool needs_gradients(const Case& c);
-
 /// Whether the two-point viscosity weighs the pairs by their direction: the closure's mixing length is
 /// another across the channel, and acts through the pairs.
 [[nodiscard]] bool has_directional_viscosity(const Case& c);

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/parallel.hpp"
+#include "case/velocity_gradient.hpp"
 #include "engine/pair_setup.hpp"
 #include "solver/simulation_of.hpp"
 #include "sph/directed_pairs.hpp"

@@ -100,8 +100,8 @@ def uniform(study):
         check.norm(f"slope of the surface from 10 to 90 % of the length against that of the bed{label}",
                    float(numpy.polyfit(x[inside], mean[inside], 1)[0]) / flow.parameters["channel"]["slope"], 0.05 if label else None)
         account(check, flow)
+        check.figures.append((figure.svg(name), f"Velocity at three places against the column twin, and the level in time{label}."))
         if not label:
-            check.figures.append((figure.svg(check.name), "Velocity at three places against the column twin, and the level in time."))
             check.best, check.cost = options_text(flow), flow.cost_text
     return check
 

@@ -12,6 +12,7 @@
 #include "case/key_table.hpp"
 #include "case/nearest.hpp"
 #include "case/presets.hpp"
+#include "case/velocity_gradient.hpp"
 
 namespace riffle::reading_test {
 namespace {
@@ -390,7 +391,7 @@ Case any_case() {
     if (n.stepping == Stepping::leapfrog) {
         n.xsph = 0.0;
     }
-    if (c.turbulence.closure == ClosureKind::none && n.pressure_form != PressureForm::corrected) {
+    if (!needs_gradients(c)) {
         n.density_relaxation = 0.0;
     }
     if (c.channel.dimensions == 2 && resolves_eddies(c)) {
