@@ -125,6 +125,8 @@ Case uniform_reach(const Case& c) {
     reach.outflow = {};
     reach.solids.clear();
     reach.probes.clear();
+    reach.start.water_x.clear();  // where the water stands when the run begins is not how it enters
+    reach.start.water_z.clear();
     std::erase_if(reach.porous, [&c](const Porous& zone) { return !covers_length(c, zone); });
     std::erase_if(reach.vegetation, [&c](const Vegetation& patch) { return !covers_length(c, patch); });
     return reach;

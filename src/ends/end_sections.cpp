@@ -60,7 +60,10 @@ void EndSections::follow_upstream(EndState& end, double time, double dt) const {
     end.coming = end.watched_velocity - 2.0 * wave_speed(gravity_, end.watched_depth);
     Section section;
     if (input_.inflow_depth && input_.unit_discharge) {
-        section.depth = input_.inflow_depth->at(time);
+        // The start may have another depth there; no surface falls or rises faster than its waves run.
+        const double given = input_.inflow_depth->at(time);
+        const double most = dt * wave_speed(gravity_, std::max(given, end.depth));
+        section.depth = std::clamp(given, end.depth - most, end.depth + most);
         section.velocity = input_.unit_discharge->at(time) / section.depth;
     } else if (input_.inflow_depth) {
         section = inflow_by_depth(gravity_, input_.inflow_depth->at(time), end.coming);

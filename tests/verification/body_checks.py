@@ -150,4 +150,49 @@ def sinking_sphere(study):
     return check
 
 
-CHECKS = {"inclined_plate": plate, "cylindrical_couette": couette, "floating_draught": draught, "floating_heave": heave, "floating_roll": roll, "sinking_cylinder": sinking, "sinking_sphere": sinking_sphere}
+def _modes_across(flow, begin, end, frequency, width, most):
+    """Heights, crest to trough, of the waves of a frequency along the tank, by their modes cos(n pi y/W) across it: from the map of the
+    surface over whole periods; places x, heights by [n, x]."""
+    with h5py.File(flow.folder / "results.h5", "r") as file:
+        surface = file["/surface_map"]
+        time, x, y, elevation = (surface[key][:] for key in ("time", "x", "y", "elevation"))
+    inside = (time > begin) & (time <= end)
+    phase = numpy.exp(2j * math.pi * frequency * time[inside])
+    swing = 2 * numpy.mean((elevation[inside] - elevation[inside].mean(axis=0)) * phase[:, None, None], axis=0)
+    across = [numpy.cos(n * math.pi * y / width) for n in range(most + 1)]
+    return x, numpy.array([2 * numpy.abs((swing * mode[:, None]).sum(axis=0)) / (mode**2).sum() for mode in across])
+
+
+def wavemaker(study):
+    check = Check("wavemaker_in_space", "A paddle over half of the width of a tank",
+                  "Waves along the tank and waves that run to and fro across it, against linear theory: the height of Havelock's waves (1929) for the share of a "
+                  "mode cos(n pi y/W) in the motion of the paddle, times k over its wave number along the tank. The bar is that of the wavemaker in the plane.")
+    flow = study.run("wavemaker_in_space", "cases/bodies/wavemaker-3d.toml")
+    paddle, width, depth = flow.parameters["solid"][0], flow.parameters["channel"]["width"], flow.depth
+    stroke, frequency, face = 2 * paddle["amplitude_x"], paddle["frequency"], paddle["centre"][0] + 0.5 * paddle["size"][0]
+    omega = 2 * math.pi * frequency
+    kh = 1.0
+    for _ in range(100):
+        kh = 0.5 * (kh + omega**2 * depth / GRAVITY / math.tanh(kh))
+    havelock = 2 * (math.cosh(2 * kh) - 1) / (math.sinh(2 * kh) + 2 * kh)
+    x, heights = _modes_across(flow, 3.2, 3.2 + 2 / frequency, frequency, width, 2)
+    share = paddle["size"][1] / width
+    figure = figures.Figure(1, width=7)
+    panel = figure.panel("distance from the paddle (m)", "height of the waves (mm)", "3.2 to 4.7 s")
+    inside = (x > face + 0.35) & (x < face + 0.6)
+    for n in range(3):
+        motion = share if n == 0 else 2 * math.sin(n * math.pi * share) / (n * math.pi)
+        along = math.sqrt((kh / depth) ** 2 - (n * math.pi / width) ** 2) if n * math.pi / width < kh / depth else None
+        expected = 0.0 if along is None else havelock * stroke * motion * kh / depth / along
+        found = float(heights[n, inside].mean())
+        if n < 2:
+            check.norm(f"height of the waves of mode {n} across over linear theory, less one, 3.3 to 6 depths from the paddle", found / expected - 1, 0.05)
+            figures.exact(panel, [0, 1], [1e3 * expected] * 2, "linear theory" if n == 0 else None)
+        figures.simulated(panel, x - face, 1e3 * heights[n], f"mode {n} across", figures.COLOURS[n])
+    check.norm("height of mode 2, which does not run, over that of mode 1", found / float(heights[1, inside].mean()))
+    check.figures.append((figure.svg(check.name), "Heights of the waves by their modes across the tank, along it."))
+    check.best, check.cost = options_text(flow), flow.cost_text
+    return check
+
+
+CHECKS = {"wavemaker_in_space": wavemaker, "inclined_plate": plate, "cylindrical_couette": couette, "floating_draught": draught, "floating_heave": heave, "floating_roll": roll, "sinking_cylinder": sinking, "sinking_sphere": sinking_sphere}

@@ -217,6 +217,34 @@ TEST(OpenEnds, ATailwaterDrivesAJumpUpTheChannel) {
     EXPECT_LT(run.ends().downstream.velocity, wave_speed(9.81, run.ends().downstream.depth));
 }
 
+// Shooting water meets a channel that the start fills deeper: at the inflow the surface falls as water does,
+// and all of it stays in the account.
+TEST(OpenEnds, ShootingWaterMeetsADeeperStart) {
+    for (const std::string start : {"rest", "uniform"}) {
+        const double h = 0.02;
+        const double q = 3.0 * std::sqrt(9.81 * h) * h;
+        OpenRun<2> run(
+            "[channel]\nslope = 0\ndepth = 0.07\nlength = 0.3\nends = \"open\"\n[bed]\nkind = \"slip\"\n[turbulence]\n"
+            "closure = \"none\"\n" +
+            inflow(q) +
+            "depth = 0.02\nprofile = \"uniform\"\n[outflow]\nkind = \"depth\"\ndepth = 0.07\n[numerics]\npreset = "
+            "\"violent\"\nspacing = 0.004\n[start]\nkind = \"" +
+            start + "\"\n[run]\nuntil = \"1 s\"\n");
+        const std::size_t at_start = initial_particles<2>(run.c, run.simulation->scheme(), nullptr).size();
+        double fastest = 0.0;
+        for (double time = 0.02; time < 0.5; time += 0.02) {
+            run.advance_to(time);
+            const auto& p = run.simulation->particles();
+            for (std::size_t i = 0; i < p.size(); ++i) {
+                fastest = std::max(fastest, std::hypot(p.velocity[0][i], p.velocity[1][i]));
+            }
+        }
+        expect_account_closes(run, at_start);
+        EXPECT_NEAR(run.ends().upstream.depth, h, 1e-9) << start;
+        EXPECT_LT(fastest, 2.0 * q / h + std::sqrt(9.81 * 0.07)) << start;
+    }
+}
+
 TEST(OpenEnds, AFlowThatTurnsRoundFillsTheChannelFromItsOutflow) {
     const test::TemporaryFolder folder;
     std::ofstream(folder / "tide.csv") << "time,depth\n0,0.02\n1,0.022\n";

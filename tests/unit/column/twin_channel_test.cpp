@@ -106,6 +106,16 @@ TEST(TwinChannel, SideWallsBrakeToo) {
     }
 }
 
+// A run may begin with a dry bed before a gate: the water that enters is that of the channel all the same.
+TEST(TwinChannel, OfAnOpenChannelKnowsNoOutlineOfTheStart) {
+    Case c = read_case(std::string(RIFFLE_SOURCE_DIR) + "/cases/open-ends/hydraulic-jump.toml");
+    const double weight = carrying_column(c, 0.05, 0.02).weight;
+    c.start.kind = StartKind::rest;
+    c.start.water_x = {0.0, 0.3, 0.3, 0.0};
+    c.start.water_z = {0.0, 0.0, 0.05, 0.05};
+    EXPECT_EQ(carrying_column(c, 0.05, 0.02).weight, weight);
+}
+
 TEST(TwinChannel, NeedsAColumn) {
     const Case c = read_case(std::string(RIFFLE_SOURCE_DIR) + "/cases/checks/flow-over-step.toml");
     try {

@@ -46,6 +46,26 @@ TEST(EndSections, AHydrographEntersWithoutDelay) {
     });
 }
 
+// Where the start has another depth than supercritical water that enters, the section goes to it at the speed
+// of its waves, not at once; then it follows what is given without delay.
+TEST(EndSections, ShootingWaterComesToItsDepthAtTheSpeedOfWaves) {
+    for (const double depth_of_start : {0.07, 0.02, 0.005}) {
+        EndInput input = input_of(TimeTable(0.0266), 0.0);
+        input.inflow_depth = TimeTable({0.0, 1.0}, {0.02, 0.03});
+        const EndSections sections(input, gravity, sound_speed, least_depth);
+        EndState end = sections.start(depth_of_start, 0.0);
+        const double dt = 1e-4;
+        for (double time = dt; time < 1.0; time += dt) {
+            sections.follow_upstream(end, time, dt);
+            ASSERT_LE(std::abs(end.depth_rate), 1.001 * wave_speed(gravity, std::max(0.03, depth_of_start)));
+            ASSERT_NEAR(end.depth * end.velocity, 0.0266, 1e-12);
+            if (time > 0.15) {
+                ASSERT_NEAR(end.depth, 0.02 + 0.01 * time, 1e-9) << time;
+            }
+        }
+    }
+}
+
 // Of a pool at rest the discharge grows home within some relaxation times, and then stands.
 TEST(EndSections, ADischargeComesHome) {
     for (const double relaxation_time : {0.0, 0.5}) {
