@@ -205,8 +205,23 @@ CheckList open_end_refusals() {
              "the normal depth is found once, for one discharge",
              "give the discharge or unit_discharge, or choose kind = \"rating-curve\"",
              [](const Case& c) {
-                 return found_if(c.outflow.kind == OutflowKind::normal_depth && !c.inflow_unit_discharge(),
-                                 "kind = \"normal-depth\" needs a constant discharge");
+                 return found_if(
+                     c.outflow.kind == OutflowKind::normal_depth && !(c.inflow_unit_discharge() > 0.0),
+                     "kind = \"normal-depth\" needs a constant discharge of more than nothing");
+             }},
+            {{"channel.depth", "inflow.unit_discharge"},
+             "a discharge whose critical depth is more than twice the depth of the case",
+             "the depth of the case sets how high the water may stand",
+             "give a depth near that of the flow, or [inflow] depth with the supercritical one at which it enters",
+             [](const Case& c) {
+                 const auto q = c.inflow_unit_discharge();
+                 if (!q || c.inflow.depth || !c.inflow.depth_file.empty() || is_duct(c)) {
+                     return Findings{};
+                 }
+                 const double critical = critical_depth(c, *q);
+                 return found_if(critical > 2.0 * c.total_depth(),
+                                 "depth is {}, the critical depth of the discharge {}",
+                                 shown_length(c.channel.depth), shown_length(critical - c.datum()));
              }},
             {{"outflow.rating_file", "outflow.kind"},
              "`kind = \"rating-curve\"` without `rating_file`",
@@ -346,8 +361,9 @@ CheckList open_end_refusals() {
              "varied flow is steady",
              "give [inflow] discharge, or start otherwise",
              [](const Case& c) {
-                 return found_if(c.start.kind == StartKind::backwater && !c.inflow_unit_discharge(),
-                                 "kind = \"backwater\" needs a constant discharge");
+                 return found_if(
+                     c.start.kind == StartKind::backwater && !(c.inflow_unit_discharge() > 0.0),
+                     "kind = \"backwater\" needs a constant discharge of more than nothing");
              }},
             {{"start.water_z", "channel.ends"},
              "water at an open end that does not stand on the bed",

@@ -60,17 +60,24 @@ void EndSections::follow_upstream(EndState& end, double time, double dt) const {
     end.coming = end.watched_velocity - 2.0 * wave_speed(gravity_, end.watched_depth);
     Section section;
     if (input_.inflow_depth && input_.unit_discharge) {
-        // The start may have another depth there; no surface falls or rises faster than its waves run.
-        const double given = input_.inflow_depth->at(time);
-        const double most = dt * wave_speed(gravity_, std::max(given, end.depth));
-        section.depth = std::clamp(given, end.depth - most, end.depth + most);
+        section.depth = reached(end, input_.inflow_depth->at(time), dt);
         section.velocity = input_.unit_discharge->at(time) / section.depth;
     } else if (input_.inflow_depth) {
-        section = inflow_by_depth(gravity_, input_.inflow_depth->at(time), end.coming);
+        section = inflow_by_depth(gravity_, reached(end, input_.inflow_depth->at(time), dt), end.coming);
     } else {
         section = section_of_discharge(end, time, dt);
+        const double discharge = section.depth * section.velocity;
+        section.depth = reached(end, section.depth, dt);
+        section.velocity = discharge / section.depth;
     }
     go_over_to(end, section, dt);
+}
+
+/// The depth at an end after a step of dt on the way to another one, which the start may not have: no surface
+/// falls or rises faster than its waves run.
+double EndSections::reached(const EndState& end, double depth, double dt) const {
+    const double most = dt * wave_speed(gravity_, std::max(depth, end.depth));
+    return std::clamp(depth, end.depth - most, end.depth + most);
 }
 
 /// The section that carries the discharge: to the moment, or but for the waves that leave through it. (A

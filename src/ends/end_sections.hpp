@@ -34,6 +34,7 @@ class EndSections {
   private:
     void follow_duct_upstream(EndState& end, double time, double dt) const;
     void follow_duct_downstream(EndState& end, double dt) const;
+    [[nodiscard]] double reached(const EndState& end, double depth, double dt) const;
     [[nodiscard]] Section section_of_discharge(const EndState& end, double time, double dt) const;
 
     EndInput input_;
