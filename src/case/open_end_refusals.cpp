@@ -361,9 +361,8 @@ CheckList open_end_refusals() {
              "varied flow is steady",
              "give [inflow] discharge, or start otherwise",
              [](const Case& c) {
-                 return found_if(
-                     c.start.kind == StartKind::backwater && !(c.inflow_unit_discharge() > 0.0),
-                     "kind = \"backwater\" needs a constant discharge of more than nothing");
+                 return found_if(c.start.kind == StartKind::backwater && !(c.inflow_unit_discharge() > 0.0),
+                                 "kind = \"backwater\" needs a constant discharge of more than nothing");
              }},
             {{"start.water_z", "channel.ends"},
              "water at an open end that does not stand on the bed",

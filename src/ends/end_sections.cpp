@@ -74,10 +74,10 @@ void EndSections::follow_upstream(EndState& end, double time, double dt) const {
 }
 
 /// The depth at an end after a step of dt on the way to another one, which the start may not have: no surface
-/// falls or rises faster than its waves run.
+/// falls or rises faster than its waves run, and where nothing enters a film stands.
 double EndSections::reached(const EndState& end, double depth, double dt) const {
     const double most = dt * wave_speed(gravity_, std::max(depth, end.depth));
-    return std::clamp(depth, end.depth - most, end.depth + most);
+    return std::max(least_depth_, std::clamp(depth, end.depth - most, end.depth + most));
 }
 
 /// The section that carries the discharge: to the moment, or but for the waves that leave through it. (A

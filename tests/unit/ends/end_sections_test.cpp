@@ -49,7 +49,7 @@ TEST(EndSections, AHydrographEntersWithoutDelay) {
 // Where the start has another depth than supercritical water that enters, the section goes to it at the speed
 // of its waves, not at once; then it follows what is given without delay.
 TEST(EndSections, ShootingWaterComesToItsDepthAtTheSpeedOfWaves) {
-    for (const double depth_of_start : {0.07, 0.02, 0.005}) {
+    for (const double depth_of_start : {0.07, 0.02, 0.012}) {
         EndInput input = input_of(TimeTable(0.0266), 0.0);
         input.inflow_depth = TimeTable({0.0, 1.0}, {0.02, 0.03});
         const EndSections sections(input, gravity, sound_speed, least_depth);

@@ -1,0 +1,78 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "base/error.hpp"
+#include "solver/simulation.hpp"
+#include "solver/start.hpp"
+
+// Whatever a user puts together of starts, inflows and outflows either is refused, with the key, or runs.
+
+namespace riffle {
+namespace {
+
+std::string channel(const std::string& inflow, const std::string& outflow, const std::string& start) {
+    return "[channel]\nslope = 0.004\ndepth = \"60 mm\"\nlength = \"0.3 m\"\nends = \"open\"\n[inflow]\n" +
+           inflow + "\n[outflow]\n" + outflow +
+           "\n[bed]\nkind = \"roughness\"\nequivalent_roughness = \"1 mm\"\n[numerics]\npreset = \"violent\"\nspacing "
+           "= \"6 mm\"\n[start]\n" +
+           start + "\n[run]\nuntil = \"1 s\"\n";
+}
+
+TEST(OpenEndsTogether, EveryStartMeetsEveryInflowAndOutflow) {
+    const std::map<std::string, std::string> starts{
+        {"uniform", "kind = \"uniform\""},
+        {"rest", "kind = \"rest\""},
+        {"backwater", "kind = \"backwater\""},
+        {"half dry", "kind = \"rest\"\nwater_x = [0, 0.15, 0.15, 0]\nwater_z = [0, 0, 0.06, 0.06]"},
+        {"dry at the inflow",
+         "kind = \"rest\"\nwater_x = [0.15, 0.3, 0.3, 0.15]\nwater_z = [0, 0, 0.06, 0.06]"}};
+    const std::map<std::string, std::string> inflows{{"subcritical", "unit_discharge = 0.02"},
+                                                     {"deep", "unit_discharge = 0.06"},
+                                                     {"by depth", "depth = \"70 mm\""},
+                                                     {"shooting", "unit_discharge = 0.05\ndepth = \"24 mm\""},
+                                                     {"none", "unit_discharge = 0"}};
+    const std::map<std::string, std::string> outflows{{"depth", "kind = \"depth\"\ndepth = \"75 mm\""},
+                                                      {"free", "kind = \"free\""},
+                                                      {"weir", "kind = \"weir\"\nweir_height = \"30 mm\""},
+                                                      {"critical", "kind = \"critical-depth\""},
+                                                      {"fall", "kind = \"free-fall\""},
+                                                      {"normal", "kind = \"normal-depth\""}};
+    int refused = 0;
+    for (const auto& [start_name, start] : starts) {
+        for (const auto& [inflow_name, inflow] : inflows) {
+            for (const auto& [outflow_name, outflow] : outflows) {
+                SCOPED_TRACE(start_name + ", " + inflow_name + ", " + outflow_name);
+                std::unique_ptr<Case> c;
+                try {
+                    c = std::make_unique<Case>(parse_case(channel(inflow, outflow, start), "ends.toml"));
+                } catch (const InputError& e) {
+                    EXPECT_EQ(std::string(e.what()).rfind("ends.toml:", 0), 0U) << e.what();
+                    ++refused;
+                    continue;
+                }
+                const auto simulation = make_simulation<2>(
+                    *c, nullptr, initial_particles<2>(*c, make_scheme(*c, nullptr), nullptr));
+                while (simulation->clock().time < 0.06) {
+                    ASSERT_NO_THROW(simulation->step());
+                }
+                const auto& particles = simulation->particles();
+                ASSERT_GT(particles.size(), 0U);
+                EXPECT_TRUE(particles.lost.empty());
+                // No water is thrown: three times what a fall of all depths that are named gives.
+                for (std::size_t i = 0; i < particles.size(); ++i) {
+                    ASSERT_LT(std::hypot(particles.velocity[0][i], particles.velocity[1][i]),
+                              3.0 * std::sqrt(2.0 * 9.81 * 0.075) + 0.05 / 0.024);
+                }
+            }
+        }
+    }
+    // A normal depth without a discharge, and a start by varied flow without one.
+    EXPECT_EQ(refused, 5 * 2 + 2 * 5);
+}
+
+}  // namespace
+}  // namespace riffle
