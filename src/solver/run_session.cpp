@@ -14,6 +14,7 @@
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "base/version.hpp"
+#include "case/flow_kind.hpp"
 #include "output/checkpoint_file.hpp"
 #include "particles/lattice.hpp"
 #include "record/field_content.hpp"
@@ -76,6 +77,9 @@ RunSession<D>::RunSession(Case c, RunOptions options)
     set_thread_count(options_.threads);
     twins_ = solve_twins(case_);
     convergence_.reason = twins_.column ? "not yet tested for convergence" : no_steady_flow;
+    if (case_.channel.ends == Ends::open && !is_duct(case_)) {
+        end_events_.emplace(case_.normal_gravity(), lattice_of(case_).dz);
+    }
 }
 
 template <int D>
@@ -235,6 +239,7 @@ RunOutcome RunSession<D>::advance() {
         step(stopped ? 0.0 : fields_due());
         recorder_->record(*simulation_);
         report_losses();
+        report_end_events();
         if (simulation_->clock().time >= next_test_) {
             next_test_ = due_after(simulation_->clock().time, test_interval);
             update_convergence(false);
@@ -337,6 +342,16 @@ void RunSession<D>::report_losses() {
     told_losses_ = ledger.size();
     const LostWater water = lost();
     log_.warning(fmt::format("so far {}: {}", lost_text(water), exits_text(ledger)));
+}
+
+template <int D>
+void RunSession<D>::report_end_events() {
+    if (end_events_) {
+        const SimulationClock& clock = simulation_->clock();
+        for (const std::string& event : end_events_->news(clock.open_ends, clock.time)) {
+            log_.warning(event);
+        }
+    }
 }
 
 template <int D>

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 
+#include "ends/end_events.hpp"
 #include "solver/recorder.hpp"
 #include "solver/run.hpp"
 #include "solver/run_log.hpp"
@@ -50,6 +51,8 @@ class RunSession {
     [[nodiscard]] double fields_due() const;
     /// Say in the log which particles have left the domain since the last call.
     void report_losses();
+    /// The same of what happens at open ends.
+    void report_end_events();
     [[nodiscard]] LostWater lost() const;
     [[nodiscard]] bool finished() const;
     [[nodiscard]] double seconds_since(Clock::time_point t) const;
@@ -68,7 +71,8 @@ class RunSession {
     double next_test_ = 1.0;
     double earlier_wall_seconds_ = 0.0;
     std::int64_t first_step_ = 0;
-    std::size_t told_losses_ = 0;  ///< lost particles that the log knows of
+    std::size_t told_losses_ = 0;          ///< lost particles that the log knows of
+    std::optional<EndEvents> end_events_;  ///< of open ends under a free surface
     Clock::time_point begin_ = Clock::now();
     Clock::time_point last_write_ = begin_;
     Clock::time_point last_progress_ = begin_;

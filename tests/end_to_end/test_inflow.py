@@ -157,5 +157,39 @@ class Inflow(CommandLineTest):
                        says=['channel.ends is "open" there and "periodic" here'])
 
 
+DRAINING = """
+[channel]
+slope = 0.02
+depth = "60 mm"
+length = "0.4 m"
+ends = "open"
+[inflow]
+unit_discharge = 0
+profile = "uniform"
+[outflow]
+kind = "free-fall"
+[bed]
+kind = "slip"
+[turbulence]
+closure = "none"
+[numerics]
+preset = "violent"
+spacing = "5 mm"
+[start]
+kind = "rest"
+[run]
+until = "4.5 s"
+"""
+
+
+class EndEvents(CommandLineTest):
+    def test_an_outflow_that_runs_dry_is_in_the_log(self):
+        case = self.folder / "draining.toml"
+        case.write_text(DRAINING)
+        self.succeed("run", case, "-o", self.folder / "out", "-q")
+        warnings = [line for line in (self.folder / "out" / "run.log").read_text().splitlines() if " warning " in line]
+        self.assertEqual(len([line for line in warnings if "the outflow ran dry at t = " in line]), 1, warnings)
+
+
 if __name__ == "__main__":
     main()

@@ -11,7 +11,7 @@ from open_end_checks import account, backwater, depth_by_area
 from options import options_text
 
 # Froude number at the inflow, 20 mm deep: unit discharge (m2/s), depth that is held at the end (mm), length (m), until and from (s), spacing (mm).
-JUMPS = {3: (0.02658, 70, 1.0, 25, 5, 2), 2.3: (0.02038, 52.5, 0.8, 15, 5, 2), 4: (0.03544, 97, 1.5, 12, 5, 2), 6: (0.05315, 155, 1.8, 20, 6, 2.5)}
+JUMPS = {3: (0.02658, 70, 1.0, 25, 5, 2), 2.3: (0.02038, 52.5, 0.8, 15, 5, 2), 4: (0.03544, 97, 1.5, 12, 5, 2), 6: (0.05315, 146, 2.0, 14, 6, 2.5)}
 
 
 def _surface(flow, begin=0.0):

@@ -1,0 +1,72 @@
+#include "ends/end_events.hpp"
+
+#include <fmt/format.h>
+
+#include "ends/section_state.hpp"
+
+namespace riffle {
+
+namespace {
+
+// Each event is over where its opposite is clear, so that one that trembles is told once.
+constexpr double wet_again = 2.0;        // over the depth of a film
+constexpr double back_share = 0.02;      // of the speed of waves: water that swings is not told
+constexpr double drowned_share = 1.5;    // of the depth that enters; a jump at Fr = 1.3 makes 1.4 of it
+constexpr double shooting_share = 1.25;  // of it, where the flow has come back
+constexpr int most_times = 5;            // that an event is told
+
+}  // namespace
+
+std::vector<std::string> EndEvents::news(const OpenEndsState& ends, double time) {
+    std::vector<std::string> told;
+    if (!ends.begun) {
+        return told;
+    }
+    const auto change = [&](Event& event, bool begins, bool is_over, const auto& beginning, const auto& end) {
+        if (event.lasts ? !is_over : !begins) {
+            return;
+        }
+        event.lasts = !event.lasts;
+        event.times += event.lasts ? 1 : 0;
+        if (event.times <= most_times) {
+            told.push_back(event.lasts ? beginning() : end());
+        }
+    };
+
+    const EndState& out = ends.downstream;
+    wetted_ = wetted_ || out.watched_depth > wet_again * least_depth_;
+    change(
+        dry_, wetted_ && out.watched_depth<least_depth_, out.watched_depth> wet_again * least_depth_,
+        [&] {
+            return fmt::format(
+                "the outflow ran dry at t = {:.4g} s: less than a row of particles is left there", time);
+        },
+        [&] { return fmt::format("there is water at the outflow again at t = {:.4g} s", time); });
+
+    const double swing = back_share * wave_speed(gravity_, out.depth);
+    change(
+        reversed_, out.velocity<-swing, out.velocity> swing,
+        [&] {
+            return fmt::format(
+                "water comes in through the outflow from t = {:.4g} s on: what is beyond it is as deep as [outflow] "
+                "says",
+                time);
+        },
+        [&] { return fmt::format("water leaves through the outflow again from t = {:.4g} s on", time); });
+
+    const EndState& in = ends.upstream;
+    change(
+        drowned_, in.velocity > wave_speed(gravity_, in.depth) && in.watched_depth > drowned_share * in.depth,
+        in.watched_depth < shooting_share * in.depth,
+        [&] {
+            return fmt::format(
+                "at t = {:.4g} s the water beside the inflow is {:.3g} m deep, where {:.3g} m enter faster than their "
+                "waves: a jump has reached the inflow, or the start stands there. A lower depth at the outflow or a "
+                "longer channel lets it stand off",
+                time, in.watched_depth, in.depth);
+        },
+        [&] { return fmt::format("the water beside the inflow shoots again from t = {:.4g} s on", time); });
+    return told;
+}
+
+}  // namespace riffle

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ends/open_ends_state.hpp"
+
+namespace riffle {
+
+/// What happens at the open ends of a channel that whoever runs it should know of: the outflow runs dry, or
+/// water comes in through it; a jump reaches the inflow, and what enters is not the shooting flow that the
+/// case gives. Each is told when it begins and when it is over, the first times that it happens.
+class EndEvents {
+  public:
+    /// `gravity`: normal to the bed, m/s2; `least_depth`: that of a film or a drop, m.
+    EndEvents(double gravity, double least_depth) : gravity_(gravity), least_depth_(least_depth) {}
+
+    /// Sentences about what has changed since the last call; `time` in s.
+    [[nodiscard]] std::vector<std::string> news(const OpenEndsState& ends, double time);
+
+  private:
+    struct Event {
+        bool lasts = false;
+        int times = 0;
+    };
+
+    double gravity_;
+    double least_depth_;
+    bool wetted_ = false;  ///< there has been water at the outflow
+    Event dry_;            ///< there is none any more
+    Event reversed_;       ///< water comes in through the outflow
+    Event drowned_;        ///< deeper water stands at a supercritical inflow
+};
+
+}  // namespace riffle
