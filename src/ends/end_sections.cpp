@@ -66,9 +66,8 @@ void EndSections::follow_upstream(EndState& end, double time, double dt) const {
         section = inflow_by_depth(gravity_, reached(end, input_.inflow_depth->at(time), dt), end.coming);
     } else {
         section = section_of_discharge(end, time, dt);
-        const double discharge = section.depth * section.velocity;
-        section.depth = reached(end, section.depth, dt);
-        section.velocity = discharge / section.depth;
+        const double depth = reached(end, section.depth, dt);
+        section = {depth, section.velocity * (section.depth / depth)};
     }
     go_over_to(end, section, dt);
 }
