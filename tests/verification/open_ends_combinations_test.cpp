@@ -45,7 +45,9 @@ TEST(OpenEndsTogether, EveryStartMeetsEveryInflowAndOutflow) {
     for (const auto& [start_name, start] : starts) {
         for (const auto& [inflow_name, inflow] : inflows) {
             for (const auto& [outflow_name, outflow] : outflows) {
-                SCOPED_TRACE(start_name + ", " + inflow_name + ", " + outflow_name);
+                std::string together = start_name;
+                together.append(", ").append(inflow_name).append(", ").append(outflow_name);
+                SCOPED_TRACE(together);
                 std::unique_ptr<Case> c;
                 try {
                     c = std::make_unique<Case>(parse_case(channel(inflow, outflow, start), "ends.toml"));
