@@ -11,30 +11,28 @@ from open_end_checks import account, backwater, depth_by_area
 from options import options_text
 
 # Froude number at the inflow, 20 mm deep: unit discharge (m2/s), depth that is held at the end (mm), length (m), until and from (s), spacing (mm).
-JUMPS = {3: (0.02658, 70, 1.0, 25, 5, 2), 2.3: (0.02038, 52.5, 0.8, 15, 5, 2), 4: (0.03544, 97, 1.5, 12, 5, 2), 6: (0.05315, 146, 2.0, 14, 6, 2.5)}
+JUMPS = {3: (0.02658, 70, 1.0, 25, 5, 2), 2.3: (0.02038, 52.5, 0.8, 15, 5, 2), 4: (0.03544, 97, 1.5, 12, 5, 2), 6: (0.05315, 146, 2.0, 11, 5, 2.5)}
 
 
-def _surface(flow, begin=0.0):
-    """Times, places from one on, and the elevations there."""
+def _surface(flow):
+    """Times, places, and the elevations there."""
     with h5py.File(flow.folder / "results.h5", "r") as file:
-        surface = file["/surface"]
-        beyond = surface["x"][:] >= begin
-        return surface["time"][:], surface["x"][:][beyond], surface["elevation"][:][:, beyond]
+        return tuple(file["/surface"][key][:] for key in ("time", "x", "elevation"))
 
 
-def _roller(check, name, flow, q, first, start, begin=0.0):
-    """Rows about a jump with a roller in water that is `first` (m) deep at `begin` and as deep as it becomes at the end: the depth and the
-    loss behind it, and whether it keeps its place. The mean level over x from there on."""
+def _roller(check, name, flow, q, start):
+    """Rows about a jump with a roller between what enters and what leaves: the depth and the loss behind it, and whether it keeps its
+    place. Places and the mean level there."""
     g = flow.gravity_z
-    time, x, level = _surface(flow, begin)
+    time, x, level = _surface(flow)
     late = time > start
     mean = numpy.nanmean(level[late], axis=0)
     deep = mean[x > 0.9 * flow.length].mean()
-    half = 0.5 * (first + deep)
+    half = 0.5 * (mean[x < 0.1 * flow.length].mean() + deep)
     toes = numpy.array([x[numpy.argmax(row > half)] for row in level[late]])
     place = float(numpy.median(toes))
     # Before the jump, as near to it as the water does not rise yet; behind it, as near as the roller ends.
-    before = depth_by_area(flow, max(place - 1.5 * deep, begin + 0.05), 0.01, start)
+    before = depth_by_area(flow, max(place - 1.5 * deep, 0.05), 0.01, start)
     first_behind, last_behind = place + 4 * deep, 0.95 * flow.length
     after = depth_by_area(flow, 0.5 * (first_behind + last_behind), 0.5 * (last_behind - first_behind), start)
     local = q / before / math.sqrt(g * before)
@@ -61,9 +59,7 @@ def _one_jump(study, check, froude, axes, colour):
     if spacing != 2:
         settings |= {"numerics.spacing": f'"{spacing} mm"'}
     flow = study.run(f"open_jump_{froude}", case, settings)
-    time, x, level = _surface(flow)
-    first = float(numpy.nanmean(level[time > start][:, x < 0.1 * flow.length]))
-    x, mean = _roller(check, f"Fr {froude} at the inflow", flow, q, first, start)
+    x, mean = _roller(check, f"Fr {froude} at the inflow", flow, q, start)
     exact = backwater(study, case, 0.0, "--discharge", f"{q} m2/s", "--upstream", "20mm", "--downstream", f"{tailwater}mm", "--length", str(length), "--stations", "1001")
     figures.exact(axes, x, exact(x), "riffle backwater" if froude == 3 else None)
     figures.simulated(axes, x, mean, f"Fr {froude} at the inflow", colour, most=200)
@@ -162,39 +158,4 @@ def undular(study):
     return check
 
 
-CONTRACTION = 0.61  # of the jet of a vertical gate in free flow, open by less than half of the head (Henderson 1966)
-
-
-def sluice_gate(study):
-    case = "cases/open-ends/sluice-gate.toml"
-    check = Check("open_sluice_gate", "Sluice gate and jump",
-                  "Water shoots out under a gate and jumps to the depth that is held at the outflow: the discharge for the head before the gate against "
-                  "that of the contracted jet (Henderson 1966), the jump as those of open_jump.")
-    flow = study.run("open_sluice_gate", case)
-    start, g = flow.parameters["run"]["average_from"], flow.gravity_z
-    gate = flow.parameters["solid"][0]
-    opening, upstream, downstream = min(gate["z"]), min(gate["x"]), max(gate["x"])
-    q = float(flow.series["inflow_discharge"][flow.series["time"] > start].mean())
-    pool = depth_by_area(flow, 0.5 * upstream, 0.25 * upstream, start)
-    head = pool + q**2 / (2 * g * pool**2)
-    check.norm(f"discharge against that of a jet of {CONTRACTION} of the opening for the head, {head / opening:.1f} openings",
-               q / (CONTRACTION * opening * math.sqrt(2 * g * (head - CONTRACTION * opening))) - 1, 0.03)
-    jet = [depth_by_area(flow, upstream + k * opening, 0.25 * opening, start) for k in (1.5, 2, 2.5, 3, 4)]
-    check.norm(f"least depth of the jet over the opening, {min(jet) / flow.spacing:.0f} rows", min(jet) / opening, None, "", 3)
-    contracted = upstream + 2 * opening
-    x, mean = _roller(check, "behind the gate", flow, q, jet[1], start, contracted)
-    exact = backwater(study, case, 0.0, "--discharge", f"{q} m2/s", "--upstream", f"{1e3 * jet[1]:.4g}mm", "--downstream",
-                      f"{1e3 * flow.parameters['outflow']['depth']:g}mm", "--length", f"{flow.length - contracted:.4g}", "--stations", "1001")
-    figure = figures.Figure(1, width=7)
-    axes = figure.panel("distance along the channel x (m)", "level (m)", f"mean from {start:g} s on")
-    figures.exact(axes, x, exact(x - contracted), "riffle backwater, from the contracted jet on")
-    time, along, level = _surface(flow)
-    figures.simulated(axes, along, numpy.nanmean(level[time > start], axis=0), "particles", figures.COLOURS[0], most=200)
-    axes.plot([upstream, downstream, downstream, upstream, upstream], [opening, min(gate["z"]) + downstream - upstream, 1.2 * pool, 1.2 * pool, opening], color="0.4")
-    check.figures.append((figure.svg(check.name), "Mean level along the channel; the gate is drawn, and the jump of the theory has no length."))
-    check.best, check.cost = options_text(flow), flow.cost_text
-    account(check, flow)
-    return check
-
-
-CHECKS = {"open_jump": jump, "open_undular": undular, "open_sluice_gate": sluice_gate}
+CHECKS = {"open_jump": jump, "open_undular": undular}
