@@ -34,9 +34,10 @@ std::vector<std::string> EndEvents::news(const OpenEndsState& ends, double time)
     };
 
     const EndState& out = ends.downstream;
-    wetted_ = wetted_ || out.watched_depth > wet_again * least_depth_;
+    const bool is_wet = out.watched_depth > wet_again * least_depth_;
+    wetted_ = wetted_ || is_wet;
     change(
-        dry_, wetted_ && out.watched_depth<least_depth_, out.watched_depth> wet_again * least_depth_,
+        dry_, wetted_ && out.watched_depth < least_depth_, is_wet,
         [&] {
             return fmt::format(
                 "the outflow ran dry at t = {:.4g} s: less than a row of particles is left there", time);
@@ -44,8 +45,9 @@ std::vector<std::string> EndEvents::news(const OpenEndsState& ends, double time)
         [&] { return fmt::format("there is water at the outflow again at t = {:.4g} s", time); });
 
     const double swing = back_share * wave_speed(gravity_, out.depth);
+    const bool leaves = out.velocity > swing;
     change(
-        reversed_, out.velocity<-swing, out.velocity> swing,
+        reversed_, out.velocity < -swing, leaves,
         [&] {
             return fmt::format(
                 "water comes in through the outflow from t = {:.4g} s on: what is beyond it is as deep as [outflow] "

@@ -5,6 +5,7 @@ import math
 import h5py
 import numpy
 
+import exact
 import figures
 import floating
 from check import Check
@@ -150,23 +151,6 @@ def sinking_sphere(study):
     return check
 
 
-def paddle_waves(time, x, amplitude, omega, across, depth, length):
-    """Surface over still water, by linear theory, that a piston at x = 0 makes in a closed tank from rest on: it moves by amplitude sin(omega t)
-    times cos(across y), the surface rises by what is returned, [time, x], times that. Each cos(k_x x) of the tank is a spring that the
-    piston drives: a'' + Omega^2 a = V' tanh(k h)/k."""
-    surface = numpy.zeros((len(time), len(x)))
-    for m in range(int(40 * length / depth)):
-        along = m * math.pi / length
-        k = math.hypot(along, across)
-        if k == 0:
-            surface += (depth / length * amplitude * numpy.sin(omega * time))[:, None]
-            continue
-        own = math.sqrt(GRAVITY * k * math.tanh(k * depth))
-        swing = math.tanh(k * depth) / k * omega / (own**2 - omega**2) * (own * numpy.sin(own * time) - omega * numpy.sin(omega * time))
-        surface += (1 if m == 0 else 2) / length * amplitude * numpy.outer(swing, numpy.cos(along * x))
-    return surface
-
-
 def _height(time, surface, frequency, begin, end):
     """Height, crest to trough, of the waves of a frequency over whole periods, by place."""
     inside = (time > begin) & (time <= end)
@@ -194,13 +178,13 @@ def wavemaker(study):
         mode = numpy.cos(n * math.pi * y / width)
         amplitude = paddle["amplitude_x"] * (share if n == 0 else 2 * math.sin(n * math.pi * share) / (n * math.pi))
         found = numpy.tensordot(elevation - numpy.nanmean(elevation[0]), mode, axes=(1, 0)) / (mode**2).sum()
-        exact = paddle_waves(time, x - face, amplitude, 2 * math.pi * frequency, n * math.pi / width, flow.depth, flow.length - face)
-        measured, expected = (_height(time, surface, frequency, begin, end) for surface in (found, exact))
+        theory = exact.paddle_waves(time, x - face, amplitude, 2 * math.pi * frequency, n * math.pi / width, flow.depth, flow.length - face, GRAVITY)
+        measured, expected = (_height(time, surface, frequency, begin, end) for surface in (found, theory))
         check.norm(f"mode {n}: height of the waves over linear theory, less one, 3.3 to 6 depths from the paddle, last two periods",
                    float(measured[inside].mean() / expected[inside].mean()) - 1, 0.05)
         check.norm(f"mode {n}: rms departure of the surface there from linear theory over the rms of the latter, whole run",
-                   float(numpy.sqrt(numpy.mean((found - exact)[:, inside] ** 2) / numpy.mean(exact[:, inside] ** 2))))
-        figures.exact(history, time, 1e3 * exact[:, place], "linear theory" if n == 0 else None)
+                   float(numpy.sqrt(numpy.mean((found - theory)[:, inside] ** 2) / numpy.mean(theory[:, inside] ** 2))))
+        figures.exact(history, time, 1e3 * theory[:, place], "linear theory" if n == 0 else None)
         figures.simulated(history, time, 1e3 * found[:, place], f"mode {n}", figures.COLOURS[n])
         beyond = x > face
         figures.exact(heights, x[beyond] - face, 1e3 * expected[beyond], None)

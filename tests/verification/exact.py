@@ -166,3 +166,20 @@ def square_duct(force, nu, side, y, z):
 def equilateral_duct(force, nu, altitude, first, second, third):
     """u of laminar flow in a duct of equilateral section, by the distances from its three sides (Boussinesq 1868)."""
     return force / (nu * altitude) * first * second * third
+
+
+def paddle_waves(time, x, amplitude, omega, across, depth, length, gravity):
+    """Surface over still water, by linear theory, that a piston at x = 0 makes in a closed tank from rest on: it moves by amplitude sin(omega t)
+    times cos(across y), the surface rises by what is returned, [time, x], times that. Each cos(k_x x) of the tank is a spring that the
+    piston drives: a'' + Omega^2 a = V' tanh(k h)/k."""
+    surface = numpy.zeros((len(time), len(x)))
+    for m in range(int(40 * length / depth)):
+        along = m * math.pi / length
+        k = math.hypot(along, across)
+        if k == 0:
+            surface += (depth / length * amplitude * numpy.sin(omega * time))[:, None]
+            continue
+        own = math.sqrt(gravity * k * math.tanh(k * depth))
+        swing = math.tanh(k * depth) / k * omega / (own**2 - omega**2) * (own * numpy.sin(own * time) - omega * numpy.sin(omega * time))
+        surface += (1 if m == 0 else 2) / length * amplitude * numpy.outer(swing, numpy.cos(along * x))
+    return surface

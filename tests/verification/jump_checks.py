@@ -2,29 +2,22 @@
 
 import math
 
-import h5py
 import numpy
 
 import figures
 from check import Check
-from open_end_checks import account, backwater, depth_by_area
+from open_end_checks import account, backwater, depth_by_area, surface_of
 from options import options_text
 
 # Froude number at the inflow, 20 mm deep: unit discharge (m2/s), depth that is held at the end (mm), length (m), until and from (s), spacing (mm).
 JUMPS = {3: (0.02658, 70, 1.0, 25, 5, 2), 2.3: (0.02038, 52.5, 0.8, 15, 5, 2), 4: (0.03544, 97, 1.5, 12, 5, 2), 6: (0.05315, 146, 2.0, 11, 5, 2.5)}
 
 
-def _surface(flow):
-    """Times, places, and the elevations there."""
-    with h5py.File(flow.folder / "results.h5", "r") as file:
-        return tuple(file["/surface"][key][:] for key in ("time", "x", "elevation"))
-
-
 def _roller(check, name, flow, q, start):
     """Rows about a jump with a roller between what enters and what leaves: the depth and the loss behind it, and whether it keeps its
     place. Places and the mean level there."""
     g = flow.gravity_z
-    time, x, level = _surface(flow)
+    time, x, level = surface_of(flow)
     late = time > start
     mean = numpy.nanmean(level[late], axis=0)
     deep = mean[x > 0.9 * flow.length].mean()
@@ -117,9 +110,7 @@ def undular(study):
     start, g = flow.parameters["run"]["average_from"], flow.gravity_z
     q, first, last = (flow.parameters[section][key] for section, key in
                       (("inflow", "unit_discharge"), ("inflow", "depth"), ("outflow", "depth")))
-    with h5py.File(flow.folder / "results.h5", "r") as file:
-        surface = file["/surface"]
-        time, x, level = surface["time"][:], surface["x"][:], surface["elevation"][:]
+    time, x, level = surface_of(flow)
     late = time > start
     mean = numpy.nanmean(level[late], axis=0)
     tops = [i for i in range(5, len(x) - 5) if mean[i] == mean[i - 5:i + 6].max() and mean[i] > 1.2 * first]

@@ -25,12 +25,16 @@ def backwater(study, case, datum, *arguments):
     return lambda x: numpy.interp(x, stations["x"], stations["depth"]) + datum
 
 
+def surface_of(flow):
+    """Times, places along the channel, and the level there, [time, place]."""
+    with h5py.File(flow.folder / "results.h5", "r") as file:
+        return tuple(file["/surface"][key][:] for key in ("time", "x", "elevation"))
+
+
 def _level(flow, start):
     """Places along the channel and the mean level there from a time on."""
-    with h5py.File(flow.folder / "results.h5", "r") as file:
-        surface = file["/surface"]
-        time, x, level = surface["time"][:], surface["x"][:], surface["elevation"]
-        return x, numpy.nanmean(level[numpy.searchsorted(time, start):], axis=0)
+    time, x, level = surface_of(flow)
+    return x, numpy.nanmean(level[numpy.searchsorted(time, start):], axis=0)
 
 
 def account(check, flow):

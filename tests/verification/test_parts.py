@@ -107,6 +107,20 @@ class ExactSolutions(unittest.TestCase):
         self.assertAlmostEqual(decay, 0.8, delta=1e-9)
         numpy.testing.assert_allclose(fit, value, atol=1e-9)
 
+    def test_waves_of_a_paddle_become_havelocks(self):
+        frequency, depth, amplitude = 1.3757, 0.1, 0.003
+        omega, k = 2 * math.pi * frequency, 10.0
+        for _ in range(100):
+            k = 0.5 * (k + omega**2 / 9.81 / math.tanh(k * depth))
+        havelock = 2 * (math.cosh(2 * k * depth) - 1) / (math.sinh(2 * k * depth) + 2 * k * depth) * 2 * amplitude
+        time, x = numpy.arange(0, 12, 0.01), numpy.linspace(0.4, 1.0, 7)
+        late = time > 12 - 4 / frequency
+        for across in (0.0, math.pi / 0.5):
+            surface = exact.paddle_waves(time, x, amplitude, omega, across, depth, 8.0, 9.81)[late]
+            height = 4 * numpy.abs(numpy.mean(surface * numpy.exp(1j * omega * time[late])[:, None], axis=0))
+            expected = havelock * k / math.sqrt(k**2 - across**2)
+            self.assertLess(numpy.abs(height / expected - 1).max(), 0.02)  # what the start leaves dies slowly
+
     def test_order(self):
         self.assertAlmostEqual(exact.observed_order([4, 2, 1], [16e-3, 4e-3, 1e-3]), 2)
 
