@@ -11,6 +11,7 @@
 #include "base/error.hpp"
 #include "base/interpolation.hpp"
 #include "case/end_floor.hpp"
+#include "case/end_levels.hpp"
 #include "case/flow_kind.hpp"
 #include "case/outline.hpp"
 #include "case/units.hpp"
@@ -138,10 +139,8 @@ std::function<double(double, double)> outflow_rule(const Case& c, double floor) 
         case OutflowKind::critical_depth:
             return [g](double q, double) { return critical_depth_of(g, q); };
         case OutflowKind::weir:
-            return [g, crest = outflow.weir_height + datum - floor, cd = outflow.weir_coefficient](double q,
-                                                                                                   double) {
-                return crest + std::pow(std::max(0.0, q) * 1.5 / (cd * std::sqrt(2.0 * g)), 2.0 / 3.0);
-            };
+            return [g, crest = outflow.weir_height + datum - floor, cd = outflow.weir_coefficient](
+                       double q, double) { return crest + weir_head(g, cd, q); };
         case OutflowKind::rating_curve: {
             TwoColumns rating =
                 read_two_columns(outflow.rating_file, {"depth", "m"}, discharge_columns(c), 0.0);
@@ -175,6 +174,37 @@ void add_duct(const Case& c, double floor, EndInput& input) {
     input.relaxation_time = c.outflow.relaxation_time.value_or(time);
 }
 
+/// Throws FileError where a file asks for a level that the domain has no room for.
+void require_room(const Case& c, const std::filesystem::path& file, const std::string& what, double level) {
+    const double room = level_with_room(c);
+    if (level > room) {
+        throw FileError(fmt::format(
+            "{}: {} {} over the bed; the channel has room for {}, four times its depth; give [channel] depth at "
+            "least {}, and the water of the start by start.water_x and start.water_z where it is lower",
+            file.string(), what, shown_length(level - c.datum()), shown_length(room - c.datum()),
+            shown_length(level / room * std::max(c.total_depth(), highest_end_level(c)) - c.datum())));
+    }
+}
+
+/// What the files of a channel with open ends ask for fits into its domain.
+void require_room_for_tables(const Case& c, const EndInput& input) {
+    const EndFloors floors = end_floors(c);
+    if (!c.inflow.discharge_file.empty() && !c.inflow.gives_depth()) {
+        const double critical = critical_depth_of(c.normal_gravity(), input.unit_discharge->largest());
+        require_room(c, c.inflow.discharge_file, "critical flow with its largest discharge is",
+                     critical + std::max(floors.upstream, floors.downstream));
+    }
+    if (!c.inflow.depth_file.empty()) {
+        require_room(c, c.inflow.depth_file, "its largest depth is",
+                     input.inflow_depth->largest() + floors.upstream);
+    }
+    if (c.outflow.kind == OutflowKind::depth && !c.outflow.depth_file.empty()) {
+        require_room(
+            c, c.outflow.depth_file, "its largest depth is",
+            depth_table(c, {}, c.outflow.depth_file, floors.downstream).largest() + floors.downstream);
+    }
+}
+
 double default_relaxation_time(const Case& c) {
     constexpr double times = 80.0;  // of a rise as long as five depths 5 % come back
     const double depth = c.total_depth();
@@ -201,6 +231,7 @@ EndInput read_end_levels(const Case& c) {
         input.inflow_relaxation_time =
             c.inflow.relaxation_time.value_or(times * std::sqrt(c.total_depth() / c.normal_gravity()));
         input.relaxation_time = c.outflow.relaxation_time.value_or(default_relaxation_time(c));
+        require_room_for_tables(c, input);
     }
     return input;
 }

@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "case/end_levels.hpp"
+
 namespace riffle {
 
 double wave_speed(double gravity, double depth) { return std::sqrt(gravity * std::max(0.0, depth)); }
-
-double critical_depth_of(double gravity, double unit_discharge) {
-    return std::cbrt(unit_discharge * unit_discharge / gravity);
-}
 
 double sequent_depth(double gravity, const Section& before) {
     const double c = wave_speed(gravity, before.depth);

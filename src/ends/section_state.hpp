@@ -14,9 +14,6 @@ struct Section {
 /// Speed of long waves, m/s.
 [[nodiscard]] double wave_speed(double gravity, double depth);
 
-/// Depth of critical flow with a discharge, m: (q^2/g)^(1/3).
-[[nodiscard]] double critical_depth_of(double gravity, double unit_discharge);
-
 /// Depth behind a jump from a section, m: where the momentum function is the same (Bélanger).
 [[nodiscard]] double sequent_depth(double gravity, const Section& before);
 

@@ -8,6 +8,7 @@
 
 #include "base/notice.hpp"
 #include "case/end_buffers.hpp"
+#include "case/end_levels.hpp"
 #include "case/outline.hpp"
 #include "case/solid_mesh.hpp"
 #include "case/solid_motion.hpp"
@@ -61,7 +62,7 @@ namespace {
 
 /// How high above all that a case names a splash may rise and still fall back: where the start or a solid can
 /// drive a jet. It gathers the energy of much water in little: spray of a breaking dam rises to several times
-/// the height of the dam. Elsewhere one depth.
+/// the height of the dam. Elsewhere one depth, or what a table at an open end may ask for.
 double headroom(const Case& c) {
     const bool violent = !c.start.water_x.empty() ||
                          std::any_of(c.solids.begin(), c.solids.end(),
@@ -70,12 +71,15 @@ double headroom(const Case& c) {
     const double head =
         highest != c.start.water_z.end() ? std::max(*highest, c.total_depth()) : c.total_depth();
     constexpr double heads = 5.0;
-    return violent ? heads * head : c.total_depth();
+    if (violent) {
+        return heads * head;
+    }
+    return has_end_tables(c) ? level_with_room(c) : std::max(c.total_depth(), highest_end_level(c));
 }
 
 /// Top of all that a case names: the water at its depth, the outline of the water, walls and solids.
 double highest_part(const Case& c) {
-    double top = std::max(c.total_depth(), c.channel.wall_height.value_or(0.0));
+    double top = std::max({c.total_depth(), c.channel.wall_height.value_or(0.0), highest_end_level(c)});
     for (const double z : c.start.water_z) {
         top = std::max(top, z);
     }

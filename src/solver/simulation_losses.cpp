@@ -61,14 +61,18 @@ std::string SimulationOf<D, Real>::fault_text(std::size_t particle, std::size_t 
     for (std::size_t k = 0; k < 3; ++k) {
         finite = finite && std::isfinite(x[k]) && std::isfinite(u[k]);
     }
+    // Water that rises over the room that the case gives it is not the fault of any particle.
+    const double top = flow_.domain.upper[vertical];
     return fmt::format(
         "{}: particle {}{} at x = {:.6g} m, {}z = {:.6g} m, velocity ({:.4g}, {}{:.4g}) m/s, density "
-        "deviation {:.4g}, at t = {:.6g} s (step {})",
+        "deviation {:.4g}, at t = {:.6g} s (step {}){}",
         finite ? "a particle left the domain at one bound" : "the state is no longer finite",
         flow_.particles.id[particle],
         faults > 1 ? fmt::format(" (of {}, the one whose density departs most)", faults) : "", x[0],
         D == 3 ? fmt::format("y = {:.6g} m, ", x[1]) : "", x[2], u[0],
-        D == 3 ? fmt::format("{:.4g}, ", u[1]) : "", u[2], s, flow_.clock.time, flow_.clock.steps);
+        D == 3 ? fmt::format("{:.4g}, ", u[1]) : "", u[2], s, flow_.clock.time, flow_.clock.steps,
+        finite && x[2] > top ? fmt::format("; the domain reaches up to z = {:.4g} m, by [channel] depth", top)
+                             : "");
 }
 
 // The lists still count the particles that go: they are built anew at the next step, and a saved state has

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/parallel.hpp"
+#include "case/end_levels.hpp"
 #include "ends/end_input.hpp"
 #include "ends/section_state.hpp"
 #include "solver/simulation.hpp"

@@ -11,6 +11,7 @@
 #include "base/error.hpp"
 #include "column/column.hpp"
 #include "ends/section_state.hpp"
+#include "particles/lattice.hpp"
 #include "temporary_folder.hpp"
 
 namespace riffle {
@@ -80,6 +81,7 @@ TEST(EndInput, BetweenSideWallsTheSectionEnters) {
     };
     const EndInput twin = read("");
     std::vector<double> files;
+    files.reserve(200);
     for (int file = 0; file < 200; ++file) {
         files.push_back(0.001 * (file + 0.5));
     }
@@ -186,6 +188,36 @@ TEST_F(EndFiles, WrongFilesAreToldWithTheirPlace) {
     other.inflow.profile = InflowProfile::file;
     other.inflow.profile_file = write("profile.csv", "z,u\n0.01,0.1\n0.02,\n0.03,0.3\n");
     EXPECT_THAT(message_of(other), ::testing::HasSubstr("profile.csv:3"));
+}
+
+// A flood, or a level, over the top of the domain would leave it.
+TEST_F(EndFiles, WhatRisesOverTheDomainIsRefused) {
+    Case c = open_case("[inflow]\nunit_discharge = \"0.02 m2/s\"\n[outflow]\nkind = \"free\"\n");
+    c.inflow.unit_discharge.reset();
+    // Critical depths of 0.2 and 0.25 m in a channel that has room for four times 56 mm.
+    c.inflow.discharge_file = write("flood.csv", "time,unit_discharge\n0,0.02\n9,0.28\n");
+    EXPECT_EQ(message_of(c), "");
+    EXPECT_GT(domain_of<2>(c).upper[1], 0.25);
+    c.inflow.discharge_file = write("high.csv", "time,unit_discharge\n0,0.02\n9,0.39\n");
+    EXPECT_THAT(message_of(c), ::testing::AllOf(::testing::HasSubstr("high.csv: critical flow"),
+                                                ::testing::HasSubstr("[channel] depth at least")));
+    c = open_case(
+        "[inflow]\nunit_discharge = \"0.02 m2/s\"\n[outflow]\nkind = \"depth\"\ndepth = \"60 mm\"\n");
+    c.outflow.depth.reset();
+    c.outflow.depth_file = write("levels.csv", "time [s],depth [mm]\n0,60\n9,300\n");
+    EXPECT_THAT(message_of(c), ::testing::HasSubstr("levels.csv: its largest depth is 300 mm"));
+}
+
+// A level that the case itself names raises the domain.
+TEST(EndLevels, TheDomainReachesOverWhatTheEndsHold) {
+    const auto top = [](const std::string& outflow) {
+        const Case c = open_case("[inflow]\nunit_discharge = \"0.02 m2/s\"\n[outflow]\n" + outflow);
+        return domain_of<2>(c).upper[1];
+    };
+    const double usual = top("kind = \"depth\"\ndepth = \"50 mm\"\n");
+    EXPECT_EQ(top("kind = \"depth\"\ndepth = \"45 mm\"\n"), usual);
+    EXPECT_NEAR(top("kind = \"depth\"\ndepth = \"200 mm\"\n") - usual, 0.3, 1e-12);
+    EXPECT_GT(top("kind = \"weir\"\nweir_height = \"120 mm\"\n") - usual, 0.2);
 }
 
 TEST_F(EndFiles, ARatingCurveGivesTheDepth) {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "case/end_levels.hpp"
+
 namespace riffle {
 namespace {
 

@@ -1,0 +1,56 @@
+#include "case/end_levels.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "case/end_floor.hpp"
+#include "case/flow_kind.hpp"
+
+namespace riffle {
+
+double critical_depth_of(double gravity, double unit_discharge) {
+    return std::cbrt(unit_discharge * unit_discharge / gravity);
+}
+
+double weir_head(double gravity, double discharge_coefficient, double unit_discharge) {
+    const double head =
+        std::max(0.0, unit_discharge) * 1.5 / (discharge_coefficient * std::sqrt(2.0 * gravity));
+    return std::pow(head, 2.0 / 3.0);
+}
+
+double highest_end_level(const Case& c) {
+    if (c.channel.ends != Ends::open || is_duct(c)) {
+        return 0.0;
+    }
+    double level = 0.0;
+    if (c.inflow.depth) {
+        level = std::max(level, *c.inflow.depth + c.datum());
+    }
+    if (c.outflow.kind == OutflowKind::depth && c.outflow.depth) {
+        level = std::max(level, *c.outflow.depth + c.datum());
+    }
+    const double q = c.inflow_unit_discharge().value_or(0.0);
+    const double g = c.normal_gravity();
+    if (c.outflow.kind == OutflowKind::weir) {
+        level =
+            std::max(level, c.outflow.weir_height + c.datum() + weir_head(g, c.outflow.weir_coefficient, q));
+    }
+    if (!c.inflow.depth) {
+        const EndFloors floors = end_floors(c);
+        level = std::max(level, std::max(floors.upstream, floors.downstream) + critical_depth_of(g, q));
+    }
+    return level;
+}
+
+bool has_end_tables(const Case& c) {
+    return c.channel.ends == Ends::open && !(c.inflow.discharge_file.empty() && c.inflow.depth_file.empty() &&
+                                             c.outflow.depth_file.empty() && c.outflow.rating_file.empty());
+}
+
+double level_with_room(const Case& c) {
+    constexpr double depths = 4.0;
+    return depths * std::max(c.total_depth(), highest_end_level(c));
+}
+
+}  // namespace riffle

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "case/case.hpp"
+
+namespace riffle {
+
+/// Depth of critical flow with a discharge, m: (q^2/g)^(1/3); `gravity` normal to the bed, m/s2,
+/// `unit_discharge` in m2/s.
+[[nodiscard]] double critical_depth_of(double gravity, double unit_discharge);
+
+/// Head over a sharp crest that lets a discharge pass, m: (3 q / (2 C_d sqrt(2 g)))^(2/3) (Poleni); nothing
+/// without discharge.
+[[nodiscard]] double weir_head(double gravity, double discharge_coefficient, double unit_discharge);
+
+/// The highest level that the keys of open ends name, m over z = 0: the depths that are held, and what the
+/// discharge needs to pass them, critical flow or the head over the crest of a weir. Files are not read. 0 of
+/// other channels and of ducts.
+[[nodiscard]] double highest_end_level(const Case& c);
+
+/// Whether files tell how discharge or depth at open ends change.
+[[nodiscard]] bool has_end_tables(const Case& c);
+
+/// The highest level that these files may ask for, m over z = 0: four times that of the case. The domain has
+/// room for it, and for waves above.
+[[nodiscard]] double level_with_room(const Case& c);
+
+}  // namespace riffle
