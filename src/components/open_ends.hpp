@@ -52,6 +52,9 @@ class OpenEnds final : public Component<D, Real> {
         state.travel = 0.0;
         take_out(flow);
         streams_.rearrange(state, state.upstream.depth);
+        if (inflow_is_strained(flow)) {
+            lay_inflow_anew(flow);
+        }
         make(flow);
     }
 
@@ -309,15 +312,23 @@ class OpenEnds final : public Component<D, Real> {
     }
 
     void take_out(Flow& flow) {
-        Particles<D>& p = flow.particles;
-        EndsLedger& ledger = flow.clock.open_ends.ledger;
+        const auto& x = flow.particles.position[0];
         const double from = -(support_ + travel_) - 2.0 * lattice_.dx;
         const double to = length_ + support_ + (falls_ ? 0.5 * flow.scheme.depth : 0.0);
+        take_out_where(flow, [&](std::size_t i) {
+            return x[i] < from || x[i] > to || (falls_ && has_fallen(flow.particles, i));
+        });
+    }
+
+    /// Take out the particles of which leaves(index) holds, with account.
+    template <class Leaves>
+    void take_out_where(Flow& flow, const Leaves& leaves) {
+        Particles<D>& p = flow.particles;
+        EndsLedger& ledger = flow.clock.open_ends.ledger;
         std::vector<std::int32_t> kept;
         kept.reserve(p.size());
         for (std::size_t i = 0; i < p.size(); ++i) {
-            const bool leaves = p.position[0][i] > to || (falls_ && has_fallen(p, i));
-            if (p.position[0][i] >= from && !leaves) {
+            if (!leaves(i)) {
                 kept.push_back(static_cast<std::int32_t>(i));
                 continue;
             }
@@ -328,6 +339,29 @@ class OpenEnds final : public Component<D, Real> {
         if (kept.size() < p.size()) {
             p.permute(kept);
         }
+    }
+
+    /// Whether the particles that wait before the inflow take up another room than the water of its section:
+    /// where the depth changes faster than they go in, they are pressed together or drawn apart with it.
+    [[nodiscard]] bool inflow_is_strained(const Flow& flow) const {
+        constexpr double most = 0.2;
+        const Particles<D>& p = flow.particles;
+        const double half = 0.5 * support_;
+        double volume = 0.0;
+        for (std::size_t i = 0; i < p.size(); ++i) {
+            const double hat = 1.0 - std::abs(p.position[0][i] + half) / half;
+            volume += std::max(0.0, hat) * p.mass[i] / (1.0 + p.density_deviation[i]);
+        }
+        const double width = D == 3 ? flow.c.channel.simulated_width() : 1.0;
+        const double due = flow.scheme.density * half * width * flow.clock.open_ends.upstream.depth;
+        return volume > 0.0 && std::abs(volume - due) > most * due;
+    }
+
+    /// Take out the water before the inflow; its streams are filled again from the channel on.
+    void lay_inflow_anew(Flow& flow) {
+        OpenEndsState& state = flow.clock.open_ends;
+        take_out_where(flow, [&](std::size_t i) { return flow.particles.position[0][i] < 0.0; });
+        streams_.begin(state, state.rows, 0.5 * streams_.length(state.rows, state.upstream.depth));
     }
 
     void make(Flow& flow) {

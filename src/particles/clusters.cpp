@@ -20,8 +20,9 @@ struct ColumnGrid {
     std::array<int, static_cast<std::size_t>(D) - 1> count{};
     Vec<D> width{};
     Vec<D> lower{};
+    FixedPoint<D> fixed_point;
 
-    ColumnGrid(const Domain<D>& domain, double target_width) : lower(domain.lower) {
+    ColumnGrid(const Domain<D>& domain, double target_width) : lower(domain.lower), fixed_point(domain) {
         for (std::size_t k = 0; k + 1 < D; ++k) {
             const double extent = domain.upper[k] - domain.lower[k];
             count[k] = std::max(1, static_cast<int>(std::lround(extent / target_width)));
@@ -37,10 +38,16 @@ struct ColumnGrid {
         return columns;
     }
 
+    /// By the positions that the lists keep: a particle of a lattice that stands on the border of two columns
+    /// is in the same one after a restart, which knows no others.
     [[nodiscard]] std::int32_t column_of(const PositionView<D>& position, std::size_t i) const {
         int column = 0;
         for (std::size_t k = 0; k + 1 < D; ++k) {
-            const int c = static_cast<int>((position[k][i] - lower[k]) / width[k]);
+            double x = position[k][i];
+            if (fixed_point.in_range(x, k)) {
+                x = fixed_point.decode(fixed_point.encode(x, k), k);
+            }
+            const int c = static_cast<int>((x - lower[k]) / width[k]);
             column = column * count[k] + std::clamp(c, 0, count[k] - 1);
         }
         return column;

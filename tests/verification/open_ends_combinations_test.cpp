@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 #include <map>
 #include <memory>
 #include <string>
@@ -8,6 +9,7 @@
 #include "base/error.hpp"
 #include "solver/simulation.hpp"
 #include "solver/start.hpp"
+#include "temporary_folder.hpp"
 
 // Whatever a user puts together of starts, inflows and outflows either is refused, with the key, or runs.
 
@@ -74,6 +76,37 @@ TEST(OpenEndsTogether, EveryStartMeetsEveryInflowAndOutflow) {
     }
     // A normal depth without a discharge, and a start by varied flow without one.
     EXPECT_EQ(refused, 5 * 2 + 2 * 5);
+}
+
+// A hydrograph that ends: the water that waits before the inflow sinks with the depth and does not go in;
+// pressed together it once blew up.
+TEST(OpenEndsTogether, AChannelWhoseInflowDriesUpDrains) {
+    const test::TemporaryFolder folder;
+    std::ofstream(folder.path() / "off.csv") << "time,unit_discharge\n0,0.02\n0.5,0\n";
+    const std::string inflow = "discharge_file = \"" + (folder.path() / "off.csv").string() + "\"";
+    for (const std::string outflow : {"critical-depth", "free"}) {
+        for (const std::string preset : {"riffle", "violent"}) {
+            SCOPED_TRACE(outflow + ", " + preset);
+            Case c =
+                parse_case(channel(inflow, "kind = \"" + outflow + "\"", "kind = \"uniform\""), "ends.toml");
+            if (preset == "riffle") {
+                c.numerics.impact_dissipation = 0.0;
+                c.numerics.acoustic_damping = 0.0;
+            }
+            const auto simulation =
+                make_simulation<2>(c, nullptr, initial_particles<2>(c, make_scheme(c, nullptr), nullptr));
+            const std::size_t before = simulation->particles().size();
+            while (simulation->clock().time < 4.5) {
+                ASSERT_NO_THROW(simulation->step());
+            }
+            EXPECT_LT(simulation->particles().size(), before / 2);
+            EXPECT_NEAR(simulation->clock().open_ends.upstream.velocity, 0.0, 0.1);
+            const EndsLedger& ledger = simulation->clock().open_ends.ledger;
+            EXPECT_EQ(static_cast<std::int64_t>(simulation->particles().size() +
+                                                simulation->particles().lost.size()),
+                      static_cast<std::int64_t>(simulation->particles().created) - ledger.left);
+        }
+    }
 }
 
 }  // namespace

@@ -94,6 +94,26 @@ TEST(EndSections, ADryOutflowStaysDryUntilWaterComes) {
     EXPECT_NEAR(end.velocity, 2.0, 1e-12);
 }
 
+// Water that is too slow to leave by itself does not pond at an outflow that nothing rules, and none comes
+// in.
+TEST(EndSections, SlowWaterLeavesAFreeOutflowAtTheCriticalDepth) {
+    const EndSections sections(input_of(TimeTable(0.02), 0.0), gravity, sound_speed, least_depth);
+    for (const double velocity : {-0.3, 0.0, 0.3}) {
+        EndState end = sections.start(0.05, 0.05 * velocity);
+        end.watched_depth = 0.05;
+        end.watched_velocity = velocity;
+        sections.follow_downstream(end, 0.0, 1e-3);
+        EXPECT_NEAR(end.velocity, wave_speed(gravity, end.depth), 1e-12) << velocity;
+        EXPECT_NEAR(end.velocity + 2.0 * wave_speed(gravity, end.depth),
+                    velocity + 2.0 * wave_speed(gravity, 0.05), 1e-12)
+            << velocity;
+    }
+    EndState thrown_back = sections.start(0.05, -0.1);
+    thrown_back.watched_velocity = -2.0;
+    sections.follow_downstream(thrown_back, 0.0, 1e-3);
+    EXPECT_EQ(thrown_back.velocity, 0.0);
+}
+
 // Supercritical flow leaves as it comes below a tailwater that it could jump to, and is driven back by a
 // deeper one.
 TEST(EndSections, ATailwaterAboveTheSequentDepthDrivesAJumpUpTheChannel) {

@@ -101,6 +101,37 @@ TEST(SpatialOrder, IsAPermutationThatKeepsTies) {
     }));
 }
 
+// A run that goes on knows the positions that its lists were built from as whole numbers alone: a lattice
+// whose columns of particles stand on the borders of those of the lists is cut as at its start.
+TEST(Clusters, AreThoseOfTheWholeNumbersOnTheBordersOfColumns) {
+    for (const double shift : {-0.02, 0.0, 1.0 / 3.0}) {
+        const Domain<2> domain{
+            .lower = {-0.1 + shift, 0.0}, .upper = {1.1 + shift, 0.6}, .periodic = {false, false}};
+        const FixedPoint<2> fixed_point(domain);
+        std::array<std::vector<double>, 2> position;
+        for (int column = 0; column < 120; ++column) {
+            for (int row = 0; row < 30; ++row) {
+                position[0].push_back(domain.lower[0] + 0.01 * column);
+                position[1].push_back(0.01 * (row + 0.5));
+            }
+        }
+        const auto order = spatial_order<2>(domain, position_view<2>(position), 0.1, 0.01);
+        std::array<std::vector<double>, 2> sorted;
+        std::array<std::vector<double>, 2> kept;
+        for (std::size_t k = 0; k < 2; ++k) {
+            for (const std::int32_t i : order) {
+                const double x = position[k][static_cast<std::size_t>(i)];
+                sorted[k].push_back(x);
+                kept[k].push_back(fixed_point.decode(fixed_point.encode(x, k), k));
+            }
+        }
+        const auto now = build_clusters<2>(domain, fixed_point, position_view<2>(sorted), 0.1);
+        const auto after = build_clusters<2>(domain, fixed_point, position_view<2>(kept), 0.1);
+        EXPECT_EQ(now.begin, after.begin) << shift;
+        EXPECT_EQ(now.column_begin, after.column_begin) << shift;
+    }
+}
+
 TEST(Particles, PermuteMovesAllQuantitiesTogether) {
     Particles<2> p;
     p.resize(5);
