@@ -30,18 +30,17 @@ struct Front {
 };
 
 /// The part of a surface below a level as seen along the channel, by lines along x on a grid.
-double silhouette(const SolidMesh& mesh, double level) {
+double silhouette(const SolidMesh& mesh, const Extent& across, const Extent& upright) {
     constexpr int lines = 200;
     const Point3& low = mesh.lower();
     const Point3& high = mesh.upper();
-    const double top = std::min(high[2], level);
-    const double dy = (high[1] - low[1]) / lines;
-    const double dz = (top - low[2]) / lines;
+    const double dy = (across.high - across.low) / lines;
+    const double dz = (upright.high - upright.low) / lines;
     int hit = 0;
     for (int i = 0; i < lines; ++i) {
         for (int j = 0; j < lines; ++j) {
-            const double y = low[1] + (i + 0.5) * dy;
-            const double z = low[2] + (j + 0.5) * dz;
+            const double y = across.low + (i + 0.5) * dy;
+            const double z = upright.low + (j + 0.5) * dz;
             const double beyond = 0.01 * (high[0] - low[0]);
             hit += mesh.tree().first_crossing({low[0] - beyond, y, z}, {high[0] + beyond, y, z}).has_value()
                        ? 1
@@ -71,8 +70,16 @@ std::optional<Front> front_of(const Case& c, const Solid& solid) {
     if (!y || mesh == nullptr || y->high - y->low > 0.9 * c.channel.simulated_width() || z->low >= level) {
         return std::nullopt;
     }
-    const double height = std::min(z->high, level) - z->low;
-    return Front{silhouette(*mesh, level), std::min(y->high - y->low, height)};
+    Extent across = *y;
+    if (c.channel.sides != Sides::periodic) {
+        across.low = std::max(across.low, 0.0);
+        across.high = std::min(across.high, c.channel.simulated_width());
+    }
+    Extent upright = *z;
+    upright.low = std::max(upright.low, 0.0);
+    upright.high = std::min(upright.high, level);
+    return Front{silhouette(*mesh, across, upright),
+                 std::min(across.high - across.low, upright.high - upright.low)};
 }
 
 /// Bulk velocity of the stream over the window, m/s: between open ends that of what enters.

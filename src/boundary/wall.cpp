@@ -8,6 +8,7 @@
 #include "boundary/solid_fill.hpp"
 #include "boundary/wall_particle.hpp"
 #include "case/end_buffers.hpp"
+#include "case/end_levels.hpp"
 #include "particles/lattice.hpp"
 
 namespace riffle {
@@ -32,8 +33,16 @@ int end_wall_rows(const Case& c, const Lattice& lattice) {
     if (c.channel.top == Top::wall) {
         return lattice.rows;
     }
-    return c.channel.wall_height ? static_cast<int>(std::ceil(*c.channel.wall_height / lattice.dz - 1e-9))
-                                 : lattice.rows + lattice.rows / 2;
+    const auto rows_up_to = [&](double height) {
+        return static_cast<int>(std::ceil(height / lattice.dz - 1e-9));
+    };
+    if (c.channel.wall_height) {
+        return rows_up_to(*c.channel.wall_height);
+    }
+    const int usual = lattice.rows + lattice.rows / 2;
+    // Half as high again as what stands there; tables at open ends may ask for more than the case shows.
+    const double highest = has_end_tables(c) ? level_with_room(c) : 1.5 * highest_end_level(c);
+    return highest > 1.5 * c.total_depth() ? std::max(usual, rows_up_to(highest)) : usual;
 }
 
 /// Columns of wall particles before the channel: the layers of its wall, or what stands below a buffer.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 
 #include "case/outline.hpp"
 
@@ -42,7 +43,10 @@ bool carries_through(const Solid& solid, double from, double to) {
     if (!contains(outline, 0.5 * (from + to), just_above)) {
         return false;
     }
-    std::size_t tops = 0;
+    // The faces of its top over the stretch: level, at one height, from end to end.
+    std::optional<double> height;
+    double left_end = to;
+    double right_end = from;
     for (std::size_t i = 0; i < outline.size(); ++i) {
         const std::size_t j = outline.next(i);
         const auto [left, right] = std::minmax(outline.x[i], outline.x[j]);
@@ -50,12 +54,14 @@ bool carries_through(const Solid& solid, double from, double to) {
         if (!above || right <= from || left >= to) {
             continue;
         }
-        if (outline.z[i] != outline.z[j] || left > from || right < to) {
+        if (outline.z[i] != outline.z[j] || outline.z[i] != height.value_or(outline.z[i])) {
             return false;
         }
-        ++tops;
+        height = outline.z[i];
+        left_end = std::min(left_end, left);
+        right_end = std::max(right_end, right);
     }
-    return tops == 1;
+    return left_end <= from && right_end >= to;
 }
 
 bool passes_through(const Case& c, const Solid& solid) {

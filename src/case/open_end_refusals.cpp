@@ -91,7 +91,7 @@ CheckList open_end_refusals() {
              "give [inflow] discharge = \"8 l/s\", for example, or unit_discharge, discharge_file or depth",
              [](const Case& c) {
                  return found_if(!c.inflow.gives_discharge() && !c.inflow.gives_depth(),
-                                 "[inflow] gives neither a discharge nor a depth");
+                                 "gives neither a discharge nor a depth");
              }},
             {{"inflow.discharge", "inflow.unit_discharge", "inflow.discharge_file"},
              "the discharge given twice",

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <system_error>
 
+#include "case/flow_kind.hpp"
 #include "cli/terminal.hpp"
 #include "cli/verbs.hpp"
 #include "record/run_fields.hpp"
@@ -115,15 +116,21 @@ void print_outcome(const RunOutcome& outcome, const Case& c, const RunFiles& fil
         print_value("secondary velocity, mm/s", 1e3 * s.value(fields::summary.secondary_velocity), none,
                     std::nullopt);
     }
-    print_value("friction velocity (stress), m/s", s.value(fields::summary.friction_velocity), none,
-                c.measured.friction_velocity);
+    // The weight is what drives the water, and the stress a line over the depth, in uniform flow alone.
+    const bool uniform = flow_kind(c) == FlowKind::uniform_channel;
+    if (uniform) {
+        print_value("friction velocity (stress), m/s", s.value(fields::summary.friction_velocity), none,
+                    c.measured.friction_velocity);
+    }
     print_value("friction velocity (log law), m/s", s.value(fields::summary.log_law_friction_velocity),
                 s.value(fields::summary.log_law_friction_velocity_half_width), c.measured.friction_velocity);
     print_value("equivalent roughness k_s, mm", 1e3 * s.value(fields::summary.equivalent_roughness),
                 1e3 * s.value(fields::summary.equivalent_roughness_half_width),
                 c.measured.equivalent_roughness ? std::optional(1e3 * *c.measured.equivalent_roughness)
                                                 : std::nullopt);
-    print_value("drag over gravity", s.value(fields::summary.drag_over_gravity), none, std::nullopt);
+    if (is_channel(flow_kind(c)) && c.channel.slope > 0.0) {
+        print_value("drag over gravity", s.value(fields::summary.drag_over_gravity), none, std::nullopt);
+    }
     if (!c.vegetation.empty()) {
         print_value("vegetation over gravity", s.value(fields::summary.vegetation_over_gravity), none,
                     std::nullopt);
@@ -136,8 +143,10 @@ void print_outcome(const RunOutcome& outcome, const Case& c, const RunFiles& fil
         print_value("side walls' drag over gravity", s.value(fields::summary.side_wall_over_gravity), none,
                     std::nullopt);
     }
-    print_value("spurious pressure stress, %", 100.0 * s.value(fields::summary.spurious_stress_rms), none,
-                std::nullopt);
+    if (uniform) {
+        print_value("spurious pressure stress, %", 100.0 * s.value(fields::summary.spurious_stress_rms), none,
+                    std::nullopt);
+    }
     fmt::print("results: {}\n", files.results().string());
     if (outcome.end == RunEnd::stopped) {
         fmt::print("go on with: riffle resume {}\n", files.folder.string());

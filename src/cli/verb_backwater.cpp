@@ -17,6 +17,7 @@
 #include "cli/text_output.hpp"
 #include "cli/verbs.hpp"
 #include "column/twin_channel.hpp"
+#include "ends/end_input.hpp"
 #include "hydraulics/varied_flow.hpp"
 
 namespace riffle {
@@ -171,14 +172,28 @@ Backwater solve(const BackwaterArguments& a, Case c) {
     Backwater b;
     const GivenFriction friction = friction_of(a);
     b.friction = friction_text(friction, c);
-    const double q = unit_discharge(a.discharge, friction, c);
+    std::optional<EndInput> ends;
+    if (c.channel.ends == Ends::open) ends = read_end_levels(c);
+    const bool by_the_case = ends && ends->unit_discharge && a.discharge.empty();
+    const double q = by_the_case ? ends->unit_discharge->at(0.0) : unit_discharge(a.discharge, friction, c);
+    if (by_the_case && !(q > 0.0))
+        throw InputError(
+            "[inflow] brings nothing at t = 0, and still water has no such flow: give --discharge");
+    if (by_the_case) b.notes.emplace_back("The discharge is that of the case, [inflow], at t = 0.");
     if (a.slope) c.channel.slope = *a.slope;
     b.channel = channel_of(friction, c, q);
     b.discharge = q * c.channel.width;
     ChannelControls controls;
-    controls.upstream_depth = control("--upstream", a.upstream, b.channel);
-    controls.downstream_depth = control("--downstream", a.downstream, b.channel);
-    choose_length(a, b, controls);
+    if (ends && a.upstream.empty() && a.downstream.empty()) {
+        controls = controls_at_ends(c, *ends, b.channel);
+        if (!a.length.empty()) controls.length = quantity_argument("--length", a.length, Dimension::length);
+        b.notes.emplace_back(
+            "What holds the depths at the ends is that of the case, [inflow] and [outflow].");
+    } else {
+        controls.upstream_depth = control("--upstream", a.upstream, b.channel);
+        controls.downstream_depth = control("--downstream", a.downstream, b.channel);
+        choose_length(a, b, controls);
+    }
     b.length = controls.length;
     b.flow = solve_varied_flow(b.channel, controls);
     if (c.has_side_walls() && (friction.manning || friction.equivalent_roughness || !has_section_reach(c))) {
@@ -220,13 +235,17 @@ void add_verb_backwater(CLI::App& app) {
     verb->add_option(
         "--discharge", a->discharge,
         "Of the whole width (\"8 l/s\"; m3/s) or of a unit of it (\"0.02 m2/s\"); default: of the "
-        "uniform flow of the case, at the slope of the case");
+        "inflow of a case with open ends, else of the uniform flow of the case, at its slope");
     verb->add_option(
         "--downstream", a->downstream,
-        "Depth at the downstream end, or: normal, critical; default: normal, on a steep bed none");
+        "Depth at the downstream end, or: normal, critical; default: by [inflow] and [outflow] of a case with "
+        "open ends, else normal, on a steep bed none");
     verb->add_option("--upstream", a->upstream,
                      "Depth at the upstream end where the flow is supercritical there, or: normal, critical");
-    verb->add_option("--length", a->length, "Of the channel; default: until the flow is uniform within 1 %");
+    verb->add_option(
+        "--length", a->length,
+        "Of the channel; default: that of a case with open ends whose ends rule the depths, else until the flow is "
+        "uniform within 1 %");
     verb->add_option("--slope", a->slope, "Of the bed instead of the case's; below 0: adverse");
     auto* const manning = verb->add_option("--manning", a->manning,
                                            "Friction by Manning's n, s/m^(1/3), instead of the column twin")

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "cli/case_argument.hpp"
 #include "cli/run_arguments.hpp"
@@ -17,7 +18,7 @@ namespace {
 
 struct RunVerb {
     CaseArgument argument;
-    std::string folder;
+    std::optional<std::string> folder;
     RunArguments options;
     bool force = false;
 };
@@ -26,12 +27,15 @@ void run(const RunVerb& verb) {
     if (!verb.options.quiet) {
         show_notices();
     }
+    if (verb.folder && verb.folder->empty()) {
+        throw InputError("-o: the name of the folder is empty; give one, or leave -o out");
+    }
     const Case c = verb.argument.read();
     verb.argument.check_size_of(c);
     RunOptions options;
-    options.folder = verb.folder.empty()
-                         ? std::filesystem::path("results") / std::filesystem::path(verb.argument.file).stem()
-                         : std::filesystem::path(verb.folder);
+    options.folder =
+        verb.folder ? std::filesystem::path(*verb.folder)
+                    : std::filesystem::path("results") / std::filesystem::path(verb.argument.file).stem();
     options.threads = verb.options.threads;
     options.overwrite = verb.force;
     options.notes = case_warnings(c);

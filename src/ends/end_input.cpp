@@ -301,19 +301,24 @@ std::function<double(double)> start_depths(const Case& c, const EndInput& input)
     return varied_depths(c, input);
 }
 
-std::function<double(double)> varied_depths(const Case& c, const EndInput& input) {
-    const double q = start_unit_discharge(c, input);
-    const SteadyChannel channel = twin_channel(c, q);
+ChannelControls controls_at_ends(const Case& c, const EndInput& input, const SteadyChannel& channel) {
     ChannelControls controls{.length = c.channel.length, .upstream_depth = {}, .downstream_depth = {}};
     if (input.inflow_depth) {
         controls.upstream_depth = input.inflow_depth->at(0.0) - c.datum();
     }
     if (input.outflow_depth) {
         const double critical = critical_depth(channel);
-        controls.downstream_depth = std::max(critical, input.outflow_depth(q, 0.0) - c.datum());
+        controls.downstream_depth =
+            std::max(critical, input.outflow_depth(channel.unit_discharge, 0.0) - c.datum());
     } else if (c.outflow.kind == OutflowKind::free_fall) {
         controls.downstream_depth = critical_depth(channel);
     }
+    return controls;
+}
+
+std::function<double(double)> varied_depths(const Case& c, const EndInput& input) {
+    const SteadyChannel channel = twin_channel(c, start_unit_discharge(c, input));
+    const ChannelControls controls = controls_at_ends(c, input, channel);
     return [flow = std::make_shared<const VariedFlow>(solve_varied_flow(channel, controls)),
             length = c.channel.length,
             datum = c.datum()](double x) { return flow->depth_at(std::clamp(x, 0.0, length)) + datum; };

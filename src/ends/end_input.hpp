@@ -7,6 +7,7 @@
 #include "case/case.hpp"
 #include "ends/entering_flow.hpp"
 #include "ends/time_table.hpp"
+#include "hydraulics/varied_flow.hpp"
 
 namespace riffle {
 
@@ -41,6 +42,11 @@ struct EndExtremes {
     double velocity = 0.0;
 };
 [[nodiscard]] EndExtremes end_extremes(const Case& c, const EndInput& input);
+
+/// What rules the steady varied flow between the ends as they are at t = 0, depths over the datum, of the
+/// channel with the discharge of the start.
+[[nodiscard]] ChannelControls controls_at_ends(const Case& c, const EndInput& input,
+                                               const SteadyChannel& channel);
 
 /// Total depth of the steady varied flow between the ends as they are at t = 0 (riffle backwater), m. Throws
 /// InputError where there is none.

@@ -124,7 +124,8 @@ struct Summary {
                                      {.written = stress_known});
     Field friction_velocity = outcome(
         "friction_velocity", "m/s", "sqrt(stress at the crest / rho), from the line of total stress above it",
-        {.written = stress_known, .note = "without solids; between side walls of the mean over the width"});
+        {.written = stress_known | where_fitted,
+         .note = "without solids and vegetation; between side walls of the mean over the width"});
     Field log_law_friction_velocity =
         outcome("log_law_friction_velocity", "m/s", "friction velocity of the rough log law fitted to u",
                 {.written = with_profiles | where_fitted});

@@ -104,7 +104,7 @@ class CourseRows : public DiagnosticRows {
         // An interval wider than the bar says nothing for or against.
         const std::string interval = found->half_width ? fmt::format(" ± {:.2g}", *found->half_width) : "";
         add({row, label,
-             fmt::format("{:.4g}{} {}, {} of theory", found->value, interval, found->unit,
+             fmt::format("{:.4g}{} {}, {} off theory", found->value, interval, found->unit,
                          signed_percent(share)),
              fmt::format("within {} of {:.4g} {}", percent(bar, 0), *found->reference, found->unit),
              fmt::format("Theory: {}.", found->reference_name),

@@ -117,7 +117,7 @@ void add_stresses(const Case& c, const Profiles& p, Numbers& summary) {
     summary.set(fields::summary.spurious_stress_rms, spurious.rms());
     summary.set(fields::summary.spurious_stress_maximum, spurious.largest);
     summary.set(fields::summary.stress_error_rms, error.rms());
-    if (has_bodies(c)) {
+    if (has_bodies(c) || !c.vegetation.empty()) {
         return;  // the stress at the bed is not the one that continues the line
     }
     if (const std::optional<StressLine> line = fit_stress_line(c, p)) {

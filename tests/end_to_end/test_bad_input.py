@@ -144,6 +144,7 @@ class BadInput(CommandLineTest):
                        says=[str(folder), "already holds results", "riffle resume", "--force"])
         self.assertEqual(before, kept_files(folder))
         self.run_small("run", 0.1, "--force")
+        self.fail_with(2, "run", CASE, "-o", "", says=["-o", "empty"])
 
     def test_resume_changes_only_what_leaves_the_state_valid(self):
         folder = self.run_small("run", 0.05)

@@ -219,6 +219,20 @@ class CommandLine(CommandLineTest):
         self.assertEqual(len(lines) - 1, len(twin["profile"]["z"]))
         self.assertIn("Reynolds", self.succeed("column", CASE).stdout)
 
+    def test_backwater_of_a_case_with_open_ends_is_that_of_its_ends(self):
+        jump = CASE.parents[1] / "open-ends/hydraulic-jump.toml"
+        told = json.loads(self.succeed("backwater", jump, "--json", "-").stdout)
+        self.assertEqual([profile["name"] for profile in told["profiles"]], ["H3", "H2"])
+        self.assertAlmostEqual(told["unit_discharge"], 0.02658)
+        depth = told["stations"]["depth"]
+        self.assertAlmostEqual(depth[0], 0.02)
+        self.assertAlmostEqual(depth[-1], 0.07)
+        self.assertEqual(told["stations"]["x"][-1], 1.0)
+        # What is asked for goes before what the case says.
+        other = json.loads(self.succeed("backwater", jump, "--discharge", "0.02 m2/s", "--length", "2", "--json", "-").stdout)
+        self.assertAlmostEqual(other["unit_discharge"], 0.02)
+        self.assertEqual(other["stations"]["x"][-1], 2.0)
+
     def test_backwater_prints_draws_and_writes_a_jump(self):
         jump = ["backwater", CASE, "--discharge", "20l/s", "--upstream", "20mm", "--downstream", "critical", "--length", "4"]
         files = {kind: self.folder / f"backwater.{kind}" for kind in ("json", "csv", "svg")}

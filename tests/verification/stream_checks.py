@@ -1,6 +1,7 @@
 """Bodies in a stream: forces of the water, pressures on the surface, the rhythm of the wake."""
 
 import math
+import warnings
 
 import h5py
 import numpy
@@ -111,4 +112,49 @@ def sphere(study):
     return check
 
 
-CHECKS = {"cylinder": cylinder, "sphere": sphere}
+def pier(study):
+    check = Check("bridge_pier", "Bridge pier in a stream",
+                  "A discharge of 60 l/s per metre, 120 mm deep, over k_s = 1 mm past a row of round piers, 80 mm thick and six diameters apart, ten spacings across. "
+                  "The water that meets the pier at the surface rises by its velocity's height, dives down the front (0.3 to 0.4 U at an upright cylinder: Raudkivi 1986), and winds around the foot.")
+    flow = study.run("bridge_pier", "cases/open-ends/bridge-pier.toml")
+    diameter, middle, front = 0.08, 0.24, 0.28
+    with h5py.File(flow.folder / "results.h5", "r") as file:
+        surface, mean = file["/surface_map"], file["/mean_field"]
+        x, y = surface["x"][:], surface["y"][:]
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", RuntimeWarning)  # places inside of the pier have no surface
+            level = numpy.nanmean(surface["elevation"][:][surface["time"][:] > 4.0], axis=0)[numpy.argmin(abs(y - middle))]
+        late = mean["time"][:] > 4.0
+        at, across, z = mean["x"][:], mean["y"][:], mean["z"][:]
+        u, w = (numpy.mean(mean[name][:][late], axis=0)[:, numpy.argmin(abs(across - middle))] for name in ("velocity", "vertical_velocity"))
+    before = numpy.argmin(abs(at - 0.08))
+    profile = u[:, before][numpy.isfinite(u[:, before])]
+    bulk = profile.mean()
+    stagnation = profile[-2] ** 2 / (2 * flow.gravity_z)
+    approach = x < front
+    wave = numpy.nanmax(level[approach]) - numpy.interp(0.08, x, level)
+    beside = (at > front - diameter / 4) & (at < front)
+    down = -numpy.nanmin(w[:, beside])
+    foot = numpy.nanmin(u[0, (at > front - diameter) & (at < front)])
+    check.norm("bow wave before the pier against the height of the surface's velocity 2.5 diameters before it", wave / stagnation - 1, 0.1)
+    check.norm("water that dives down the front, largest velocity of the mean flow over U", down / bulk, None, "", 2)
+    check.norm("least velocity along the bed before the foot over U (below 0 in a horseshoe vortex)", foot / bulk, None, "", 2)
+    velocity = 0.06 / numpy.interp(0.08, x, level)
+    _, drag, form = _forces(flow, 4.0, velocity, diameter * flow.depth, ("solid_force_1", "solid_form_drag_1"))
+    check.norm("drag coefficient, with the velocity of the stream and the depth at the outflow", drag.mean(), None, "", 2)
+    check.norm("the same with the velocity between the piers", drag.mean() * (1 - diameter / 0.48) ** 2, None, "", 2)
+    check.norm("form drag over the drag", form.mean() / drag.mean(), None, "", 3)
+    check.norm("momentum between the ends that the budget leaves open", _budget(study, flow), 0.02)
+    figure = figures.Figure(2, width=8)
+    axes = figure.panel("x (mm)", "level (mm)", "surface, in the middle plane")
+    figures.simulated(axes, 1e3 * x, 1e3 * level, "particles")
+    figures.exact(axes, [80, 1e3 * front], [1e3 * (numpy.interp(0.08, x, level) + stagnation)] * 2, "stagnation height")
+    axes = figure.panel("w (m/s)", "z (mm)", "before the front")
+    figures.simulated(axes, numpy.nanmin(w[:, beside], axis=1), 1e3 * z, "particles, within D/4")
+    check.figures.append((figure.svg(check.name), "The surface along the plane through the pier, and the velocity that dives down its front."))
+    check.best, check.cost = options_text(flow), flow.cost_text
+    account(check, flow)
+    return check
+
+
+CHECKS = {"cylinder": cylinder, "sphere": sphere, "bridge_pier": pier}

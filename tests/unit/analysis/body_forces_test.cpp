@@ -167,6 +167,27 @@ TEST(MomentumBudget, BooksFormDragAndFrictionApart) {
     EXPECT_NEAR(value_of(analysis, "momentum_residual_share"), 2.0 / 29.0, 1e-9);
 }
 
+// Between ends of different depths the particles of a plane bed push along it, by the pressure that they
+// continue: the sections have that part, and a bed without friction has no other.
+TEST(MomentumBudget, LeavesOutWhatThePressureOfAPlaneBedDoesAlongIt) {
+    for (const BedKind kind : {BedKind::slip, BedKind::roughness, BedKind::spheres, BedKind::no_slip}) {
+        Case c = duct();
+        c.channel.top = Top::free_surface;
+        c.bed.kind = kind;
+        c.solids.clear();
+        Record record(c);
+        for (const char* quantity :
+             {"momentum_flux_1", "pressure_force_1", "momentum_flux_2", "pressure_force_2"})
+            record.add("standard_end_sections", "flow_rate", quantity, 20.0);
+        for (const char* quantity : {"weight_component", "bed_drag"})
+            record.add("standard_force", "force", quantity, 0.0);
+        record.add("standard_force", "force", "wall_force", 3.0);
+        Analysis analysis;
+        add_momentum_budget(record, analysis);
+        EXPECT_NEAR(value_of(analysis, "momentum_residual"), kind == BedKind::no_slip ? -3.0 : 0.0, 1e-9);
+    }
+}
+
 // A row is worth 5 N s, ten times as much as the flow stores in the whole window.
 TEST(MomentumBudget, TakesNoRowsOfParticlesForAChangeOfTheFlow) {
     Record record(duct());

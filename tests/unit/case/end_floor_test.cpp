@@ -34,7 +34,11 @@ TEST(EndFloor, CarriesTheWaterWhereItsTopIsLevel) {
     const auto carries = [](const Solid& solid) { return carries_through(solid, -0.05, 0.03); };
     EXPECT_TRUE(carries(block({-0.2, 0.1, 0.1, -0.2}, {0.0, 0.0, 0.01, 0.01})));
     EXPECT_TRUE(carries(block({-0.2, 0.1, 0.05, -0.05}, {0.0, -0.01, 0.01, 0.01})));
-    EXPECT_FALSE(carries(block({-0.2, 0.02, 0.02, -0.2}, {0.0, 0.0, 0.01, 0.01})));    // too short
+    // A top of several level faces, as a bed of heights has where the channel begins.
+    EXPECT_TRUE(carries(block({-0.2, 0.1, 0.1, 0.0, -0.2}, {0.0, 0.0, 0.01, 0.01, 0.01})));
+    EXPECT_FALSE(
+        carries(block({-0.2, 0.1, 0.1, 0.01, 0.01, -0.2}, {0.0, 0.0, 0.01, 0.01, 0.02, 0.02})));  // a step
+    EXPECT_FALSE(carries(block({-0.2, 0.02, 0.02, -0.2}, {0.0, 0.0, 0.01, 0.01})));               // too short
     EXPECT_FALSE(carries(block({-0.04, 0.1, 0.1, -0.04}, {0.0, 0.0, 0.01, 0.01})));    // not through the end
     EXPECT_FALSE(carries(block({-0.2, 0.1, 0.1, -0.2}, {0.0, 0.0, 0.01, 0.012})));     // sloping
     EXPECT_FALSE(carries(block({-0.2, 0.1, 0.1, -0.2}, {0.005, 0.005, 0.01, 0.01})));  // above the bed
