@@ -199,9 +199,20 @@ void require_room_for_tables(const Case& c, const EndInput& input) {
                      input.inflow_depth->largest() + floors.upstream);
     }
     if (c.outflow.kind == OutflowKind::depth && !c.outflow.depth_file.empty()) {
-        require_room(
-            c, c.outflow.depth_file, "its largest depth is",
-            depth_table(c, {}, c.outflow.depth_file, floors.downstream).largest() + floors.downstream);
+        const TimeTable depth = depth_table(c, {}, c.outflow.depth_file, floors.downstream);
+        require_room(c, c.outflow.depth_file, "its largest depth is", depth.largest() + floors.downstream);
+        const double critical =
+            critical_depth_of(c.normal_gravity(), c.inflow_unit_discharge().value_or(0.0));
+        if (depth.smallest() < critical) {
+            const auto level = [&](double over_floor) {
+                return shown_length(over_floor + floors.downstream - c.datum());
+            };
+            throw FileError(fmt::format(
+                "{}: its least depth is {}, the critical depth of the discharge {}: water leaves at the critical "
+                "depth where nothing holds it back; make it deeper, or choose [outflow] kind = \"critical-depth\" "
+                "or, for supercritical flow, \"free\"",
+                c.outflow.depth_file.string(), level(depth.smallest()), level(critical)));
+        }
     }
 }
 

@@ -44,7 +44,7 @@ std::string message_of(const Case& c) {
 class EndFiles : public ::testing::Test {
   protected:
     std::filesystem::path write(const std::string& name, const std::string& text) {
-        const std::filesystem::path path = folder_.path() / name;
+        std::filesystem::path path = folder_.path() / name;
         std::ofstream(path) << text;
         return path;
     }
@@ -206,6 +206,12 @@ TEST_F(EndFiles, WhatRisesOverTheDomainIsRefused) {
     c.outflow.depth.reset();
     c.outflow.depth_file = write("levels.csv", "time [s],depth [mm]\n0,60\n9,300\n");
     EXPECT_THAT(message_of(c), ::testing::HasSubstr("levels.csv: its largest depth is 300 mm"));
+    // Nor can an outflow hold less than the critical depth of the discharge, 34 mm, 6 of them below the
+    // datum.
+    c.outflow.depth_file = write("shallow.csv", "time [s],depth [mm]\n0,60\n9,20\n");
+    EXPECT_THAT(message_of(c), ::testing::HasSubstr("shallow.csv: its least depth is 20 mm"));
+    c.outflow.depth_file = write("right.csv", "time [s],depth [mm]\n0,60\n9,40\n");
+    EXPECT_EQ(message_of(c), "");
 }
 
 // A level that the case itself names raises the domain.
