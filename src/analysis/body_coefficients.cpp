@@ -29,7 +29,7 @@ struct Front {
     double extent = 0.0;
 };
 
-/// The part of a surface below a level as seen along the channel, by lines along x on a grid.
+/// The part of a surface within a rectangle across the channel as seen along it, by lines along x on a grid.
 double silhouette(const SolidMesh& mesh, const Extent& across, const Extent& upright) {
     constexpr int lines = 200;
     const Point3& low = mesh.lower();

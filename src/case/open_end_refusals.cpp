@@ -1,9 +1,9 @@
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include "case/end_buffers.hpp"
 #include "case/end_floor.hpp"
+#include "case/end_levels.hpp"
 #include "case/flow_kind.hpp"
 #include "case/outline.hpp"
 #include "case/outline_check.hpp"
@@ -15,11 +15,6 @@ namespace riffle {
 namespace {
 
 double total(const Case& c, double depth) { return depth + c.datum(); }
-
-/// Total depth of critical flow with a discharge, m.
-double critical_depth(const Case& c, double unit_discharge) {
-    return std::cbrt(unit_discharge * unit_discharge / c.normal_gravity());
-}
 
 int ways_to_give_discharge(const Inflow& inflow) {
     return (inflow.discharge ? 1 : 0) + (inflow.unit_discharge ? 1 : 0) +
@@ -115,7 +110,7 @@ CheckList open_end_refusals() {
                  if (!q || !c.inflow.depth) {
                      return Findings{};
                  }
-                 const double critical = critical_depth(c, *q);
+                 const double critical = critical_depth_of(c.normal_gravity(), *q);
                  return found_if(over_floor(c, *c.inflow.depth, end_floors(c).upstream) > critical,
                                  "the depth of {} is above the critical one of the discharge, {}",
                                  shown_length(*c.inflow.depth),
@@ -180,7 +175,7 @@ CheckList open_end_refusals() {
                  if (!q || c.outflow.kind != OutflowKind::depth || !c.outflow.depth) {
                      return Findings{};
                  }
-                 const double critical = critical_depth(c, *q);
+                 const double critical = critical_depth_of(c.normal_gravity(), *q);
                  return found_if(over_floor(c, *c.outflow.depth, end_floors(c).downstream) < critical,
                                  "depth is {}, the critical depth of the discharge {}",
                                  shown_length(*c.outflow.depth),
@@ -218,7 +213,7 @@ CheckList open_end_refusals() {
                  if (!q || c.inflow.depth || !c.inflow.depth_file.empty() || is_duct(c)) {
                      return Findings{};
                  }
-                 const double critical = critical_depth(c, *q);
+                 const double critical = critical_depth_of(c.normal_gravity(), *q);
                  return found_if(critical > 2.0 * c.total_depth(),
                                  "depth is {}, the critical depth of the discharge {}",
                                  shown_length(c.channel.depth), shown_length(critical - c.datum()));

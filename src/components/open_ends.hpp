@@ -350,7 +350,9 @@ class OpenEnds final : public Component<D, Real> {
         double volume = 0.0;
         for (std::size_t i = 0; i < p.size(); ++i) {
             const double hat = 1.0 - std::abs(p.position[0][i] + half) / half;
-            volume += std::max(0.0, hat) * p.mass[i] / (1.0 + p.density_deviation[i]);
+            if (hat > 0.0) {
+                volume += hat * p.mass[i] / (1.0 + p.density_deviation[i]);
+            }
         }
         const double width = D == 3 ? flow.c.channel.simulated_width() : 1.0;
         const double due = flow.scheme.density * half * width * flow.clock.open_ends.upstream.depth;

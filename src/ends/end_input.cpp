@@ -123,15 +123,45 @@ std::shared_ptr<const EnteringFlow> entering_flow(const Case& c,
     return profile({});
 }
 
+/// Throws FileError where a file asks for a level that the domain has no room for.
+void require_room(const Case& c, const std::filesystem::path& file, const std::string& what, double level) {
+    const double room = level_with_room(c);
+    if (level > room) {
+        throw FileError(fmt::format(
+            "{}: {} {} over the bed; the channel has room for {}, four times its depth; give [channel] depth at "
+            "least {}, and the water of the start by start.water_x and start.water_z where it is lower",
+            file.string(), what, shown_length(level - c.datum()), shown_length(room - c.datum()),
+            shown_length(level / room * std::max(c.total_depth(), highest_end_level(c)) - c.datum())));
+    }
+}
+
+/// Throws FileError where the table of an outflow goes over the domain, or below the critical depth.
+void require_possible(const Case& c, const TimeTable& depth, double floor) {
+    const std::filesystem::path& file = c.outflow.depth_file;
+    require_room(c, file, "its largest depth is", depth.largest() + floor);
+    const double critical = critical_depth_of(c.normal_gravity(), c.inflow_unit_discharge().value_or(0.0));
+    if (depth.smallest() < critical) {
+        const auto level = [&](double over_floor) { return shown_length(over_floor + floor - c.datum()); };
+        throw FileError(fmt::format(
+            "{}: its least depth is {}, the critical depth of the discharge {}: water leaves at the critical "
+            "depth where nothing holds it back; make it deeper, or choose [outflow] kind = \"critical-depth\" "
+            "or, for supercritical flow, \"free\"",
+            file.string(), level(depth.smallest()), level(critical)));
+    }
+}
+
 std::function<double(double, double)> outflow_rule(const Case& c, double floor) {
     const Outflow& outflow = c.outflow;
     const double g = c.normal_gravity();
     const double datum = c.datum();
     switch (outflow.kind) {
-        case OutflowKind::depth:
-            return [table = depth_table(c, outflow.depth, outflow.depth_file, floor)](double, double time) {
-                return table.at(time);
-            };
+        case OutflowKind::depth: {
+            TimeTable table = depth_table(c, outflow.depth, outflow.depth_file, floor);
+            if (!outflow.depth_file.empty()) {
+                require_possible(c, table, floor);
+            }
+            return [table = std::move(table)](double, double time) { return table.at(time); };
+        }
         case OutflowKind::normal_depth: {
             const auto depth = twin_normal_depth(c, c.inflow_unit_discharge().value_or(0.0));
             return [total = depth.value_or(c.channel.depth) + datum](double, double) { return total; };
@@ -174,48 +204,6 @@ void add_duct(const Case& c, double floor, EndInput& input) {
     input.relaxation_time = c.outflow.relaxation_time.value_or(time);
 }
 
-/// Throws FileError where a file asks for a level that the domain has no room for.
-void require_room(const Case& c, const std::filesystem::path& file, const std::string& what, double level) {
-    const double room = level_with_room(c);
-    if (level > room) {
-        throw FileError(fmt::format(
-            "{}: {} {} over the bed; the channel has room for {}, four times its depth; give [channel] depth at "
-            "least {}, and the water of the start by start.water_x and start.water_z where it is lower",
-            file.string(), what, shown_length(level - c.datum()), shown_length(room - c.datum()),
-            shown_length(level / room * std::max(c.total_depth(), highest_end_level(c)) - c.datum())));
-    }
-}
-
-/// What the files of a channel with open ends ask for fits into its domain.
-void require_room_for_tables(const Case& c, const EndInput& input) {
-    const EndFloors floors = end_floors(c);
-    if (!c.inflow.discharge_file.empty() && !c.inflow.gives_depth()) {
-        const double critical = critical_depth_of(c.normal_gravity(), input.unit_discharge->largest());
-        require_room(c, c.inflow.discharge_file, "critical flow with its largest discharge is",
-                     critical + std::max(floors.upstream, floors.downstream));
-    }
-    if (!c.inflow.depth_file.empty()) {
-        require_room(c, c.inflow.depth_file, "its largest depth is",
-                     input.inflow_depth->largest() + floors.upstream);
-    }
-    if (c.outflow.kind == OutflowKind::depth && !c.outflow.depth_file.empty()) {
-        const TimeTable depth = depth_table(c, {}, c.outflow.depth_file, floors.downstream);
-        require_room(c, c.outflow.depth_file, "its largest depth is", depth.largest() + floors.downstream);
-        const double critical =
-            critical_depth_of(c.normal_gravity(), c.inflow_unit_discharge().value_or(0.0));
-        if (depth.smallest() < critical) {
-            const auto level = [&](double over_floor) {
-                return shown_length(over_floor + floors.downstream - c.datum());
-            };
-            throw FileError(fmt::format(
-                "{}: its least depth is {}, the critical depth of the discharge {}: water leaves at the critical "
-                "depth where nothing holds it back; make it deeper, or choose [outflow] kind = \"critical-depth\" "
-                "or, for supercritical flow, \"free\"",
-                c.outflow.depth_file.string(), level(depth.smallest()), level(critical)));
-        }
-    }
-}
-
 double default_relaxation_time(const Case& c) {
     constexpr double times = 80.0;  // of a rise as long as five depths 5 % come back
     const double depth = c.total_depth();
@@ -235,6 +223,14 @@ EndInput read_end_levels(const Case& c) {
     const EndFloors floors = end_floors(c);
     if (c.inflow.gives_depth()) {
         input.inflow_depth = depth_table(c, c.inflow.depth, c.inflow.depth_file, floors.upstream);
+        if (!c.inflow.depth_file.empty()) {
+            require_room(c, c.inflow.depth_file, "its largest depth is",
+                         input.inflow_depth->largest() + floors.upstream);
+        }
+    } else if (!c.inflow.discharge_file.empty() && !is_duct(c)) {
+        const double critical = critical_depth_of(c.normal_gravity(), input.unit_discharge->largest());
+        require_room(c, c.inflow.discharge_file, "critical flow with its largest discharge is",
+                     critical + std::max(floors.upstream, floors.downstream));
     }
     if (!is_duct(c)) {
         input.outflow_depth = outflow_rule(c, floors.downstream);
@@ -242,7 +238,6 @@ EndInput read_end_levels(const Case& c) {
         input.inflow_relaxation_time =
             c.inflow.relaxation_time.value_or(times * std::sqrt(c.total_depth() / c.normal_gravity()));
         input.relaxation_time = c.outflow.relaxation_time.value_or(default_relaxation_time(c));
-        require_room_for_tables(c, input);
     }
     return input;
 }

@@ -116,7 +116,7 @@ void EndSections::follow_downstream(EndState& end, double time, double dt) const
         // Nothing holds water that flows slower than its waves back: it goes over to critical flow, and none
         // comes in.
         const bool held = !input_.outflow_depth && watched.depth > least_depth_ && watched.velocity < c;
-        end.coming = held ? (going > 0.0 ? -going / 3.0 : -going) : end.watched_velocity - 2.0 * c;
+        end.coming = held ? invariant_of_critical_flow(going) : end.watched_velocity - 2.0 * c;
     }
     Section section = outflow_between(gravity_, going, end.coming);
     if (ruled) {

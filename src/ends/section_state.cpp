@@ -9,6 +9,8 @@ namespace riffle {
 
 double wave_speed(double gravity, double depth) { return std::sqrt(gravity * std::max(0.0, depth)); }
 
+double invariant_of_critical_flow(double going) { return going > 0.0 ? -going / 3.0 : -going; }
+
 double sequent_depth(double gravity, const Section& before) {
     const double c = wave_speed(gravity, before.depth);
     const double froude = c > 0.0 ? before.velocity / c : 0.0;

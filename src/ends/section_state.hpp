@@ -14,6 +14,10 @@ struct Section {
 /// Speed of long waves, m/s.
 [[nodiscard]] double wave_speed(double gravity, double depth);
 
+/// Invariant U - 2 c of critical flow, U = c, in which U + 2 c = `going`, m/s; where that runs back, the one
+/// with which nothing moves.
+[[nodiscard]] double invariant_of_critical_flow(double going);
+
 /// Depth behind a jump from a section, m: where the momentum function is the same (Bélanger).
 [[nodiscard]] double sequent_depth(double gravity, const Section& before);
 

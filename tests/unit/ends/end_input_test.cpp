@@ -32,6 +32,13 @@ until = "10 s"
 
 Case open_case(const std::string& ends) { return parse_case(channel + ends, "test"); }
 
+/// A channel whose discharge is still to come from a file.
+Case free_channel_of_a_file() {
+    Case c = open_case("[inflow]\nunit_discharge = \"0.02 m2/s\"\n[outflow]\nkind = \"free\"\n");
+    c.inflow.unit_discharge.reset();
+    return c;
+}
+
 std::string message_of(const Case& c) {
     try {
         (void)read_end_input(c);
@@ -162,8 +169,7 @@ TEST(EndInput, TheEndsOfADuctKeepTheRelaxationTimesOfTheCase) {
 }
 
 TEST_F(EndFiles, AHydrographIsReadInItsUnits) {
-    Case c = open_case("[inflow]\nunit_discharge = \"0.02 m2/s\"\n[outflow]\nkind = \"free\"\n");
-    c.inflow.unit_discharge.reset();
+    Case c = free_channel_of_a_file();
     c.inflow.discharge_file = write("flood.csv", "time [s],discharge [l/s]\n0,4.59\n10,9.18\n");
     const EndInput input = read_end_input(c);
     EXPECT_NEAR(input.unit_discharge->at(0.0), 0.01, 1e-12);
@@ -172,8 +178,7 @@ TEST_F(EndFiles, AHydrographIsReadInItsUnits) {
 }
 
 TEST_F(EndFiles, WrongFilesAreToldWithTheirPlace) {
-    Case c = open_case("[inflow]\nunit_discharge = \"0.02 m2/s\"\n[outflow]\nkind = \"free\"\n");
-    c.inflow.unit_discharge.reset();
+    Case c = free_channel_of_a_file();
     c.inflow.discharge_file = write("late.csv", "time,unit_discharge\n2,0.01\n3,0.01\n");
     EXPECT_THAT(message_of(c), ::testing::HasSubstr("begins at 2 s"));
     c.inflow.discharge_file = write("back.csv", "time,unit_discharge\n0,0.01\n3,0.01\n3,0.02\n");
@@ -192,8 +197,7 @@ TEST_F(EndFiles, WrongFilesAreToldWithTheirPlace) {
 
 // A flood, or a level, over the top of the domain would leave it.
 TEST_F(EndFiles, WhatRisesOverTheDomainIsRefused) {
-    Case c = open_case("[inflow]\nunit_discharge = \"0.02 m2/s\"\n[outflow]\nkind = \"free\"\n");
-    c.inflow.unit_discharge.reset();
+    Case c = free_channel_of_a_file();
     // Critical depths of 0.2 and 0.25 m in a channel that has room for four times 56 mm.
     c.inflow.discharge_file = write("flood.csv", "time,unit_discharge\n0,0.02\n9,0.28\n");
     EXPECT_EQ(message_of(c), "");
