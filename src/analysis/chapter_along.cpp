@@ -158,7 +158,9 @@ void add_velocity(const LongProfile& profile, const Heads& heads, Analysis& anal
 void compare_with_varied_flow(const FlowRecord& record, const LongProfile& profile, Figure& figure,
                               Analysis& analysis) {
     const Case& c = *record.flow();
-    if (!c.solids.empty() || vegetation_varies_along(c) || porosity_varies_along(c) ||
+    Case over_beds = c;  // whose patches all across the theory knows
+    std::erase_if(over_beds.bed_patches, [&c](const BedPatch& patch) { return covers_width(c, patch); });
+    if (!c.solids.empty() || !over_beds.bed_patches.empty() || resistance_varies_along(over_beds) ||
         !channel_or_walls_resist(c) || resolves_eddies(c) || !c.inflow_unit_discharge())
         return;
     std::vector<double> depth;

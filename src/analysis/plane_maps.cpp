@@ -122,8 +122,7 @@ double value_in(const VelocityGrid& grid, const std::vector<double>& values, dou
 
 /// Whether the mean flow of a run varies along the channel, so that places must be compared.
 bool varies_along(const Case& c) {
-    return has_bodies(c) || vegetation_varies_along(c) || porosity_varies_along(c) ||
-           c.channel.ends != Ends::periodic;
+    return has_bodies(c) || resistance_varies_along(c) || c.channel.ends != Ends::periodic;
 }
 
 /// The measured field of velocities and the run's departure from it.

@@ -32,8 +32,8 @@ bool Case::same_parameters(const Case& other) const {
            side_walls == other.side_walls && turbulence == other.turbulence && fluid == other.fluid &&
            numerics == other.numerics && start == other.start && stirring == other.stirring &&
            run == other.run && output == other.output && measured == other.measured &&
-           probes == other.probes && solids == other.solids && vegetation == other.vegetation &&
-           porous == other.porous;
+           probes == other.probes && solids == other.solids && bed_patches == other.bed_patches &&
+           vegetation == other.vegetation && porous == other.porous;
 }
 
 }  // namespace riffle

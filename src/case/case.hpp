@@ -2,12 +2,12 @@
 
 #include <filesystem>
 #include <memory>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "case/options.hpp"
+#include "case/patches.hpp"
 
 namespace riffle {
 
@@ -355,57 +355,6 @@ struct Solid {
     bool operator==(const Solid&) const = default;
 };
 
-/// [[vegetation]]: stems that stand in the water, of one kind, in a box of the channel.
-struct Vegetation {
-    std::string name;
-    double stems_per_area = 0.0;               ///< n, 1/m2
-    double stem_diameter = 0.0;                ///< d, m
-    double height = 0.0;                       ///< of the stems' tops above the bed level, m
-    std::optional<double> drag_coefficient;    ///< C_D; unset: Cheng & Nguyen's (roughness/stem_drag.hpp)
-    double vogel_exponent = 0.0;               ///< psi of the force ~ U^(2 + psi); 0: rigid
-    std::optional<double> reference_velocity;  ///< up to which flexible stems stand as rigid ones, m/s
-    std::optional<double> x_from;              ///< m; unset: the whole channel
-    std::optional<double> x_to;
-    std::optional<double> y_from;
-    std::optional<double> y_to;
-
-    /// Area of the stems that faces the flow, of a volume of water and stems: a = n d, 1/m.
-    [[nodiscard]] double frontal_area() const { return stems_per_area * stem_diameter; }
-    /// Share of that volume that the stems fill: phi = n pi d^2/4.
-    [[nodiscard]] double solid_fraction() const {
-        return stems_per_area * std::numbers::pi / 4.0 * stem_diameter * stem_diameter;
-    }
-
-    bool operator==(const Vegetation&) const = default;
-};
-
-/// [[porous]]: a part of the channel that grains fill, and the water moves in its pores. The laws of its
-/// resistance: roughness/porous_resistance.hpp; where it is: case/porous_zone.hpp.
-struct Porous {
-    std::string name;
-    double porosity = 0.0;                ///< n, the share of the volume that is water
-    std::optional<double> grain_size;     ///< d, m: the resistance is Ergun's
-    double laminar_coefficient = 150.0;   ///< A of Ergun's law
-    double inertial_coefficient = 1.75;   ///< B of Ergun's law
-    std::optional<double> permeability;   ///< K, m2, in place of grain size and coefficients
-    double forchheimer = 0.0;             ///< c_F of the quadratic term c_F |q| q/sqrt(K), with K
-    double viscosity_ratio = 1.0;         ///< of the shear stress in the medium (Brinkman's) over the water's
-    std::optional<double> mixing_length;  ///< the largest one within, m; unset: by the grains
-    std::optional<double> edge;           ///< over which the porosity changes at its surface, m; unset: 2.4 h
-    std::optional<double> x_from;         ///< m; unset: the whole channel, from bed to surface and above
-    std::optional<double> x_to;
-    std::optional<double> y_from;  ///< 3D
-    std::optional<double> y_to;
-    std::optional<double> z_from;
-    std::optional<double> z_to;
-    std::vector<double> x;      ///< corners of an outline, m, in place of x and z from and to
-    std::vector<double> z;      ///< m above the bed level
-    std::vector<double> top_x;  ///< places along the channel where its top has the heights `top_z`, m
-    std::vector<double> top_z;  ///< m above the bed level, in place of z_to
-
-    bool operator==(const Porous&) const = default;
-};
-
 /// The value at which a way of finding the surface sees it, unless the case says otherwise: half of what the
 /// volume fraction (1) and the divergence of the position (the number of dimensions) are in the water, and a
 /// density ratio of 0.9. Of the depth sum, which has none, 0.
@@ -433,6 +382,7 @@ struct Case {
     Measured measured;
     std::vector<Probe> probes;
     std::vector<Solid> solids;
+    std::vector<BedPatch> bed_patches;
     std::vector<Vegetation> vegetation;
     std::vector<Porous> porous;
 

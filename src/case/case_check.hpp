@@ -30,9 +30,9 @@ template <class... Args>
     return wrong ? Findings{{.detail = fmt::format(detail, std::forward<Args>(args)...)}} : Findings{};
 }
 
-/// When a check finds something: a function of the case, or of the case and each of its probes, solids or
-/// patches of vegetation or porous zones,
-/// that returns what it finds, or only whether it finds something.
+/// When a check finds something: a function of the case, or of the case and each of its probes, solids,
+/// patches of the bed or of vegetation, or porous zones, that returns what it finds, or only whether it finds
+/// something.
 class CheckCondition {
   public:
     template <class F>
@@ -41,6 +41,8 @@ class CheckCondition {
             look_ = [look](const Case& c, std::size_t) { return as_findings(look(c)); };
         } else if constexpr (std::invocable<F, const Case&, const Probe&>) {
             bind(&Case::probes, look);
+        } else if constexpr (std::invocable<F, const Case&, const BedPatch&>) {
+            bind(&Case::bed_patches, look);
         } else if constexpr (std::invocable<F, const Case&, const Vegetation&>) {
             bind(&Case::vegetation, look);
         } else if constexpr (std::invocable<F, const Case&, const Porous&>) {

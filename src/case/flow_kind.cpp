@@ -11,6 +11,17 @@ namespace riffle {
 
 namespace {
 
+/// Why patches of the bed leave no flow that is the same at all places of a height.
+std::optional<std::string> patchy_bed(const Case& c) {
+    if (c.bed_patches.empty()) {
+        return std::nullopt;
+    }
+    return fmt::format(
+        "the patch \"{}\" of the bed is not as rough as the rest of it, and neither twin has a bed of several "
+        "roughnesses: what to compare with far from its edges are the uniform flows of the cases with one bed each",
+        c.bed_patches.front().name);
+}
+
 /// Why patches of vegetation leave no flow that is the same at all places of a height.
 std::optional<std::string> patchy_vegetation(const Case& c) {
     for (const Vegetation& patch : c.vegetation) {
@@ -83,16 +94,6 @@ bool bed_resists(const Bed& bed) {
     return false;
 }
 
-bool covers_length(const Case& c, const Vegetation& patch) {
-    return patch.x_from.value_or(0.0) <= 0.0 && patch.x_to.value_or(c.channel.length) >= c.channel.length;
-}
-
-bool covers_width(const Case& c, const Vegetation& patch) {
-    const double width = c.channel.simulated_width();
-    return c.channel.dimensions == 2 ||
-           (patch.y_from.value_or(0.0) <= 0.0 && patch.y_to.value_or(width) >= width);
-}
-
 const Vegetation* vegetation_everywhere(const Case& c) {
     const auto found = std::find_if(c.vegetation.begin(), c.vegetation.end(), [&c](const Vegetation& patch) {
         return covers_length(c, patch) && covers_width(c, patch);
@@ -100,9 +101,10 @@ const Vegetation* vegetation_everywhere(const Case& c) {
     return found != c.vegetation.end() ? &*found : nullptr;
 }
 
-bool vegetation_varies_along(const Case& c) {
-    return std::any_of(c.vegetation.begin(), c.vegetation.end(),
-                       [&c](const Vegetation& patch) { return !covers_length(c, patch); });
+bool resistance_varies_along(const Case& c) {
+    const auto in_part = [&c](const auto& patch) { return !covers_length(c, patch); };
+    return std::any_of(c.bed_patches.begin(), c.bed_patches.end(), in_part) ||
+           std::any_of(c.vegetation.begin(), c.vegetation.end(), in_part) || porosity_varies_along(c);
 }
 
 bool channel_resists(const Case& c) {
@@ -118,8 +120,7 @@ FlowKind flow_kind(const Case& c) {
     if (c.start.kind == StartKind::standing_wave) return FlowKind::standing_wave;
     if (c.channel.ends == Ends::open) return FlowKind::open_channel;
     if (c.channel.ends != Ends::periodic || !is_driven(c)) return FlowKind::tank;
-    if (has_bodies(c) || vegetation_varies_along(c) || porosity_varies_along(c))
-        return FlowKind::channel_with_bodies;
+    if (has_bodies(c) || resistance_varies_along(c)) return FlowKind::channel_with_bodies;
     return c.start.water_x.empty() ? FlowKind::uniform_channel : FlowKind::tank;
 }
 
@@ -182,7 +183,7 @@ bool uses_local_depth(const Case& c) {
     }
     const bool open = c.channel.ends != Ends::periodic && c.channel.ends != Ends::walls;
     return c.turbulence.depth == ClosureDepth::local || open || !c.solids.empty() ||
-           vegetation_varies_along(c) || porosity_varies_along(c);
+           resistance_varies_along(c);
 }
 
 std::optional<std::string> why_no_column(const Case& c) {
@@ -243,6 +244,7 @@ std::optional<std::string> why_no_column(const Case& c) {
                "knows: the column of the same channel with a mixing length (turbulence.closure = "
                "\"nezu-rodi\") is one to compare with";
     }
+    if (auto reason = patchy_bed(c)) return reason;
     if (auto reason = patchy_vegetation(c)) return reason;
     if (auto reason = patchy_porosity(c)) return reason;
     if (!channel_resists(c)) {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "case/case.hpp"
+#include "case/patch_range.hpp"
 
 namespace riffle {
 
@@ -65,16 +66,13 @@ enum class FlowKind {
 /// Whether a bed holds the water back.
 [[nodiscard]] bool bed_resists(const Bed& bed);
 
-/// Whether a patch of vegetation covers the channel from end to end, and from side to side.
-[[nodiscard]] bool covers_length(const Case& c, const Vegetation& patch);
-[[nodiscard]] bool covers_width(const Case& c, const Vegetation& patch);
-
 /// The vegetation that stands everywhere in the channel; nullptr where none does. No two patches stand at one
 /// place.
 [[nodiscard]] const Vegetation* vegetation_everywhere(const Case& c);
 
-/// Whether vegetation makes the flow change along the channel.
-[[nodiscard]] bool vegetation_varies_along(const Case& c);
+/// Whether what holds the water back changes along the channel: patches of the bed or of vegetation, or
+/// porous zones.
+[[nodiscard]] bool resistance_varies_along(const Case& c);
 
 /// Whether the bed, or vegetation or a porous layer all over it, holds the water back.
 [[nodiscard]] bool channel_resists(const Case& c);

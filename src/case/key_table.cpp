@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "case/bed_patch_keys.hpp"
 #include "case/channel_keys.hpp"
 #include "case/numerics_keys.hpp"
 #include "case/open_end_keys.hpp"
@@ -175,8 +176,9 @@ SectionKeys measured() {
 
 std::vector<SectionKeys> make_table() {
     std::vector<SectionKeys> table = channel_keys();
-    for (auto* const section : {inflow_keys, outflow_keys, numerics_keys, start_keys, stirring_keys, run,
-                                output, measured, solid_keys, vegetation_keys, porous_keys, probe_keys}) {
+    for (auto* const section :
+         {inflow_keys, outflow_keys, numerics_keys, start_keys, stirring_keys, run, output, measured,
+          solid_keys, bed_patch_keys, vegetation_keys, porous_keys, probe_keys}) {
         table.push_back(section());
     }
     return table;

@@ -29,7 +29,7 @@ SectionKeys numerics_keys() {
             .at_least(1)
             .at_most(4)
             .with_default_note(
-                "2 in two dimensions over spheres, beds by roughness and smooth ones, and with vegetation; with porous "
+                "2 in two dimensions over spheres, beds by roughness and smooth ones, and with patches of the bed or vegetation; with porous "
                 "zones 2.5 in two dimensions and 2 in three")
             .because("fewer neighbours do not sum up, more are not worth their time"));
     s.keys.push_back(

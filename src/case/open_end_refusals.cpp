@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "case/bed_patch.hpp"
 #include "case/end_buffers.hpp"
 #include "case/end_floor.hpp"
 #include "case/end_levels.hpp"
@@ -145,13 +146,35 @@ CheckList open_end_refusals() {
              "choose profile = \"uniform\", or another",
              [](const Case& c) {
                  const bool column = c.inflow.profile == InflowProfile::column;
-                 return enters_as_twin(c) && !(column ? channel_resists(c) : channel_or_walls_resist(c));
+                 const Case there = with_bed_at(c, 0.0);
+                 return enters_as_twin(c) &&
+                        !(column ? channel_resists(there) : channel_or_walls_resist(there));
              }},
             {{"inflow.profile", "turbulence.closure"},
              R"(`profile = "twin"`, the default, or `"column"` with a closure of resolved eddies)",
              "it has no twin, and water without eddies would enter",
              R"(choose profile = "results", the water of a run with periodic ends, or for a start of their growth "power-law")",
              [](const Case& c) { return enters_as_twin(c) && channel_resists(c) && resolves_eddies(c); }},
+            {{"inflow.profile", "bed_patch.y_from"},
+             R"(`profile = "twin"`, the default, or `"column"` where a patch of the bed lies in a part of the inflow's width)",
+             "neither twin has a bed of several roughnesses across",
+             "choose profile = \"log-law\" or another, or let the patch begin farther down",
+             [](const Case& c) {
+                 const BedPatch* const beside = patch_beside(c, 0.0);
+                 return found_if(beside != nullptr && enters_as_twin(c),
+                                 "profile is that of a twin, and the patch \"{}\" lies there",
+                                 beside ? beside->name : std::string());
+             }},
+            {{"outflow.kind", "bed_patch.y_from"},
+             "`kind = \"normal-depth\"`, the default, where a patch of the bed lies in a part of the outflow's width",
+             "no twin tells the normal depth over a bed of several roughnesses across",
+             "choose kind = \"depth\" or another, or let the patch end farther up",
+             [](const Case& c) {
+                 const BedPatch* const beside = patch_beside(c, c.channel.length);
+                 return found_if(beside != nullptr && c.outflow.kind == OutflowKind::normal_depth,
+                                 "kind is \"normal-depth\", and the patch \"{}\" lies there",
+                                 beside ? beside->name : std::string());
+             }},
             {{"outflow.depth", "outflow.kind"},
              "`kind = \"depth\"` without a depth",
              "",
@@ -187,7 +210,8 @@ CheckList open_end_refusals() {
              "choose kind = \"depth\" or another",
              [](const Case& c) {
                  return found_if(c.outflow.kind == OutflowKind::normal_depth &&
-                                     (!(c.streamwise_gravity() > 0.0) || !channel_or_walls_resist(c)),
+                                     (!(c.streamwise_gravity() > 0.0) ||
+                                      !channel_or_walls_resist(with_bed_at(c, c.channel.length))),
                                  "kind = \"normal-depth\" needs a slope and a bed with friction");
              }},
             {{"outflow.kind", "turbulence.closure"},

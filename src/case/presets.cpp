@@ -102,9 +102,9 @@ void choose_resolution(Case& c, const GivenResolution& given) {
     if (has_wall_law(c) && !given.spacing && c.total_depth() > 0.0) {
         n.spacing = rounded_down(c.total_depth() / rows_over_plane_bed);
     }
-    // Among stems as over rough beds: with fewer neighbours the rows leave their order.
-    const bool grown = !c.vegetation.empty() && n.preset == Preset::riffle;
-    if ((has_wall_law(c) || grown) && !given.smoothing_ratio && !space) {
+    // Among stems and over patches as over rough beds: with fewer neighbours the rows leave their order.
+    const bool rough = (!c.vegetation.empty() || !c.bed_patches.empty()) && n.preset == Preset::riffle;
+    if ((has_wall_law(c) || rough) && !given.smoothing_ratio && !space) {
         n.smoothing_ratio = 2.0;
     }
     // The particles of water that flows into a medium stand farther apart there, along its way.

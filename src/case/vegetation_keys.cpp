@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "case/units.hpp"
+#include "case/patch_keys.hpp"
 
 namespace riffle {
 
@@ -57,17 +57,7 @@ SectionKeys vegetation_keys() {
                          .measured_in(velocity)
                          .greater_than(0)
                          .unset_by("none", "the stems are rigid"));
-    const auto edge = [&](const char* name, auto member, const char* meaning, const char* otherwise) {
-        return key(name, member, meaning).measured_in(length).at_least(0).unset_by("auto", otherwise);
-    };
-    s.keys.push_back(
-        edge("x_from", &Vegetation::x_from, "Where the patch begins along the channel.", "at its start"));
-    s.keys.push_back(edge("x_to", &Vegetation::x_to, "Where it ends along the channel.", "at its end"));
-    s.keys.push_back(edge("y_from", &Vegetation::y_from,
-                          "Where the patch begins across a three-dimensional channel.", "at its side, y = 0")
-                         .applies_with("channel.dimensions", {"3"}, true));
-    s.keys.push_back(edge("y_to", &Vegetation::y_to, "Where it ends across the channel.", "at the other side")
-                         .applies_with("channel.dimensions", {"3"}, true));
+    add_range_keys(s, &Case::vegetation);
     return s;
 }
 

@@ -1,10 +1,8 @@
 #include <algorithm>
-#include <array>
 #include <numbers>
-#include <utility>
 
+#include "case/patch_checks.hpp"
 #include "case/refusals.hpp"
-#include "case/units.hpp"
 
 namespace riffle {
 
@@ -13,65 +11,11 @@ namespace {
 /// phi at which stems on a square lattice touch.
 constexpr double touching = std::numbers::pi / 4.0;
 
-/// A range of a patch along an axis, m.
-struct PatchRange {
-    double from = 0.0;
-    double to = 0.0;
-
-    [[nodiscard]] double overlap(const PatchRange& other) const {
-        return std::min(to, other.to) - std::max(from, other.from);
-    }
-};
-
-/// Along the channel and across it.
-std::array<PatchRange, 2> ranges_of(const Case& c, const Vegetation& patch) {
-    return {{{patch.x_from.value_or(0.0), patch.x_to.value_or(c.channel.length)},
-             {patch.y_from.value_or(0.0), patch.y_to.value_or(c.channel.simulated_width())}}};
-}
-
-Findings beyond_channel(const Case& c, const Vegetation& patch) {
-    const auto ranges = ranges_of(c, patch);
-    const std::array extent{c.channel.length, c.channel.simulated_width()};
-    constexpr std::array axes{"x", "y"};
-    constexpr std::array keys{"vegetation.x_to", "vegetation.y_to"};
-    for (std::size_t k = 0; k < (in_space(c) ? 2 : 1); ++k) {
-        if (ranges[k].to > extent[k] * (1 + 1e-9) || ranges[k].from >= ranges[k].to) {
-            return {{.detail = fmt::format("stands from {} = {} to {}: expected a stretch between 0 and {}",
-                                           axes[k], shown_length(ranges[k].from), shown_length(ranges[k].to),
-                                           shown_length(extent[k])),
-                     .key = keys[k]}};
-        }
-    }
-    return {};
-}
-
 Findings thinner_than_a_particle(const Case& c, const Vegetation& patch) {
-    const auto ranges = ranges_of(c, patch);
-    double least = std::min(patch.height, ranges[0].to - ranges[0].from);
-    if (in_space(c)) {
-        least = std::min(least, ranges[1].to - ranges[1].from);
-    }
+    const double least = std::min(patch.height, least_extent(c, patch));
     return found_if(least < c.numerics.spacing * (1 - 1e-9),
                     "is {} in one direction, and the particles stand {} apart", shown_length(least),
                     shown_length(c.numerics.spacing));
-}
-
-/// With a patch before it in the file; the ends of a step of rounding may lie over each other.
-Findings in_another_patch(const Case& c, const Vegetation& patch) {
-    const auto own = ranges_of(c, patch);
-    for (const Vegetation* other = c.vegetation.data(); other != &patch; ++other) {
-        const auto there = ranges_of(c, *other);
-        const double across = in_space(c) ? own[1].overlap(there[1]) : 1.0;
-        if (own[0].overlap(there[0]) > 1e-9 && across > 1e-9) {
-            return found_if(true, "stands where \"{}\" does", other->name);
-        }
-    }
-    return {};
-}
-
-bool repeats_a_name(const Case& c, const Vegetation& patch) {
-    return std::any_of(c.vegetation.data(), &patch,
-                       [&](const Vegetation& other) { return other.name == patch.name; });
 }
 
 }  // namespace
@@ -97,7 +41,7 @@ CheckList vegetation_refusals() {
              "each needs its own",
              "choose another one",
              [](const Case& c, const Vegetation& patch) {
-                 return found_if(repeats_a_name(c, patch), "another patch has this name already");
+                 return found_if(repeats_a_name(c.vegetation, patch), "another patch has this name already");
              }},
             {{"vegetation.stems_per_area", "vegetation.stem_diameter"},
              "stems so many and thick that they would touch on a square lattice, phi = n pi d^2/4 at pi/4 or above",
@@ -140,7 +84,9 @@ CheckList vegetation_refusals() {
              "a patch that begins or ends outside of the channel, or ends before it begins",
              "",
              "correct the range; without the keys the patch covers the whole channel",
-             beyond_channel},
+             [](const Case& c, const Vegetation& patch) {
+                 return beyond_channel(c, patch, {"vegetation.x_to", "vegetation.y_to"});
+             }},
             {{"vegetation.height", "vegetation.x_to", "vegetation.y_to", "numerics.spacing"},
              "a patch lower, shorter or narrower than a spacing of the particles",
              "no particle would resolve it",
@@ -150,7 +96,10 @@ CheckList vegetation_refusals() {
              "a patch that stands where another one does",
              "the mixing length of a place is that of one kind of stems",
              "give patches beside each other, or their stems together as one kind",
-             in_another_patch},
+             [](const Case& c, const Vegetation& patch) {
+                 const Vegetation* const other = patch_below(c, c.vegetation, patch);
+                 return other ? found_if(true, "stands where \"{}\" does", other->name) : Findings{};
+             }},
         },
         [](const Case& c) { return !c.vegetation.empty(); }};
 }

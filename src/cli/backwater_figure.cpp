@@ -118,10 +118,10 @@ std::string backwater_figure(const std::string& title, const std::string& subtit
     svg += svg_path(x, bed, panel, bed_style);
     for (const SurfaceProfile& part : flow.profiles) {
         const double middle = 0.5 * (part.from + part.to);
-        const double z = part.curve.depth_at(middle) * upright + (x.back() - middle) * channel.sine();
-        svg += svg_text(panel.x(middle),
-                        0.5 * (panel.y(z) + panel.y(z - part.curve.depth_at(middle) * upright)) + 5.0,
-                        part.name, R"(text-anchor="middle" fill="#1f3f68" font-weight="bold")");
+        const double z = part.depth_at(middle) * upright + (x.back() - middle) * channel.sine();
+        svg +=
+            svg_text(panel.x(middle), 0.5 * (panel.y(z) + panel.y(z - part.depth_at(middle) * upright)) + 5.0,
+                     part.name, R"(text-anchor="middle" fill="#1f3f68" font-weight="bold")");
     }
     svg += svg_axes(panel, "distance along the bed x [m]", "elevation [m]");
     svg += legend(entries);

@@ -16,14 +16,15 @@ BackwaterStation station(const Backwater& b, const SurfaceProfile& part, double 
     BackwaterStation s;
     s.x = x;
     s.bed = (b.length - x) * b.channel.sine();
-    s.depth = part.curve.depth_at(x);
+    s.depth = part.depth_at(x);
     s.surface = s.bed + s.depth * b.channel.cosine();
-    s.energy_grade = s.bed + b.channel.energy_head(s.depth);
-    const SectionState state = b.channel.state(s.depth);
+    const SteadyChannel& channel = part.curve.channel();
+    s.energy_grade = s.bed + channel.energy_head(s.depth);
+    const SectionState state = channel.state(s.depth);
     s.velocity = state.mean_velocity;
     s.friction_slope = state.friction_slope;
-    s.froude = b.channel.froude_number(s.depth);
-    s.manning = b.channel.manning(s.depth);
+    s.froude = channel.froude_number(s.depth);
+    s.manning = channel.manning(s.depth);
     s.profile = part.name;
     return s;
 }
@@ -97,8 +98,20 @@ void print_backwater(const Case& c, const Backwater& b, const std::vector<Backwa
     print_fact("discharge",
                fmt::format("{} m3/s over {} m: {} m2/s", printed_number(b.discharge),
                            printed_number(c.channel.width), printed_number(b.channel.unit_discharge)));
-    print_fact("normal depth", b.flow.normal_depth ? metres(*b.flow.normal_depth) : "none");
-    print_fact("critical depth", metres(b.flow.critical_depth));
+    const auto depth_or_none = [&](const std::optional<double>& depth) {
+        return depth ? metres(*depth) : std::string("none");
+    };
+    if (b.flow.reaches.empty()) {
+        print_fact("normal depth", depth_or_none(b.flow.normal_depth));
+        print_fact("critical depth", metres(b.flow.critical_depth));
+    }
+    for (const VariedReach& reach : b.flow.reaches) {
+        print_fact(&reach == b.flow.reaches.data() ? "bed" : "",
+                   fmt::format("{} from {} to {}: normal depth {}, critical {}",
+                               reach.name.empty() ? "that of the channel" : "\"" + reach.name + "\"",
+                               metres(reach.from), metres(reach.to), depth_or_none(reach.normal_depth),
+                               metres(reach.critical_depth)));
+    }
     for (const SurfaceProfile& part : b.flow.profiles) {
         print_fact(&part == b.flow.profiles.data() ? "surface" : "",
                    fmt::format("{} from {} at {} to {} at {}", part.name, metres(part.depth_from),
@@ -151,6 +164,15 @@ nlohmann::ordered_json backwater_json(const Case& c, const Backwater& b,
     result["length"] = b.length;
     result["normal_depth"] = optional_number(b.flow.normal_depth);
     result["critical_depth"] = b.flow.critical_depth;
+    result["reaches"] = ordered_json::array();
+    for (const VariedReach& reach : b.flow.reaches) {
+        result["reaches"].push_back({{"name", reach.name},
+                                     {"from", reach.from},
+                                     {"to", reach.to},
+                                     {"slope_class", slope_word(reach.slope)},
+                                     {"normal_depth", optional_number(reach.normal_depth)},
+                                     {"critical_depth", reach.critical_depth}});
+    }
     result["profiles"] = ordered_json::array();
     for (const SurfaceProfile& part : b.flow.profiles) {
         result["profiles"].push_back({{"name", part.name},

@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "case/bed_patch.hpp"
 #include "case/case.hpp"
+#include "case/patch_range.hpp"
 #include "cli/backwater_figure.hpp"
 #include "cli/backwater_output.hpp"
 #include "cli/case_argument.hpp"
@@ -17,6 +19,7 @@
 #include "cli/text_output.hpp"
 #include "cli/verbs.hpp"
 #include "column/twin_channel.hpp"
+#include "column/twin_reaches.hpp"
 #include "ends/end_input.hpp"
 #include "hydraulics/varied_flow.hpp"
 
@@ -56,6 +59,8 @@ struct GivenFriction {
     std::optional<double> manning;               ///< n, s/m^(1/3)
     std::optional<double> equivalent_roughness;  ///< k_s, m
 };
+
+bool is_given(const GivenFriction& friction) { return friction.manning || friction.equivalent_roughness; }
 
 GivenFriction friction_of(const BackwaterArguments& a) {
     GivenFriction friction{a.manning, std::nullopt};
@@ -105,7 +110,13 @@ SteadyChannel channel_of(const GivenFriction& friction, const Case& c, double q)
     if (friction.manning) return manning_channel(c.channel.slope, c.fluid.gravity, q, *friction.manning);
     if (const auto& k = friction.equivalent_roughness)
         return rough_channel(c.channel.slope, c.fluid.gravity, q, *k);
-    return twin_channel(c, q);
+    return twin_channel(with_bed_at(c, c.channel.length), q);
+}
+
+/// The beds one behind the other; one of them where the friction is given.
+std::vector<Reach> reaches_of(const GivenFriction& friction, const Case& c, const Backwater& b) {
+    return is_given(friction) ? std::vector<Reach>{{"", 0.0, b.length, b.channel}}
+                              : twin_reaches(c, b.channel.unit_discharge, b.length);
 }
 
 std::string friction_text(const GivenFriction& friction, const Case& c) {
@@ -192,11 +203,25 @@ Backwater solve(const BackwaterArguments& a, Case c) {
     } else {
         controls.upstream_depth = control("--upstream", a.upstream, b.channel);
         controls.downstream_depth = control("--downstream", a.downstream, b.channel);
-        choose_length(a, b, controls);
+        if (a.length.empty() && !c.bed_patches.empty() && !is_given(friction)) {
+            controls.length = c.channel.length;
+            b.notes.emplace_back("The channel is as long as that of the case, along which its bed changes.");
+        } else {
+            choose_length(a, b, controls);
+        }
     }
     b.length = controls.length;
-    b.flow = solve_varied_flow(b.channel, controls);
-    if (c.has_side_walls() && (friction.manning || friction.equivalent_roughness || !has_section_reach(c))) {
+    b.flow = solve_varied_reaches(reaches_of(friction, c, b), controls);
+    if (!c.bed_patches.empty() && is_given(friction)) {
+        b.notes.emplace_back("The given friction is that of the whole bed: its patches take no part.");
+    }
+    for (const BedPatch& patch : c.bed_patches) {
+        if (!covers_width(c, patch) && !is_given(friction)) {
+            b.notes.push_back(fmt::format(
+                "The patch \"{}\" of the bed takes no part: it lies in a part of the width.", patch.name));
+        }
+    }
+    if (c.has_side_walls() && (is_given(friction) || !has_section_reach(c))) {
         b.notes.emplace_back(
             "The friction of the side walls takes no part: the channel is as good as endlessly wide.");
     }

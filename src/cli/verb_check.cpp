@@ -54,6 +54,31 @@ void print_probes(const Forecast& f) {
     }
 }
 
+void print_bed_patches(const Forecast& f) {
+    for (const BedPatchForecast& patch : f.bed_patches) {
+        print_row("patch of the bed",
+                  fmt::format("{}: {}{}{}", patch.name, patch.kind,
+                              patch.equivalent_roughness > 0.0
+                                  ? fmt::format(", k_s = {:.4g} mm", 1e3 * patch.equivalent_roughness)
+                                  : "",
+                              patch.velocity > 0.0
+                                  ? fmt::format(", U = {:.4g} m/s of uniform flow over such a bed alone",
+                                                patch.velocity)
+                                  : ""));
+    }
+}
+
+nlohmann::ordered_json bed_patches_json(const Forecast& f) {
+    auto list = nlohmann::ordered_json::array();
+    for (const BedPatchForecast& patch : f.bed_patches) {
+        list.push_back({{"name", patch.name},
+                        {"kind", patch.kind},
+                        {"equivalent_roughness", patch.equivalent_roughness},
+                        {"velocity", patch.velocity}});
+    }
+    return list;
+}
+
 void print_vegetation(const Forecast& f) {
     for (const VegetationForecast& stems : f.vegetation) {
         print_row(
@@ -165,6 +190,7 @@ void print_forecast(const Case& c, const Forecast& f) {
         print_row("relaxation time", fmt::format("{:.3g} s", *f.relaxation_time));
     }
     print_canal(f);
+    print_bed_patches(f);
     print_vegetation(f);
     print_porous(f);
     print_row("simulated time",
@@ -201,6 +227,7 @@ void print_json(const Case& c, const Forecast& f, const std::vector<std::string>
                                          {"replacing_bytes", f.replacing_bytes},
                                          {"disk_parts", parts_json(f)},
                                          {"canal", canal_json(f)},
+                                         {"bed_patches", bed_patches_json(f)},
                                          {"vegetation", vegetation_json(f)},
                                          {"porous", porous_json(f)},
                                          {"probes", probes_json(f)},

@@ -123,6 +123,7 @@ Case uniform_reach(const Case& c) {
     reach.channel.ends = Ends::periodic;
     reach.inflow = {};
     reach.outflow = {};
+    reach.bed_patches.clear();
     reach.solids.clear();
     reach.probes.clear();
     reach.start.water_x.clear();  // where the water stands when the run begins is not how it enters

@@ -9,8 +9,9 @@
 
 namespace riffle {
 
-/// The reach of a channel far from its open ends and from all bodies in it: the case with periodic ends and
-/// without solids, whose uniform flow is that of the bed. A case with other ends is returned as it is.
+/// The reach of a channel far from its open ends, from all bodies in it and patches of its bed: the case with
+/// periodic ends and without solids and patches, whose uniform flow is that of the bed. A case with other
+/// ends is returned as it is.
 [[nodiscard]] Case uniform_reach(const Case& c);
 
 /// Whether the twin of that reach is one of the cross-section, between side walls.

@@ -10,9 +10,8 @@
 #include "particles/lattice.hpp"
 #include "roughness/bed_drag.hpp"
 #include "roughness/log_law_friction.hpp"
-#include "roughness/row_mean_drag.hpp"
+#include "roughness/particle_bed_drag.hpp"
 #include "roughness/side_wall_partition.hpp"
-#include "roughness/wall_drag.hpp"
 
 namespace riffle {
 
@@ -59,7 +58,7 @@ class BedDragForce final : public Component<D, Real> {
         task.particles.drag_clusters = reaching;
         const std::vector<double>& height = flow.particles.position[Flow::vertical];
         const auto block_first = static_cast<std::size_t>(flow.clusters.begin[begin]);
-        const bool in_plan = D == 3 && drag_->varies_in_plan();
+        const bool in_plan = drag_->varies_in_plan();
         for (std::uint32_t left = reaching; left != 0; left &= left - 1) {
             const std::size_t cluster = begin + static_cast<std::size_t>(std::countr_zero(left));
             const auto first = static_cast<std::size_t>(flow.clusters.begin[cluster]);
@@ -67,7 +66,7 @@ class BedDragForce final : public Component<D, Real> {
             double* const drag = &task.particles.drag[first - block_first];
             if (in_plan) {
                 for (std::size_t n = 0; n < count; ++n) {
-                    drag[n] = coefficient(flow, first + n);
+                    drag[n] = coefficient_at_rest(flow, first + n);
                 }
             } else {
                 drag_->coefficients({&height[first], count}, {drag, count});
@@ -105,20 +104,37 @@ class BedDragForce final : public Component<D, Real> {
         return layers * c.fluid.density * c.side_layer() * c.total_depth() * c.channel.length;
     }
 
-    /// Of the bed at a particle.
+    /// Of the bed at a particle, as if the water were at rest.
+    [[nodiscard]] double coefficient_at_rest(const Flow& flow, std::size_t particle) const {
+        const auto& position = flow.particles.position;
+        return drag_->coefficient_at(position[0][particle], across(position, particle),
+                                     position[Flow::vertical][particle]);
+    }
+
+    /// At its speed.
     [[nodiscard]] double coefficient(const Flow& flow, std::size_t particle) const {
         if (!drag_) {
             return 0.0;
         }
-        const auto& position = flow.particles.position;
-        const double z = position[Flow::vertical][particle];
-        double beta = drag_->coefficient_at(position[0][particle], position[1][particle], z);
+        double beta = coefficient_at_rest(flow, particle);
         if (drag_->varies_with_speed()) {
             const auto& velocity = flow.particles.velocity;
-            const double across = D == 3 ? velocity[1][particle] : 0.0;
-            beta *= drag_->speed_factor(z, std::hypot(velocity[0][particle], across));
+            beta *=
+                speed_factor(flow, particle, std::hypot(velocity[0][particle], across(velocity, particle)));
         }
         return beta;
+    }
+
+    [[nodiscard]] double speed_factor(const Flow& flow, std::size_t particle, double speed) const {
+        const auto& position = flow.particles.position;
+        return drag_->speed_factor_at(position[0][particle], across(position, particle),
+                                      position[Flow::vertical][particle], speed);
+    }
+
+    /// The component of a particle across the channel, which a plane has not.
+    template <class Vectors>
+    [[nodiscard]] static double across(const Vectors& vectors, std::size_t particle) {
+        return D == 3 ? vectors[1][particle] : 0.0;
     }
 
     /// The drag at the speed of the water, of particles whose work and lanes begin at places of the block. In
@@ -128,13 +144,13 @@ class BedDragForce final : public Component<D, Real> {
         const auto& velocity = flow.particles.velocity;
         for (std::size_t n = 0; n < count; ++n) {
             double& beta = task.particles.drag[work + n];
-            const double along = velocity[0][first + n];
-            const double across = D == 3 ? velocity[1][first + n] : 0.0;
-            const double speed = std::hypot(along, across);
-            beta *= drag_->speed_factor(flow.particles.position[Flow::vertical][first + n], speed);
+            const double u = velocity[0][first + n];
+            const double v = across(velocity, first + n);
+            const double speed = std::hypot(u, v);
+            beta *= speed_factor(flow, first + n, speed);
             if constexpr (D == 3) {
-                task.particles.acceleration[0][lane + n] -= beta * (speed - std::abs(along)) * along;
-                task.particles.acceleration[1][lane + n] -= beta * (speed - std::abs(across)) * across;
+                task.particles.acceleration[0][lane + n] -= beta * (speed - std::abs(u)) * u;
+                task.particles.acceleration[1][lane + n] -= beta * (speed - std::abs(v)) * v;
             }
         }
     }
@@ -182,13 +198,7 @@ class BedDragForce final : public Component<D, Real> {
 
 template <int D, class Real>
 std::unique_ptr<Component<D, Real>> make_bed_drag_force(FlowOf<D, Real>& flow) {
-    const double row = lattice_of(flow.c).dz;
-    auto drag = make_bed_drag(flow.c);
-    if (auto friction = make_wall_drag(flow.c, row)) {
-        drag = row_mean_drag(std::move(friction), row);
-    } else if (drag && flow.c.numerics.drag_sampling == DragSampling::row) {
-        drag = row_mean_drag(std::move(drag), row);
-    }
+    auto drag = make_particle_bed_drag(flow.c, lattice_of(flow.c).dz);
     return drag || (D == 3 && has_side_wall_drag(flow.c))
                ? std::make_unique<BedDragForce<D, Real>>(flow, std::move(drag))
                : nullptr;

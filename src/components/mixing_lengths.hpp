@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "boundary/solid_distance.hpp"
+#include "case/bed_patch.hpp"
 #include "case/flow_kind.hpp"
 #include "components/local_depth.hpp"
 #include "engine/component.hpp"
@@ -15,8 +16,9 @@
 namespace riffle {
 
 /// Mixing lengths of the closure at the particles: in water of the depth of the case, or where the flow
-/// varies along the channel of the depth at each place; among stems and above them those of their canopy; in
-/// porous zones at most that of their pores; beside solids at most kappa times the distance from them.
+/// varies along the channel of the depth at each place; over patches of the bed those over their roughness;
+/// among stems and above them those of their canopy; in porous zones at most that of their pores; beside
+/// solids at most kappa times the distance from them.
 template <int D, class Real>
 class MixingLengths final : public Component<D, Real> {
   public:
@@ -25,10 +27,16 @@ class MixingLengths final : public Component<D, Real> {
 
     MixingLengths(Flow& flow, std::unique_ptr<const Closure> closure) : closure_(std::move(closure)) {
         const double row = lattice_of(flow.c).dz;
+        for (const BedPatch& patch : flow.c.bed_patches) {
+            if (has_mixing_length(flow.c)) {
+                patches_.push_back(
+                    {PatchArea(flow.c, patch), make_particle_closure(with_bed_of(flow.c, patch), row)});
+            }
+        }
         for (const Vegetation& stems : flow.c.vegetation) {
             if (has_mixing_length(flow.c)) {
-                canopies_.push_back({VegetationPatch(flow.c, stems),
-                                     make_canopy_closure(flow.c, stems, make_particle_closure(flow.c, row))});
+                patches_.push_back({PatchArea(flow.c, stems),
+                                    make_canopy_closure(flow.c, stems, make_particle_closure(flow.c, row))});
             }
         }
         if (uses_local_depth(flow.c)) {
@@ -55,8 +63,8 @@ class MixingLengths final : public Component<D, Real> {
         } else {
             closure_->mixing_lengths({&position[Flow::vertical][first], count}, {lengths, count});
         }
-        if (!canopies_.empty()) {
-            follow_canopies(flow, first, count, lengths);
+        if (!patches_.empty()) {
+            follow_patches(flow, first, count, lengths);
         }
         if (!flow.porous.empty()) {
             limit_in_pores(flow, first, count, lengths);
@@ -72,25 +80,25 @@ class MixingLengths final : public Component<D, Real> {
     }
 
   private:
-    struct Canopy {
-        VegetationPatch patch;
+    /// A part of the channel with lengths of its own: of the bed, or of vegetation, which lie side by side.
+    struct Patch {
+        PatchArea area;
         std::unique_ptr<const Closure> closure;
     };
 
     /// Particles at the edge of a patch have shares of both lengths.
-    void follow_canopies(const Flow& flow, std::size_t first, std::size_t count, double* lengths) const {
+    void follow_patches(const Flow& flow, std::size_t first, std::size_t count, double* lengths) const {
         const auto& position = flow.particles.position;
         for (std::size_t n = 0; n < count; ++n) {
             const std::size_t i = first + n;
             const double water = depth_ ? water_over(flow, i) : flow.c.total_depth();
             double outside = 1.0;
             double inside = 0.0;
-            for (const Canopy& canopy : canopies_) {
-                const double share =
-                    canopy.patch.share_in_plan(position[0][i], position[1][i], flow.scheme.spacing);
+            for (const Patch& patch : patches_) {
+                const double share = patch.area.share(position[0][i], position[1][i], flow.scheme.spacing);
                 if (share > 0.0) {
                     outside -= share;
-                    inside += share * canopy.closure->mixing_length_in(position[Flow::vertical][i], water);
+                    inside += share * patch.closure->mixing_length_in(position[Flow::vertical][i], water);
                 }
             }
             lengths[n] = std::max(0.0, outside) * lengths[n] + inside;
@@ -129,7 +137,7 @@ class MixingLengths final : public Component<D, Real> {
     }
 
     std::unique_ptr<const Closure> closure_;
-    std::vector<Canopy> canopies_;
+    std::vector<Patch> patches_;
     std::optional<LocalDepth<D, Real>> depth_;
     SolidDistance<D> solids_;
 };

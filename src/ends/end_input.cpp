@@ -10,12 +10,14 @@
 
 #include "base/error.hpp"
 #include "base/interpolation.hpp"
+#include "case/bed_patch.hpp"
 #include "case/end_floor.hpp"
 #include "case/end_levels.hpp"
 #include "case/flow_kind.hpp"
 #include "case/outline.hpp"
 #include "case/units.hpp"
 #include "column/twin_channel.hpp"
+#include "column/twin_reaches.hpp"
 #include "ends/flow_of_results.hpp"
 #include "ends/section_state.hpp"
 #include "hydraulics/varied_flow.hpp"
@@ -97,12 +99,12 @@ std::shared_ptr<const EnteringFlow> entering_flow(const Case& c,
             if (has_section_reach(c)) {
                 const double q = twin_discharge(c, unit_discharge, depth);
                 return std::make_shared<const SectionFlow>(
-                    carrying_section(c, c.channel.depth - floor, q).section, depth);
+                    carrying_section(with_bed_at(c, 0.0), c.channel.depth - floor, q).section, depth);
             }
             [[fallthrough]];
         case InflowProfile::column: {
             const double q = twin_discharge(c, unit_discharge, depth);
-            const CarryingColumn twin = carrying_column(c, c.channel.depth - floor, q);
+            const CarryingColumn twin = carrying_column(with_bed_at(c, 0.0), c.channel.depth - floor, q);
             return profile({twin.column.profile.z, twin.column.profile.velocity, depth});
         }
         case InflowProfile::power_law:
@@ -163,7 +165,8 @@ std::function<double(double, double)> outflow_rule(const Case& c, double floor) 
             return [table = std::move(table)](double, double time) { return table.at(time); };
         }
         case OutflowKind::normal_depth: {
-            const auto depth = twin_normal_depth(c, c.inflow_unit_discharge().value_or(0.0));
+            const auto depth =
+                twin_normal_depth(with_bed_at(c, c.channel.length), c.inflow_unit_discharge().value_or(0.0));
             return [total = depth.value_or(c.channel.depth) + datum](double, double) { return total; };
         }
         case OutflowKind::critical_depth:
@@ -323,9 +326,9 @@ ChannelControls controls_at_ends(const Case& c, const EndInput& input, const Ste
 }
 
 std::function<double(double)> varied_depths(const Case& c, const EndInput& input) {
-    const SteadyChannel channel = twin_channel(c, start_unit_discharge(c, input));
-    const ChannelControls controls = controls_at_ends(c, input, channel);
-    return [flow = std::make_shared<const VariedFlow>(solve_varied_flow(channel, controls)),
+    const auto reaches = twin_reaches(c, start_unit_discharge(c, input), c.channel.length);
+    const ChannelControls controls = controls_at_ends(c, input, reaches.back().channel);
+    return [flow = std::make_shared<const VariedFlow>(solve_varied_reaches(reaches, controls)),
             length = c.channel.length,
             datum = c.datum()](double x) { return flow->depth_at(std::clamp(x, 0.0, length)) + datum; };
 }

@@ -29,6 +29,7 @@ class SurfaceCurve {
     [[nodiscard]] bool ends_critical() const { return ends_critical_; }
     /// Depth at a place that the curve covers, m.
     [[nodiscard]] double depth_at(double x) const;
+    [[nodiscard]] const SteadyChannel& channel() const { return channel_; }
     /// Distance from the control to where the depth is within a share of its far depth, m.
     [[nodiscard]] double distance_within(double share) const;
 

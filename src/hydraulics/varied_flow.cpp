@@ -125,7 +125,7 @@ void add_profile(VariedFlow& flow, const SurfaceCurve& curve, double from, doubl
 
 }  // namespace
 
-double VariedFlow::depth_at(double x) const { return profile_at(x).curve.depth_at(x); }
+double VariedFlow::depth_at(double x) const { return profile_at(x).depth_at(x); }
 
 const SurfaceProfile& VariedFlow::profile_at(double x) const {
     const auto at = std::find_if(profiles.rbegin(), profiles.rend(),

@@ -27,6 +27,20 @@ struct SurfaceProfile {
     double depth_from = 0.0;
     double depth_to = 0.0;
     SurfaceCurve curve;
+    double origin = 0.0;  ///< what the places of the curve count from, m from the upstream end
+
+    /// Depth at a place of the channel, m.
+    [[nodiscard]] double depth_at(double x) const { return curve.depth_at(x - origin); }
+};
+
+/// A stretch of the channel with one bed.
+struct VariedReach {
+    std::string name;   ///< of a patch of the bed; empty for the bed of the channel
+    double from = 0.0;  ///< m from the upstream end
+    double to = 0.0;
+    SlopeClass slope = SlopeClass::mild;
+    double critical_depth = 0.0;
+    std::optional<double> normal_depth;
 };
 
 /// A hydraulic jump, where the momentum functions of both curves meet; it has no length in this theory.
@@ -40,9 +54,10 @@ struct HydraulicJump {
 
 /// Steady gradually varied flow in a channel of one slope.
 struct VariedFlow {
-    SlopeClass slope = SlopeClass::mild;
+    SlopeClass slope = SlopeClass::mild;  ///< of the last reach, as the depths
     double critical_depth = 0.0;
     std::optional<double> normal_depth;
+    std::vector<VariedReach> reaches;      ///< from upstream to downstream, where the bed changes
     std::vector<SurfaceProfile> profiles;  ///< from upstream to downstream
     std::optional<HydraulicJump> jump;
     std::vector<std::string> events;  ///< sentences: a jump that is drowned or swept out

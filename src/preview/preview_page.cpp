@@ -33,6 +33,10 @@ void draw_legend(SvgSheet& sheet, const Case& c, double y) {
     if (!c.solids.empty()) {
         swatch(fmt::format(R"(fill="{}" stroke="#1b2026")", solid_colour(c, 0)), "solids");
     }
+    if (!c.bed_patches.empty()) {
+        swatch(fmt::format(R"(fill="{0}" fill-opacity="0.75" stroke="{0}")", patch_colour),
+               "patches of the bed");
+    }
     if (!c.vegetation.empty()) {
         swatch(fmt::format(R"(fill="{0}" fill-opacity="0.4" stroke="{0}")", stem_colour), "vegetation");
     }

@@ -13,6 +13,7 @@
 #include "case/outline.hpp"
 #include "case/outline_check.hpp"
 #include "case/packed_start.hpp"
+#include "case/patch_range.hpp"
 #include "case/solid_mesh.hpp"
 #include "case/solid_shapes.hpp"
 #include "engine/scheme.hpp"
@@ -222,6 +223,16 @@ void draw_plan(SvgSheet& sheet, const Case& c, const PreviewPlan& plan, const Sh
         sheet.end_clip();
         sheet.begin_clip(view);
     }
+    const auto draw_patch = [&](const auto& patch, const char* colour, double opacity) {
+        const auto [along, across] = ranges_of(c, patch);
+        sheet.rectangle(view.x(along.from), std::min(view.y(across.from), view.y(across.to)),
+                        (along.to - along.from) * view.scale_u(),
+                        std::abs(view.y(across.to) - view.y(across.from)),
+                        fmt::format(R"(fill="{0}" fill-opacity="{1}" stroke="{0}")", colour, opacity));
+    };
+    for (const BedPatch& patch : c.bed_patches) {
+        draw_patch(patch, patch_colour, 0.3);
+    }
     for (std::size_t k = 0; k < c.solids.size(); ++k) {
         const Solid& solid = c.solids[k];
         const SolidMesh* const mesh = mesh_of(c, solid);
@@ -269,13 +280,7 @@ void draw_plan(SvgSheet& sheet, const Case& c, const PreviewPlan& plan, const Sh
                    R"(class="halo" font-weight="600")");
     }
     for (const Vegetation& patch : c.vegetation) {
-        const double begin = patch.x_from.value_or(0.0);
-        const double right = patch.y_from.value_or(0.0);
-        const double along = patch.x_to.value_or(length) - begin;
-        const double across = std::min(width, patch.y_to.value_or(width)) - right;
-        sheet.rectangle(view.x(begin), std::min(view.y(right), view.y(right + across)),
-                        along * view.scale_u(), std::abs(view.y(right + across) - view.y(right)),
-                        fmt::format(R"(fill="{0}" fill-opacity="0.22" stroke="{0}")", stem_colour));
+        draw_patch(patch, stem_colour, 0.22);
     }
     for (const Porous& zone : c.porous) {
         const bool outlined = !zone.x.empty();

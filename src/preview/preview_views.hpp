@@ -25,6 +25,7 @@ struct PreviewPlan {
 inline constexpr const char* water_colour = "#cfe6f5";
 inline constexpr const char* surface_colour = "#0072b2";
 inline constexpr const char* stem_colour = "#3f7d3a";
+inline constexpr const char* patch_colour = "#b5651d";
 inline constexpr const char* porous_colour = "#8a7456";
 inline constexpr const char* probe_colour = "#b3341f";
 

@@ -39,6 +39,12 @@ class BedDrag {
         static_cast<void>(speed);
         return 1.0;
     }
+    /// The factor at a point, where that changes over the plane; else that of the height.
+    [[nodiscard]] virtual double speed_factor_at(double x, double y, double z, double speed) const {
+        static_cast<void>(x);
+        static_cast<void>(y);
+        return speed_factor(z, speed);
+    }
 
     /// coefficient() at each height.
     void coefficients(std::span<const double> z, std::span<double> result) const {

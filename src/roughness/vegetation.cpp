@@ -52,35 +52,10 @@ class CanopyClosure final : public Closure {
     double wake_;    ///< of the stems' wakes
 };
 
-PatchStretch stretch(bool all, std::optional<double> from, std::optional<double> to, double extent,
-                     bool periodic) {
-    return {from.value_or(0.0), to.value_or(extent), periodic ? extent : 0.0, all};
-}
-
 }  // namespace
 
-double PatchStretch::share(double place, double width) const {
-    if (all) {
-        return 1.0;
-    }
-    const auto overlap = [&](double shift) {
-        return std::max(
-            0.0, std::min(place + 0.5 * width, to + shift) - std::max(place - 0.5 * width, from + shift));
-    };
-    double length = overlap(0.0);
-    if (period > 0.0) {
-        length += overlap(-period) + overlap(period);
-    }
-    return length / width;
-}
-
 VegetationPatch::VegetationPatch(const Case& c, const Vegetation& stems)
-    : drag_(stems, c.fluid.kinematic_viscosity),
-      top_(stems.height),
-      along_(stretch(covers_length(c, stems), stems.x_from, stems.x_to, c.channel.length,
-                     c.channel.ends == Ends::periodic)),
-      across_(stretch(covers_width(c, stems), stems.y_from, stems.y_to, c.channel.width,
-                      c.channel.sides == Sides::periodic)) {}
+    : drag_(stems, c.fluid.kinematic_viscosity), top_(stems.height), area_(c, stems) {}
 
 double VegetationPatch::share_below_top(double z, double row_height) const {
     return std::clamp((top_ - z) / row_height + 0.5, 0.0, 1.0);

@@ -6,21 +6,11 @@
 #include <vector>
 
 #include "case/case.hpp"
+#include "roughness/patch_area.hpp"
 #include "roughness/stem_drag.hpp"
 #include "turbulence/closure.hpp"
 
 namespace riffle {
-
-/// A stretch along an axis, m.
-struct PatchStretch {
-    double from = 0.0;
-    double to = 0.0;
-    double period = 0.0;  ///< of the axis; 0: none
-    bool all = true;      ///< the whole axis, whatever the place
-
-    /// Share of a width around a place that lies in the stretch.
-    [[nodiscard]] double share(double place, double width) const;
-};
 
 /// Stems that stand in a part of the channel: where, and how they hold the water back.
 class VegetationPatch {
@@ -33,15 +23,14 @@ class VegetationPatch {
     [[nodiscard]] double share_below_top(double z, double row_height) const;
     /// Share of a particle of a width (m) around a place in plan that stands in the patch.
     [[nodiscard]] double share_in_plan(double x, double y, double width) const {
-        return along_.share(x, width) * across_.share(y, width);
+        return area_.share(x, y, width);
     }
-    [[nodiscard]] const PatchStretch& across() const { return across_; }
+    [[nodiscard]] const PatchStretch& across() const { return area_.across(); }
 
   private:
     StemDrag drag_;
     double top_;
-    PatchStretch along_;
-    PatchStretch across_;
+    PatchArea area_;
 };
 
 [[nodiscard]] std::vector<VegetationPatch> vegetation_patches(const Case& c);

@@ -9,7 +9,10 @@
 #include "base/due_times.hpp"
 #include "base/memory.hpp"
 #include "base/parallel.hpp"
+#include "case/bed_patch.hpp"
+#include "case/flow_kind.hpp"
 #include "case/words.hpp"
+#include "column/twin_channel.hpp"
 #include "instruments/probe_set.hpp"
 #include "output/file_update.hpp"
 #include "output/results_file.hpp"
@@ -25,6 +28,7 @@
 #include "solver/state_content.hpp"
 #include "solver/write_rule.hpp"
 #include "sph/pair_loops.hpp"
+#include "turbulence/wall_law.hpp"
 
 namespace riffle {
 
@@ -184,6 +188,15 @@ double rehearse_memory(const Case& c, const Twins& twins, SimulationIn<D>& simul
     return std::max({sampling, between + sorting_bytes * particles - free, between + writing_bytes});
 }
 
+BedPatchForecast forecast_of(const Case& c, const BedPatch& patch) {
+    const Case everywhere = uniform_reach(with_bed_of(c, patch));
+    BedPatchForecast f{patch.name, std::string(word(patch.kind)), equivalent_roughness(everywhere), 0.0};
+    if (!why_no_column(everywhere)) {
+        f.velocity = solve_column(everywhere).depth_mean_velocity;
+    }
+    return f;
+}
+
 template <int D>
 Forecast forecast_in(const Case& c) {
     const Twins twins = solve_twins(c);
@@ -205,6 +218,9 @@ Forecast forecast_in(const Case& c) {
     f.latest_end = c.run.time;
     f.end_time = c.run.time;
     f.relaxation_time = twins.relaxation_time();
+    for (const BedPatch& patch : c.bed_patches) {
+        f.bed_patches.push_back(forecast_of(c, patch));
+    }
     for (const Vegetation& stems : c.vegetation) {
         const ReferenceDrag reference = reference_drag(c, stems);
         f.vegetation.push_back({stems.name, stems.frontal_area(), stems.solid_fraction(), reference.speed,

@@ -22,6 +22,14 @@ struct ProbeForecast {
     double time_share = 0.0;          ///< of the time of the steps, measured with samples of the case itself
 };
 
+/// What follows from the keys of a patch of the bed.
+struct BedPatchForecast {
+    std::string name;
+    std::string kind;
+    double equivalent_roughness = 0.0;  ///< k_s, m; 0 without
+    double velocity = 0.0;  ///< depth mean of the uniform flow over such a bed, m/s; 0 without one
+};
+
 /// What follows from the keys of a patch of vegetation.
 struct VegetationForecast {
     std::string name;
@@ -70,6 +78,7 @@ struct Forecast {
     double replacing_bytes = 0.0;       ///< on top of it, while a file is written anew beside the old one
     std::vector<RecordForecast> parts;  ///< of disk_bytes
     std::optional<double> relaxation_time;
+    std::vector<BedPatchForecast> bed_patches;
     std::vector<VegetationForecast> vegetation;
     std::vector<PorousForecast> porous;
     std::optional<CanalFlow> canal;  ///< of a canal of one cross-section

@@ -14,14 +14,14 @@ from options import options_text
 from runs import ROOT
 
 
-def _program(study, *arguments):
+def program(study, *arguments):
     """What a command of the program prints."""
     return subprocess.run([str(study.riffle), *arguments], cwd=ROOT, check=True, capture_output=True, text=True).stdout
 
 
 def backwater(study, case, datum, *arguments):
     """Depth over the bed level of steady varied flow, as a function of x; `datum`: height of the zero datum, m."""
-    stations = json.loads(_program(study, "backwater", case, *arguments, "--json", "-"))["stations"]
+    stations = json.loads(program(study, "backwater", case, *arguments, "--json", "-"))["stations"]
     return lambda x: numpy.interp(x, stations["x"], stations["depth"]) + datum
 
 
@@ -31,8 +31,8 @@ def surface_of(flow):
         return tuple(file["/surface"][key][:] for key in ("time", "x", "elevation"))
 
 
-def _level(flow, start):
-    """Places along the channel and the mean level there from a time on."""
+def mean_surface(flow, start):
+    """Places along the channel and the mean level there from a time on, m."""
     time, x, level = surface_of(flow)
     return x, numpy.nanmean(level[numpy.searchsorted(time, start):], axis=0)
 
@@ -72,7 +72,7 @@ def uniform(study):
     case = "cases/open-ends/uniform.toml"
     check = Check("open_uniform", "Uniform flow between open ends",
                   "Condition 2 in channels ten and a hundred depths long that are fed with the twin's profile: their flow is that of the channel without ends.")
-    rows = list(csv.DictReader(line for line in io.StringIO(_program(study, "column", "cases/rough-bed-2d/condition-2.toml", "--csv")) if not line.startswith("#")))
+    rows = list(csv.DictReader(line for line in io.StringIO(program(study, "column", "cases/rough-bed-2d/condition-2.toml", "--csv")) if not line.startswith("#")))
     height, velocity = (numpy.array([float(row[next(k for k in row if k.split(" ")[0] == name)]) for row in rows]) for name in ("z", "u"))
     runs = [("", "open_uniform", {})] + ([] if study.quick else [(", a hundred depths long", "open_uniform_long", {"channel.length": '"5 m"', "numerics.spacing": '"2.5 mm"'})])
     for label, name, settings in runs:
@@ -99,7 +99,7 @@ def uniform(study):
         late = time > 20
         check.norm(f"discharge that leaves, mean from 20 s on, against that which enters{label}",
                    float(flow.series["outflow_discharge"][late].mean() / flow.series["inflow_discharge"][late].mean() - 1), 0.01)
-        x, mean = _level(flow, 20.0)
+        x, mean = mean_surface(flow, 20.0)
         inside = (x > 0.1 * flow.length) & (x < 0.9 * flow.length)
         check.norm(f"slope of the surface from 10 to 90 % of the length against that of the bed{label}",
                    float(numpy.polyfit(x[inside], mean[inside], 1)[0]) / flow.parameters["channel"]["slope"], 0.05 if label else None)
@@ -116,7 +116,7 @@ def _varied(study, name, title, text, downstream):
     flow = study.run("open_" + name, case)
     bed = flow.parameters["bed"]
     exact = backwater(study, case, bed["roughness_height"] - bed["datum_below_crest"], "--discharge", "0.017411 m2/s", "--downstream", downstream, "--length", "1.2", "--stations", "601")
-    x, level = _level(flow, 10.0)
+    x, level = mean_surface(flow, 10.0)
     inside = (x > 0.1 * flow.length) & (x < 0.9 * flow.length)
     check.norm("depth from 10 to 90 % of the length, largest departure of its mean from 10 s on from riffle backwater",
                float(numpy.abs(level / exact(x) - 1)[inside].max()), 0.01)

@@ -170,6 +170,30 @@ inline Case with_vegetation() {
     return c;
 }
 
+/// A channel in space over gravel with two patches beside each other.
+inline Case with_bed_patches() {
+    Case c = cell();
+    c.bed.kind = BedKind::roughness;
+    c.bed.roughness_height = 0.0;
+    c.bed.datum_below_crest = 0.0;
+    c.bed.equivalent_roughness = 0.001;
+    c.run.until = RunUntil::time;
+    c.run.time = 5.0;
+    c.start.kind = StartKind::rest;
+    BedPatch cobbles;
+    cobbles.name = "cobbles";
+    cobbles.equivalent_roughness = 0.01;
+    cobbles.y_from = 0.0;
+    cobbles.y_to = 0.01;
+    BedPatch sand = cobbles;
+    sand.name = "sand";
+    sand.equivalent_roughness = 0.0005;
+    sand.y_from = 0.01;
+    sand.y_to = 0.02;
+    c.bed_patches = {cobbles, sand};
+    return c;
+}
+
 /// Two porous zones one behind the other.
 inline Case with_porous() {
     Case c = tank();

@@ -30,6 +30,7 @@ using test::open_channel_with_solid;
 using test::periodic_box;
 using test::plates;
 using test::tank;
+using test::with_bed_patches;
 using test::with_keys;
 using test::with_mesh;
 using test::with_porous;
@@ -342,6 +343,41 @@ std::vector<Wrong> wrong_shapes() {
     };
 }
 
+std::vector<Wrong> wrong_bed_patches() {
+    Case among_stems = with_vegetation();
+    among_stems.bed_patches = {with_bed_patches().bed_patches[0]};
+    among_stems.bed_patches[0].y_from.reset();
+    among_stems.bed_patches[0].y_to.reset();
+    among_stems.bed_patches[0].x_from = 0.15;
+    among_stems.vegetation.pop_back();
+    Case open = with_bed_patches();
+    open.channel.ends = Ends::open;
+    open.channel.length = 0.3;
+    open.inflow.unit_discharge = 0.0174;
+    open.inflow.profile = InflowProfile::uniform;
+    open.outflow.kind = OutflowKind::critical_depth;
+    Case walled = with_bed_patches();
+    walled.channel.sides = Sides::walls;
+    walled.side_walls.drag_form = SideDragForm::log_law;
+    return {
+        {with_bed_patches(), "bed_patch[0].name = \"\""},
+        {with_bed_patches(), "bed_patch[1].name = cobbles"},
+        {with_bed_patches(), "bed_patch[0].equivalent_roughness = none; bed_patch[0].kind = no-slip"},
+        {with_bed_patches(), "channel.top = wall"},
+        {with_bed_patches(), "bed_patch[0].equivalent_roughness = none; bed_patch[0].kind = spheres"},
+        {with_bed_patches(), "bed_patch[0].manning = 0.02"},
+        {with_bed_patches(), "bed_patch[0].equivalent_roughness = 40 mm"},
+        {with_bed_patches(), "bed_patch[1].y_to = 1 m"},
+        {with_bed_patches(), "bed_patch[1].y_from = 19 mm"},
+        {with_bed_patches(), "bed_patch[1].y_from = 0; bed_patch[1].y_to = 43.3 mm"},
+        {with_bed_patches(), "bed_patch[1].y_from = 5 mm"},
+        {among_stems, "bed_patch[0].x_from = 50 mm"},
+        {walled, "side_walls.drag_form = consistent"},
+        {open, "inflow.profile = twin"},
+        {open, "outflow.kind = normal-depth"},
+    };
+}
+
 std::vector<Wrong> wrong_vegetation() {
     return {
         {with_vegetation(),
@@ -446,8 +482,9 @@ std::vector<Wrong> wrong_probes() {
 
 std::vector<Wrong> all_wrongs() {
     std::vector<Wrong> all;
-    for (auto* const wrongs : {wrong_geometry, wrong_open_ends, wrong_methods, wrong_starts_and_runs,
-                               wrong_solids, wrong_shapes, wrong_vegetation, wrong_porous, wrong_probes}) {
+    for (auto* const wrongs :
+         {wrong_geometry, wrong_open_ends, wrong_methods, wrong_starts_and_runs, wrong_solids, wrong_shapes,
+          wrong_bed_patches, wrong_vegetation, wrong_porous, wrong_probes}) {
         for (Wrong& wrong : wrongs()) {
             all.push_back(std::move(wrong));
         }

@@ -1,0 +1,67 @@
+#include "case/bed_patch.hpp"
+
+#include <algorithm>
+
+#include "case/patch_range.hpp"
+
+namespace riffle {
+
+namespace {
+
+bool lies_at(const Case& c, const BedPatch& patch, double x) {
+    const PatchRange along = ranges_of(c, patch)[0];
+    return x >= along.from && x <= along.to;
+}
+
+}  // namespace
+
+Bed bed_of(const Case& c, const BedPatch& patch) {
+    Bed bed = c.bed;
+    bed.kind = patch.kind;
+    bed.equivalent_roughness = patch.equivalent_roughness;
+    bed.manning = patch.manning;
+    bed.sphere_diameter = patch.sphere_diameter;
+    bed.packing = patch.packing;
+    bed.drag_coefficient = patch.drag_coefficient;
+    bed.roughness_height = patch.kind == BedKind::spheres ? patch.roughness_height.value_or(0.0) : 0.0;
+    bed.datum_below_crest = bed.roughness_height - c.datum();
+    if (c.bed.kind != BedKind::spheres) {
+        bed.drag_form = DragForm::consistent;
+    }
+    return bed;
+}
+
+Case with_bed_of(const Case& c, const BedPatch& patch) {
+    Case everywhere = c;
+    everywhere.bed = bed_of(c, patch);
+    everywhere.bed_patches.clear();
+    return everywhere;
+}
+
+Case with_bed_at(const Case& c, double x) {
+    for (const BedPatch& patch : c.bed_patches) {
+        if (lies_at(c, patch, x) && covers_width(c, patch)) {
+            return with_bed_of(c, patch);
+        }
+    }
+    Case everywhere = c;
+    everywhere.bed_patches.clear();
+    return everywhere;
+}
+
+const BedPatch* patch_beside(const Case& c, double x) {
+    const auto found = std::find_if(c.bed_patches.begin(), c.bed_patches.end(), [&](const BedPatch& patch) {
+        return lies_at(c, patch, x) && !covers_width(c, patch);
+    });
+    return found != c.bed_patches.end() ? &*found : nullptr;
+}
+
+std::vector<Bed> beds_of(const Case& c) {
+    std::vector<Bed> beds{c.bed};
+    for (const BedPatch& patch : c.bed_patches) {
+        beds.push_back(bed_of(c, patch));
+    }
+    return beds;
+}
+
+}  // namespace riffle

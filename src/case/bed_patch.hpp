@@ -1,0 +1,27 @@
+#pragma once
+
+#include <vector>
+
+#include "case/case.hpp"
+
+namespace riffle {
+
+/// The bed of a patch as that of a whole channel: with the depth of the case over the bed level z = 0, which
+/// all beds of a channel share. Its spheres act by the form of those of the channel's bed, where that has
+/// some, else by the consistent one.
+[[nodiscard]] Bed bed_of(const Case& c, const BedPatch& patch);
+
+/// The case with the bed of a patch everywhere, and without patches.
+[[nodiscard]] Case with_bed_of(const Case& c, const BedPatch& patch);
+
+/// The case with the bed that it has at a place along the channel (m) everywhere: that of the patch which
+/// covers the width there, else that of [bed].
+[[nodiscard]] Case with_bed_at(const Case& c, double x);
+
+/// The patch that lies in a part of the width at a place along the channel, m; nullptr where none does.
+[[nodiscard]] const BedPatch* patch_beside(const Case& c, double x);
+
+/// [bed] and the beds of all patches.
+[[nodiscard]] std::vector<Bed> beds_of(const Case& c);
+
+}  // namespace riffle

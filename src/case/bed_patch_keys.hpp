@@ -1,0 +1,10 @@
+#pragma once
+
+#include "case/key_table.hpp"
+
+namespace riffle {
+
+/// The keys of [[bed_patch]].
+[[nodiscard]] SectionKeys bed_patch_keys();
+
+}  // namespace riffle
