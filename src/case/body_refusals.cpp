@@ -170,14 +170,6 @@ Findings impossible_inertia(const Case& c, const Solid& solid) {
     return {};
 }
 
-/// Whether the shapes of all solids are known: else another check has said what is missing.
-bool have_shapes(const Case& c) {
-    return in_space(c) ? c.meshes && c.meshes->size() == c.solids.size()
-                       : std::all_of(c.solids.begin(), c.solids.end(), [](const Solid& solid) {
-                             return is_simple({solid.x, solid.z});
-                         });
-}
-
 }  // namespace
 
 CheckList turning_refusals() {

@@ -166,17 +166,6 @@ Findings overlap(const Case& c) {
                               .item = overlap->second}};
 }
 
-/// Whether all solids have a shape: else another check has said what is missing.
-bool have_shapes(const Case& c) {
-    if (in_space(c)) {
-        return c.meshes && c.meshes->size() == c.solids.size();
-    }
-    return corners_of_outlines(c) <= most_corners &&
-           std::all_of(c.solids.begin(), c.solids.end(), [](const Solid& solid) {
-               return is_simple({solid.x, solid.z});
-           });
-}
-
 }  // namespace
 
 CheckList motion_refusals() {
