@@ -361,6 +361,8 @@ std::vector<Wrong> wrong_vegetation() {
         {with_vegetation(), "vegetation[0].x_from = 0.2"},
         {with_vegetation(), "vegetation[0].height = 1 mm"},
         {with_vegetation(), "vegetation[0].x_to = 120 mm"},
+        {with_vegetation(),
+         "solid[0].name = terrace; solid[0].x = [0.02, 0.18, 0.18, 0.02]; solid[0].z = [0, 0, 0.02, 0.02]; vegetation[0].x_from = 0.03; vegetation[0].height = 15 mm"},
     };
 }
 
@@ -508,6 +510,20 @@ TEST(Refusals, EachRowHasACaseThatItRefusesAndSaysSo) {
             EXPECT_TRUE(broken.contains(&check)) << "no case has " << check.what;
         }
     }
+}
+
+// Stems on a terrace reach out of it; those that end in it see no water.
+TEST(Refusals, StemsMayStandOnASolid) {
+    const auto said = [](const std::string& height) {
+        return refusal_of(with_keys(with_vegetation(),
+                                    "solid[0].name = terrace; solid[0].x = [0.02, 0.18, 0.18, "
+                                    "0.02]; solid[0].z = [0, 0, 0.02, 0.02]; "
+                                    "vegetation[0].x_from = 0.03; vegetation[0].height = " +
+                                        height));
+    };
+    EXPECT_EQ(said("30 mm"), "");
+    EXPECT_THAT(said("15 mm"),
+                HasSubstr("reeds: up to the tops of its stems it stands in the solid \"terrace\""));
 }
 
 TEST(Refusals, RunsUntilConvergedNeedASteadyFlow) {
