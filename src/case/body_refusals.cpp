@@ -10,6 +10,7 @@
 #include "case/refusals.hpp"
 #include "case/solid_mesh.hpp"
 #include "case/solid_motion.hpp"
+#include "case/solid_shapes.hpp"
 #include "case/solid_volume.hpp"
 #include "case/units.hpp"
 #include "case/words.hpp"
@@ -86,7 +87,7 @@ Findings starts_in_a_wall(const Case& c, const Solid& solid) {
     if (!is_free(solid)) {
         return {};
     }
-    const double slack = 1e-3 * c.numerics.spacing;
+    const double slack = 1e-3 * c.numerics.spacing + corners_outside(c, solid);
     const auto behind = [&](std::size_t axis, double extent) {
         const auto range = extent_of(c, solid, axis);
         return range && (range->low < -slack || range->high > extent + slack);
