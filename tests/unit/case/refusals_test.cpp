@@ -406,6 +406,8 @@ std::vector<Wrong> wrong_porous() {
         {with_porous(), "porous[0].grain_size = 60 mm"},
         {between_ends, "porous[0].x_from = 10 mm"},
         {beside_solid, "porous[0].x_from = 0.1"},
+        {beside_solid,
+         "channel.ends = periodic; solid[0].x = [0.18, 0.22, 0.22, 0.18]; porous[0].x_from = 0; porous[0].x_to = 0.05"},
         {with_porous(), "porous[0].x_to = 120 mm"},
     };
 }
