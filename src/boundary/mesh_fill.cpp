@@ -71,12 +71,16 @@ class MeshFill {
 
     void add_at(const Vec<3>& p) {
         double taken = 0.0;
+        std::vector<std::size_t> earlier;  // solids that have a part of the cell
         for (std::size_t k = 0; k < meshes_->size() && taken < lattice_.volume<3>(); ++k) {
             if (c_.solids[k].motion == SolidMotion::fixed) {
-                Part part = part_at(k, p);
+                Part part = earlier.empty() ? part_at(k, p) : part_beside(k, earlier, p);
                 part.volume = std::min(part.volume, lattice_.volume<3>() - taken);
                 taken += part.volume;
                 add(k, part);
+                if (part.volume > 0.0) {
+                    earlier.push_back(k);
+                }
             }
         }
     }
@@ -90,17 +94,56 @@ class MeshFill {
         return mesh.contains(middle) ? Part{lattice_.volume<3>(), middle} : Part{};
     }
 
-    /// The part of a solid in the cell around a place. Where the surface passes it is that of the planes that
-    /// touch it before the middles of 4^3 smaller cells.
-    [[nodiscard]] Part part_in_cell(const SolidMesh& mesh, const Vec<3>& middle) const {
+    /// Whether a cell around a place lies beyond the box around a solid.
+    [[nodiscard]] bool is_beyond(const SolidMesh& mesh, const Vec<3>& middle) const {
         for (std::size_t k = 0; k < 3; ++k) {
             if (middle[k] < mesh.lower()[k] - cell_[k] || middle[k] > mesh.upper()[k] + cell_[k]) {
-                return {};
+                return true;
             }
+        }
+        return false;
+    }
+
+    /// The part of a solid in the cell around a place. Where the surface passes it that is the sum of the
+    /// parts in smaller cells.
+    [[nodiscard]] Part part_in_cell(const SolidMesh& mesh, const Vec<3>& middle) const {
+        if (is_beyond(mesh, middle)) {
+            return {};
         }
         if (!mesh.nearest(middle, half_diagonal_)) {
             return mesh.contains(middle) ? Part{lattice_.volume<3>(), middle} : Part{};
         }
+        return sum_of_small(middle, [&](const Vec<3>& place, const Vec<3>& size) {
+            return part_in_small(mesh, place, size);
+        });
+    }
+
+    /// The part of a solid in a cell beside those of earlier ones, which it may overlap.
+    [[nodiscard]] Part part_beside(std::size_t solid, const std::vector<std::size_t>& earlier,
+                                   const Vec<3>& middle) const {
+        const SolidMesh& mesh = (*meshes_)[solid];
+        if (is_beyond(mesh, middle)) {
+            return {};
+        }
+        return sum_of_small(middle, [&](const Vec<3>& place, const Vec<3>& size) {
+            Part part = part_in_small(mesh, place, size);
+            for (const std::size_t other : earlier) {
+                if (part.volume <= 0.0) {
+                    break;
+                }
+                const double share = part_in_small((*meshes_)[other], place, size).volume;
+                // Two faces through the small cell: on each other where one part lies in the other solid,
+                // else side by side.
+                const bool covered = (*meshes_)[other].contains(part.centroid);
+                part.volume = std::clamp(part.volume - (covered ? share : 0.0), 0.0, 1.0 - share);
+            }
+            return part;
+        });
+    }
+
+    /// The sum over the 4^3 smaller cells of a cell of f(place, size), parts as shares of a smaller one.
+    template <class F>
+    [[nodiscard]] Part sum_of_small(const Vec<3>& middle, const F& f) const {
         const Vec<3> small{cell_[0] / parts_along, cell_[1] / parts_along, cell_[2] / parts_along};
         Part part;
         for (int number = 0; number < parts_along * parts_along * parts_along; ++number) {
@@ -110,7 +153,7 @@ class MeshFill {
             for (std::size_t k = 0; k < 3; ++k) {
                 place[k] = middle[k] + (index[k] + 0.5 - 0.5 * parts_along) * small[k];
             }
-            const Part inside = part_in_small(mesh, place, small);
+            const Part inside = f(place, small);
             part.volume += inside.volume;
             for (std::size_t k = 0; k < 3; ++k) {
                 part.centroid[k] += inside.volume * (inside.centroid[k] - middle[k]);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "case/outline.hpp"
 #include "case/solid_mesh.hpp"
@@ -29,6 +30,86 @@ void measure(const Vec<D>& lower, const std::array<std::size_t, static_cast<std:
     }
 }
 
+/// The solids of a case as shapes.
+template <int D>
+class Shapes {
+  public:
+    explicit Shapes(const Case& c) : c_(c), meshes_(D == 3 && !c.solids.empty() ? meshes_of(c) : nullptr) {
+        for (const Solid& solid : c.solids) {
+            outlines_.push_back({solid.x, solid.z});
+        }
+    }
+
+    [[nodiscard]] Vec<D> lower(std::size_t k) const {
+        if constexpr (D == 2) {
+            const Outline& outline = outlines_[k];
+            return {*std::min_element(outline.x.begin(), outline.x.end()),
+                    *std::min_element(outline.z.begin(), outline.z.end())};
+        } else {
+            return (*meshes_)[k].lower();
+        }
+    }
+    [[nodiscard]] Vec<D> upper(std::size_t k) const {
+        if constexpr (D == 2) {
+            const Outline& outline = outlines_[k];
+            return {*std::max_element(outline.x.begin(), outline.x.end()),
+                    *std::max_element(outline.z.begin(), outline.z.end())};
+        } else {
+            return (*meshes_)[k].upper();
+        }
+    }
+
+    /// Distance of a place from the surface of solid k, 0 inside; `limit` at least beyond it, and where what
+    /// is nearest stands in another solid: of solids at rest that overlap no water touches that.
+    [[nodiscard]] double distance(std::size_t k, const Vec<D>& place, double limit) const {
+        if (contains(k, place)) {
+            return 0.0;
+        }
+        Vec<D> way{};
+        double distance = limit;
+        if constexpr (D == 2) {
+            const OutlinePlace foot = nearest_on_outline(outlines_[k], place[0], place[1]);
+            distance = foot.distance;
+            way = {foot.x - place[0], foot.z - place[1]};
+        } else if (const auto foot = (*meshes_)[k].nearest(place, limit)) {
+            distance = foot->distance;
+            way = foot->direction;
+            for (double& component : way) {
+                component *= distance;
+            }
+        }
+        if (distance >= limit || !rests(k)) {
+            return distance;
+        }
+        // Just before the surface, so that solids which only touch are beside each other.
+        const double share = std::max(0.0, 1.0 - 1e-3 * c_.numerics.spacing / distance);
+        Vec<D> before = place;
+        for (std::size_t axis = 0; axis < D; ++axis) {
+            before[axis] += share * way[axis];
+        }
+        for (std::size_t other = 0; other < outlines_.size(); ++other) {
+            if (other != k && rests(other) && contains(other, before) && !contains(other, place)) {
+                return limit;
+            }
+        }
+        return distance;
+    }
+
+  private:
+    [[nodiscard]] bool rests(std::size_t k) const { return c_.solids[k].motion == SolidMotion::fixed; }
+    [[nodiscard]] bool contains(std::size_t k, const Vec<D>& place) const {
+        if constexpr (D == 2) {
+            return riffle::contains(outlines_[k], place[0], place[1]);
+        } else {
+            return (*meshes_)[k].contains(place);
+        }
+    }
+
+    const Case& c_;
+    std::vector<Outline> outlines_;  ///< two dimensions
+    std::shared_ptr<const std::vector<SolidMesh>> meshes_;
+};
+
 }  // namespace
 
 template <int D>
@@ -39,36 +120,17 @@ SolidDistance<D>::SolidDistance(const Case& c, double limit) : limit_(limit), st
     if (D == 3 && c.channel.sides == Sides::periodic) {
         period_[1] = c.channel.width;
     }
-    const auto meshes = D == 3 && !c.solids.empty() ? meshes_of(c) : nullptr;
+    const Shapes<D> shapes(c);
     for (std::size_t k = 0; k < c.solids.size(); ++k) {
-        const Solid& solid = c.solids[k];
-        Vec<D> high{};
+        const Vec<D> high = shapes.upper(k);
         Grid grid;
-        if constexpr (D == 2) {
-            grid.lower = {*std::min_element(solid.x.begin(), solid.x.end()),
-                          *std::min_element(solid.z.begin(), solid.z.end())};
-            high = {*std::max_element(solid.x.begin(), solid.x.end()),
-                    *std::max_element(solid.z.begin(), solid.z.end())};
-        } else {
-            grid.lower = (*meshes)[k].lower();
-            high = (*meshes)[k].upper();
-        }
+        grid.lower = shapes.lower(k);
         for (std::size_t axis = 0; axis < D; ++axis) {
             grid.lower[axis] -= limit;
             grid.count[axis] = 2 + static_cast<std::size_t>((high[axis] + limit - grid.lower[axis]) / step_);
         }
-        measure<D>(grid.lower, grid.count, step_, grid.distance, [&](const Vec<D>& place) {
-            if constexpr (D == 2) {
-                const Outline outline{solid.x, solid.z};
-                return contains(outline, place[0], place[1])
-                           ? 0.0
-                           : distance_from_outline(outline, place[0], place[1]);
-            } else {
-                const SolidMesh& mesh = (*meshes)[k];
-                const auto foot = mesh.nearest(place, limit);
-                return mesh.contains(place) ? 0.0 : (foot ? foot->distance : limit);
-            }
-        });
+        measure<D>(grid.lower, grid.count, step_, grid.distance,
+                   [&](const Vec<D>& place) { return shapes.distance(k, place, limit); });
         grids_.push_back(std::move(grid));
     }
 }

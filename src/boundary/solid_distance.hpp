@@ -28,7 +28,7 @@ class SolidDistance {
     /// Distance from the nearest surface, m; 0 inside of a solid, the limit or more beyond it. `now`: the
     /// bodies, WallMotion::at(); empty where none moves.
     [[nodiscard]] double at(const std::vector<BodyState>& now, const Vec<D>& position) const;
-    /// So from the surface of one solid.
+    /// So from the surface of one solid; the limit where what is nearest of it stands in another one.
     [[nodiscard]] double from(std::size_t solid, const std::vector<BodyState>& now,
                               const Vec<D>& position) const;
 

@@ -69,6 +69,11 @@ class Fill {
         }
         moves_ = solid.motion != SolidMotion::fixed;
         passes_ = passes_through(c, solid);
+        for (std::size_t k = 0; !moves_ && first_solid + static_cast<std::int32_t>(k) < body; ++k) {
+            if (c.solids[k].motion == SolidMotion::fixed) {
+                earlier_.push_back(outline_of(c.solids[k]));
+            }
+        }
     }
 
     void run() {
@@ -138,7 +143,15 @@ class Fill {
     }
 
     [[nodiscard]] bool in_solid(const Vec<2>& p) const {
-        return contains(outline_, p[0], p[1]) && in_channel(p);
+        return contains(outline_, p[0], p[1]) && in_channel(p) && !in_earlier(p);
+    }
+
+    /// Whether a solid at rest that the case names before this one has the place already.
+    [[nodiscard]] bool in_earlier(const Vec<2>& p) const {
+        const double period = c_.channel.ends == Ends::periodic ? c_.channel.length : 0.0;
+        return std::any_of(earlier_.begin(), earlier_.end(), [&](const Outline& other) {
+            return at_any_image(p[0], period, [&](double x) { return contains(other, x, p[1]); });
+        });
     }
 
     /// The bed, the end walls and the lid have particles of their own.
@@ -240,7 +253,8 @@ class Fill {
     std::vector<double> length_;
     std::vector<Vec<2>> along_;
     bool moves_ = false;
-    bool passes_ = false;  ///< through periodic ends
+    bool passes_ = false;           ///< through periodic ends
+    std::vector<Outline> earlier_;  ///< of the solids at rest before this one, where it rests too
 };
 
 }  // namespace

@@ -18,7 +18,9 @@ namespace riffle {
 /// or as the solid is thick; at a right angle those of the longer edge go through. Each particle takes the
 /// normal of its edge and the area of its part of the layer, so that the layers leave no gap at a corner of
 /// the solid, sharp or blunt; around a corner that the solid surrounds they are arcs, without a normal.
-/// `body`: the number that the particles carry (WallParticles::body).
+/// `body`: the number that the particles carry (WallParticles::body), first_solid for the first solid of the
+/// case, and so on. Of solids at rest that overlap, a place in several belongs to the first: their union is
+/// filled once.
 void add_solid(const Case& c, const Solid& solid, std::int32_t body, WallParticles<2>& walls);
 
 }  // namespace riffle

@@ -10,6 +10,7 @@
 #include "case/refusals.hpp"
 #include "case/solid_mesh.hpp"
 #include "case/solid_motion.hpp"
+#include "case/solid_shapes.hpp"
 #include "case/solid_volume.hpp"
 #include "case/units.hpp"
 #include "case/words.hpp"
@@ -86,7 +87,7 @@ Findings starts_in_a_wall(const Case& c, const Solid& solid) {
     if (!is_free(solid)) {
         return {};
     }
-    const double slack = 1e-3 * c.numerics.spacing;
+    const double slack = 1e-3 * c.numerics.spacing + corners_outside(c, solid);
     const auto behind = [&](std::size_t axis, double extent) {
         const auto range = extent_of(c, solid, axis);
         return range && (range->low < -slack || range->high > extent + slack);
@@ -168,14 +169,6 @@ Findings impossible_inertia(const Case& c, const Solid& solid) {
                         "holds {:.4g} kg m2, more than both others together", largest);
     }
     return {};
-}
-
-/// Whether the shapes of all solids are known: else another check has said what is missing.
-bool have_shapes(const Case& c) {
-    return in_space(c) ? c.meshes && c.meshes->size() == c.solids.size()
-                       : std::all_of(c.solids.begin(), c.solids.end(), [](const Solid& solid) {
-                             return is_simple({solid.x, solid.z});
-                         });
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "case/self_crossing.hpp"
 #include "case/triangle_tree.hpp"
 #include "case/winding.hpp"
 
@@ -150,6 +151,7 @@ class Surface {
         Shells joined(triangles_.size());
         check_edges(joined);
         const std::size_t shells = turn_outward(joined);
+        check_crossings(joined);
         return {std::move(triangles_), shells};
     }
 
@@ -273,6 +275,23 @@ class Surface {
         fault(triangle, fmt::format("{} has {} triangles on the one side and {} on the other: a triangle is "
                                     "missing, doubled or turned over; mend it in the program that made it",
                                     edge, forward, passes.size() - static_cast<std::size_t>(forward)));
+    }
+
+    /// Shells may pass through each other, but none through itself.
+    void check_crossings(Shells& shells) const {
+        const TriangleTree tree(triangles_);
+        const Point3 size = minus(tree.upper(), tree.lower());
+        const auto crossing = self_crossing(
+            tree, weld_tolerance * std::sqrt(dot(size, size)), [&](std::size_t i, std::size_t j) {
+                return shells.of(static_cast<Number>(i)) == shells.of(static_cast<Number>(j));
+            });
+        if (crossing) {
+            fault(in_file_[crossing->first],
+                  fmt::format("passes through triangle {} at {}: the surface crosses itself, and what lies "
+                              "inside is not known; mend it in the program that made it, or join its parts "
+                              "there (Boolean union)",
+                              in_file_[crossing->second] + 1, text_of(crossing->place)));
+        }
     }
 
     void turn(const std::vector<char>& which, const std::vector<Number>& shell) {

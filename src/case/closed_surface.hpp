@@ -20,10 +20,11 @@ struct ClosedSurface {
 /// A closed surface from triangles as a file gives them; `name` stands for the file in messages.
 /// Corners within weld_tolerance become one, and triangles that two of their corners so fall together in are
 /// left out: they have no area. The surface may consist of several shells, which may lie in and through each
-/// other. Shells that are turned inside out are turned, but for one that lies wholly in another: that is the
-/// wall of a hollow. FileError names the triangle: a coordinate that is not a finite number in single
-/// precision, an edge without a neighbour (the surface is not closed), a triangle turned against its
-/// neighbour, no triangle with an area.
+/// other, but none crosses itself. Shells that are turned inside out are turned, but for one that lies wholly
+/// in another: that is the wall of a hollow. FileError names the triangle: a coordinate that is not a finite
+/// number in single precision, an edge without a neighbour (the surface is not closed), a triangle turned
+/// against its neighbour, one that passes through another one of its shell by more than weld_tolerance, no
+/// triangle with an area.
 [[nodiscard]] ClosedSurface closed_surface(Triangles triangles, const std::string& name);
 
 }  // namespace riffle

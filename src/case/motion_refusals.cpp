@@ -12,6 +12,7 @@
 #include "case/solid_mesh.hpp"
 #include "case/solid_motion.hpp"
 #include "case/solid_overlap.hpp"
+#include "case/solid_shapes.hpp"
 #include "case/units.hpp"
 
 namespace riffle {
@@ -90,9 +91,16 @@ Range in_motion(const Case& c, const Solid& solid, std::size_t axis) {
     return {start.low + std::min(way, -swing), start.high + std::max(way, swing)};
 }
 
+/// So far a solid may stand in the bed or a wall that it touches, m: by rounding, and by the corners of a
+/// round shape.
+double slack_of(const Case& c, const Solid& solid) {
+    return 1e-9 * c.numerics.spacing + corners_outside(c, solid);
+}
+
 /// Whether it goes through one of two walls.
-bool leaves(const Case& c, const Range& range, double extent) {
-    const double slack = 1e-9 * c.numerics.spacing;
+bool leaves(const Case& c, const Solid& solid, std::size_t axis, double extent) {
+    const Range range = in_motion(c, solid, axis);
+    const double slack = slack_of(c, solid);
     return range.low < -slack || range.high > extent + slack;
 }
 
@@ -109,9 +117,8 @@ Findings motion_through_walls(const Case& c, const Solid& solid) {
     // Where it sinks to is looked at below.
     const bool sinks = moves_on(solid) && !turns(c, solid);
     const double lowest = sinks ? extent_of(c, solid, 2)->low : in_motion(c, solid, 2).low;
-    const bool outside = lowest < -1e-9 * c.numerics.spacing ||
-                         (ends && leaves(c, in_motion(c, solid, 0), c.channel.length)) ||
-                         (sides && leaves(c, in_motion(c, solid, 1), width));
+    const bool outside = lowest < -slack_of(c, solid) || (ends && leaves(c, solid, 0, c.channel.length)) ||
+                         (sides && leaves(c, solid, 1, width));
     return found_if(outside, "moves through the bed{}: expected room for it, x from 0 to {}{} and z from 0",
                     in_space(c) ? ", an end wall or a side wall" : " or an end wall",
                     shown_length(c.channel.length),
@@ -164,17 +171,6 @@ Findings overlap(const Case& c) {
                 : CaseFinding{.detail = fmt::format("{}: meets the solid \"{}\" at t = {:.4g} s, {}", name,
                                                     other, overlap->time, where),
                               .item = overlap->second}};
-}
-
-/// Whether all solids have a shape: else another check has said what is missing.
-bool have_shapes(const Case& c) {
-    if (in_space(c)) {
-        return c.meshes && c.meshes->size() == c.solids.size();
-    }
-    return corners_of_outlines(c) <= most_corners &&
-           std::all_of(c.solids.begin(), c.solids.end(), [](const Solid& solid) {
-               return is_simple({solid.x, solid.z});
-           });
 }
 
 }  // namespace
@@ -239,7 +235,7 @@ CheckList motion_refusals() {
              "make it slower, or let it stop before (stop)",
              [](const Case& c, const Solid& solid) {
                  return found_if(moves_on(solid) && !turns(c, solid) && solid.velocity_z < 0.0 &&
-                                     in_motion(c, solid, 2).low < -1e-9 * c.numerics.spacing,
+                                     in_motion(c, solid, 2).low < -slack_of(c, solid),
                                  "reaches the bed before the end of the run");
              }},
             {{"solid.motion", "porous.name"},

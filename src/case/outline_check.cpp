@@ -76,6 +76,16 @@ std::size_t corners_of_outlines(const Case& c) {
     return corners;
 }
 
+bool have_shapes(const Case& c) {
+    if (c.channel.dimensions == 3) {
+        return c.meshes && c.meshes->size() == c.solids.size();
+    }
+    return corners_of_outlines(c) <= most_corners &&
+           std::all_of(c.solids.begin(), c.solids.end(), [](const Solid& solid) {
+               return is_simple({solid.x, solid.z});
+           });
+}
+
 Extent::Extent(const std::vector<double>& values) {
     const auto [least, most] = std::minmax_element(values.begin(), values.end());
     low = *least;

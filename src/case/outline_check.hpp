@@ -38,6 +38,9 @@ inline constexpr std::size_t most_corners = 20000;
 /// Corners of the outlines of the solids and of the water.
 [[nodiscard]] std::size_t corners_of_outlines(const Case& c);
 
+/// Whether all solids have their shapes: else another check has said what is missing.
+[[nodiscard]] bool have_shapes(const Case& c);
+
 /// Least and largest of some values.
 struct Extent {
     double low = 0.0;

@@ -7,7 +7,7 @@
 #include "case/outline_check.hpp"
 #include "case/porous_zone.hpp"
 #include "case/refusals.hpp"
-#include "case/solid_mesh.hpp"
+#include "case/solid_places.hpp"
 #include "case/units.hpp"
 
 namespace riffle {
@@ -156,15 +156,13 @@ Findings in_another_zone(const Case& c, const Porous& zone) {
 }
 
 Findings in_a_solid(const Case& c, const Porous& zone) {
-    for (const Solid& solid : c.solids) {
-        const SolidMesh* const mesh = in_space(c) ? mesh_of(c, solid) : nullptr;
-        const Outline outline{solid.x, solid.z};
+    const SolidPlaces solids(c);
+    for (std::size_t k = 0; k < c.solids.size(); ++k) {
         const std::string place = shared_place(c, zone, [&](double x, double y, double z) {
-            return in_space(c) ? mesh != nullptr && mesh->contains({x, y, z})
-                               : is_simple(outline) && contains(outline, x, z);
+            return solids.holds(k, {x, y, z});
         });
         if (!place.empty()) {
-            return found_if(true, "{} it lies in the solid \"{}\"", place, solid.name);
+            return found_if(true, "{} it lies in the solid \"{}\"", place, c.solids[k].name);
         }
     }
     return {};

@@ -50,8 +50,8 @@ const std::vector<CheckList>& refusals() {
         side_wall_refusals(),  method_refusals(),        reference_refusals(), start_refusals(),
         water_refusals(),      run_refusals(),           output_refusals(),    solid_refusals(),
         shape_refusals(),      solid_surface_refusals(), outline_refusals(),   mesh_refusals(),
-        turning_refusals(),    motion_refusals(),        free_body_refusals(), bed_patch_refusals(),
-        vegetation_refusals(), porous_refusals(),        probe_refusals()};
+        turning_refusals(),    motion_refusals(),        free_body_refusals(), blockage_refusals(),
+        bed_patch_refusals(),  vegetation_refusals(),    porous_refusals(),    probe_refusals()};
     return lists;
 }
 

@@ -51,6 +51,7 @@ void refuse_to_run(const Case& c);
 [[nodiscard]] CheckList turning_refusals();    ///< the keys of solids that turn, follow a table or are free
 [[nodiscard]] CheckList motion_refusals();     ///< solids that move
 [[nodiscard]] CheckList free_body_refusals();  ///< solids that are free
+[[nodiscard]] CheckList blockage_refusals();   ///< solids that close a channel
 [[nodiscard]] CheckList bed_patch_refusals();
 [[nodiscard]] CheckList vegetation_refusals();
 [[nodiscard]] CheckList porous_refusals();

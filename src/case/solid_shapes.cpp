@@ -116,6 +116,12 @@ double volume_of(const Triangles& triangles) {
 
 double facet_error(const Case& c) { return 0.01 * c.numerics.spacing; }
 
+double corners_outside(const Case& c, const Solid& solid) {
+    const bool round = solid.shape == SolidShape::circle || solid.shape == SolidShape::cylinder ||
+                       solid.shape == SolidShape::sphere;
+    return round ? facet_error(c) : 0.0;
+}
+
 std::size_t edges_around(const Case& c, double diameter) {
     constexpr double fewest = 16.0;
     const double share = std::min(2.0 * facet_error(c) / diameter, 1.0);

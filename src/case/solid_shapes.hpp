@@ -13,6 +13,10 @@ namespace riffle {
 /// particle spacing.
 [[nodiscard]] double facet_error(const Case& c);
 
+/// How far the corners of a solid may stand out of the shape that it was given, m: those of a circle, a
+/// cylinder or a sphere, whose area or volume it has, up to facet_error(); those of others not at all.
+[[nodiscard]] double corners_outside(const Case& c, const Solid& solid);
+
 /// Number of equal edges of a circle whose middles are no further than facet_error() from it, at least 16.
 [[nodiscard]] std::size_t edges_around(const Case& c, double diameter);
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "case/triangle.hpp"
@@ -47,6 +48,11 @@ class TriangleTree {
     template <class Visit>
     void in_box(const Point3& low, const Point3& high, const Visit& visit) const;
 
+    /// Call visit(i, j) for each two triangles, i before j, whose own boxes meet (their faces count), in no
+    /// particular order.
+    template <class Visit>
+    void for_meeting_boxes(const Visit& visit) const;
+
     struct Crossing {
         std::size_t triangle = 0;
         double share = 0.0;   ///< of the way from `from` to `to`, 0 to 1
@@ -64,6 +70,7 @@ class TriangleTree {
             return lower[0] <= high[0] && upper[0] >= low[0] && lower[1] <= high[1] && upper[1] >= low[1] &&
                    lower[2] <= high[2] && upper[2] >= low[2];
         }
+        [[nodiscard]] bool meets(const Box& other) const { return meets(other.lower, other.upper); }
         [[nodiscard]] double squared_distance(const Point3& p) const {
             double sum = 0.0;
             for (std::size_t k = 0; k < 3; ++k) {
@@ -159,6 +166,48 @@ void TriangleTree::in_box(const Point3& low, const Point3& high, const Visit& vi
             if (box_of(triangles_[order_[k]]).meets(low, high)) {
                 visit(static_cast<std::size_t>(order_[k]));
             }
+        }
+    }
+}
+
+template <class Visit>
+void TriangleTree::for_meeting_boxes(const Visit& visit) const {
+    // Pairs of nodes whose triangles are still to be compared: of a node with itself, those in it.
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> pending;
+    if (!nodes_.empty()) {
+        pending.emplace_back(0, 0);
+    }
+    const auto compare = [&](const Node& a, const Node& b) {
+        for (std::uint32_t k = a.first; k < a.first + a.count; ++k) {
+            const Box box = box_of(triangles_[order_[k]]);
+            for (std::uint32_t l = &a == &b ? k + 1 : b.first; l < b.first + b.count; ++l) {
+                if (box.meets(box_of(triangles_[order_[l]]))) {
+                    const auto [i, j] = std::minmax(order_[k], order_[l]);
+                    visit(static_cast<std::size_t>(i), static_cast<std::size_t>(j));
+                }
+            }
+        }
+    };
+    while (!pending.empty()) {
+        const auto [first, second] = pending.back();
+        pending.pop_back();
+        const Node& a = nodes_[first];
+        const Node& b = nodes_[second];
+        if (first != second && !a.box.meets(b.box)) {
+            continue;
+        }
+        if (a.count > 0 && b.count > 0) {
+            compare(a, b);
+        } else if (first == second) {
+            pending.emplace_back(first + 1, first + 1);
+            pending.emplace_back(a.first, a.first);
+            pending.emplace_back(first + 1, a.first);
+        } else if (a.count == 0) {
+            pending.emplace_back(first + 1, second);
+            pending.emplace_back(a.first, second);
+        } else {
+            pending.emplace_back(first, second + 1);
+            pending.emplace_back(first, b.first);
         }
     }
 }

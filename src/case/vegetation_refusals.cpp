@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <numbers>
+#include <optional>
 
 #include "case/patch_checks.hpp"
 #include "case/refusals.hpp"
+#include "case/solid_places.hpp"
 
 namespace riffle {
 
@@ -16,6 +18,39 @@ Findings thinner_than_a_particle(const Case& c, const Vegetation& patch) {
     return found_if(least < c.numerics.spacing * (1 - 1e-9),
                     "is {} in one direction, and the particles stand {} apart", shown_length(least),
                     shown_length(c.numerics.spacing));
+}
+
+/// Nowhere among its stems, up to their tops, is there water: solids at rest take it up.
+Findings in_solids(const Case& c, const Vegetation& patch) {
+    if (c.solids.empty()) {
+        return {};
+    }
+    const SolidPlaces solids(c);
+    const auto ranges = ranges_of(c, patch);
+    const double top = std::min(patch.height, c.total_depth());
+    // As near to each other as the particles, but no more than some ten thousands.
+    const double most = in_space(c) ? 24.0 : 160.0;
+    const auto steps = [&](double extent) {
+        return static_cast<int>(std::clamp(extent / c.numerics.spacing, 1.0, most));
+    };
+    const auto at = [](const PatchRange& range, int i, int of) {
+        return range.from + (i + 0.5) / of * (range.to - range.from);
+    };
+    const int columns = steps(ranges[0].to - ranges[0].from);
+    const int files = in_space(c) ? steps(ranges[1].to - ranges[1].from) : 1;
+    const int rows = steps(top);
+    std::optional<std::size_t> solid;
+    for (int i = 0; i < columns * files * rows; ++i) {
+        solid =
+            solids.resting_at({at(ranges[0], i % columns, columns), at(ranges[1], i / columns % files, files),
+                               at({0.0, top}, i / columns / files, rows)});
+        if (!solid) {
+            return {};
+        }
+    }
+    return solid ? found_if(true, "up to the tops of its stems it stands in the solid \"{}\"",
+                            c.solids[*solid].name)
+                 : Findings{};
 }
 
 }  // namespace
@@ -100,6 +135,11 @@ CheckList vegetation_refusals() {
                  const Vegetation* const other = patch_below(c, c.vegetation, patch);
                  return other ? found_if(true, "stands where \"{}\" does", other->name) : Findings{};
              }},
+            {{"vegetation.name", "vegetation.height", "solid.name"},
+             "a patch whose stems end in solids",
+             "no water would flow between them; heights count from the bed level, not from a solid's top",
+             "give stems that reach out of it, or another place",
+             in_solids},
         },
         [](const Case& c) { return !c.vegetation.empty(); }};
 }

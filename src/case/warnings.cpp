@@ -470,7 +470,12 @@ void warn_of_keys_without_effect(const Case& c, std::vector<std::string>& messag
 }  // namespace
 
 const CheckList& warnings() {
-    static const CheckList list = make_warnings();
+    static const CheckList list = [] {
+        CheckList all = make_warnings();
+        const CheckList of_solids = solid_warnings();
+        all.checks.insert(all.checks.end(), of_solids.checks.begin(), of_solids.checks.end());
+        return all;
+    }();
     return list;
 }
 

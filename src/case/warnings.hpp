@@ -7,4 +7,7 @@ namespace riffle {
 /// All that a valid case is warned of, beyond keys that have no effect.
 [[nodiscard]] const CheckList& warnings();
 
+/// Those of solids.
+[[nodiscard]] CheckList solid_warnings();
+
 }  // namespace riffle

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "boundary/wall.hpp"
 #include "boundary/wall_motion.hpp"
@@ -106,6 +107,36 @@ TEST(MeshFill, HasTheMomentsOfASphere) {
     }
     // Points in the middles of cells miss the spread within them: dx^2 / 4.
     EXPECT_NEAR(m.square + 1e-6, 0.6 * 0.012 * 0.012, 0.01 * m.square);
+}
+
+Solid upright_box(const char* name, const Point3& centre, const Point3& size) {
+    Solid s;
+    s.name = name;
+    s.shape = SolidShape::box;
+    s.centre = {centre[0], centre[1], centre[2]};
+    s.size = {size[0], size[1], size[2]};
+    return s;
+}
+
+// Boxes that overlap, their tops in one plane that cuts the cells: the volume is that of their union, and of
+// two that only touch the sum of both.
+TEST(MeshFill, FillsSolidsThatOverlapOnce) {
+    Case c = channel_with(upright_box("a", {0.0253, 0.0297, 0.0181}, {0.017, 0.0162, 0.0155}));
+    c.solids.push_back(upright_box("b", {0.0333, 0.0297, 0.0206}, {0.017, 0.0102, 0.0105}));
+    const double overlap = 0.009 * 0.0102 * 0.0105;
+    const double first = 0.017 * 0.0162 * 0.0155;
+    const double second = 0.017 * 0.0102 * 0.0105;
+    for (const bool turned : {false, true}) {
+        if (turned) {
+            std::swap(c.solids[0], c.solids[1]);
+        }
+        EXPECT_NEAR(moments_of(wall_particles<3>(c)).volume, first + second - overlap, 4e-3 * first);
+    }
+    c.solids = {upright_box("a", {0.0253, 0.0297, 0.0181}, {0.0173, 0.0162, 0.0155}),
+                upright_box("b", {0.0426, 0.0297, 0.0181}, {0.0173, 0.0162, 0.0155})};
+    EXPECT_NEAR(moments_of(wall_particles<3>(c)).volume, 2.0 * 0.0173 * 0.0162 * 0.0155, 4e-3 * first);
+    c.solids[1].centre = c.solids[0].centre;
+    EXPECT_NEAR(moments_of(wall_particles<3>(c)).volume, 0.0173 * 0.0162 * 0.0155, 4e-3 * first);
 }
 
 // Faces that cut the cells at an angle, edges and corners.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <fstream>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "boundary/solid_contact.hpp"
+#include "boundary/solid_distance.hpp"
 #include "boundary/solid_fill.hpp"
 #include "boundary/wall.hpp"
 #include "boundary/wall_motion.hpp"
@@ -137,6 +139,64 @@ TEST(SolidFill, AStepOnTheBedCompletesTheSupport) {
         ++checked;
     }
     EXPECT_GT(checked, 1000);
+}
+
+/// The sum of W over the particles of all solids, at a place.
+double sum_at(const WallParticles<2>& walls, double h, double x, double z) {
+    double sum = 0.0;
+    for (std::size_t j = 0; j < walls.size(); ++j) {
+        const double distance = std::hypot(walls.position[0][j] - x, walls.position[1][j] - z);
+        sum += is_solid(walls, j) ? walls.volume[j] * WendlandC2<2>::value(distance / h) / (h * h) : 0.0;
+    }
+    return sum;
+}
+
+// A pier that stands in a sill, a bank drawn in two triangles that overlap: water sees the solids' union
+// once.
+TEST(SolidFill, SolidsThatOverlapAreFilledOnce) {
+    const Solid sill = solid({0.02, 0.08, 0.08, 0.02}, {0.002, 0.002, 0.02, 0.02});
+    const Solid pier = solid({0.04, 0.06, 0.06, 0.04}, {0.006, 0.006, 0.04, 0.04});
+    const Solid united = solid({0.02, 0.08, 0.08, 0.06, 0.06, 0.04, 0.04, 0.02},
+                               {0.002, 0.002, 0.02, 0.02, 0.04, 0.04, 0.02, 0.02});
+    for (const bool sill_first : {true, false}) {
+        Case c = tank(sill_first ? std::vector{sill, pier} : std::vector{pier, sill});
+        const double h = c.numerics.smoothing_ratio * c.numerics.spacing;
+        const WallParticles<2> walls = wall_particles(c);
+        c.solids = {united};
+        const WallParticles<2> of_one = wall_particles(c);
+        for (double x = 0.021; x < 0.08; x += 0.002) {
+            for (double z = std::abs(x - 0.05) > 0.01 ? 0.021 : 0.041; z < 0.046; z += 0.002) {
+                EXPECT_NEAR(sum_at(walls, h, x, z), sum_at(of_one, h, x, z), 0.03) << x << " " << z;
+            }
+        }
+    }
+    // Of two that are alike the second has nothing left; beside each other both have all of theirs.
+    EXPECT_NEAR(area(wall_particles(tank({pier, pier}))), area(wall_particles(tank({pier}))), 1e-9);
+    const Solid beside = solid({0.06, 0.08, 0.08, 0.06}, {0.006, 0.006, 0.04, 0.04});
+    const Case two = tank({pier, beside});
+    WallParticles<2> alone;
+    add_solid(two, beside, first_solid, alone);
+    const WallParticles<2> walls = wall_particles(two);
+    EXPECT_EQ(std::count(walls.body.begin(), walls.body.end(), first_solid + 1),
+              static_cast<std::ptrdiff_t>(alone.size()));
+}
+
+// A layer of gravel drawn into the bed: the water over it is near the layer alone, though the bed's face lies
+// only two spacings below that; each has its friction on its own faces.
+TEST(SolidDistance, CountsNoFaceThatStandsInAnotherSolid) {
+    const Case c = tank({solid({0.02, 0.08, 0.08, 0.02}, {0.0, 0.0, 0.02, 0.02}),
+                         solid({0.04, 0.06, 0.06, 0.04}, {0.012, 0.012, 0.024, 0.024})});
+    const SolidDistance<2> distance(c, 0.012);
+    EXPECT_NEAR(distance.from(0, {}, {0.05, 0.028}), 0.012, 1e-9);
+    EXPECT_NEAR(distance.from(1, {}, {0.05, 0.028}), 0.004, 1e-9);
+    EXPECT_NEAR(distance.at({}, {0.05, 0.028}), 0.004, 1e-9);
+    EXPECT_NEAR(distance.from(0, {}, {0.026, 0.026}), 0.006, 1e-9);
+    // Solids that touch are beside each other.
+    const Case beside = tank({solid({0.02, 0.05, 0.05, 0.02}, {0.0, 0.0, 0.02, 0.02}),
+                              solid({0.05, 0.08, 0.08, 0.05}, {0.0, 0.0, 0.02, 0.02})});
+    const SolidDistance<2> of_both(beside, 0.012);
+    EXPECT_NEAR(of_both.from(0, {}, {0.048, 0.026}), 0.006, 1e-9);
+    EXPECT_NEAR(of_both.from(1, {}, {0.052, 0.026}), 0.006, 1e-9);
 }
 
 // What lies against the bed is not wetted while the solid stands still.

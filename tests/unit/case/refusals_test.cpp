@@ -295,6 +295,10 @@ std::vector<Wrong> wrong_solids() {
         {with_free_body(), "solid[0].z = [-0.002, -0.002, 0.03, 0.03]"},
         {with_free_body(), "channel.ends = periodic; solid[0].x = [0.001, 0.199, 0.199, 0.001]"},
         {open_channel_with_solid(), "solid[0].motion = free; solid[0].density = 700"},
+        {open_channel_with_solid(), "solid[0].z = [0, 0, 0.09, 0.09]"},
+        {open_channel_with_solid(),
+         "solid[0].z = [0, 0, 0.2, 0.2]; channel.ends = periodic; inflow.unit_discharge = none; outflow.kind = normal-depth"},
+        {with_mesh(), "channel.slope = 0.001; solid[0].scale = 0.01; solid[0].place = [0.05, -0.1, 0]"},
         {with_mesh(), "solid[0].file = \"\""},
         {with_mesh(), "solid[0].place = 50 mm"},
         {with_mesh(), "solid[0].place = [0.19, 0.02, 0]"},
@@ -393,6 +397,8 @@ std::vector<Wrong> wrong_vegetation() {
         {with_vegetation(), "vegetation[0].x_from = 0.2"},
         {with_vegetation(), "vegetation[0].height = 1 mm"},
         {with_vegetation(), "vegetation[0].x_to = 120 mm"},
+        {with_vegetation(),
+         "solid[0].name = terrace; solid[0].x = [0.02, 0.18, 0.18, 0.02]; solid[0].z = [0, 0, 0.02, 0.02]; vegetation[0].x_from = 0.03; vegetation[0].height = 15 mm"},
     };
 }
 
@@ -436,6 +442,8 @@ std::vector<Wrong> wrong_porous() {
         {with_porous(), "porous[0].grain_size = 60 mm"},
         {between_ends, "porous[0].x_from = 10 mm"},
         {beside_solid, "porous[0].x_from = 0.1"},
+        {beside_solid,
+         "channel.ends = periodic; solid[0].x = [0.18, 0.22, 0.22, 0.18]; porous[0].x_from = 0; porous[0].x_to = 0.05"},
         {with_porous(), "porous[0].x_to = 120 mm"},
     };
 }
@@ -541,6 +549,20 @@ TEST(Refusals, EachRowHasACaseThatItRefusesAndSaysSo) {
             EXPECT_TRUE(broken.contains(&check)) << "no case has " << check.what;
         }
     }
+}
+
+// Stems on a terrace reach out of it; those that end in it see no water.
+TEST(Refusals, StemsMayStandOnASolid) {
+    const auto said = [](const std::string& height) {
+        return refusal_of(with_keys(with_vegetation(),
+                                    "solid[0].name = terrace; solid[0].x = [0.02, 0.18, 0.18, "
+                                    "0.02]; solid[0].z = [0, 0, 0.02, 0.02]; "
+                                    "vegetation[0].x_from = 0.03; vegetation[0].height = " +
+                                        height));
+    };
+    EXPECT_EQ(said("30 mm"), "");
+    EXPECT_THAT(said("15 mm"),
+                HasSubstr("reeds: up to the tops of its stems it stands in the solid \"terrace\""));
 }
 
 TEST(Refusals, RunsUntilConvergedNeedASteadyFlow) {

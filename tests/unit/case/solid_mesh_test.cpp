@@ -6,14 +6,17 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <fstream>
 #include <string>
+#include <vector>
 
 #include "base/error.hpp"
 #include "case/mesh_file.hpp"
+#include "case/self_crossing.hpp"
 #include "case_test.hpp"
 #include "temporary_folder.hpp"
 
@@ -185,6 +188,58 @@ TEST(StlFile, FaultsNameFileAndTriangle) {
     constexpr std::size_t third_triangle = 84 + 50 * 2;
     std::memcpy(&infinite[third_triangle + 12], &nan, 4);
     EXPECT_THAT(fault_of(infinite), HasSubstr("triangle 3: a coordinate is not a finite number"));
+}
+
+/// The sides and ends of a prism over an outline in x and y, 1 high; those of one that crosses itself are
+/// closed as well. Sides: two triangles after each other for each edge.
+Triangles prism(const std::vector<std::array<double, 2>>& outline) {
+    Triangles triangles;
+    const std::size_t n = outline.size();
+    const auto corner = [&](std::size_t i, double z) {
+        return Point3{outline[i % n][0], outline[i % n][1], z};
+    };
+    for (std::size_t i = 0; i < n; ++i) {
+        triangles.push_back({corner(i, 0.0), corner(i + 1, 0.0), corner(i + 1, 1.0)});
+        triangles.push_back({corner(i, 0.0), corner(i + 1, 1.0), corner(i, 1.0)});
+    }
+    for (std::size_t i = 1; i + 1 < n; ++i) {
+        triangles.push_back({corner(0, 0.0), corner(i + 1, 0.0), corner(i, 0.0)});
+        triangles.push_back({corner(0, 1.0), corner(i, 1.0), corner(i + 1, 1.0)});
+    }
+    return triangles;
+}
+
+// A bow tie: its first and third side pass through each other at (0.5, 0.5).
+TEST(StlFile, ASurfaceThatCrossesItselfIsRefused) {
+    const std::string fault = fault_of(text_of(prism({{0.0, 0.0}, {1.0, 1.0}, {1.0, 0.0}, {0.0, 1.0}})));
+    EXPECT_THAT(fault,
+                HasSubstr("ASurfaceThatCrossesItselfIsRefused.stl: triangle 1: passes through triangle "));
+    EXPECT_THAT(fault, HasSubstr(" at (0.5, 0.5, 0."));
+    EXPECT_THAT(fault, HasSubstr("mend it in the program that made it"));
+    // A tongue from the one side of a hexagon out through the other, by more than what counts as the same
+    // place; one that only touches it does not cross.
+    const auto with_tongue = [](double tip) {
+        return text_of(
+            prism({{0.0, 0.0}, {2.0, 0.0}, {2.0, 1.0}, {1.2, 1.0}, {1.0, tip}, {0.8, 1.0}, {0.0, 1.0}}));
+    };
+    EXPECT_THAT(fault_of(with_tongue(-0.01)), HasSubstr("the surface crosses itself"));
+    EXPECT_EQ(fault_of(with_tongue(0.0)), "");
+    EXPECT_EQ(fault_of(with_tongue(0.01)), "");
+}
+
+// Two corners of a star of triangles about one corner are enough to pass through each other.
+TEST(StlFile, TrianglesWithOneCornerInCommonMayCross) {
+    const Point3 o{0.0, 0.0, 0.0};
+    const TriangleTree crossing(
+        {{o, {1.0, 1.0, 0.0}, {1.0, -1.0, 0.0}}, {o, {1.0, 0.2, 1.0}, {1.0, 0.1, -1.0}}});
+    const auto all = [](std::size_t, std::size_t) { return true; };
+    const auto found = self_crossing(crossing, 1e-6, all);
+    ASSERT_TRUE(found.has_value());
+    EXPECT_NEAR(found->place[2], 0.0, 1e-12);
+    EXPECT_NEAR(found->place[1] / found->place[0], 0.15, 1e-12);
+    const TriangleTree apart(
+        {{o, {1.0, 1.0, 0.0}, {1.0, -1.0, 0.0}}, {o, {-1.0, 0.2, 1.0}, {-1.0, 0.1, -1.0}}});
+    EXPECT_FALSE(self_crossing(apart, 1e-6, all).has_value());
 }
 
 TEST(SolidMesh, KnowsInsideAndTheNearestPlace) {

@@ -2,6 +2,7 @@
 
 #include "case/solid_overlap.hpp"
 
+#include "case/triangle.hpp"
 #include "case_test.hpp"
 #include "stl_box.hpp"
 #include "temporary_folder.hpp"

@@ -103,6 +103,20 @@ TEST(Solids, MotionMustBeOneAndHaveRoom) {
     EXPECT_EQ(error_of(with_solid(step_x, step_z, "motion = \"constant\"\nvelocity_z = 1\n")), "");
 }
 
+// The polygon of a circle has its area: its corners stand out of it by a hundredth of the spacing at most.
+TEST(Solids, ThatAreRoundMayTurnAndLieOnTheBed) {
+    const auto wheel = [](const char* height, const char* motion) {
+        return error_of(tank("", "",
+                             std::string("[[solid]]\nname = \"wheel\"\nshape = \"circle\"\ndiameter = "
+                                         "0.03\ncentre = [0.1, ") +
+                                 height + "]\nmotion = \"" + motion));
+    };
+    EXPECT_EQ(wheel("0.015", "constant\"\nangular_velocity = 1\n"), "");
+    EXPECT_EQ(wheel("0.015", "free\"\ndensity = 1500\n"), "");
+    EXPECT_THAT(wheel("0.0149", "constant\"\nangular_velocity = 1\n"), HasSubstr("moves through the bed"));
+    EXPECT_THAT(wheel("0.0149", "free\"\ndensity = 1500\n"), HasSubstr("starts in the bed or a wall"));
+}
+
 TEST(Water, OutlineMustLieInTheChannelAndOutsideOfSolids) {
     const auto water = [](const std::string& x, const std::string& z) {
         return "water_x = " + x + "\nwater_z = " + z + "\n";

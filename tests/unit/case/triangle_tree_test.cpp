@@ -4,8 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
+#include <set>
+#include <utility>
 
 namespace riffle::triangle_tree_test {
 namespace {
@@ -42,6 +45,32 @@ std::vector<Point3> places(std::size_t count) {
 }
 
 double squared_between(const Point3& a, const Point3& b) { return dot(minus(a, b), minus(a, b)); }
+
+TEST(TriangleTree, FindsAllPairsWhoseBoxesMeet) {
+    const Triangles all = scattered(700);
+    std::set<std::pair<std::size_t, std::size_t>> expected;
+    const auto meet = [&](std::size_t i, std::size_t j) {
+        bool meets = true;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto [low, high] = std::minmax({all[i][0][k], all[i][1][k], all[i][2][k]});
+            const auto [below, above] = std::minmax({all[j][0][k], all[j][1][k], all[j][2][k]});
+            meets = meets && low <= above && below <= high;
+        }
+        return meets;
+    };
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        for (std::size_t j = i + 1; j < all.size(); ++j) {
+            if (meet(i, j)) {
+                expected.emplace(i, j);
+            }
+        }
+    }
+    std::set<std::pair<std::size_t, std::size_t>> found;
+    TriangleTree(all).for_meeting_boxes(
+        [&](std::size_t i, std::size_t j) { EXPECT_TRUE(found.emplace(i, j).second); });
+    EXPECT_GT(expected.size(), 100U);
+    EXPECT_EQ(found, expected);
+}
 
 TEST(TriangleTree, FindsTheNearestOfAll) {
     const Triangles all = scattered(700);

@@ -147,6 +147,46 @@ TEST(Warnings, PresetsOfTheLiteratureAreForStudy) {
     }
 }
 
+std::vector<std::string> warnings_about(const Case& c, const char* word) {
+    std::vector<std::string> all = case_warnings(c);
+    std::erase_if(all, [&](const std::string& warning) { return warning.find(word) == std::string::npos; });
+    return all;
+}
+
+// Shapes may be put together from solids that overlap or touch; one that no water reaches is a slip.
+TEST(Warnings, OfSolidsThatStandInOthers) {
+    const auto with_stone = [](const std::string& place) {
+        return with_keys(with_solid(), "solid[1].name = stone; " + place);
+    };
+    const auto warned = [&](const std::string& place) {
+        return warnings_about(with_stone(place), "no water touches it");
+    };
+    const auto inside = warned("solid[1].x = [0.09, 0.11, 0.11, 0.09]; solid[1].z = [0, 0, 0.02, 0.02]");
+    ASSERT_EQ(inside.size(), 1U);
+    EXPECT_THAT(inside[0], HasSubstr("solid.name: stone: stands in the solid \"weir\""));
+    EXPECT_THAT(warned("solid[1].x = [0.09, 0.11, 0.11, 0.09]; solid[1].z = [0, 0, 0.04, 0.04]"), IsEmpty());
+    EXPECT_THAT(warned("solid[1].x = [0.12, 0.14, 0.14, 0.12]; solid[1].z = [0, 0, 0.03, 0.03]"), IsEmpty());
+    EXPECT_THAT(warned("solid[1].x = [0.09, 0.11, 0.11, 0.09]; solid[1].z = [0.03, 0.03, 0.04, 0.04]"),
+                IsEmpty());
+}
+
+// Spheres of 10 mm among those of 20 mm stand in them; lifted onto them they do not.
+TEST(Warnings, OfLayersOfSpheresInEachOther) {
+    const auto warned = [](const char* level) {
+        return warnings_about(
+            with_keys(
+                test::with_shape(SolidShape::spheres),
+                std::string("solid[1].name = sand; solid[1].shape = spheres; solid[1].diameter = 10 mm; "
+                            "solid[1].level = ") +
+                    level),
+            "stand in them");
+    };
+    const auto among = warned("5 mm");
+    ASSERT_EQ(among.size(), 1U);
+    EXPECT_THAT(among[0], HasSubstr("sand: spheres of \"s\" stand in them, one of them at x = "));
+    EXPECT_THAT(warned("25 mm"), IsEmpty());
+}
+
 TEST(Warnings, EachRowHasACase) {
     const std::string noisy = "numerics.density_diffusion = none; ";
     const std::vector<Case> cases = {
@@ -179,6 +219,11 @@ TEST(Warnings, EachRowHasACase) {
             "porous[0].name = p; porous[0].porosity = 0.4; porous[0].grain_size = 2 mm; porous[0].z_to = 20 mm"),
         with_keys(cell(), "start.lattice = body-centred"),
         with_keys(between_side_walls(), "turbulence.closure = sps; numerics.stepping = semi-implicit-euler"),
+        with_keys(
+            with_solid(),
+            "solid[1].name = stone; solid[1].x = [0.09, 0.11, 0.11, 0.09]; solid[1].z = [0, 0, 0.02, 0.02]"),
+        with_keys(test::with_shape(SolidShape::spheres),
+                  "solid[1].name = sand; solid[1].shape = spheres; solid[1].diameter = 10 mm"),
         with_keys(with_solid(),
                   "channel.dimensions = 3; solid[0].motion = constant; solid[0].velocity_z = 3"),
     };

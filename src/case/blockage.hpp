@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "case/case.hpp"
+
+namespace riffle {
+
+/// Solids at rest that leave the water no way along the channel.
+struct Blockage {
+    std::size_t solid = 0;  ///< the one that closes the last way
+    double x = 0.0;         ///< so far the water comes from x = 0, m
+    double level = 0.0;     ///< up to which a way was looked for, m
+};
+
+/// The highest level at which water may pass along a channel over what stands in it, m over z = 0: the lid;
+/// between open ends half as high again as what the ends name, or what their tables and the walls have room
+/// for; in a periodic channel the level of water that the slope has driven to one end and that stands there.
+[[nodiscard]] double highest_way(const Case& c);
+
+/// Whether a channel whose water a slope drives, or that has open ends, is closed by solids at rest: no way
+/// of the particles' width leads through it from the bed up to highest_way(). Solids that move may open one,
+/// and porous zones are one. Solids must have their shapes.
+[[nodiscard]] std::optional<Blockage> blockage(const Case& c);
+
+}  // namespace riffle

@@ -1,0 +1,37 @@
+#include "case/blockage.hpp"
+#include "case/outline_check.hpp"
+#include "case/refusals.hpp"
+#include "case/units.hpp"
+
+namespace riffle {
+
+namespace {
+
+Findings blocked(const Case& c) {
+    const auto found = blockage(c);
+    if (!found) {
+        return {};
+    }
+    return {{.detail =
+                 fmt::format("{}: closes the channel: up to a level of {}, from x = 0 the water comes "
+                             "no further than x = {}",
+                             c.solids[found->solid].name, shown_length(found->level), shown_length(found->x)),
+             .item = found->solid}};
+}
+
+}  // namespace
+
+CheckList blockage_refusals() {
+    return {
+        {
+            {{"solid.z", "solid.size", "solid.diameter", "solid.file", "solid.name", "channel.ends",
+              "channel.slope"},
+             "solids at rest that leave no way along a channel with a slope or open ends, beside them, below them or over their tops",
+             "what enters, or what the slope drives, has nowhere to go",
+             R"(leave a way wider than the spacing, make it a weir, let a gate move away (motion), or divide a tank: [channel] ends = "walls")",
+             blocked},
+        },
+        have_shapes};
+}
+
+}  // namespace riffle

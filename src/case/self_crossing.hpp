@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+
+#include "case/triangle_tree.hpp"
+
+namespace riffle {
+
+/// Two triangles of a surface that pass through each other.
+struct SelfCrossing {
+    std::size_t first = 0;
+    std::size_t second = 0;
+    Point3 place{};  ///< the middle of what they have in common
+};
+
+/// The first two triangles, in their order, that cross and that `compares(i, j)` does not leave out; nothing
+/// where no two do. Triangles cross where corners of each stand on both sides of the other one, farther than
+/// `tolerance` from its plane, and the line that they have in common is longer than that: surfaces that touch
+/// do not cross. Those with two corners in common are neighbours, and are not compared; corners are the same
+/// where their coordinates are. Where surfaces cross along edges of both alone, this is not seen.
+[[nodiscard]] std::optional<SelfCrossing> self_crossing(
+    const TriangleTree& tree, double tolerance,
+    const std::function<bool(std::size_t, std::size_t)>& compares);
+
+}  // namespace riffle

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "case/case.hpp"
+#include "case/outline.hpp"
+#include "case/triangle.hpp"
+
+namespace riffle {
+
+/// Which places of a channel solids take up at the start: of those whose shapes are known, and in two
+/// dimensions with their images beyond periodic ends.
+class SolidPlaces {
+  public:
+    explicit SolidPlaces(const Case& c);
+
+    /// Whether a place lies in a solid; in two dimensions y does not count.
+    [[nodiscard]] bool holds(std::size_t solid, const Point3& p) const;
+    /// The first solid at rest, but for `left_out`, that a place lies in.
+    [[nodiscard]] std::optional<std::size_t> resting_at(
+        const Point3& p, std::optional<std::size_t> left_out = std::nullopt) const;
+
+  private:
+    const Case& c_;
+    double period_ = 0.0;            ///< along the channel, m; 0: none
+    std::vector<Outline> outlines_;  ///< two dimensions; empty where they are none
+};
+
+}  // namespace riffle

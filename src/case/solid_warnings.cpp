@@ -1,0 +1,141 @@
+// What solids are warned of.
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "case/bed_surface.hpp"
+#include "case/outline.hpp"
+#include "case/refusals.hpp"
+#include "case/solid_mesh.hpp"
+#include "case/solid_places.hpp"
+#include "case/units.hpp"
+#include "case/warnings.hpp"
+
+namespace riffle {
+
+namespace {
+
+bool rests(const Solid& solid) { return solid.motion == SolidMotion::fixed; }
+
+/// Just behind the surface of a solid, a spacing apart at most.
+std::vector<Point3> places_behind_surface(const Case& c, const Solid& solid, double behind) {
+    std::vector<Point3> places;
+    const double apart = c.numerics.spacing;
+    if (const SolidMesh* const mesh = in_space(c) ? mesh_of(c, solid) : nullptr) {
+        for (const Triangle& t : mesh->tree().triangles()) {
+            const Point3 normal = normal_of(t);
+            const double length = std::sqrt(dot(normal, normal));
+            const int parts = parts_of_edges(t, apart);
+            for (int i = 0; i < parts && length > 0.0; ++i) {
+                for (int j = 0; i + j < parts; ++j) {
+                    const double u = (i + 1.0 / 3.0) / parts;
+                    const double v = (j + 1.0 / 3.0) / parts;
+                    Point3 place{};
+                    for (std::size_t k = 0; k < 3; ++k) {
+                        place[k] = t[0][k] + u * (t[1][k] - t[0][k]) + v * (t[2][k] - t[0][k]) -
+                                   behind * normal[k] / length;
+                    }
+                    places.push_back(place);
+                }
+            }
+        }
+        return places;
+    }
+    const Outline outline{solid.x, solid.z};
+    const double side = signed_area(outline) > 0.0 ? behind : -behind;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        const double dx = outline.x[outline.next(i)] - outline.x[i];
+        const double dz = outline.z[outline.next(i)] - outline.z[i];
+        const double length = std::hypot(dx, dz);
+        const int parts = std::max(1, static_cast<int>(std::ceil(length / apart)));
+        for (int part = 0; part < parts && length > 0.0; ++part) {
+            const double share = (part + 0.5) / parts;
+            places.push_back({outline.x[i] + share * dx - side * dz / length, 0.0,
+                              outline.z[i] + share * dz + side * dx / length});
+        }
+    }
+    return places;
+}
+
+/// Whether there may be water at a place, but for solids.
+bool is_in_channel(const Case& c, const Point3& p) {
+    const bool along = c.channel.ends == Ends::periodic || (p[0] > 0.0 && p[0] < c.channel.length);
+    const bool across = !in_space(c) || c.channel.sides == Sides::periodic ||
+                        (p[1] > 0.0 && p[1] < c.channel.simulated_width());
+    return along && across && p[2] > 0.0 && (c.channel.top != Top::wall || p[2] < c.total_depth());
+}
+
+/// A solid at rest all of whose surface stands in others at rest.
+Findings buried(const Case& c, const Solid& solid) {
+    if (!rests(solid) || c.solids.size() < 2) {
+        return {};
+    }
+    const SolidPlaces solids(c);
+    const auto own = static_cast<std::size_t>(&solid - c.solids.data());
+    std::optional<std::size_t> around;
+    for (const Point3& p : places_behind_surface(c, solid, 0.1 * c.numerics.spacing)) {
+        if (!is_in_channel(c, p)) {
+            continue;
+        }
+        around = solids.resting_at(p, own);
+        if (!around) {
+            return {};
+        }
+    }
+    return around ? found_if(true, "stands in the solid \"{}\"", c.solids[*around].name) : Findings{};
+}
+
+/// Where a sphere of one layer stands in one of another, deeper than a tenth of the spacing.
+std::optional<Point3> spheres_meet(const Case& c, const Solid& a, const Solid& b) {
+    const double least = 0.5 * (a.diameter + b.diameter) - 0.1 * c.numerics.spacing;
+    const std::vector<Point3> first = sphere_centres(c, a);
+    std::vector<Point3> second = sphere_centres(c, b);
+    std::sort(second.begin(), second.end());
+    for (const Point3& centre : first) {
+        for (auto other = std::lower_bound(second.begin(), second.end(), Point3{centre[0] - least, 0.0, 0.0});
+             other != second.end() && (*other)[0] < centre[0] + least; ++other) {
+            const Point3 way = minus(*other, centre);
+            if (dot(way, way) < least * least) {
+                return centre;
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+/// With a layer before it in the file.
+Findings spheres_in_spheres(const Case& c, const Solid& solid) {
+    if (!in_space(c) || solid.shape != SolidShape::spheres) {
+        return {};
+    }
+    for (const Solid* other = c.solids.data(); other != &solid; ++other) {
+        const auto place =
+            other->shape == SolidShape::spheres ? spheres_meet(c, *other, solid) : std::nullopt;
+        if (place) {
+            return found_if(true, "spheres of \"{}\" stand in them, one of them at x = {}, y = {}",
+                            other->name, shown_length((*place)[0]), shown_length((*place)[1]));
+        }
+    }
+    return {};
+}
+
+}  // namespace
+
+CheckList solid_warnings() {
+    return {{
+        {{"solid.name"},
+         "a solid at rest that stands wholly in others",
+         "no water touches it, and no force acts on it",
+         "remove it, or correct its place",
+         buried},
+        {{"solid.level", "solid.diameter", "solid.name"},
+         "layers of spheres that stand in each other",
+         "grains do not: what two of them share counts once, and the bed has less room for water and other crests than one of such grains",
+         "lift one of the layers (level)",
+         spheres_in_spheres},
+    }};
+}
+
+}  // namespace riffle
