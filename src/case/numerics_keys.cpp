@@ -30,7 +30,8 @@ SectionKeys numerics_keys() {
             .at_most(4)
             .with_default_note(
                 "2 in two dimensions over spheres, beds by roughness and smooth ones, and with patches of the bed or vegetation; with porous "
-                "zones 2.5 in two dimensions and 2 in three")
+                "zones 2.5 in two dimensions and 2 in three; 1.83 and 1.65 in basins beside inclined faces (see "
+                "`pressure_correction_time`)")
             .because("fewer neighbours do not sum up, more are not worth their time"));
     s.keys.push_back(
         key("sound_speed", &Numerics::sound_speed, "Artificial speed of sound c0.")
@@ -56,12 +57,15 @@ SectionKeys numerics_keys() {
                          "Velocity gradient that the closure is given."));
     s.keys.push_back(key("kernel_correction", &Numerics::kernel_correction,
                          "What corrects the corrected forms of pressure and velocity gradient."));
-    s.keys.push_back(key("pressure_correction_time", &Numerics::pressure_correction_time,
-                         "Time over which the correction of the pressure form is averaged for each particle; "
-                         "0: the correction of each moment, which keeps disordered water in motion.")
-                         .measured_in(time)
-                         .at_least(0)
-                         .applies_with("numerics.pressure_form", {"corrected"}));
+    s.keys.push_back(
+        key("pressure_correction_time", &Numerics::pressure_correction_time,
+            "Time over which the correction of the pressure form is averaged for each particle; "
+            "0: the correction of each moment, which keeps disordered water in motion.")
+            .measured_in(time)
+            .at_least(0)
+            .with_default_note("0; in basins without slope beside inclined faces, where nothing turns, "
+                               "goes one way or is free, 100 s or three times the run")
+            .applies_with("numerics.pressure_form", {"corrected"}));
     s.keys.push_back(key("density_diffusion", &Numerics::density_diffusion,
                          "Diffusion in the continuity equation, against noise in the pressure."));
     s.keys.push_back(key("density_diffusion_coefficient", &Numerics::density_diffusion_coefficient,

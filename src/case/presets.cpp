@@ -77,7 +77,11 @@ double rounded_down(double length) {
 
 }  // namespace
 
-void choose_resolution(Case& c, const GivenResolution& given) {
+int layers_of_kernel(double smoothing_ratio) {
+    return static_cast<int>(std::ceil(2.0 * smoothing_ratio - 1e-9));
+}
+
+void choose_resolution(Case& c, const GivenNumerics& given) {
     Numerics& n = c.numerics;
     if (n.preset != Preset::riffle && n.preset != Preset::violent) {
         return;
@@ -112,7 +116,7 @@ void choose_resolution(Case& c, const GivenResolution& given) {
         n.smoothing_ratio = space ? 2.0 : 2.5;
     }
     if (!given.wall_layers) {
-        n.wall_layers = static_cast<int>(std::ceil(2.0 * n.smoothing_ratio - 1e-9));
+        n.wall_layers = layers_of_kernel(n.smoothing_ratio);
     }
 }
 

@@ -20,6 +20,7 @@
 #include "case/outline_check.hpp"
 #include "case/presets.hpp"
 #include "case/problems.hpp"
+#include "case/quiet_water.hpp"
 #include "case/refusals.hpp"
 #include "case/solid_mesh.hpp"
 #include "case/solid_shapes.hpp"
@@ -392,9 +393,13 @@ Case parse_case(const std::string& text, const std::string& name, const std::fil
     const auto values = collect_values(document, places, problems);
     Case c = assemble(values, document, places, problems);
     require_keys(c, document, places, problems);
-    choose_resolution(c, {.spacing = places.given("numerics.spacing"),
-                          .smoothing_ratio = places.given("numerics.smoothing_ratio"),
-                          .wall_layers = places.given("numerics.wall_layers")});
+    const GivenNumerics given{.spacing = places.given("numerics.spacing"),
+                              .smoothing_ratio = places.given("numerics.smoothing_ratio"),
+                              .wall_layers = places.given("numerics.wall_layers"),
+                              .lattice = places.given("start.lattice"),
+                              .pressure_correction_time = places.given("numerics.pressure_correction_time"),
+                              .settling_time = places.given("start.settling_time")};
+    choose_resolution(c, given);
     for (std::size_t i = 0; i < c.probes.size(); ++i) {
         c.probe_places.push_back(places.of(fmt::format("probe[{}]", i)).text());
     }
@@ -412,6 +417,7 @@ Case parse_case(const std::string& text, const std::string& name, const std::fil
     // What the keys demand of each other can only be judged when each of them is right.
     if (problems.empty()) {
         make_shapes(c, places, problems);
+        choose_for_quiet_water(c, given);
         set_crests_of_solids(c, places);
         refuse(c, places, problems);
     }

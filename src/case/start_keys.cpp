@@ -38,7 +38,10 @@ SectionKeys start_keys() {
             "results: the file to start from; isotropic: CSV table of the energy spectrum, columns "
             "`wavenumber` [1/m] and `energy` [m3/s2], whose integral is the kinetic energy per mass.")
             .applies_with(kind, {"results", "isotropic"}));
-    s.keys.push_back(key("lattice", &Start::lattice, "Arrangement of the particles at the start."));
+    s.keys.push_back(
+        key("lattice", &Start::lattice, "Arrangement of the particles at the start.")
+            .with_default_note("square; hexagonal, in three dimensions body-centred, in basins beside "
+                               "inclined faces (see `numerics.pressure_correction_time`)"));
     const auto water = [&](const char* name, auto member, const char* meaning, const char* example) {
         return key(name, member, meaning)
             .measured_in(length)
@@ -76,6 +79,8 @@ SectionKeys start_keys() {
             "half less and less: what the start lacks of its balance then becomes no lasting motion.")
             .measured_in(time)
             .at_least(0)
+            .with_default_note("0; 2 s of water at rest up to the depth in three dimensions, where it stands "
+                               "beside inclined faces and nothing moves")
             .applies_with("start.kind", {"rest", "results"}));
     s.keys.push_back(
         key("perturbation", &Start::perturbation,

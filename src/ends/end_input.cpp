@@ -307,7 +307,12 @@ std::function<double(double)> start_depths(const Case& c, const EndInput& input)
     if (c.start.kind != StartKind::backwater) {
         return [depth = c.total_depth()](double) { return depth; };
     }
-    return varied_depths(c, input);
+    try {
+        return varied_depths(c, input);
+    } catch (const InputError& error) {
+        throw InputError(fmt::format("{}: [start] kind = \"backwater\": {}, or another start",
+                                     c.path.empty() ? "the case" : c.path.string(), error.what()));
+    }
 }
 
 ChannelControls controls_at_ends(const Case& c, const EndInput& input, const SteadyChannel& channel) {

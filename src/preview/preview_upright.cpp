@@ -34,12 +34,6 @@ class UprightView {
         const double beyond = c_.channel.ends == Ends::open ? buffer_length(c_) : 0.0;
         draw_water_along(beyond);
         draw_roughness(-beyond, length + beyond);
-        for (const BedPatch& patch : c_.bed_patches) {
-            if (!space_ ||
-                (plan_.y >= patch.y_from.value_or(plan_.y) && plan_.y <= patch.y_to.value_or(plan_.y))) {
-                draw_bed_patch(patch, patch.x_from.value_or(-beyond), patch.x_to.value_or(length + beyond));
-            }
-        }
         for (const Vegetation& patch : c_.vegetation) {
             if (!space_ ||
                 (plan_.y >= patch.y_from.value_or(plan_.y) && plan_.y <= patch.y_to.value_or(plan_.y))) {
@@ -56,6 +50,12 @@ class UprightView {
             draw_solid_along(k);
         }
         draw_floor(c_.channel.ends);
+        for (const BedPatch& patch : c_.bed_patches) {
+            if (!space_ ||
+                (plan_.y >= patch.y_from.value_or(plan_.y) && plan_.y <= patch.y_to.value_or(plan_.y))) {
+                draw_bed_patch(patch, patch.x_from.value_or(-beyond), patch.x_to.value_or(length + beyond));
+            }
+        }
         draw_end_walls(c_.channel.ends == Ends::walls, length);
         draw_lid(length);
         sheet_.end_clip();
@@ -74,12 +74,6 @@ class UprightView {
             line(0.0, depth, width, depth, fmt::format(R"(stroke="{}" stroke-width="1.6")", surface_colour));
         }
         draw_roughness(0.0, width);
-        for (const BedPatch& patch : c_.bed_patches) {
-            if (x >= patch.x_from.value_or(x) && x <= patch.x_to.value_or(x)) {
-                draw_bed_patch(patch, patch.y_from.value_or(0.0),
-                               std::min(width, patch.y_to.value_or(width)));
-            }
-        }
         for (const Vegetation& patch : c_.vegetation) {
             if (x >= patch.x_from.value_or(x) && x <= patch.x_to.value_or(x)) {
                 draw_stems(patch, patch.y_from.value_or(0.0), std::min(width, patch.y_to.value_or(width)));
@@ -101,6 +95,12 @@ class UprightView {
             }
         }
         draw_floor(c_.channel.sides == Sides::periodic ? Ends::periodic : Ends::walls);
+        for (const BedPatch& patch : c_.bed_patches) {
+            if (x >= patch.x_from.value_or(x) && x <= patch.x_to.value_or(x)) {
+                draw_bed_patch(patch, patch.y_from.value_or(0.0),
+                               std::min(width, patch.y_to.value_or(width)));
+            }
+        }
         if (c_.channel.sides != Sides::periodic) {
             draw_end_walls(true, width, c_.channel.sides == Sides::half);
         }
@@ -180,10 +180,10 @@ class UprightView {
         line(from, c_.datum(), to, c_.datum(), R"(stroke="#56606b" stroke-dasharray="10 4")");
     }
 
-    /// A patch of the bed: its roughness zone, or a strip along the plane.
+    /// A patch of the bed: its roughness zone, or of a plane one a strip below it.
     void draw_bed_patch(const BedPatch& patch, double from, double to) {
         const double strip = 5.0 / view_.scale_u();
-        rectangle(from, to, 0.0, patch.roughness_height.value_or(strip),
+        rectangle(from, to, patch.roughness_height ? 0.0 : -strip, patch.roughness_height.value_or(0.0),
                   fmt::format(R"(fill="{0}" fill-opacity="0.75" stroke="{0}")", patch_colour));
     }
 

@@ -79,7 +79,7 @@ def strips(study):
         count = numpy.maximum(numpy.bincount(row, minlength=rows), 1)
         zs, us = numpy.bincount(row, z[near], rows) / count, numpy.bincount(row, u[near], rows) / count
         above = zs > 5 * flow.spacing
-        check.norm(f"profile above five rows there, rms over that mean", float(numpy.sqrt(numpy.mean((us - numpy.interp(zs, height, velocity))[above] ** 2)) / mean), 0.01)
+        check.norm(f"profile above five rows in the middle of the {name} strip, rms over that mean", float(numpy.sqrt(numpy.mean((us - numpy.interp(zs, height, velocity))[above] ** 2)) / mean), 0.01)
         figures.exact(profile, velocity, 1e3 * height, f"twin, {name}", figures.COLOURS[number])
         figures.simulated(profile, us, 1e3 * zs, f"{name} strip", figures.COLOURS[number])
     bins = numpy.clip((away / (0.5 * width) * 48).astype(int), 0, 47)

@@ -1,0 +1,126 @@
+// What follows for the numerics where water shall rest beside inclined faces.
+
+#include "case/quiet_water.hpp"
+
+#include <gtest/gtest.h>
+
+#include "case_test.hpp"
+
+namespace riffle::quiet_water_test {
+namespace {
+
+const std::string basin = R"(
+[channel]
+slope = 0
+depth = "100 mm"
+length = "1 m"
+ends = "walls"
+
+[bed]
+kind = "slip"
+
+[turbulence]
+closure = "none"
+
+[numerics]
+spacing = "5 mm"
+
+[start]
+kind = "rest"
+
+[run]
+until = "6 s"
+
+[[solid]]
+name = "beach"
+)";
+
+const std::string beach = "x = [0.5, 1.0, 1.0]\nz = [0.0, 0.2, 0.0]\n";
+const std::string step = "x = [0.5, 1.0, 1.0, 0.5]\nz = [0.0, 0.0, 0.05, 0.05]\n";
+
+Case read(const std::string& solid, const std::vector<Override>& overrides = {}) {
+    return parse_case(basin + solid, "case.toml", {}, overrides);
+}
+
+TEST(QuietWater, BesideABeachHasTheNumericsThatKeepItQuiet) {
+    const Case c = read(beach);
+    EXPECT_TRUE(is_quiet_beside_inclined_faces(c));
+    EXPECT_EQ(c.start.lattice, StartLattice::hexagonal);
+    EXPECT_EQ(c.numerics.smoothing_ratio, 1.83);
+    EXPECT_EQ(c.numerics.wall_layers, 4);
+    EXPECT_EQ(c.numerics.pressure_correction_time, 100.0);
+    EXPECT_EQ(read(beach, {{"run.until", "60 s"}}).numerics.pressure_correction_time, 180.0);
+}
+
+TEST(QuietWater, KeepsWhatTheCaseGives) {
+    const Case c = read(beach, {{"start.lattice", "square"},
+                                {"numerics.smoothing_ratio", "2"},
+                                {"numerics.pressure_correction_time", "0 s"}});
+    EXPECT_EQ(c.start.lattice, StartLattice::square);
+    EXPECT_EQ(c.numerics.smoothing_ratio, 2.0);
+    EXPECT_EQ(c.numerics.pressure_correction_time, 0.0);
+    EXPECT_EQ(read(beach, {{"numerics.preset", "violent"}}).numerics.pressure_correction_time, 0.0);
+}
+
+TEST(QuietWater, IsThatOfBasinsWithInclinedFacesAlone) {
+    EXPECT_FALSE(is_quiet_beside_inclined_faces(read(step)));
+    EXPECT_EQ(read(step).numerics.pressure_correction_time, 0.0);
+    const std::string leaving = "motion = \"constant\"\nvelocity_x = \"5 mm/s\"\nstop = \"2 s\"\n";
+    const std::string plate = "x = [0.5, 0.6, 0.6]\nz = [0.05, 0.08, 0.02]\n";
+    // What is driven steadily needs the pressure corrected at each moment.
+    EXPECT_FALSE(is_quiet_beside_inclined_faces(
+        read(plate, {{"channel.slope", "0.001"}, {"channel.ends", "periodic"}})));
+    EXPECT_FALSE(is_quiet_beside_inclined_faces(read(plate + leaving)));
+    const std::string swinging = "motion = \"oscillating\"\namplitude_x = \"5 mm\"\nfrequency = 1\n";
+    EXPECT_TRUE(is_quiet_beside_inclined_faces(read(plate + swinging)));
+}
+
+/// Reading what a case says of itself gives the case again, with all that was chosen.
+TEST(QuietWater, IsKeptInTheTextOfTheCase) {
+    const Case c = read(beach);
+    EXPECT_TRUE(parse_case(c.text, "text").same_parameters(c));
+}
+
+TEST(QuietWater, InSpaceSettlesFirst) {
+    const std::string space = R"(
+[channel]
+dimensions = 3
+slope = 0
+depth = "60 mm"
+length = "60 mm"
+width = "200 mm"
+sides = "walls"
+
+[bed]
+kind = "slip"
+
+[side_walls]
+drag_form = "none"
+
+[turbulence]
+closure = "none"
+
+[numerics]
+spacing = "6 mm"
+
+[start]
+kind = "rest"
+
+[run]
+until = "6 s"
+
+[[solid]]
+name = "sides"
+shape = "section"
+y = [0.0, 0.1, 0.2]
+levels = [0.08, 0.0, 0.08]
+)";
+    const Case c = parse_case(space, "case.toml");
+    EXPECT_TRUE(is_quiet_beside_inclined_faces(c));
+    EXPECT_EQ(c.start.lattice, StartLattice::body_centred);
+    EXPECT_EQ(c.numerics.smoothing_ratio, 1.65);
+    EXPECT_EQ(c.start.settling_time, 2.0);
+}
+
+}  // namespace
+}  // namespace riffle::quiet_water_test
