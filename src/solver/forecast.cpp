@@ -211,6 +211,10 @@ Forecast forecast_in(const Case& c) {
                                 reference.drag_coefficient, displacement_height(stems)});
     }
     f.canal = canal_flow(c);
+    if (c.channel.ends == Ends::open) {
+        f.ends = flow_at_ends(c);
+        f.end_facts = end_facts(c, *f.ends);
+    }
     for (const Porous& zone : c.porous) {
         const PorousResistance resistance(zone, c.fluid.kinematic_viscosity);
         // On a slope that under the weight, else that of a tenth of it.

@@ -201,6 +201,24 @@ class CommandLine(CommandLineTest):
         self.assertGreater(forecast["steps"], 1 / forecast["time_step"] - 1)
         self.assertGreater(forecast["disk_bytes"], 0)
 
+    def test_check_prints_the_flow_at_open_ends(self):
+        """With the numbers of `riffle backwater`, in words and in JSON."""
+        jump = CASE.parents[1] / "open-ends/hydraulic-jump.toml"
+        coarse = ("--set", "numerics.spacing=5mm", "--set", "start.kind=uniform")
+        ends = json.loads(self.succeed("check", jump, "--json", *coarse).stdout)["ends"]
+        told = json.loads(self.succeed("backwater", jump, "--json", "-").stdout)
+        self.assertEqual(ends["unit_discharge"], [0.02658, 0.02658])
+        for end, station in (("inflow", 0), ("outflow", -1)):
+            for key in ("depth", "velocity", "froude"):
+                for value in ends[end][key]:
+                    self.assertAlmostEqual(value, told["stations"][key][station], places=6, msg=f"{end} {key}")
+        self.assertAlmostEqual(ends["critical_depth"][0], told["critical_depth"], places=6)
+        self.assertIsNone(ends["normal_depth"])  # the bed is level
+        said = " ".join(self.succeed("check", jump, *coarse).stdout.split())
+        self.assertRegex(said, r"inflow q = 0\.02658 m2/s, depth 20 mm, U = 1\.329 m/s, Fr = 3\.07\d, supercritical")
+        self.assertRegex(said, r"outflow holds 70 mm, U = 0\.3797 m/s, Fr = 0\.466\d, subcritical")
+        self.assertIsNone(json.loads(self.succeed("check", CASE, "--json", *SMALL, *until(1)).stdout)["ends"])
+
     def test_every_case_in_the_tree_is_valid(self):
         """Those of up to 26 000 particles; that the others can be read is a unit test (ShippedCases.AllParse)."""
         cases = sorted(case for case in SOURCE.glob("cases/**/*.toml") if places_of(case) < 2.6e4)
