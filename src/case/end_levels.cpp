@@ -44,8 +44,12 @@ double highest_end_level(const Case& c) {
 }
 
 bool has_end_tables(const Case& c) {
-    return c.channel.ends == Ends::open && !(c.inflow.discharge_file.empty() && c.inflow.depth_file.empty() &&
-                                             c.outflow.depth_file.empty() && c.outflow.rating_file.empty());
+    return changes_at_ends(c) || (c.channel.ends == Ends::open && !c.outflow.rating_file.empty());
+}
+
+bool changes_at_ends(const Case& c) {
+    return c.channel.ends == Ends::open &&
+           !(c.inflow.discharge_file.empty() && c.inflow.depth_file.empty() && c.outflow.depth_file.empty());
 }
 
 double level_with_room(const Case& c) {

@@ -204,7 +204,7 @@ Forecast forecast_in(const Case& c) {
     f.maximum_velocity = scheme.maximum_velocity;
     f.latest_end = c.run.time;
     f.end_time = c.run.time;
-    f.relaxation_time = twins.relaxation_time();
+    f.relaxation_time = tested_relaxation_time(c, twins);
     for (const Vegetation& stems : c.vegetation) {
         const ReferenceDrag reference = reference_drag(c, stems);
         f.vegetation.push_back({stems.name, stems.frontal_area(), stems.solid_fraction(), reference.speed,

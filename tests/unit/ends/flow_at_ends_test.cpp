@@ -7,6 +7,7 @@
 #include <fstream>
 #include <string>
 
+#include "ends/relaxation_between_ends.hpp"
 #include "temporary_folder.hpp"
 
 namespace riffle {
@@ -104,6 +105,17 @@ TEST(FlowAtEnds, SlowWaterLeavesAFreeOutflowAtTheCriticalDepth) {
     EXPECT_NEAR(flow.outflow.depth->least, flow.critical_depth->least, 1e-6);
     EXPECT_NEAR(flow.outflow.froude->least, 1.0, 1e-3);
     EXPECT_LT(flow.inflow.depth->least, 0.05);
+}
+
+// What is forgotten last: the water of the start behind a free outflow, else what the outflow is still to
+// hold.
+TEST(FlowAtEnds, TheStartIsForgottenWhenAllWaterIsReplaced) {
+    const std::string inflow = "[inflow]\nunit_discharge = \"0.03 m2/s\"\nprofile = \"uniform\"\n[outflow]\n";
+    EXPECT_NEAR(relaxation_time_between_ends(slip_case(inflow + "kind = \"free\"\n")), 0.18 * 1.4 / 0.03,
+                1e-9);
+    EXPECT_NEAR(relaxation_time_between_ends(
+                    slip_case(inflow + "kind = \"depth\"\ndepth = \"0.2 m\"\nrelaxation_time = \"30 s\"\n")),
+                30.0, 1e-9);
 }
 
 TEST(FlowAtEnds, ADuctHasNoFroudeNumber) {
