@@ -43,6 +43,24 @@ double highest_end_level(const Case& c) {
     return level;
 }
 
+LeastDepth least_named_depth(const Case& c) {
+    LeastDepth least{.depth = c.total_depth()};
+    if (c.channel.ends != Ends::open || is_duct(c)) {
+        return least;
+    }
+    const EndFloors floors = end_floors(c);
+    const auto consider = [&](const std::optional<double>& level, double floor, const char* of) {
+        if (level && *level + c.datum() - floor < least.depth) {
+            least = {*level + c.datum() - floor, of};
+        }
+    };
+    consider(c.inflow.depth, floors.upstream, "the inflow");
+    if (c.outflow.kind == OutflowKind::depth) {
+        consider(c.outflow.depth, floors.downstream, "the outflow");
+    }
+    return least;
+}
+
 bool has_end_tables(const Case& c) {
     return changes_at_ends(c) || (c.channel.ends == Ends::open && !c.outflow.rating_file.empty());
 }

@@ -17,6 +17,14 @@ namespace riffle {
 /// other channels and of ducts.
 [[nodiscard]] double highest_end_level(const Case& c);
 
+/// The least depth of all the water, over what it stands on, that the keys of a case name: of the channel,
+/// and of open ends those that are held; m.
+struct LeastDepth {
+    double depth = 0.0;
+    const char* of = nullptr;  ///< "the inflow" or "the outflow"; null: the channel
+};
+[[nodiscard]] LeastDepth least_named_depth(const Case& c);
+
 /// Whether files tell how discharge or depth at open ends change, or which depth goes with which discharge.
 [[nodiscard]] bool has_end_tables(const Case& c);
 

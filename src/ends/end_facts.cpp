@@ -145,10 +145,36 @@ std::string outflow_text(const Case& c, const FlowAtEnds& states) {
     return text + (motion.empty() || c.outflow.kind == OutflowKind::free_fall ? "" : ", " + motion);
 }
 
+/// What the file of a profile leaves open, where that is more than a row of particles; else empty.
+std::string profile_text(const Case& c, const FlowAtEnds& states) {
+    const Extremes& given = *states.profile_heights;
+    // Over the datum; a profile stretches with the depth of the water, and is given for that of the case.
+    const double bottom = states.inflow.floor > 0.0 ? states.inflow.floor : -c.datum();
+    const bool below = given.least > bottom + c.numerics.spacing;
+    const bool above = given.largest < c.channel.depth - c.numerics.spacing;
+    if (!below && !above) {
+        return "";
+    }
+    std::string text = fmt::format(
+        "{} gives u from {} to {} over the datum alone:", c.inflow.profile_file.filename().string(),
+        shown_length(given.least), shown_length(given.largest));
+    if (below) {
+        text += fmt::format(" its lowest u goes on down to {}, the bottom", shown_length(bottom));
+    }
+    if (above) {
+        text += fmt::format("{} its highest up to {}, the surface", below ? "," : "",
+                            shown_length(c.channel.depth));
+    }
+    return text + "; add points where that is not meant";
+}
+
 }  // namespace
 
 std::vector<EndFact> end_facts(const Case& c, const FlowAtEnds& states) {
     std::vector<EndFact> facts{{"inflow", inflow_text(c, states)}, {"outflow", outflow_text(c, states)}};
+    if (const std::string profile = states.profile_heights ? profile_text(c, states) : ""; !profile.empty()) {
+        facts.push_back({"profile of the inflow", profile});
+    }
     if (states.critical_depth && states.critical_depth->largest > 0.0) {
         const Extremes critical = *states.critical_depth;
         std::string text = "critical depth " + millimetres(critical);

@@ -13,6 +13,7 @@
 #include "column/twin_channel.hpp"
 #include "ends/end_input.hpp"
 #include "hydraulics/varied_flow.hpp"
+#include "laboratory/profile_record.hpp"
 
 namespace riffle {
 
@@ -236,6 +237,11 @@ FlowAtEnds flow_at_ends(const Case& c) {
         }
         add_depth(c, bed, q, flow ? flow->depth_at(c.channel.length) + c.datum() : at.outflow_depth,
                   states.outflow);
+    }
+    if (c.inflow.profile == InflowProfile::file) {
+        for (const double z : read_profile_record(c.inflow.profile_file).z) {
+            widen(states.profile_heights, z);
+        }
     }
     states.unit_discharge = discharge.value_or(Extremes{});
     if (is_duct(c) && c.fluid.kinematic_viscosity > 0.0) {

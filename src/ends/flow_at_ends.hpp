@@ -42,11 +42,12 @@ struct FlowAtEnds {
     FlowAtEnd inflow;
     FlowAtEnd outflow;  ///< in steady flow: with the discharge of the inflow
     bool gives_discharge = true;
-    Extremes unit_discharge;                 ///< q, m2/s; where the case gives none that of the start
-    std::optional<Extremes> held_depth;      ///< that the outflow holds, over the datum, m
-    std::optional<Extremes> critical_depth;  ///< of q, over the datum, or over the solids at the ends, m
-    std::optional<Extremes> normal_depth;    ///< of q, over the datum, m; none without slope or friction
-    std::optional<double> reynolds;          ///< of a duct: U, its hydraulic diameter, largest q
+    Extremes unit_discharge;                  ///< q, m2/s; where the case gives none that of the start
+    std::optional<Extremes> held_depth;       ///< that the outflow holds, over the datum, m
+    std::optional<Extremes> critical_depth;   ///< of q, over the datum, or over the solids at the ends, m
+    std::optional<Extremes> normal_depth;     ///< of q, over the datum, m; none without slope or friction
+    std::optional<Extremes> profile_heights;  ///< of the points of inflow.profile_file, over the datum, m
+    std::optional<double> reynolds;           ///< of a duct: U, its hydraulic diameter, largest q
 };
 
 /// Find it, for the time that the run lasts at most. Throws as read_end_levels().

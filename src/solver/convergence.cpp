@@ -127,7 +127,7 @@ Convergence test_window(const SteadinessRecord& record, double start, double rel
         if (!record.ends->mean_level.empty()) {
             all.push_back(tested("the mean level", "m", window_of(record.ends->mean_level), of_relaxation));
         }
-        all.push_back(tested("the discharge that leaves", record.ends->discharge_unit,
+        all.push_back(tested("the discharge at the outflow", record.ends->discharge_unit,
                              window_of(record.ends->outflow_discharge), of_relaxation));
         result.reason =
             imbalance(window_of(record.ends->mass_entered), window_of(record.ends->mass_left), tolerance);

@@ -395,6 +395,7 @@ void RunSession<D>::report_progress() {
         progress.steps_per_second > 0.0 && clock.time_step > 0.0
             ? std::max(0.0, progress.expected_end - clock.time) / clock.time_step / progress.steps_per_second
             : 0.0;
+    progress.has_row = series.rows() > 0;
     progress.depth_mean_velocity = series.last(fields::time_series.depth_mean_velocity);
     progress.drag_over_gravity = series.last(fields::time_series.drag_over_gravity);
     if (!case_.vegetation.empty()) {

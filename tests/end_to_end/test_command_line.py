@@ -201,6 +201,36 @@ class CommandLine(CommandLineTest):
         self.assertGreater(forecast["steps"], 1 / forecast["time_step"] - 1)
         self.assertGreater(forecast["disk_bytes"], 0)
 
+    def test_help_of_new_names_every_built_in_case(self):
+        said = " ".join(self.succeed("help", "new").stdout.split())
+        names = self.fail_with(2, "new", self.folder / "x.toml", "--from", "nosuch").stderr.split("built-in cases are ")[1]
+        for name in re.sub(r"\s+", " ", names).strip().split(", "):
+            kind = re.sub(r"condition-\d", "condition-N" if "-3d" in name else "condition-1", name)
+            self.assertIn(kind, said, name)
+
+    def test_files_of_a_run_in_the_wrong_place(self):
+        """A results file is no case, a case no folder of a run, and a folder no file to write."""
+        run = self.folder / "out"
+        self.succeed("run", CASE, "-o", run, "-q", *SMALL, *until(0.02))
+        for file in ("results.h5", "checkpoint.h5"):
+            self.fail_with(2, "run", run / file, says=["not a case file", f"riffle resume {run}"])
+            self.fail_with(3, "resume", run / file, says=["give the folder of the run", f"`riffle resume {run}`"])
+        self.fail_with(3, "resume", CASE, says=["is a file: give the folder of the run"])
+        self.fail_with(3, "schema", "-o", run, says=["Is a directory", "Give the name of a file"])
+        self.assertEqual(sorted(self.folder.glob("*.new")), [])
+
+    def test_backwater_asks_for_the_unit_of_a_depth_in_metres(self):
+        warned = self.succeed("backwater", CASE, "--downstream", "80").stderr
+        self.assertIn("is 80mm meant?", " ".join(warned.split()))
+        for depth in ("80mm", "0.08", "80m"):
+            self.assertNotIn("meant", self.succeed("backwater", CASE, "--downstream", depth).stderr)
+
+    def test_progress_shows_no_numbers_before_they_are_recorded(self):
+        said = self.succeed("run", CASE, "-o", self.folder / "out", *SMALL, *until(0.2), *every(progress=0.001),
+                            "--set", "output.series_interval=0.15").stderr
+        self.assertIn("nothing recorded yet", said)
+        self.assertNotIn("U 0.0000", said)
+
     def test_check_prints_the_flow_at_open_ends(self):
         """With the numbers of `riffle backwater`, in words and in JSON."""
         jump = CASE.parents[1] / "open-ends/hydraulic-jump.toml"

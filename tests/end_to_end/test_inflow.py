@@ -224,7 +224,7 @@ class Convergence(CommandLineTest):
         case.write_text(RISING)
         said = self.succeed("run", case, "-o", self.folder / "out", "-j", 1).stdout
         self.assertRegex(said, r"converged at t = [\d.]+ s")
-        for quantity in ("mean velocity", "the mean level", "the discharge that leaves"):
+        for quantity in ("mean velocity", "the mean level", "the discharge at the outflow"):
             self.assertIn(quantity, said)
 
         def of(folder):

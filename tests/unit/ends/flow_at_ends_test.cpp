@@ -14,6 +14,7 @@ namespace riffle {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 Case slip_case(const std::string& more) {
     return parse_case(
@@ -116,6 +117,20 @@ TEST(FlowAtEnds, TheStartIsForgottenWhenAllWaterIsReplaced) {
     EXPECT_NEAR(relaxation_time_between_ends(
                     slip_case(inflow + "kind = \"depth\"\ndepth = \"0.2 m\"\nrelaxation_time = \"30 s\"\n")),
                 30.0, 1e-9);
+}
+
+// Beyond the points of a profile its last values go on: to be told where that is more than a row.
+TEST(FlowAtEnds, AProfileOfAPartOfTheDepthIsTold) {
+    test::TemporaryFolder folder;
+    Case c = rough_case("[inflow]\nunit_discharge = \"0.0174 m2/s\"\n");
+    c.inflow.profile = InflowProfile::file;
+    c.inflow.profile_file = folder.path() / "adv.csv";
+    std::ofstream(c.inflow.profile_file) << "z [mm],u [m/s]\n20,0.3\n30,0.35\n";
+    EXPECT_THAT(text_of(c),
+                HasSubstr("adv.csv gives u from 20 mm to 30 mm over the datum alone: its lowest u goes on "
+                          "down to -6 mm, the bottom, its highest up to 50 mm, the surface"));
+    std::ofstream(c.inflow.profile_file) << "z [mm],u [m/s]\n-5.5,0.1\n30,0.35\n49.5,0.4\n";
+    EXPECT_THAT(text_of(c), Not(HasSubstr("profile")));
 }
 
 TEST(FlowAtEnds, ADuctHasNoFroudeNumber) {

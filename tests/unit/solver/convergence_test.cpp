@@ -182,8 +182,8 @@ TEST(Convergence, BetweenOpenEndsIsNotReachedWhileTheLevelOrTheDischargeChanges)
         unknown.discharge[i] = 1e-3 * (1.0 + std::sin(0.3 * unknown.flow.time[i]));
     }
     for (const auto& [record, name] : {std::pair(filling, "the mean level may still drift"),
-                                       std::pair(emptying, "the discharge that leaves may still drift"),
-                                       std::pair(unknown, "the discharge that leaves")}) {
+                                       std::pair(emptying, "the discharge at the outflow may still drift"),
+                                       std::pair(unknown, "the discharge at the outflow")}) {
         const Convergence c = record.test();
         EXPECT_FALSE(c.converged);
         EXPECT_NE(c.reason.find(name), std::string::npos) << c.reason;
