@@ -1,8 +1,8 @@
 # %% [markdown]
 # # Velocity profile and surface spectrum of a run
 #
-# Opens the results of a run and draws the mean velocity over the depth beside the column twin, and the spectrum of the
-# free surface. Runs as a script, or cell by cell in an editor that knows `# %%` (VS Code, Spyder, Jupyter with jupytext):
+# Opens the results of a run and draws the mean velocity over the depth, beside the column twin where the run has one, and
+# the spectrum of the free surface. It needs the fields /profiles and /surface: a tank has no profiles, a duct no surface. Runs as a script, or cell by cell in an editor that knows `# %%` (VS Code, Spyder, Jupyter with jupytext):
 #
 #     PYTHONPATH=python python3 python/examples/profile_and_spectrum.py results/my-flume figure.png
 
@@ -11,7 +11,7 @@ import sys
 
 import numpy as np
 
-from riffle_results import open_results
+from riffle_results import ResultsError, open_results
 
 arguments = sys.argv[1:] if len(sys.argv) > 1 and not sys.argv[1].startswith("-") else []
 folder = arguments[0] if arguments else "results/demo"
@@ -24,7 +24,14 @@ picture = arguments[1] if len(arguments) > 1 else None
 with open_results(folder) as run:
     print(run)
     title = run.title
-    profiles, column, surface = run.profiles.load(), run.column.load(), run.surface.load()
+    try:
+        profiles, surface = run.profiles.load(), run.surface.load()
+    except ResultsError as error:
+        sys.exit(f"{error}\nThis example draws /profiles and /surface; of another kind of flow, `riffle analyse` says what there is.")
+    try:
+        column = run.column.load()
+    except ResultsError:
+        column = None  # around bodies and between open ends the flow has no twin
 
 velocity = profiles.velocity
 print(f"{velocity.attrs['long_name']} ({velocity.attrs['units']}) over {profiles.sizes['layer']} layers, "
@@ -55,7 +62,8 @@ if picture:
 import matplotlib.pyplot as plt
 
 figure, (left, right) = plt.subplots(1, 2, figsize=(10, 4.5), layout="constrained")
-left.plot(column.velocity, 1000 * column.z, color="#D55E00", label="column twin")
+if column is not None:
+    left.plot(column.velocity, 1000 * column.z, color="#D55E00", label="column twin")
 left.errorbar(velocity, 1000 * profiles.z, xerr=profiles.velocity_half_width, fmt="o", markersize=4, color="#0072B2",
               label="simulated, 95 %")
 left.set(xlabel="mean velocity $u$ (m/s)", ylabel="$z$ above the bed level (mm)")

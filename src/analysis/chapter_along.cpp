@@ -158,10 +158,8 @@ void add_velocity(const LongProfile& profile, const Heads& heads, Analysis& anal
 void compare_with_varied_flow(const FlowRecord& record, const LongProfile& profile, Figure& figure,
                               Analysis& analysis) {
     const Case& c = *record.flow();
-    Case over_beds = c;  // whose patches all across the theory knows
-    std::erase_if(over_beds.bed_patches, [&c](const BedPatch& patch) { return covers_width(c, patch); });
-    if (!c.solids.empty() || !over_beds.bed_patches.empty() || resistance_varies_along(over_beds) ||
-        !channel_or_walls_resist(c) || resolves_eddies(c) || !c.inflow_unit_discharge())
+    if (!c.solids.empty() || varies_beyond_beds(c) || !channel_or_walls_resist(c) || resolves_eddies(c) ||
+        !c.inflow_unit_discharge())
         return;
     std::vector<double> depth;
     try {

@@ -12,6 +12,7 @@
 #include "record/twin_fields.hpp"
 #include "statistics/autocorrelation.hpp"
 #include "statistics/confidence.hpp"
+#include "statistics/p_value.hpp"
 #include "statistics/settling.hpp"
 #include "statistics/stationarity.hpp"
 
@@ -150,17 +151,19 @@ void add_stationarity(const WindowRecord& window, double tolerance, Analysis& an
                                  fmt::format("change of {} over the window by its trend", window.symbol),
                                  window.unit, test.drift.value, test.drift.half_width),
                     0.0, "steady flow");
-        drift.remark = fmt::format("{:.2g} of the mean; chance of such a trend in a steady record {:.2g}",
-                                   test.drift.value / mean.mean, test.trend_p_value);
+        drift.remark = fmt::format("{:.2g} of the mean; chance p of such a trend in a steady record {}",
+                                   test.drift.value / mean.mean, p_value_text(test.trend_p_value));
         analysis.findings.push_back(std::move(drift));
-        Finding steady = make_finding(
-            chapters::statistics, window.findings + "stationarity_p_value",
-            fmt::format("steadiness of {}: smallest p-value (Bonferroni)", window.symbol), "1", test.p_value);
+        Finding steady =
+            make_finding(chapters::statistics, window.findings + "stationarity_p_value",
+                         fmt::format("steadiness of {}: smallest p-value (Bonferroni)", window.symbol), "1",
+                         std::max(test.p_value, least_p_value));
         steady.remark = test.blocks ? "trend, reverse arrangements and runs of means and variances of blocks"
                                     : fmt::format(
                                           "the trend alone: only {} independent block{}, too few for "
                                           "tests of blocks",
                                           test.block_count, test.block_count == 1 ? "" : "s");
+        steady.remark += test.p_value < least_p_value ? ": p " + p_value_text(test.p_value) : "";
         steady.remark +=
             test.p_value < 0.05 ? ": not steady (below 0.05)" : ": nothing speaks against steadiness";
         const double relative = std::abs(test.drift.value / mean.mean);

@@ -11,6 +11,7 @@
 #include "analysis/surface_parts.hpp"
 #include "base/not_a_number.hpp"
 #include "case/flow_kind.hpp"
+#include "statistics/p_value.hpp"
 #include "statistics/probability_density.hpp"
 #include "statistics/stationarity.hpp"
 
@@ -188,10 +189,9 @@ void add_density(const std::vector<SurfaceStation>& stations, const FlowRecord& 
                                                     "skewness of the elevation, " + stations[i].name, "1",
                                                     m.skewness.value, m.skewness.half_width),
                                        0.0, "Gaussian");
-            skewness.remark =
-                fmt::format("test against the Gaussian: p {} {:.2g} with {:.3g} effective samples",
-                            density.test.p_value >= 0.1 ? ">=" : "=", density.test.p_value,
-                            density.test.effective_samples);
+            skewness.remark = fmt::format("test against the Gaussian: p {}{} with {:.3g} effective samples",
+                                          density.test.p_value >= 0.1 ? ">" : "",
+                                          p_value_text(density.test.p_value), density.test.effective_samples);
             analysis.findings.push_back(std::move(skewness));
             analysis.findings.push_back(against(
                 make_finding(chapters::surface, "surface_excess_kurtosis", "excess kurtosis of the elevation",
@@ -213,10 +213,10 @@ void warn_of_change(const SurfaceStation& station, Analysis& analysis) {
         const double first = std::accumulate(squares.begin(), middle, 0.0);
         const double second = std::accumulate(middle, squares.end(), 0.0);
         analysis.warnings.push_back(fmt::format(
-            "the fluctuation of the surface is not steady over the window (p = {:.2g}, {}): its standard "
+            "the fluctuation of the surface is not steady over the window (p {}, {}): its standard "
             "deviation is {:.2g} times as large in the second half as in the first, so that moments and "
             "spectra of it belong to no one state",
-            test.p_value, station.name, std::sqrt(second / first)));
+            p_value_text(test.p_value), station.name, std::sqrt(second / first)));
     } catch (const InputError&) {
         return;  // too short, or without variance: nothing to tell
     }

@@ -26,6 +26,8 @@ struct RunRecord::Impl {
         if (has_column(flow)) column = solve_column(flow);
         series = results.series();
         window = choose_window();
+        // Whatever the analysis makes of them: files named on the command line must be there.
+        if (!options.measured.empty()) measured = read_measured();
     }
 
     [[nodiscard]] std::pair<double, double> recorded_times() const {
@@ -135,6 +137,7 @@ struct RunRecord::Impl {
     std::optional<SpaceTime> surface;
     std::optional<RunProbes> probes;
     std::optional<Measured> measured;
+    bool compared = false;  ///< somebody has asked for what was measured
     std::optional<MeanFlow> mean_field;
     std::optional<EddiesAndNoise> eddies_and_noise;
     std::optional<SurfaceMaps> surface_maps;
@@ -210,7 +213,10 @@ const SectionTwin& RunRecord::section_twin() const {
 
 const FlowRecord::Measured& RunRecord::measured() const {
     if (!impl_->measured) impl_->measured = impl_->read_measured();
+    impl_->compared = true;
     return *impl_->measured;
 }
+
+bool RunRecord::is_compared() const { return impl_->compared; }
 
 }  // namespace riffle

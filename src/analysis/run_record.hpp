@@ -54,6 +54,8 @@ class RunRecord final : public FlowRecord {
     [[nodiscard]] const SurfaceMaps& surface_maps() const override;
     [[nodiscard]] const SectionTwin& section_twin() const override;
     [[nodiscard]] const Measured& measured() const override;
+    /// Whether an analysis has asked for what was measured.
+    [[nodiscard]] bool is_compared() const;
     [[nodiscard]] std::vector<std::string> warnings() const override;
 
   private:

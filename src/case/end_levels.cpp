@@ -43,9 +43,31 @@ double highest_end_level(const Case& c) {
     return level;
 }
 
+LeastDepth least_named_depth(const Case& c) {
+    LeastDepth least{.depth = c.total_depth()};
+    if (c.channel.ends != Ends::open || is_duct(c)) {
+        return least;
+    }
+    const EndFloors floors = end_floors(c);
+    const auto consider = [&](const std::optional<double>& level, double floor, const char* of) {
+        if (level && *level + c.datum() - floor < least.depth) {
+            least = {*level + c.datum() - floor, of};
+        }
+    };
+    consider(c.inflow.depth, floors.upstream, "the inflow");
+    if (c.outflow.kind == OutflowKind::depth) {
+        consider(c.outflow.depth, floors.downstream, "the outflow");
+    }
+    return least;
+}
+
 bool has_end_tables(const Case& c) {
-    return c.channel.ends == Ends::open && !(c.inflow.discharge_file.empty() && c.inflow.depth_file.empty() &&
-                                             c.outflow.depth_file.empty() && c.outflow.rating_file.empty());
+    return changes_at_ends(c) || (c.channel.ends == Ends::open && !c.outflow.rating_file.empty());
+}
+
+bool changes_at_ends(const Case& c) {
+    return c.channel.ends == Ends::open &&
+           !(c.inflow.discharge_file.empty() && c.inflow.depth_file.empty() && c.outflow.depth_file.empty());
 }
 
 double level_with_room(const Case& c) {

@@ -17,8 +17,24 @@ namespace riffle {
 /// other channels and of ducts.
 [[nodiscard]] double highest_end_level(const Case& c);
 
-/// Whether files tell how discharge or depth at open ends change.
+/// The least depth of all the water, over what it stands on, that the keys of a case name: of the channel,
+/// and of open ends those that are held; m.
+struct LeastDepth {
+    double depth = 0.0;
+    const char* of = nullptr;  ///< "the inflow" or "the outflow"; null: the channel
+};
+[[nodiscard]] LeastDepth least_named_depth(const Case& c);
+
+/// Whether files tell how discharge or depth at open ends change, or which depth goes with which discharge.
 [[nodiscard]] bool has_end_tables(const Case& c);
+
+/// Whether discharge or depth at open ends change in time by a file.
+[[nodiscard]] bool changes_at_ends(const Case& c);
+
+/// Whether a run goes on until the flow between open ends is steady.
+[[nodiscard]] inline bool converges_between_ends(const Case& c) {
+    return c.channel.ends == Ends::open && c.run.until == RunUntil::converged;
+}
 
 /// The highest level that these files may ask for, m over z = 0: four times that of the case. The domain has
 /// room for it, and for waves above.

@@ -107,6 +107,12 @@ bool resistance_varies_along(const Case& c) {
            std::any_of(c.vegetation.begin(), c.vegetation.end(), in_part) || porosity_varies_along(c);
 }
 
+bool varies_beyond_beds(const Case& c) {
+    Case across = c;
+    std::erase_if(across.bed_patches, [&c](const BedPatch& patch) { return covers_width(c, patch); });
+    return !across.bed_patches.empty() || resistance_varies_along(across);
+}
+
 bool channel_resists(const Case& c) {
     return bed_resists(c.bed) || vegetation_everywhere(c) != nullptr || layer_resists(c);
 }

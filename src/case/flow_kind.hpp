@@ -74,6 +74,10 @@ enum class FlowKind {
 /// porous zones.
 [[nodiscard]] bool resistance_varies_along(const Case& c);
 
+/// Whether more than patches of the bed from side to side makes the flow change along the channel or across
+/// it, which the steady varied flow of `riffle backwater` does not have.
+[[nodiscard]] bool varies_beyond_beds(const Case& c);
+
 /// Whether the bed, or vegetation or a porous layer all over it, holds the water back.
 [[nodiscard]] bool channel_resists(const Case& c);
 /// Whether that does, or side walls with friction do.

@@ -31,7 +31,8 @@ Key until_key() {
     key.range = {0.0, 1e9, true, ""};
     key.unset_word = word(RunUntil::converged);
     key.unset_meaning =
-        "until the depth-mean velocity is known within `run.tolerance`, at most `run.maximum_time`";
+        "until the depth-mean velocity is known within `run.tolerance`, between open ends the mean level and the "
+        "discharge at the outflow too, at most `run.maximum_time`";
     key.example = "\"60 s\"";
     key.read = [](const Case& c, std::size_t) {
         return c.run.until == RunUntil::converged ? Value() : Value(c.run.time);

@@ -242,6 +242,17 @@ CheckList open_end_refusals() {
                                  "depth is {}, the critical depth of the discharge {}",
                                  shown_length(c.channel.depth), shown_length(critical - c.datum()));
              }},
+            {{"run.until", "inflow.discharge_file"},
+             "`until = \"converged\"` with a discharge or depth at an end that changes in time",
+             "the flow does not become steady",
+             "give a time, for example until = \"10 s\"",
+             [](const Case& c) {
+                 const char* const file = !c.inflow.discharge_file.empty() ? "[inflow] discharge_file"
+                                          : !c.inflow.depth_file.empty()   ? "[inflow] depth_file"
+                                                                           : "[outflow] depth_file";
+                 return found_if(c.run.until == RunUntil::converged && changes_at_ends(c),
+                                 "until is \"converged\", and {} changes in time", file);
+             }},
             {{"outflow.rating_file", "outflow.kind"},
              "`kind = \"rating-curve\"` without `rating_file`",
              "",

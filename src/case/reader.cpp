@@ -428,6 +428,16 @@ Case parse_case(const std::string& text, const std::string& name, const std::fil
     return c;
 }
 
+namespace {
+
+/// Whether a file is of HDF5, or begins with the seal of Riffle's results and checkpoints.
+bool is_of_a_run(std::string_view text) {
+    return text.starts_with("\x89HDF") || text.starts_with("riffle-results ") ||
+           text.starts_with("riffle-checkpoint ");
+}
+
+}  // namespace
+
 Case read_case(const std::filesystem::path& path, const std::vector<Override>& overrides) {
     std::error_code error;
     if (!std::filesystem::exists(path, error)) {
@@ -449,6 +459,13 @@ Case read_case(const std::filesystem::path& path, const std::vector<Override>& o
     text << stream.rdbuf();
     if (!stream) {
         throw FileError(fmt::format("{}: cannot be read; check its permissions", path.string()));
+    }
+    if (is_of_a_run(text.view())) {
+        const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+        throw InputError(fmt::format(
+            "{}: a file of a run (HDF5), not a case file (TOML): `riffle resume {}` goes on with the run, and its case "
+            "is the text /case/text of results.h5",
+            path.string(), folder.string()));
     }
     return parse_case(text.str(), path.string(), path, overrides);
 }

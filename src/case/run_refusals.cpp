@@ -103,12 +103,12 @@ CheckList run_refusals() {
                              c.run.time);
          }},
         {{"run.until", "channel.slope"},
-         "`until = \"converged\"` with `channel.slope` 0 and without stirring",
+         "`until = \"converged\"` with `channel.slope` 0, without stirring and without open ends",
          "it needs a flow that becomes steady",
          "give a time, for example until = \"5 s\"",
          [](const Case& c) {
              return c.run.until == RunUntil::converged && c.channel.slope == 0.0 &&
-                    c.stirring.acceleration == 0.0;
+                    c.stirring.acceleration == 0.0 && c.channel.ends != Ends::open;
          }},
     }};
 }
@@ -116,13 +116,13 @@ CheckList run_refusals() {
 const CheckList& start_of_run_refusals() {
     static const CheckList list{{
         {{"run.until"},
-         "`until = \"converged\"` in a case without a column twin, at the start of a run",
+         "`until = \"converged\"` in a case without a column twin or open ends, at the start of a run",
          "",
          "or give a time, until = \"10 s\"",
          [](const Case& c) {
              const auto reason = why_no_column(c);
              return found_if(
-                 c.run.until == RunUntil::converged && reason,
+                 c.run.until == RunUntil::converged && c.channel.ends != Ends::open && reason,
                  "until = \"converged\" tests the mean velocity against the relaxation time of the steady uniform flow, and the case has none: {}",
                  reason.value_or(""));
          }},

@@ -5,6 +5,7 @@
 
 #include "case/bed_friction.hpp"
 #include "case/conversion.hpp"
+#include "case/end_levels.hpp"
 #include "case/flow_kind.hpp"
 #include "case/key_table.hpp"
 #include "case/outline_check.hpp"
@@ -104,6 +105,12 @@ bool breaks(const Case& c) {
     return arrives || z.low > c.numerics.spacing;
 }
 
+/// "the depth", or "the depth of the inflow, 20 mm".
+std::string depth_text(const LeastDepth& least) {
+    return least.of == nullptr ? "the depth"
+                               : fmt::format("the depth of {}, {}", least.of, shown_length(least.depth));
+}
+
 CheckList make_warnings() {
     return {{
         {{"numerics.spacing", "bed.roughness_height"},
@@ -119,14 +126,15 @@ CheckList make_warnings() {
                  rows_in_roughness(c));
          }},
         {{"numerics.spacing", "channel.depth"},
-         "fewer than 20 rows of particles over the total depth of a bed of spheres, in three dimensions fewer than 10",
+         "fewer than 20 rows of particles over the total depth of a bed of spheres, or over a depth given at an open end of it, in three dimensions fewer than 10",
          "the layers of the flow may break up",
          "make the spacing smaller",
          [](const Case& c) {
-             const double rows = c.total_depth() / c.numerics.spacing;
+             const LeastDepth least = least_named_depth(c);
+             const double rows = least.depth / c.numerics.spacing;
              return found_if(over_spheres(c) && rows * (1 + small) < rows_over_depth(c),
-                             "{} leaves only {:.0f} rows over the depth, verified with {:.0f} and more",
-                             shown_length(c.numerics.spacing), rows, rows_over_depth(c));
+                             "{} leaves only {:.0f} rows over {}, verified with {:.0f} and more",
+                             shown_length(c.numerics.spacing), rows, depth_text(least), rows_over_depth(c));
          }},
         {{"numerics.kernel"},
          "`kernel = \"cubic-spline\"`",
@@ -297,14 +305,15 @@ CheckList make_warnings() {
                              shown_length(c.numerics.spacing), fmt::format("{:.2g} mm", 1e3 * zero));
          }},
         {{"numerics.spacing", "channel.depth"},
-         "fewer than 12 rows of particles over the depth of a bed by a wall law",
+         "fewer than 12 rows of particles over the depth of a bed by a wall law, or over a depth given at an open end of it",
          "the rows of the wall layer are a large part of the depth",
          "make the spacing smaller",
          [](const Case& c) {
-             const double rows = c.total_depth() / c.numerics.spacing;
+             const LeastDepth least = least_named_depth(c);
+             const double rows = least.depth / c.numerics.spacing;
              return found_if(has_wall_law(c) && rows * (1 + small) < 12.0,
-                             "{} leaves only {:.0f} rows over the depth, verified with 12 and more",
-                             shown_length(c.numerics.spacing), rows);
+                             "{} leaves only {:.0f} rows over {}, verified with 12 and more",
+                             shown_length(c.numerics.spacing), rows, depth_text(least));
          }},
         {{"numerics.courant_number", "numerics.stepping"},
          "a `courant_number` above 0.8, with the methods of two evaluations above 0.4, with Verlet's above 0.2",

@@ -57,7 +57,14 @@ Analysis analyse_input(const RecordInput& options, const std::string& input) {
     RunRecordOptions how;
     how.window = options.window;
     how.measured.assign(options.measured.begin(), options.measured.end());
-    return analyse(RunRecord(results, how), options.chapter);
+    const RunRecord record(results, how);
+    Analysis analysis = analyse(record, options.chapter);
+    if (!options.measured.empty() && !record.is_compared()) {
+        analysis.warnings.emplace_back(
+            "nothing of this run is compared with what --measured names: it has no time means of the velocity, or none "
+            "in this chapter");
+    }
+    return analysis;
 }
 
 void check_record_options(const RecordInput& options) {

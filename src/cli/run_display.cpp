@@ -24,6 +24,12 @@ extern "C" void riffle_note_signal(int number) { stop_signal.store(number); }
 /// The most important first: a narrow terminal shows no more than fits.
 std::vector<std::string> progress_parts(const RunProgress& p) {
     const bool certain = p.expected_end == p.end_time;
+    const std::string steps = fmt::format("{:.0f} steps/s", p.steps_per_second);
+    const std::string updates = fmt::format("{:.2f} M updates/s", p.updates_per_second * 1e-6);
+    if (!p.has_row) {
+        return {fmt::format("t = {:.2g} of {}{:.4g} s", p.time, certain ? "" : "about ", p.expected_end),
+                "nothing recorded yet", steps, updates};
+    }
     return {fmt::format("t = {:.2f} of {}{:.4g} s", p.time, certain ? "" : "about ", p.expected_end),
             fmt::format("{}{} left", certain ? "" : "about ", duration_text(p.seconds_left)),
             fmt::format("U {:.4f} m/s", p.depth_mean_velocity),
@@ -31,8 +37,8 @@ std::vector<std::string> progress_parts(const RunProgress& p) {
             fmt::format("level {:.2f} mm", 1e3 * p.mean_level),
             fmt::format("u' {:.1f} mm/s", 1e3 * p.velocity_fluctuation),
             fmt::format("order {:.2f}", p.particle_order),
-            fmt::format("{:.0f} steps/s", p.steps_per_second),
-            fmt::format("{:.2f} M updates/s", p.updates_per_second * 1e-6)};
+            steps,
+            updates};
 }
 
 void print_value(const char* label, double value, double half_width, std::optional<double> measured) {

@@ -16,6 +16,7 @@
 #include "cli/case_argument.hpp"
 #include "cli/printed_number.hpp"
 #include "cli/quantity_argument.hpp"
+#include "cli/terminal.hpp"
 #include "cli/text_output.hpp"
 #include "cli/verbs.hpp"
 #include "column/twin_channel.hpp"
@@ -126,8 +127,19 @@ std::string friction_text(const GivenFriction& friction, const Case& c) {
     return has_section_reach(c) ? "section twin, between side walls" : "column twin";
 }
 
+/// Warns of a depth without a unit that is too large to be meant in metres.
+void warn_of_metres(const std::string& option, const std::string& text, double depth, const Case& c) {
+    constexpr double depths = 10.0;
+    const std::optional<Quantity> quantity = split_quantity(text);
+    if (quantity && quantity->unit.empty() && depth > depths * c.channel.depth) {
+        print_warning(fmt::format(
+            "{} {}: {:.0f} times the depth of the case, {}: is {}mm meant? A number without unit is in metres",
+            option, text, depth / c.channel.depth, shown_length(c.channel.depth), text));
+    }
+}
+
 /// A depth given as a length, or by one of the words for the channel's own depths.
-std::optional<double> control(const std::string& option, const std::string& text,
+std::optional<double> control(const std::string& option, const std::string& text, const Case& c,
                               const SteadyChannel& channel) {
     if (text.empty()) return std::nullopt;
     if (text == "critical") return critical_depth(channel);
@@ -138,6 +150,7 @@ std::optional<double> control(const std::string& option, const std::string& text
         return depth;
     }
     const double depth = quantity_argument(option, text, Dimension::length);
+    warn_of_metres(option, text, depth, c);
     if (depth < channel.least_depth) {
         throw InputError(fmt::format("{} {}: the friction of the bed is known from a depth of {} on", option,
                                      text, shown_length(channel.least_depth)));
@@ -201,8 +214,8 @@ Backwater solve(const BackwaterArguments& a, Case c) {
         b.notes.emplace_back(
             "What holds the depths at the ends is that of the case, [inflow] and [outflow].");
     } else {
-        controls.upstream_depth = control("--upstream", a.upstream, b.channel);
-        controls.downstream_depth = control("--downstream", a.downstream, b.channel);
+        controls.upstream_depth = control("--upstream", a.upstream, c, b.channel);
+        controls.downstream_depth = control("--downstream", a.downstream, c, b.channel);
         if (a.length.empty() && !c.bed_patches.empty() && !is_given(friction)) {
             controls.length = c.channel.length;
             b.notes.emplace_back("The channel is as long as that of the case, along which its bed changes.");

@@ -6,6 +6,7 @@
 
 #include "base/wrapped_text.hpp"
 #include "cli/case_argument.hpp"
+#include "cli/ends_json.hpp"
 #include "cli/run_arguments.hpp"
 #include "cli/terminal.hpp"
 #include "cli/verbs.hpp"
@@ -189,6 +190,9 @@ void print_forecast(const Case& c, const Forecast& f) {
     if (f.relaxation_time) {
         print_row("relaxation time", fmt::format("{:.3g} s", *f.relaxation_time));
     }
+    for (const EndFact& fact : f.end_facts) {
+        print_row(fact.label.c_str(), fact.text);
+    }
     print_canal(f);
     print_bed_patches(f);
     print_vegetation(f);
@@ -226,6 +230,7 @@ void print_json(const Case& c, const Forecast& f, const std::vector<std::string>
                                          {"disk_bytes", f.disk_bytes},
                                          {"replacing_bytes", f.replacing_bytes},
                                          {"disk_parts", parts_json(f)},
+                                         {"ends", ends_json(f)},
                                          {"canal", canal_json(f)},
                                          {"bed_patches", bed_patches_json(f)},
                                          {"vegetation", vegetation_json(f)},

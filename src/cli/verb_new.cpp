@@ -49,7 +49,9 @@ void add_verb_new(CLI::App& app) {
     verb->add_option(
             "--from", options->from,
             "Case file to take the values from, or a built-in case: rough-bed, condition-1 to condition-8, "
-            "paper-2016, dam-break, resolved-eddies")
+            "paper-2016, dam-break, resolved-eddies; in three dimensions condition-N-3d (the thesis' size), "
+            "condition-N-3d-coarse (half the width, two spheres long) and condition-N-3d-wide (periodic across), N = "
+            "1, 2, 5 or 8")
         ->capture_default_str();
     verb->add_flag(
             "--violent", options->violent,
@@ -64,6 +66,7 @@ void add_verb_new(CLI::App& app) {
         "Examples:\n"
         "  riffle new my-flume.toml\n"
         "  riffle new my-flume.toml --from condition-2\n"
+        "  riffle new my-flume.toml --from condition-2-3d-coarse   in three dimensions\n"
         "  riffle new my-tank.toml --violent             water that falls, breaks and hits\n"
         "  riffle new my-eddies.toml --resolved          eddies and a surface that moves with them\n"
         "  riffle new other.toml --from my-flume.toml   its values, with the comments of all keys");

@@ -152,18 +152,21 @@ void require_possible(const Case& c, const TimeTable& depth, double floor) {
     }
 }
 
+/// The depths that an outflow holds in time, over its floor.
+TimeTable outflow_table(const Case& c, double floor) {
+    TimeTable table = depth_table(c, c.outflow.depth, c.outflow.depth_file, floor);
+    if (!c.outflow.depth_file.empty()) {
+        require_possible(c, table, floor);
+    }
+    return table;
+}
+
+/// What another kind of outflow holds.
 std::function<double(double, double)> outflow_rule(const Case& c, double floor) {
     const Outflow& outflow = c.outflow;
     const double g = c.normal_gravity();
     const double datum = c.datum();
     switch (outflow.kind) {
-        case OutflowKind::depth: {
-            TimeTable table = depth_table(c, outflow.depth, outflow.depth_file, floor);
-            if (!outflow.depth_file.empty()) {
-                require_possible(c, table, floor);
-            }
-            return [table = std::move(table)](double, double time) { return table.at(time); };
-        }
         case OutflowKind::normal_depth: {
             const auto depth =
                 twin_normal_depth(with_bed_at(c, c.channel.length), c.inflow_unit_discharge().value_or(0.0));
@@ -185,6 +188,7 @@ std::function<double(double, double)> outflow_rule(const Case& c, double floor) 
                 return place_in(rating.second, q).in(rating.first) + over;
             };
         }
+        case OutflowKind::depth:
         case OutflowKind::free:
         case OutflowKind::free_fall:
         case OutflowKind::pressure:
@@ -236,7 +240,14 @@ EndInput read_end_levels(const Case& c) {
                      critical + std::max(floors.upstream, floors.downstream));
     }
     if (!is_duct(c)) {
-        input.outflow_depth = outflow_rule(c, floors.downstream);
+        if (c.outflow.kind == OutflowKind::depth) {
+            input.outflow_table = outflow_table(c, floors.downstream);
+            input.outflow_depth = [table = *input.outflow_table](double, double time) {
+                return table.at(time);
+            };
+        } else {
+            input.outflow_depth = outflow_rule(c, floors.downstream);
+        }
         constexpr double times = 5.0;
         input.inflow_relaxation_time =
             c.inflow.relaxation_time.value_or(times * std::sqrt(c.total_depth() / c.normal_gravity()));
@@ -324,7 +335,8 @@ ChannelControls controls_at_ends(const Case& c, const EndInput& input, const Ste
         const double critical = critical_depth(channel);
         controls.downstream_depth =
             std::max(critical, input.outflow_depth(channel.unit_discharge, 0.0) - c.datum());
-    } else if (c.outflow.kind == OutflowKind::free_fall) {
+    } else if (c.outflow.kind == OutflowKind::free_fall || c.outflow.kind == OutflowKind::free) {
+        // Slower water leaves at the critical depth; faster water does not hear of it.
         controls.downstream_depth = critical_depth(channel);
     }
     return controls;

@@ -20,10 +20,11 @@ struct EndInput {
     /// Depth that rules the outflow, from the discharge that leaves (m2/s) and the time (s); none where
     /// nothing does.
     std::function<double(double unit_discharge, double time)> outflow_depth;
-    double relaxation_time = 0.0;         ///< of the depth or the pressure at the outflow, s
-    double inflow_relaxation_time = 0.0;  ///< of the discharge at the inflow, s
-    bool duct = false;                    ///< water between the bed and a wall at the top
-    double outflow_pressure = 0.0;        ///< of a duct, over the density, m2/s2
+    std::optional<TimeTable> outflow_table;  ///< where that is a depth given in time
+    double relaxation_time = 0.0;            ///< of the depth or the pressure at the outflow, s
+    double inflow_relaxation_time = 0.0;     ///< of the discharge at the inflow, s
+    bool duct = false;                       ///< water between the bed and a wall at the top
+    double outflow_pressure = 0.0;           ///< of a duct, over the density, m2/s2
 };
 
 /// Read it. Throws FileError or InputError that name file, line or key where something does not hold.

@@ -17,6 +17,8 @@ class TimeTable {
     [[nodiscard]] double at(double time) const;
     [[nodiscard]] double largest() const;
     [[nodiscard]] double smallest() const;
+    /// The times of its rows, s.
+    [[nodiscard]] const std::vector<double>& times() const { return time_; }
 
   private:
     std::vector<double> time_;

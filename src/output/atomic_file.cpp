@@ -15,7 +15,8 @@ void write_text_atomically(const std::filesystem::path& path, std::string_view t
     try {
         replace_file(path, parts);
     } catch (const std::system_error& error) {
-        const bool existed = std::filesystem::exists(std::filesystem::symlink_status(path));
+        const bool existed = std::filesystem::exists(std::filesystem::symlink_status(path)) &&
+                             !std::filesystem::is_directory(path);
         throw FileError(fmt::format("{}: cannot be written: {}{}", path.string(),
                                     explain(error.code(), path, text.size()),
                                     existed ? " The earlier file is untouched." : ""));

@@ -46,6 +46,9 @@ bool is_device(const std::filesystem::path& path) {
 FileReplacement::FileReplacement(const std::filesystem::path& path, std::filesystem::path keep_as)
     : target_(behind_links(path)), kept_(std::move(keep_as)), fresh_(with_suffix(target_, ".new")) {
     if (is_device(target_)) throw_system_error(ENXIO, "replace");
+    if (std::error_code error; std::filesystem::is_directory(target_, error)) {
+        throw_system_error(EISDIR, "replace");
+    }
     file_ = FileDescriptor(fresh_, O_RDWR | O_CREAT | O_TRUNC);
     file_.take_permissions_of(target_);
 }
@@ -103,6 +106,9 @@ std::string explain(const std::error_code& code, const std::filesystem::path& pa
         code == std::errc::operation_not_permitted) {
         return fmt::format("{}Check the permissions of {} and of the folder {}.", text,
                            path.filename().string(), folder);
+    }
+    if (code == std::errc::is_a_directory) {
+        return text + "Give the name of a file in that folder.";
     }
     if (code == std::errc::no_such_file_or_directory) {
         return fmt::format("{}Check the path; the folder {} {}.", text, folder,

@@ -194,6 +194,9 @@ std::string numbers_table(const Case& c, const Forecast* f) {
                  fmt::format("{}, {}", length_in(c, c.numerics.spacing),
                              length_in(c, c.numerics.smoothing_ratio * c.numerics.spacing)));
     if (f != nullptr) {
+        for (const auto& fact : f->end_facts) {
+            table += row(fact.label, fact.text);
+        }
         table += row("particles", fmt::format("{} of water, {} of walls", f->particles, f->wall_particles));
         table += row("sound speed", fmt::format("{:.4g} m/s", f->sound_speed));
         table += row("time step", fmt::format("{:.3g} s", f->time_step));

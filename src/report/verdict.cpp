@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "case/end_levels.hpp"
 #include "case/flow_kind.hpp"
 #include "column/column.hpp"
 #include "record/run_fields.hpp"
@@ -228,8 +229,8 @@ Verdict judge_flow(const ReportData& data, const std::vector<SummaryRow>& quanti
 
     const Health worst = worst_of(diagnostics);
     verdict.mark = worst;
-    // Only flows with a column twin are tested for convergence.
-    if (has_column(data.flow)) {
+    // Flows with a column twin are tested for convergence, and those between open ends that are to converge.
+    if (has_column(data.flow) || converges_between_ends(data.flow)) {
         const bool converged = find_value(data.summary, fields::summary.converged).value_or(0.0) != 0.0;
         if (!converged && verdict.mark == Health::good) verdict.mark = Health::caution;
         verdict.headline = steady_headline(converged, worst);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 
@@ -12,10 +13,20 @@ struct Convergence {
     bool converged = false;
     double window_start = 0.0;        ///< of the averaging window, s
     MeanEstimate mean;                ///< of the depth-mean velocity over the window
-    double remaining_drift = 0.0;     ///< bound of the drift still to come, over the mean
+    MeanEstimate least_known;         ///< of the tested quantity whose interval is widest over its mean
+    double remaining_drift = 0.0;     ///< bound of the drift still to come, over the mean, largest of all
     double fluctuation_growth = 0.0;  ///< logarithm of the velocity fluctuation's growth over the window
     double fluctuation_growth_half_width = 0.0;  ///< of its 95 % interval
     std::string reason;                          ///< in words, for the log
+};
+
+/// What water enters and leaves, and how much of it there is, between open ends; equally spaced records.
+struct EndsRecord {
+    std::span<const double> mean_level;         ///< m; empty in ducts
+    std::span<const double> outflow_discharge;  ///< of the section there, m2/s or m3/s
+    std::span<const double> mass_entered;       ///< so far, kg/m or kg
+    std::span<const double> mass_left;          ///< so far, the same unit
+    const char* discharge_unit = "m2/s";
 };
 
 /// What the test looks at, equally spaced records.
@@ -23,6 +34,7 @@ struct SteadinessRecord {
     std::span<const double> time;                  ///< s
     std::span<const double> depth_mean_velocity;   ///< m/s
     std::span<const double> velocity_fluctuation;  ///< rms departure of the particles from their layers, m/s
+    std::optional<EndsRecord> ends = {};           ///< of open ends
 };
 
 /// Growth of the velocity fluctuation over the averaging window, above which the flow is not what it will be:
@@ -36,7 +48,10 @@ inline constexpr double largest_fluctuation_growth = 0.25;
 /// enough independent samples for an interval (fewest_effective_samples), (d) its half-width is within
 /// `tolerance` too, correlation taken into account, and (e) the velocity fluctuation has not grown by more
 /// than largest_fluctuation_growth, as far as its 95 % interval tells: a growing one says that the order of
-/// the start is about to break. `fixed_start` >= 0: the window starts there.
+/// the start is about to break. Between open ends (T as relaxation_time_between_ends()) the mean level and
+/// the discharge of the section at the outflow must pass (b) to (d) too, and (f) the mass that has left
+/// during the window must be that which has entered, within `tolerance` of it. `fixed_start` >= 0: the window
+/// starts there.
 [[nodiscard]] Convergence test_convergence(const SteadinessRecord& record, double relaxation_time,
                                            double tolerance, double fixed_start = -1.0);
 

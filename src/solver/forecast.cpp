@@ -217,7 +217,7 @@ Forecast forecast_in(const Case& c) {
     f.maximum_velocity = scheme.maximum_velocity;
     f.latest_end = c.run.time;
     f.end_time = c.run.time;
-    f.relaxation_time = twins.relaxation_time();
+    f.relaxation_time = tested_relaxation_time(c, twins);
     for (const BedPatch& patch : c.bed_patches) {
         f.bed_patches.push_back(forecast_of(c, patch));
     }
@@ -227,6 +227,10 @@ Forecast forecast_in(const Case& c) {
                                 reference.drag_coefficient, displacement_height(stems)});
     }
     f.canal = canal_flow(c);
+    if (c.channel.ends == Ends::open) {
+        f.ends = flow_at_ends(c);
+        f.end_facts = end_facts(c, *f.ends);
+    }
     for (const Porous& zone : c.porous) {
         const PorousResistance resistance(zone, c.fluid.kinematic_viscosity);
         // On a slope that under the weight, else that of a tenth of it.

@@ -7,6 +7,7 @@
 
 #include "case/case.hpp"
 #include "column/canal_flow.hpp"
+#include "ends/flow_at_ends.hpp"
 
 namespace riffle {
 
@@ -82,6 +83,8 @@ struct Forecast {
     std::vector<VegetationForecast> vegetation;
     std::vector<PorousForecast> porous;
     std::optional<CanalFlow> canal;  ///< of a canal of one cross-section
+    std::optional<FlowAtEnds> ends;  ///< of open ends
+    std::vector<EndFact> end_facts;  ///< of open ends, in words
     std::vector<ProbeForecast> probes;
     std::vector<std::string> probe_notes;  ///< what the standard instruments leave out, and why
 };

@@ -75,6 +75,13 @@ RunOutcome resume_run(const RunOptions& given, const fs::path& checkpoint,
     RunOptions options = given;
     const RunFiles files{options.folder};
     const fs::path from = checkpoint.empty() ? files.checkpoint() : checkpoint;
+    if (std::error_code error; fs::is_regular_file(options.folder, error)) {
+        const fs::path folder = options.folder.has_parent_path() ? options.folder.parent_path() : ".";
+        const bool of_run = fs::exists(RunFiles{folder}.checkpoint());
+        throw FileError(fmt::format("{} is a file: give the folder of the run, {}", options.folder.string(),
+                                    of_run ? fmt::format("`riffle resume {}`", folder.string())
+                                           : "for example `riffle resume results/my-flume`"));
+    }
     if (!fs::exists(files.results()) && !fs::exists(from)) {
         throw FileError(
             fmt::format("{} holds no run to resume (no results.h5, no checkpoint.h5); start one with "

@@ -44,6 +44,7 @@ struct RunProgress {
     double density_deviation_maximum = 0.0;
     double mean_level = 0.0;
     std::string convergence;  ///< outcome of the newest convergence test, in words
+    bool has_row = true;      ///< something is recorded: the numbers of the flow are known
 };
 
 /// How a run is to be carried out.

@@ -14,6 +14,7 @@
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "base/version.hpp"
+#include "case/end_levels.hpp"
 #include "case/flow_kind.hpp"
 #include "output/checkpoint_file.hpp"
 #include "particles/lattice.hpp"
@@ -76,7 +77,8 @@ RunSession<D>::RunSession(Case c, RunOptions options)
     : case_(std::move(c)), options_(std::move(options)), files_{options_.folder}, log_(files_.log()) {
     set_thread_count(options_.threads);
     twins_ = solve_twins(case_);
-    convergence_.reason = twins_.column ? "not yet tested for convergence" : no_steady_flow;
+    relaxation_time_ = tested_relaxation_time(case_, twins_).value_or(0.0);
+    convergence_.reason = is_tested() ? "not yet tested for convergence" : no_steady_flow;
     if (case_.channel.ends == Ends::open && !is_duct(case_)) {
         end_events_.emplace(case_.normal_gravity(), lattice_of(case_).dz);
     }
@@ -218,6 +220,11 @@ double RunSession<D>::seconds_since(Clock::time_point t) const {
 }
 
 template <int D>
+bool RunSession<D>::is_tested() const {
+    return twins_.column.has_value() || converges_between_ends(case_);
+}
+
+template <int D>
 bool RunSession<D>::finished() const {
     // A hair's breadth of the step's rounding must not cost another step.
     return simulation_->clock().time >= case_.run.time * (1.0 - 1e-12) ||
@@ -292,17 +299,27 @@ RunOutcome RunSession<D>::advance() {
 template <int D>
 void RunSession<D>::update_convergence(bool final_test) {
     const TimeSeries& series = recorder_->series();
-    if (!twins_.column) {
+    if (!is_tested()) {
         // No steady flow to converge to: averages over the second half, or from the asked time.
         convergence_.window_start = case_.run.average_from.value_or(0.5 * simulation_->clock().time);
         convergence_.reason = no_steady_flow;
         return;
     }
-    convergence_ = test_convergence(
-        {.time = series.column(fields::time_series.time),
-         .depth_mean_velocity = series.column(fields::time_series.depth_mean_velocity),
-         .velocity_fluctuation = series.column(fields::time_series.velocity_fluctuation)},
-        twins_.relaxation_time().value_or(0.0), case_.run.tolerance, case_.run.average_from.value_or(-1.0));
+    SteadinessRecord record{.time = series.column(fields::time_series.time),
+                            .depth_mean_velocity = series.column(fields::time_series.depth_mean_velocity),
+                            .velocity_fluctuation = series.column(fields::time_series.velocity_fluctuation)};
+    if (converges_between_ends(case_)) {
+        record.ends = {.mean_level = {},
+                       .outflow_discharge = series.column(fields::time_series.outflow_discharge),
+                       .mass_entered = series.column(fields::time_series.mass_entered),
+                       .mass_left = series.column(fields::time_series.mass_left),
+                       .discharge_unit = fields::time_series.outflow_discharge.unit.in(D)};
+        if (!is_duct(case_)) {
+            record.ends->mean_level = series.column(fields::time_series.mean_level);
+        }
+    }
+    convergence_ = test_convergence(record, relaxation_time_, case_.run.tolerance,
+                                    case_.run.average_from.value_or(-1.0));
     if (final_test && !convergence_.converged && !case_.run.average_from) {
         // A run cut short still averages something: its second half, marked as not converged.
         convergence_.window_start = std::min(convergence_.window_start, 0.5 * simulation_->clock().time);
@@ -367,9 +384,8 @@ void RunSession<D>::report_progress() {
     progress.time = clock.time;
     progress.end_time = case_.run.time;
     progress.expected_end =
-        case_.run.until == RunUntil::converged && twins_.column
-            ? expected_end(convergence_, clock.time, twins_.relaxation_time().value_or(0.0),
-                           case_.run.tolerance, case_.run.time)
+        case_.run.until == RunUntil::converged && is_tested()
+            ? expected_end(convergence_, clock.time, relaxation_time_, case_.run.tolerance, case_.run.time)
             : case_.run.time;
     progress.steps = clock.steps;
     progress.steps_per_second = static_cast<double>(clock.steps - first_step_) / seconds;
@@ -379,6 +395,7 @@ void RunSession<D>::report_progress() {
         progress.steps_per_second > 0.0 && clock.time_step > 0.0
             ? std::max(0.0, progress.expected_end - clock.time) / clock.time_step / progress.steps_per_second
             : 0.0;
+    progress.has_row = series.rows() > 0;
     progress.depth_mean_velocity = series.last(fields::time_series.depth_mean_velocity);
     progress.drag_over_gravity = series.last(fields::time_series.drag_over_gravity);
     if (!case_.vegetation.empty()) {

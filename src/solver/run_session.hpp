@@ -46,6 +46,8 @@ class RunSession {
     void write_checkpoint();
     void add_run_attributes(Content& content, Moment moment) const;
     void update_convergence(bool final_test);
+    /// Whether the flow is tested for convergence.
+    [[nodiscard]] bool is_tested() const;
     void report_progress();
     /// Time from which a step must bring the fields of the particles up to date.
     [[nodiscard]] double fields_due() const;
@@ -65,6 +67,7 @@ class RunSession {
     std::string inputs_;   ///< input_checksums() at the start of the run
     std::string failure_;  ///< what the simulation failed with
     Twins twins_;
+    double relaxation_time_ = 0.0;  ///< s; 0 where there is no steady flow to come to
     std::unique_ptr<SimulationIn<D>> simulation_;
     std::unique_ptr<Recorder> recorder_;
     Convergence convergence_;

@@ -4,9 +4,11 @@
 #include <optional>
 
 #include "case/case.hpp"
+#include "case/end_levels.hpp"
 #include "column/column.hpp"
 #include "column/section.hpp"
 #include "column/section_start.hpp"
+#include "ends/relaxation_between_ends.hpp"
 #include "solver/start.hpp"
 
 namespace riffle {
@@ -34,6 +36,13 @@ struct Twins {
                    : SectionVelocity();
     }
 };
+
+/// Relaxation time by which the flow of a run is tested for convergence, s: that of its twins, or of what
+/// passes between open ends; none where it is not tested.
+[[nodiscard]] inline std::optional<double> tested_relaxation_time(const Case& c, const Twins& twins) {
+    return converges_between_ends(c) ? std::optional(relaxation_time_between_ends(c))
+                                     : twins.relaxation_time();
+}
 
 /// Solve the twins that the case has.
 [[nodiscard]] inline Twins solve_twins(const Case& c) {

@@ -14,9 +14,10 @@ RunCost estimate_cost(const Case& c) {
     const Scheme scheme = make_scheme(c, twins.column_or_null());
     RunCost cost;
     cost.end_time = c.run.time;
-    if (c.run.until == RunUntil::converged && twins.relaxation_time()) {
+    const std::optional<double> relaxation_time = tested_relaxation_time(c, twins);
+    if (c.run.until == RunUntil::converged && relaxation_time) {
         // The convergence test needs three relaxation times and one more of record.
-        cost.end_time = std::min(c.run.time, 4.0 * *twins.relaxation_time());
+        cost.end_time = std::min(c.run.time, 4.0 * *relaxation_time);
     }
     const auto particles = static_cast<double>(lattice_of(c).places(c.channel.dimensions));
     const double neighbours = std::pow(scheme.smoothing_length / scheme.spacing, c.channel.dimensions);

@@ -121,6 +121,11 @@ class Analyse(CommandLineTest):
         # Its kind of flow has a course; what a chapter made for other kinds lacks, it says when asked for.
         self.assertIn("Course of the flow", printed)
         self.assertNotIn("Free surface", printed)
+        # What it is to be compared with must be there all the same, and is said to be of no use.
+        self.fail_with(3, "analyse", folder, "--measured", self.folder / "none.csv", says=["none.csv"])
+        (self.folder / "profile.csv").write_text("z,u\n0.01,0.2\n0.02,0.3\n")
+        self.assertIn("nothing of this run is compared",
+                      " ".join(self.succeed("analyse", folder, "--measured", self.folder / "profile.csv").stdout.split()))
         self.assertIn("the case has no free surface", self.succeed("analyse", folder, "--chapter", "surface").stdout)
 
 

@@ -201,6 +201,54 @@ class CommandLine(CommandLineTest):
         self.assertGreater(forecast["steps"], 1 / forecast["time_step"] - 1)
         self.assertGreater(forecast["disk_bytes"], 0)
 
+    def test_help_of_new_names_every_built_in_case(self):
+        said = " ".join(self.succeed("help", "new").stdout.split())
+        names = self.fail_with(2, "new", self.folder / "x.toml", "--from", "nosuch").stderr.split("built-in cases are ")[1]
+        for name in re.sub(r"\s+", " ", names).strip().split(", "):
+            kind = re.sub(r"condition-\d", "condition-N" if "-3d" in name else "condition-1", name)
+            self.assertIn(kind, said, name)
+
+    def test_files_of_a_run_in_the_wrong_place(self):
+        """A results file is no case, a case no folder of a run, and a folder no file to write."""
+        run = self.folder / "out"
+        self.succeed("run", CASE, "-o", run, "-q", *SMALL, *until(0.02))
+        for file in ("results.h5", "checkpoint.h5"):
+            self.fail_with(2, "run", run / file, says=["not a case file", f"riffle resume {run}"])
+            self.fail_with(3, "resume", run / file, says=["give the folder of the run", f"`riffle resume {run}`"])
+        self.fail_with(3, "resume", CASE, says=["is a file: give the folder of the run"])
+        self.fail_with(3, "schema", "-o", run, says=["Is a directory", "Give the name of a file"])
+        self.assertEqual(sorted(self.folder.glob("*.new")), [])
+
+    def test_backwater_asks_for_the_unit_of_a_depth_in_metres(self):
+        warned = self.succeed("backwater", CASE, "--downstream", "80").stderr
+        self.assertIn("is 80mm meant?", " ".join(warned.split()))
+        for depth in ("80mm", "0.08", "80m"):
+            self.assertNotIn("meant", self.succeed("backwater", CASE, "--downstream", depth).stderr)
+
+    def test_progress_shows_no_numbers_before_they_are_recorded(self):
+        said = self.succeed("run", CASE, "-o", self.folder / "out", *SMALL, *until(0.2), *every(progress=0.001),
+                            "--set", "output.series_interval=0.15").stderr
+        self.assertIn("nothing recorded yet", said)
+        self.assertNotIn("U 0.0000", said)
+
+    def test_check_prints_the_flow_at_open_ends(self):
+        """With the numbers of `riffle backwater`, in words and in JSON."""
+        jump = CASE.parents[1] / "open-ends/hydraulic-jump.toml"
+        coarse = ("--set", "numerics.spacing=5mm", "--set", "start.kind=uniform")
+        ends = json.loads(self.succeed("check", jump, "--json", *coarse).stdout)["ends"]
+        told = json.loads(self.succeed("backwater", jump, "--json", "-").stdout)
+        self.assertEqual(ends["unit_discharge"], [0.02658, 0.02658])
+        for end, station in (("inflow", 0), ("outflow", -1)):
+            for key in ("depth", "velocity", "froude"):
+                for value in ends[end][key]:
+                    self.assertAlmostEqual(value, told["stations"][key][station], places=6, msg=f"{end} {key}")
+        self.assertAlmostEqual(ends["critical_depth"][0], told["critical_depth"], places=6)
+        self.assertIsNone(ends["normal_depth"])  # the bed is level
+        said = " ".join(self.succeed("check", jump, *coarse).stdout.split())
+        self.assertRegex(said, r"inflow q = 0\.02658 m2/s, depth 20 mm, U = 1\.329 m/s, Fr = 3\.07\d, supercritical")
+        self.assertRegex(said, r"outflow holds 70 mm, U = 0\.3797 m/s, Fr = 0\.466\d, subcritical")
+        self.assertIsNone(json.loads(self.succeed("check", CASE, "--json", *SMALL, *until(1)).stdout)["ends"])
+
     def test_every_case_in_the_tree_is_valid(self):
         """Those of up to 26 000 particles; that the others can be read is a unit test (ShippedCases.AllParse)."""
         cases = sorted(case for case in SOURCE.glob("cases/**/*.toml") if places_of(case) < 2.6e4)

@@ -191,5 +191,65 @@ class EndEvents(CommandLineTest):
         self.assertEqual(len([line for line in warnings if "the outflow ran dry at t = " in line]), 1, warnings)
 
 
+# Uniform water of condition 2 that is then held 10 mm higher at its outflow.
+RISING = """
+[channel]
+slope = 0.004
+depth = "50 mm"
+length = "0.3 m"
+ends = "open"
+[inflow]
+unit_discharge = "0.0174 m2/s"
+[outflow]
+kind = "depth"
+depth = "60 mm"
+relaxation_time = "0.5 s"
+[bed]
+roughness_height = "0.4 D"
+[numerics]
+spacing = "5 mm"
+[run]
+until = "converged"
+tolerance = 0.02
+maximum_time = "30 s"
+"""
+
+
+class Convergence(CommandLineTest):
+    def test_a_channel_runs_until_it_is_steady_and_no_longer(self):
+        """From a start that is not; what it then says is what the flow keeps."""
+        import h5py
+
+        case = self.folder / "rising.toml"
+        case.write_text(RISING)
+        said = self.succeed("run", case, "-o", self.folder / "out", "-j", 1).stdout
+        self.assertRegex(said, r"converged at t = [\d.]+ s")
+        for quantity in ("mean velocity", "the mean level", "the discharge at the outflow"):
+            self.assertIn(quantity, said)
+
+        def of(folder):
+            with h5py.File(folder / "results.h5") as file:
+                summary = dict(file["summary"].attrs)
+                return {name: summary[name] for name in ("converged", "window_start", "window_end", "mean_level",
+                                                         "depth_mean_velocity")}
+
+        steady = of(self.folder / "out")
+        self.assertEqual(steady["converged"], 1)
+        self.assertLess(steady["window_end"], 20)
+        self.assertGreater(steady["mean_level"], 0.062)  # of the start: 0.056
+        self.succeed("run", case, "-o", self.folder / "long", "-j", 1, "-q", *until(30), "--set", "run.average_from=15")
+        lasting = of(self.folder / "long")
+        for quantity in ("mean_level", "depth_mean_velocity"):
+            self.assertAlmostEqual(steady[quantity] / lasting[quantity], 1, delta=0.02, msg=quantity)
+
+    def test_what_changes_in_time_does_not_converge(self):
+        case = self.folder / "rising.toml"
+        (self.folder / "q.csv").write_text("time,unit_discharge\n0,0.0174\n9,0.02\n")
+        text = RISING.replace('unit_discharge = "0.0174 m2/s"', 'discharge_file = "q.csv"')
+        case.write_text(text)
+        line = 1 + text.splitlines().index('until = "converged"')
+        self.fail_with(2, "check", case, says=[f"rising.toml:{line}:", "[inflow] discharge_file changes in time"])
+
+
 if __name__ == "__main__":
     main()

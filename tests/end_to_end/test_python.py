@@ -283,6 +283,22 @@ class Package(CommandLineTest):
         if "matplotlib is not installed" not in printed:
             self.assertEqual(picture.read_bytes()[:4], b"\x89PNG")
 
+    def test_the_example_says_what_it_lacks(self):
+        """A flow between open ends has no twin, and is drawn without; a tank has no profiles."""
+        tank = self.folder / "tank.toml"
+        tank.write_text('[channel]\nslope = 0\ndepth = "50 mm"\nlength = "0.2 m"\nends = "walls"\n[bed]\nkind = "slip"\n'
+                        '[turbulence]\nclosure = "none"\n[numerics]\npreset = "violent"\nspacing = "5 mm"\n[start]\n'
+                        'kind = "rest"\nwater_x = [0, 0.1, 0.1, 0]\nwater_z = [0, 0, 0.05, 0.05]\n[run]\nuntil = "0.1 s"\n')
+        self.succeed("run", tank, "-o", self.folder / "tank", "-q", "-j", 1)
+        example = SOURCE / "python/examples/profile_and_spectrum.py"
+        with self.assertRaises(AssertionError) as failed:
+            self.python(example, self.folder / "tank", self.folder / "tank.png")
+        self.assertIn("has no profiles", str(failed.exception))
+        self.assertNotIn("Traceback", str(failed.exception))
+        self.succeed("run", SOURCE / "cases/open-ends/uniform.toml", "-o", self.folder / "open", "-q", "-j", 1, *until(0.6),
+                     "--set", "numerics.spacing=5mm", "--set", "channel.length=0.3", "--set", "run.average_from=0.1")
+        self.assertIn("standard deviation", self.python(example, self.folder / "open", self.folder / "open.png"))
+
     def test_names_of_the_package_are_documented(self):
         page = (SOURCE / "docs/python.md").read_text()
         for name in riffle_results.__all__:

@@ -133,6 +133,10 @@ std::vector<Wrong> wrong_open_ends() {
         {open_channel(), "inflow.unit_discharge = 0"},
         {open_channel(), "inflow.unit_discharge = 0; outflow.kind = free; start.kind = backwater"},
         {open_channel(), "inflow.unit_discharge = 0.2; outflow.kind = critical-depth"},
+        {open_channel(),
+         "run.until = converged; inflow.unit_discharge = none; inflow.discharge_file = q.csv; "
+         "outflow.kind = free"},
+        {open_channel(), "run.until = converged; outflow.kind = depth; outflow.depth_file = tide.csv"},
         {open_channel(), "outflow.kind = rating-curve"},
         {open_channel(), "outflow.kind = weir"},
         {open_channel_in_file(),
@@ -577,6 +581,14 @@ TEST(Refusals, RunsUntilConvergedNeedASteadyFlow) {
         }
     }
     EXPECT_NO_THROW(refuse_to_run(flume()));
+    // What enters and leaves constantly becomes steady too, on a level bed as well.
+    for (const char* const keys : {"run.until = converged",
+                                   "run.until = converged; channel.slope = 0; "
+                                   "outflow.kind = depth; outflow.depth = 60 mm"}) {
+        const Case open = with_keys(open_channel(), keys);
+        EXPECT_EQ(refusal_of(open), "");
+        EXPECT_NO_THROW(refuse_to_run(open));
+    }
 }
 
 /// All tables.

@@ -72,6 +72,28 @@ INSTANTIATE_TEST_SUITE_P(
         Warned{"start.exponent", "4", "has no effect: it is used only with start.kind = \"power-law\""},
         Warned{"turbulence.filter_width", "1 mm", "has no effect"}));
 
+// Rows are few where the water is shallow: at an inflow or outflow that the case makes so.
+TEST(Warnings, TooFewRowsOverAShallowEnd) {
+    const auto warned = [](const std::string& ends) {
+        return case_warnings(parse_case(
+            "[channel]\nslope = 0\ndepth = \"70 mm\"\nlength = \"1 m\"\nends = \"open\"\n[bed]\nkind = \"roughness\"\n"
+            "equivalent_roughness = \"1 mm\"\n[numerics]\nspacing = \"2 mm\"\n[start]\nkind = \"uniform\"\n[run]\n"
+            "until = \"5 s\"\n" +
+                ends,
+            "test"));
+    };
+    const std::string shallow =
+        "[inflow]\nunit_discharge = \"0.0266 m2/s\"\ndepth = \"20 mm\"\n[outflow]\nkind = \"free\"\n";
+    EXPECT_THAT(warned(shallow), Contains(HasSubstr("only 10 rows over the depth of the inflow, 20 mm")));
+    EXPECT_THAT(
+        warned("[inflow]\nunit_discharge = \"0.004 m2/s\"\n[outflow]\nkind = \"depth\"\ndepth = \"18 mm\"\n"),
+        Contains(HasSubstr("only 9 rows over the depth of the outflow, 18 mm")));
+    EXPECT_THAT(
+        warned(
+            "[inflow]\nunit_discharge = \"0.0266 m2/s\"\n[outflow]\nkind = \"depth\"\ndepth = \"70 mm\"\n"),
+        Not(Contains(HasSubstr("rows over"))));
+}
+
 TEST(Warnings, SmoothedMotion) {
     EXPECT_THAT(warnings_with({{"numerics.xsph", "0.5"}, {"numerics.stepping", "semi-implicit-euler"}}),
                 Contains(HasSubstr("numerics.xsph")));

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <random>
+#include <utility>
 #include <vector>
 
 namespace riffle::convergence_test {
@@ -134,6 +135,70 @@ TEST(Convergence, TakesParticlesThatMoveAsOneForSteady) {
     Record r = relaxing(1.0, 1e-4, 40.0);
     r.fluctuation.assign(r.time.size(), 0.0);
     EXPECT_TRUE(r.test().converged);
+}
+
+/// A flow between open ends that has long been steady: 1 kg/m enters and leaves in a second.
+struct OpenRecord {
+    Record flow = relaxing(1.0, 1e-4, 40.0);
+    std::vector<double> level, discharge, entered, left;
+
+    OpenRecord() {
+        std::mt19937_64 generator(11);
+        std::normal_distribution<double> normal(0.0, 1.0);
+        for (const double t : flow.time) {
+            level.push_back(0.05 + 1e-5 * normal(generator));
+            discharge.push_back(1e-3 + 1e-5 * normal(generator));
+            entered.push_back(t);
+            left.push_back(t);
+        }
+    }
+    [[nodiscard]] Convergence test() const {
+        return test_convergence({.time = flow.time,
+                                 .depth_mean_velocity = flow.velocity,
+                                 .velocity_fluctuation = flow.fluctuation,
+                                 .ends = EndsRecord{level, discharge, entered, left}},
+                                5.0, 0.005);
+    }
+};
+
+TEST(Convergence, BetweenOpenEndsIsReachedBySteadyWater) {
+    const Convergence c = OpenRecord().test();
+    EXPECT_TRUE(c.converged) << c.reason;
+    EXPECT_NE(c.reason.find("the mean level 0.05 m +- "), std::string::npos) << c.reason;
+    // Ducts have no level.
+    OpenRecord duct;
+    duct.level.clear();
+    EXPECT_TRUE(duct.test().converged);
+}
+
+TEST(Convergence, BetweenOpenEndsIsNotReachedWhileTheLevelOrTheDischargeChanges) {
+    OpenRecord filling;
+    OpenRecord emptying;
+    OpenRecord unknown;
+    for (std::size_t i = 0; i < filling.level.size(); ++i) {
+        // The velocity stays what it is.
+        filling.level[i] *= 1.0 + 2e-3 * filling.flow.time[i];
+        emptying.discharge[i] *= 1.0 + 2e-3 * emptying.flow.time[i];
+        unknown.discharge[i] = 1e-3 * (1.0 + std::sin(0.3 * unknown.flow.time[i]));
+    }
+    for (const auto& [record, name] : {std::pair(filling, "the mean level may still drift"),
+                                       std::pair(emptying, "the discharge at the outflow may still drift"),
+                                       std::pair(unknown, "the discharge at the outflow")}) {
+        const Convergence c = record.test();
+        EXPECT_FALSE(c.converged);
+        EXPECT_NE(c.reason.find(name), std::string::npos) << c.reason;
+    }
+    EXPECT_GT(filling.test().remaining_drift, 0.008);
+}
+
+TEST(Convergence, BetweenOpenEndsIsNotReachedWhileLessLeavesThanEnters) {
+    OpenRecord record;
+    for (double& mass : record.left) {
+        mass *= 0.99;
+    }
+    const Convergence c = record.test();
+    EXPECT_FALSE(c.converged);
+    EXPECT_NE(c.reason.find("1.00 % less water leaves than enters"), std::string::npos) << c.reason;
 }
 
 TEST(Convergence, OfNothingIsNotReached) { EXPECT_FALSE(test_convergence({}, 5.0, 0.005).converged); }

@@ -1,0 +1,199 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <functional>
+
+#include "case/flow_kind.hpp"
+#include "case/units.hpp"
+#include "ends/flow_at_ends.hpp"
+
+namespace riffle {
+
+namespace {
+
+/// A value with four significant digits, or the range of a quantity that changes.
+std::string range_text(const Extremes& range, const char* unit) {
+    const std::string least = fmt::format("{:.4g}", range.least);
+    const std::string largest = fmt::format("{:.4g}", range.largest);
+    return (least == largest ? least : least + " to " + largest) + unit;
+}
+
+std::string millimetres(const Extremes& range) {
+    return range_text({1e3 * range.least, 1e3 * range.largest}, " mm");
+}
+
+/// Near enough to 1 to be called critical: closer than any run tells.
+constexpr double critical_band = 5e-3;
+
+const char* regime(double froude) {
+    return std::abs(froude - 1.0) < critical_band ? "critical"
+           : froude < 1.0                         ? "subcritical"
+                                                  : "supercritical";
+}
+
+std::string regime_text(const Extremes& froude) {
+    const std::string slow = regime(froude.least);
+    const std::string fast = regime(froude.largest);
+    return slow == fast ? slow : slow + " to " + fast;
+}
+
+/// "U = ..., Fr = ..., subcritical"; empty where the flow there is not known.
+std::string motion_text(const FlowAtEnd& end) {
+    std::string text;
+    if (end.velocity) {
+        text += "U = " + range_text(*end.velocity, " m/s");
+    }
+    if (end.froude) {
+        text += ", Fr = " + range_text(*end.froude, "") + ", " + regime_text(*end.froude);
+    }
+    return text;
+}
+
+/// A depth, also over the solid that the water stands on there.
+std::string depth_text(const Extremes& depth, double floor) {
+    return floor > 0.0 ? fmt::format("{} ({} over the solid there)", millimetres(depth),
+                                     millimetres({depth.least - floor, depth.largest - floor}))
+                       : millimetres(depth);
+}
+
+std::string discharge_text(const Case& c, const FlowAtEnds& states) {
+    std::string text = "q = " + range_text(states.unit_discharge, " m2/s");
+    if (c.channel.dimensions == 3 || c.inflow.discharge) {
+        const double litres = 1e3 * c.channel.width;
+        text += fmt::format(
+            " ({} over the width of {})",
+            range_text({litres * states.unit_discharge.least, litres * states.unit_discharge.largest},
+                       " l/s"),
+            shown_length(c.channel.width));
+    }
+    if (!c.inflow.discharge_file.empty()) {
+        text += " by " + c.inflow.discharge_file.filename().string();
+    }
+    return text + (states.gives_discharge ? "" : " at the start, and follows from the depths");
+}
+
+std::string inflow_text(const Case& c, const FlowAtEnds& states) {
+    const FlowAtEnd& end = states.inflow;
+    std::string text = discharge_text(c, states);
+    if (end.depth) {
+        const std::string depth = depth_text(*end.depth, end.floor);
+        switch (end.source) {
+            case DepthSource::given:
+                text += ", depth " + depth;
+                if (!c.inflow.depth_file.empty()) {
+                    text += " by " + c.inflow.depth_file.filename().string();
+                }
+                break;
+            case DepthSource::backwater:
+                text += ", depth " + depth + " by riffle backwater";
+                break;
+            case DepthSource::start:
+                text += ", depth " + depth + " at the start (the flow sets it)";
+                break;
+            case DepthSource::full:
+                text += fmt::format(", {} high", millimetres(*end.depth));
+                break;
+            case DepthSource::unknown:
+                break;
+        }
+    }
+    const std::string motion = motion_text(end);
+    return text + (motion.empty() ? "" : ", " + motion);
+}
+
+/// What rules the water that leaves.
+std::string held_text(const Case& c, const FlowAtEnds& states) {
+    const std::string depth =
+        states.held_depth ? depth_text(*states.held_depth, states.outflow.floor) : std::string();
+    switch (c.outflow.kind) {
+        case OutflowKind::depth:
+            return "holds " + depth +
+                   (c.outflow.depth_file.empty() ? "" : " by " + c.outflow.depth_file.filename().string());
+        case OutflowKind::normal_depth:
+            return "holds the normal depth, " + depth;
+        case OutflowKind::critical_depth:
+            return "holds the critical depth, " + depth;
+        case OutflowKind::weir:
+            return fmt::format("holds {}, the head over a crest of {}", depth,
+                               shown_length(c.outflow.weir_height));
+        case OutflowKind::rating_curve:
+            return fmt::format("holds {}, by {} at this discharge", depth,
+                               c.outflow.rating_file.filename().string());
+        case OutflowKind::free:
+            return "holds nothing: fast water leaves as it comes, slower water at the critical depth";
+        case OutflowKind::free_fall:
+            return "holds nothing: the bed ends, and the flow is critical three to four depths before";
+        case OutflowKind::pressure:
+            break;
+    }
+    return "holds the pressure";
+}
+
+std::string outflow_text(const Case& c, const FlowAtEnds& states) {
+    const FlowAtEnd& end = states.outflow;
+    std::string text = held_text(c, states);
+    // What the outflow holds need not be what the flow has there.
+    constexpr double same = 1e-3;
+    const bool leaves_otherwise =
+        end.source == DepthSource::backwater && c.outflow.kind != OutflowKind::free_fall &&
+        (!states.held_depth ||
+         std::abs(end.depth->least - states.held_depth->least) > same * states.held_depth->least);
+    if (leaves_otherwise) {
+        text += "; by riffle backwater it is " + millimetres(*end.depth) + " deep";
+    }
+    const std::string motion = motion_text(end);
+    return text + (motion.empty() || c.outflow.kind == OutflowKind::free_fall ? "" : ", " + motion);
+}
+
+/// What the file of a profile leaves open, where that is more than a row of particles; else empty.
+std::string profile_text(const Case& c, const FlowAtEnds& states) {
+    const Extremes& given = *states.profile_heights;
+    // Over the datum; a profile stretches with the depth of the water, and is given for that of the case.
+    const double bottom = states.inflow.floor > 0.0 ? states.inflow.floor : -c.datum();
+    const bool below = given.least > bottom + c.numerics.spacing;
+    const bool above = given.largest < c.channel.depth - c.numerics.spacing;
+    if (!below && !above) {
+        return "";
+    }
+    std::string text = fmt::format(
+        "{} gives u from {} to {} over the datum alone:", c.inflow.profile_file.filename().string(),
+        shown_length(given.least), shown_length(given.largest));
+    if (below) {
+        text += fmt::format(" its lowest u goes on down to {}, the bottom", shown_length(bottom));
+    }
+    if (above) {
+        text += fmt::format("{} its highest up to {}, the surface", below ? "," : "",
+                            shown_length(c.channel.depth));
+    }
+    return text + "; add points where that is not meant";
+}
+
+}  // namespace
+
+std::vector<EndFact> end_facts(const Case& c, const FlowAtEnds& states) {
+    std::vector<EndFact> facts{{"inflow", inflow_text(c, states)}, {"outflow", outflow_text(c, states)}};
+    if (const std::string profile = states.profile_heights ? profile_text(c, states) : ""; !profile.empty()) {
+        facts.push_back({"profile of the inflow", profile});
+    }
+    if (states.critical_depth && states.critical_depth->largest > 0.0) {
+        const Extremes critical = *states.critical_depth;
+        std::string text = "critical depth " + millimetres(critical);
+        if (states.normal_depth) {
+            const Extremes normal = *states.normal_depth;
+            text += fmt::format(", normal depth {}", millimetres(normal));
+            if (normal.least > critical.least && normal.largest > critical.largest) {
+                text += " (a mild slope)";
+            } else if (normal.least < critical.least && normal.largest < critical.largest) {
+                text += " (a steep slope)";
+            }
+        }
+        facts.push_back({"of this discharge", text});
+    }
+    if (states.reynolds) {
+        facts.push_back(
+            {"Reynolds number", fmt::format("{:.4g} of U and twice the height", *states.reynolds)});
+    }
+    return facts;
+}
+
+}  // namespace riffle

@@ -1,0 +1,150 @@
+#include "ends/flow_at_ends.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <string>
+
+#include "ends/relaxation_between_ends.hpp"
+#include "temporary_folder.hpp"
+
+namespace riffle {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+Case slip_case(const std::string& more) {
+    return parse_case(
+        "[channel]\nslope = 0\ndepth = \"180 mm\"\nlength = \"1.4 m\"\nends = \"open\"\n[bed]\nkind = \"slip\"\n"
+        "[turbulence]\nclosure = \"none\"\n[start]\nkind = \"uniform\"\n[run]\nuntil = \"6 s\"\n" +
+            more,
+        "test");
+}
+
+Case rough_case(const std::string& more) {
+    return parse_case(
+        "[channel]\nslope = 0.004\ndepth = \"50 mm\"\nlength = \"600 mm\"\nends = \"open\"\n[bed]\n"
+        "kind = \"spheres\"\nroughness_height = \"0.4 D\"\n[run]\nuntil = \"10 s\"\n" +
+            more,
+        "test");
+}
+
+std::string text_of(const Case& c) {
+    std::string text;
+    for (const EndFact& fact : end_facts(c, flow_at_ends(c))) {
+        text += fact.label + ": " + fact.text + "\n";
+    }
+    return text;
+}
+
+// Without friction: U = q/H, Fr = U/sqrt(g H), the critical depth (q^2/g)^(1/3).
+TEST(FlowAtEnds, WithoutFrictionItIsThatOfTheDischarge) {
+    const Case c = slip_case(
+        "[inflow]\nunit_discharge = \"0.03 m2/s\"\nprofile = \"uniform\"\n[outflow]\nkind = \"depth\"\n"
+        "depth = \"100 mm\"\n");
+    const FlowAtEnds flow = flow_at_ends(c);
+    EXPECT_NEAR(flow.outflow.velocity->least, 0.3, 1e-12);
+    EXPECT_NEAR(flow.outflow.froude->least, 0.3 / std::sqrt(9.81 * 0.1), 1e-12);
+    EXPECT_NEAR(flow.critical_depth->least, std::cbrt(0.0009 / 9.81), 1e-12);
+    EXPECT_FALSE(flow.normal_depth);
+    EXPECT_EQ(flow.inflow.source, DepthSource::start);
+    EXPECT_NEAR(flow.inflow.depth->least, 0.18, 1e-12);
+    EXPECT_THAT(text_of(c), HasSubstr("holds 100 mm, U = 0.3 m/s, Fr = 0.3029, subcritical"));
+}
+
+// A hydrograph: the range of the run, not of rows behind its end; no faster than critical flow.
+TEST(FlowAtEnds, TablesGiveTheRangeDuringTheRun) {
+    test::TemporaryFolder folder;
+    std::ofstream(folder.path() / "flood.csv") << "time,unit_discharge\n0,0.05\n2,0.2\n5,0.05\n9,0.01\n";
+    Case c = slip_case(
+        "[inflow]\nunit_discharge = \"0.05 m2/s\"\nprofile = \"uniform\"\n[outflow]\nkind = \"critical-depth\"\n");
+    c.inflow.unit_discharge.reset();
+    c.inflow.discharge_file = folder.path() / "flood.csv";
+    const FlowAtEnds flow = flow_at_ends(c);
+    EXPECT_NEAR(flow.unit_discharge.least, 0.04, 1e-12);  // at 6 s
+    EXPECT_NEAR(flow.unit_discharge.largest, 0.2, 1e-12);
+    EXPECT_NEAR(flow.inflow.velocity->least, 0.04 / 0.18, 1e-12);
+    EXPECT_NEAR(flow.inflow.velocity->largest, 0.2 / 0.18, 1e-12);
+    EXPECT_NEAR(flow.outflow.froude->largest, 1.0, 1e-12);
+    EXPECT_THAT(text_of(c), HasSubstr("q = 0.04 to 0.2 m2/s by flood.csv"));
+    EXPECT_THAT(text_of(c), HasSubstr("holds the critical depth, 54.64 to 159.8 mm"));
+}
+
+// Water on a solid at an end is as deep as it is over that.
+TEST(FlowAtEnds, OverASolidTheDepthIsThatAboveIt) {
+    const Case c = slip_case(
+        "[inflow]\nunit_discharge = \"0.03 m2/s\"\nprofile = \"uniform\"\n[outflow]\nkind = \"free\"\n"
+        "[[solid]]\nname = \"step\"\nx = [\"-0.2 m\", \"0.5 m\", \"0.5 m\", \"-0.2 m\"]\n"
+        "z = [\"0 mm\", \"0 mm\", \"100 mm\", \"100 mm\"]\nsurface = \"slip\"\n");
+    const FlowAtEnds flow = flow_at_ends(c);
+    EXPECT_NEAR(flow.inflow.depth->least, 0.18, 1e-12);
+    EXPECT_NEAR(flow.inflow.velocity->least, 0.03 / 0.08, 1e-12);
+    EXPECT_FALSE(flow.outflow.depth);
+    EXPECT_THAT(text_of(c), HasSubstr("depth 180 mm (80 mm over the solid there)"));
+}
+
+// On the bed of a twin: the uniform flow of condition 2, whose velocity counts over the datum.
+TEST(FlowAtEnds, UniformFlowIsThatOfTheTwin) {
+    const Case c = rough_case("[inflow]\ndischarge = \"7.9917 l/s\"\n");
+    const FlowAtEnds flow = flow_at_ends(c);
+    EXPECT_NEAR(flow.held_depth->least, 0.05, 1e-5);
+    EXPECT_EQ(flow.inflow.source, DepthSource::backwater);
+    EXPECT_NEAR(flow.inflow.depth->least, 0.05, 1e-5);
+    EXPECT_NEAR(flow.normal_depth->least, 0.05, 1e-5);
+    EXPECT_NEAR(flow.inflow.velocity->least, 0.335, 0.001);
+    EXPECT_THAT(text_of(c), HasSubstr("(7.992 l/s over the width of 459 mm)"));
+    EXPECT_THAT(text_of(c), HasSubstr("(a mild slope)"));
+}
+
+// Behind a free outflow nothing holds the water of a mild slope: it leaves at the critical depth.
+TEST(FlowAtEnds, SlowWaterLeavesAFreeOutflowAtTheCriticalDepth) {
+    const FlowAtEnds flow =
+        flow_at_ends(rough_case("[inflow]\nunit_discharge = \"0.0174 m2/s\"\n[outflow]\nkind = \"free\"\n"));
+    EXPECT_NEAR(flow.outflow.depth->least, flow.critical_depth->least, 1e-6);
+    EXPECT_NEAR(flow.outflow.froude->least, 1.0, 1e-3);
+    EXPECT_LT(flow.inflow.depth->least, 0.05);
+}
+
+// What is forgotten last: the water of the start behind a free outflow, else what the outflow is still to
+// hold.
+TEST(FlowAtEnds, TheStartIsForgottenWhenAllWaterIsReplaced) {
+    const std::string inflow = "[inflow]\nunit_discharge = \"0.03 m2/s\"\nprofile = \"uniform\"\n[outflow]\n";
+    EXPECT_NEAR(relaxation_time_between_ends(slip_case(inflow + "kind = \"free\"\n")), 0.18 * 1.4 / 0.03,
+                1e-9);
+    EXPECT_NEAR(relaxation_time_between_ends(
+                    slip_case(inflow + "kind = \"depth\"\ndepth = \"0.2 m\"\nrelaxation_time = \"30 s\"\n")),
+                30.0, 1e-9);
+}
+
+// Beyond the points of a profile its last values go on: to be told where that is more than a row.
+TEST(FlowAtEnds, AProfileOfAPartOfTheDepthIsTold) {
+    test::TemporaryFolder folder;
+    Case c = rough_case("[inflow]\nunit_discharge = \"0.0174 m2/s\"\n");
+    c.inflow.profile = InflowProfile::file;
+    c.inflow.profile_file = folder.path() / "adv.csv";
+    std::ofstream(c.inflow.profile_file) << "z [mm],u [m/s]\n20,0.3\n30,0.35\n";
+    EXPECT_THAT(text_of(c),
+                HasSubstr("adv.csv gives u from 20 mm to 30 mm over the datum alone: its lowest u goes on "
+                          "down to -6 mm, the bottom, its highest up to 50 mm, the surface"));
+    std::ofstream(c.inflow.profile_file) << "z [mm],u [m/s]\n-5.5,0.1\n30,0.35\n49.5,0.4\n";
+    EXPECT_THAT(text_of(c), Not(HasSubstr("profile")));
+}
+
+TEST(FlowAtEnds, ADuctHasNoFroudeNumber) {
+    const Case c = parse_case(
+        "[fluid]\nkinematic_viscosity = \"1e-5 m2/s\"\n[channel]\nslope = 0\ndepth = \"20 mm\"\nlength = \"0.3 m\"\n"
+        "ends = \"open\"\ntop = \"wall\"\n[inflow]\nunit_discharge = \"1e-3 m2/s\"\n[outflow]\n"
+        "kind = \"pressure\"\n[bed]\nkind = \"no-slip\"\n[turbulence]\nclosure = \"none\"\n[start]\n"
+        "kind = \"uniform\"\n[numerics]\nspacing = \"1 mm\"\n[run]\nuntil = \"1 s\"\n",
+        "test");
+    const FlowAtEnds flow = flow_at_ends(c);
+    EXPECT_NEAR(flow.inflow.velocity->least, 0.05, 1e-12);
+    EXPECT_FALSE(flow.inflow.froude);
+    EXPECT_NEAR(*flow.reynolds, 200.0, 1e-9);
+}
+
+}  // namespace
+}  // namespace riffle
