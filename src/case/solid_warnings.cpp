@@ -9,6 +9,7 @@
 #include "case/outline.hpp"
 #include "case/refusals.hpp"
 #include "case/solid_mesh.hpp"
+#include "case/solid_motion.hpp"
 #include "case/solid_places.hpp"
 #include "case/units.hpp"
 #include "case/warnings.hpp"
@@ -125,6 +126,16 @@ Findings spheres_in_spheres(const Case& c, const Solid& solid) {
 
 CheckList solid_warnings() {
     return {{
+        {{"solid.motion", "channel.dimensions"},
+         "a solid in three dimensions that moves faster than 1.5 sqrt(g H)",
+         "such a jerk drives the water beside it, and adds energy to it (docs/theory.md, section 9, solids)",
+         "verified up to sqrt(g H); let it move more slowly",
+         [](const Case& c, const Solid& solid) {
+             const double wave = std::sqrt(c.normal_gravity() * c.total_depth());
+             return found_if(in_space(c) && largest_speed(c, solid) > 1.5 * wave,
+                             "moves at {:.3g} m/s, and waves run at {:.3g} m/s", largest_speed(c, solid),
+                             wave);
+         }},
         {{"solid.name"},
          "a solid at rest that stands wholly in others",
          "no water touches it, and no force acts on it",

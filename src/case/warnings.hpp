@@ -7,6 +7,9 @@ namespace riffle {
 /// All that a valid case is warned of, beyond keys that have no effect.
 [[nodiscard]] const CheckList& warnings();
 
+/// Those of vegetation and porous zones.
+[[nodiscard]] CheckList patch_warnings();
+
 /// Those of solids.
 [[nodiscard]] CheckList solid_warnings();
 

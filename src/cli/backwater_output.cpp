@@ -106,11 +106,11 @@ void print_backwater(const Case& c, const Backwater& b, const std::vector<Backwa
         print_fact("critical depth", metres(b.flow.critical_depth));
     }
     for (const VariedReach& reach : b.flow.reaches) {
-        print_fact(&reach == b.flow.reaches.data() ? "bed" : "",
-                   fmt::format("{} from {} to {}: normal depth {}, critical {}",
-                               reach.name.empty() ? "that of the channel" : "\"" + reach.name + "\"",
-                               metres(reach.from), metres(reach.to), depth_or_none(reach.normal_depth),
-                               metres(reach.critical_depth)));
+        print_fact(reach.name.empty() ? "bed of the channel" : "bed of a patch",
+                   fmt::format("{}from {} to {}:", reach.name.empty() ? "" : reach.name + ", ",
+                               metres(reach.from), metres(reach.to)));
+        print_fact("", fmt::format("normal depth {}, critical {}", depth_or_none(reach.normal_depth),
+                                   metres(reach.critical_depth)));
     }
     for (const SurfaceProfile& part : b.flow.profiles) {
         print_fact(&part == b.flow.profiles.data() ? "surface" : "",

@@ -281,6 +281,21 @@ class CommandLine(CommandLineTest):
         self.assertAlmostEqual(other["unit_discharge"], 0.02)
         self.assertEqual(other["stations"]["x"][-1], 2.0)
 
+    def test_backwater_over_beds_of_two_roughnesses(self):
+        case = CASE.parents[1] / "plane-beds/change-of-roughness.toml"
+        printed = self.succeed("backwater", case).stdout
+        self.assertLessEqual(max(map(len, printed.splitlines())), 80)
+        self.assertIn("cobbles, from 2 m to 4 m", printed)
+        told = json.loads(self.succeed("backwater", case, "--json", "-").stdout)
+        self.assertEqual([reach["name"] for reach in told["reaches"]], ["", "cobbles"])
+        # The reaches are those of channels of one bed, the upper one held by what goes on over the edge.
+        below = json.loads(self.succeed("backwater", case, "--set", 'bed.equivalent_roughness="20 mm"', "--set", 'bed_patch.equivalent_roughness="20 mm"',
+                                        "--json", "-").stdout)
+        self.assertAlmostEqual(told["stations"]["depth"][-40], below["stations"]["depth"][-40], delta=1e-6)
+        self.assertAlmostEqual(told["reaches"][1]["normal_depth"], below["normal_depth"], delta=1e-9)
+        # A given friction is that of the whole bed, and the patch is said to take no part.
+        self.assertIn("patches take no", " ".join(self.succeed("backwater", case, "--manning", "0.015").stdout.split()))
+
     def test_backwater_prints_draws_and_writes_a_jump(self):
         jump = ["backwater", CASE, "--discharge", "20l/s", "--upstream", "20mm", "--downstream", "critical", "--length", "4"]
         files = {kind: self.folder / f"backwater.{kind}" for kind in ("json", "csv", "svg")}
