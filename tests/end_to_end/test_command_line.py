@@ -289,8 +289,7 @@ class CommandLine(CommandLineTest):
         told = json.loads(self.succeed("backwater", case, "--json", "-").stdout)
         self.assertEqual([reach["name"] for reach in told["reaches"]], ["", "cobbles"])
         # The reaches are those of channels of one bed, the upper one held by what goes on over the edge.
-        below = json.loads(self.succeed("backwater", case, "--set", 'bed.equivalent_roughness="20 mm"', "--set", 'bed_patch.equivalent_roughness="20 mm"',
-                                        "--json", "-").stdout)
+        below = json.loads(self.succeed("backwater", case, "--set", 'bed.equivalent_roughness="20 mm"', "--json", "-").stdout)
         self.assertAlmostEqual(told["stations"]["depth"][-40], below["stations"]["depth"][-40], delta=1e-6)
         self.assertAlmostEqual(told["reaches"][1]["normal_depth"], below["normal_depth"], delta=1e-9)
         # A given friction is that of the whole bed, and the patch is said to take no part.
