@@ -54,7 +54,7 @@ CheckList bed_patch_refusals() {
              R"(choose [bed] kind = "roughness", "smooth", "spheres" or "slip", and one of them for the patch)",
              [](const Case& c, const BedPatch& patch) {
                  return found_if(patch.kind == BedKind::no_slip || c.bed.kind == BedKind::no_slip,
-                                 "kind is \"{}\" in a channel with bed.kind = \"{}\"", word(patch.kind),
+                                 R"(kind is "{}" in a channel with bed.kind = "{}")", word(patch.kind),
                                  word(c.bed.kind));
              },
              true},

@@ -161,7 +161,8 @@ class Surface {
     }
 
     void check_numbers() const {
-        constexpr double most = std::numeric_limits<float>::max();  // what a binary file can hold
+        constexpr auto most =
+            static_cast<double>(std::numeric_limits<float>::max());  // what a binary file can hold
         for (std::size_t i = 0; i < triangles_.size(); ++i) {
             for (const Point3& corner : triangles_[i]) {
                 for (const double x : corner) {

@@ -172,7 +172,7 @@ CheckList open_end_refusals() {
              [](const Case& c) {
                  const BedPatch* const beside = patch_beside(c, c.channel.length);
                  return found_if(beside != nullptr && c.outflow.kind == OutflowKind::normal_depth,
-                                 "kind is \"normal-depth\", and the patch \"{}\" lies there",
+                                 R"(kind is "normal-depth", and the patch "{}" lies there)",
                                  beside ? beside->name : std::string());
              }},
             {{"outflow.depth", "outflow.kind"},
