@@ -12,11 +12,18 @@ Findings blocked(const Case& c) {
     if (!found) {
         return {};
     }
-    return {{.detail =
-                 fmt::format("{}: closes the channel: up to a level of {}, from x = 0 the water comes "
-                             "no further than x = {}",
-                             c.solids[found->solid].name, shown_length(found->level), shown_length(found->x)),
-             .item = found->solid}};
+    return {
+        {.detail =
+             fmt::format("{}: closes the channel: up to a level of {}, from x = 0 the water comes "
+                         "no further than x = {}",
+                         c.solids[found->solid].name, shown_length(found->level), shown_length(found->x)),
+         .cure =
+             c.channel.ends == Ends::open
+                 ? "leave a way wider than the spacing, let a gate move away (motion), or, where the water "
+                   "shall rise over it, give a [channel] depth of two thirds of its top or more, with the "
+                   "lower water of the start by start.water_x and start.water_z"
+                 : "",
+         .item = found->solid}};
 }
 
 }  // namespace
