@@ -115,9 +115,10 @@ double highest_way(const Case& c) {
         return depth;
     }
     if (c.channel.ends == Ends::open) {
-        const double level = 1.5 * std::max(depth, highest_end_level(c));
-        return std::max(
-            {level, c.channel.wall_height.value_or(0.0), has_end_tables(c) ? level_with_room(c) : 0.0});
+        // Where a discharge comes in, the water rises until it finds a way; beside side walls as far as they
+        // stand.
+        const bool rises = has_end_tables(c) || (!c.inflow.gives_depth() && !c.has_side_walls());
+        return rises ? level_with_room(c) : 1.5 * std::max(depth, highest_end_level(c));
     }
     // A level surface over the sloping bed, over all of it or, where the slope leaves the other end dry, over
     // a part.

@@ -15,8 +15,9 @@ struct Blockage {
 };
 
 /// The highest level at which water may pass along a channel over what stands in it, m over z = 0: the lid;
-/// between open ends half as high again as what the ends name, or what their tables and the walls have room
-/// for; in a periodic channel the level of water that the slope has driven to one end and that stands there.
+/// between open ends half as high again as what the ends name, where a discharge comes in or a table rules as
+/// far as the channel has room; in a periodic channel the level of water that the slope has driven to one end
+/// and that stands there.
 [[nodiscard]] double highest_way(const Case& c);
 
 /// Whether a channel whose water a slope drives, or that has open ends, is closed by solids at rest: no way

@@ -20,7 +20,7 @@ Findings blocked(const Case& c) {
          .cure =
              c.channel.ends == Ends::open
                  ? "leave a way wider than the spacing, let a gate move away (motion), or, where the water "
-                   "shall rise over it, give a [channel] depth of two thirds of its top or more, with the "
+                   "shall rise over it, give a [channel] depth nearer to its top, with the "
                    "lower water of the start by start.water_x and start.water_z"
                  : "",
          .item = found->solid}};

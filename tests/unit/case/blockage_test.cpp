@@ -65,9 +65,20 @@ TEST(Blockage, IsMadeByThoseThatMeet) {
 TEST(Blockage, BetweenOpenEndsIsHigherThanTheyName) {
     Case c = open_channel();
     c = with_keys(c, block("[0, 0, 0.2, 0.2]", 0, "[0.13, 0.17, 0.17, 0.13]"));
-    EXPECT_TRUE(blockage(c).has_value());
-    c.solids[0].z = {0.0, 0.0, 1.2 * c.total_depth(), 1.2 * c.total_depth()};
-    EXPECT_FALSE(blockage(c).has_value());
+    const auto closes = [&c](double depths) {
+        const double top = depths * c.total_depth();
+        c.solids[0].z = {0.0, 0.0, top, top};
+        return blockage(c).has_value();
+    };
+    // The water of a discharge rises over a dam, as far as the channel has room.
+    EXPECT_FALSE(closes(1.2));
+    EXPECT_FALSE(closes(3.0));
+    EXPECT_TRUE(closes(4.2));
+    // A depth that is held does not rise.
+    c.inflow.unit_discharge.reset();
+    c.inflow.depth = c.channel.depth;
+    EXPECT_FALSE(closes(1.2));
+    EXPECT_TRUE(closes(3.0));
 }
 
 TEST(Blockage, InSpaceTakesTheWholeWidth) {
