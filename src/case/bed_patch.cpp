@@ -56,12 +56,4 @@ const BedPatch* patch_beside(const Case& c, double x) {
     return found != c.bed_patches.end() ? &*found : nullptr;
 }
 
-std::vector<Bed> beds_of(const Case& c) {
-    std::vector<Bed> beds{c.bed};
-    for (const BedPatch& patch : c.bed_patches) {
-        beds.push_back(bed_of(c, patch));
-    }
-    return beds;
-}
-
 }  // namespace riffle

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "case/case.hpp"
 
 namespace riffle {
@@ -20,8 +18,5 @@ namespace riffle {
 
 /// The patch that lies in a part of the width at a place along the channel, m; nullptr where none does.
 [[nodiscard]] const BedPatch* patch_beside(const Case& c, double x);
-
-/// [bed] and the beds of all patches.
-[[nodiscard]] std::vector<Bed> beds_of(const Case& c);
 
 }  // namespace riffle

@@ -60,6 +60,13 @@ std::optional<std::string> patchy_porosity(const Case& c) {
     return std::nullopt;
 }
 
+/// Whether vegetation or porous zones stand in a part of the channel's length.
+bool stands_in_part_of_length(const Case& c) {
+    return porosity_varies_along(c) ||
+           std::any_of(c.vegetation.begin(), c.vegetation.end(),
+                       [&c](const Vegetation& patch) { return !covers_length(c, patch); });
+}
+
 /// Whether a porous layer all over the channel holds the water back.
 bool layer_resists(const Case& c) {
     return std::any_of(c.porous.begin(), c.porous.end(), [&c](const Porous& zone) {
@@ -102,15 +109,15 @@ const Vegetation* vegetation_everywhere(const Case& c) {
 }
 
 bool resistance_varies_along(const Case& c) {
-    const auto in_part = [&c](const auto& patch) { return !covers_length(c, patch); };
-    return std::any_of(c.bed_patches.begin(), c.bed_patches.end(), in_part) ||
-           std::any_of(c.vegetation.begin(), c.vegetation.end(), in_part) || porosity_varies_along(c);
+    return std::any_of(c.bed_patches.begin(), c.bed_patches.end(),
+                       [&c](const BedPatch& patch) { return !covers_length(c, patch); }) ||
+           stands_in_part_of_length(c);
 }
 
 bool varies_beyond_beds(const Case& c) {
-    Case across = c;
-    std::erase_if(across.bed_patches, [&c](const BedPatch& patch) { return covers_width(c, patch); });
-    return !across.bed_patches.empty() || resistance_varies_along(across);
+    return std::any_of(c.bed_patches.begin(), c.bed_patches.end(),
+                       [&c](const BedPatch& patch) { return !covers_width(c, patch); }) ||
+           stands_in_part_of_length(c);
 }
 
 bool channel_resists(const Case& c) {

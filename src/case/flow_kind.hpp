@@ -12,8 +12,8 @@ namespace riffle {
 /// what its report shows follow from the kind.
 enum class FlowKind {
     uniform_channel,  ///< driven along a channel, the same everywhere along it
-    /// driven along a channel and around bodies, or through patches of vegetation or porous zones, that stand
-    /// in it
+    /// driven along a channel and around bodies, over reaches of several roughnesses, or through patches of
+    /// vegetation or porous zones
     channel_with_bodies,
     open_channel,   ///< water enters at one end and leaves at the other, around bodies or not
     tank,           ///< nothing drives a steady flow along it: dam breaks, gates, sloshing, paddles, cavities

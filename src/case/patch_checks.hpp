@@ -42,10 +42,4 @@ template <class Patch>
     return found != own ? found : nullptr;
 }
 
-/// Whether an item of a list has the name of one before it.
-template <class Item>
-[[nodiscard]] bool repeats_a_name(const std::vector<Item>& items, const Item& item) {
-    return std::any_of(items.data(), &item, [&](const Item& other) { return other.name == item.name; });
-}
-
 }  // namespace riffle

@@ -52,10 +52,6 @@ std::array<ZoneRange, 3> ranges_of(const Case& c, const Porous& zone) {
 
 Outline outline_of(const Porous& zone) { return {zone.x, zone.z}; }
 
-bool repeats_a_name(const Case& c, const Porous& zone) {
-    return std::any_of(c.porous.data(), &zone, [&](const Porous& other) { return other.name == zone.name; });
-}
-
 /// Heights that are no line of places one after the other.
 Findings broken_top(const Case& /*c*/, const Porous& zone) {
     if (zone.top_x.size() != zone.top_z.size() || zone.top_x.size() == 1) {
@@ -253,7 +249,7 @@ CheckList porous_refusals() {
              "each needs its own",
              "choose another one",
              [](const Case& c, const Porous& zone) {
-                 return found_if(repeats_a_name(c, zone), "another zone has this name already");
+                 return found_if(repeats_a_name(c.porous, zone), "another zone has this name already");
              }},
             medium_row({"porous.grain_size", "porous.permeability", "porous.name"},
                        "both `grain_size` and `permeability`, or neither",

@@ -43,11 +43,6 @@ bool is_group_name(const std::string& name) {
     });
 }
 
-/// Whether a probe before this one has its name.
-bool repeats_a_name(const Case& c, const Probe& p) {
-    return std::any_of(c.probes.data(), &p, [&](const Probe& other) { return other.name == p.name; });
-}
-
 /// Greatest height that an instrument may have: waves may rise above the depth, and a gauge may sit high on a
 /// wall.
 double highest(const Case& c, const Probe& p) {
@@ -251,7 +246,7 @@ CheckList probe_refusals() {
          "each needs its own",
          "choose another one",
          [](const Case& c, const Probe& p) {
-             return found_if(is_group_name(p.name) && repeats_a_name(c, p),
+             return found_if(is_group_name(p.name) && repeats_a_name(c.probes, p),
                              "name = \"{}\" is that of another probe already", p.name);
          }},
         {{"probe.start"},

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <system_error>
@@ -62,6 +63,12 @@ void refuse_to_run(const Case& c);
 inline bool in_space(const Case& c) { return c.channel.dimensions == 3; }
 inline bool over_spheres(const Case& c) { return c.bed.kind == BedKind::spheres; }
 inline bool has_free_surface(const Case& c) { return c.channel.top == Top::free_surface; }
+
+/// Whether an item of a list has the name of one before it.
+template <class Item>
+[[nodiscard]] bool repeats_a_name(const std::vector<Item>& items, const Item& item) {
+    return std::any_of(items.data(), &item, [&](const Item& other) { return other.name == item.name; });
+}
 
 /// Reach of the kernel, 2 h, m.
 inline double kernel_support(const Case& c) { return 2.0 * c.numerics.smoothing_ratio * c.numerics.spacing; }

@@ -11,11 +11,6 @@ namespace riffle {
 
 namespace {
 
-/// Whether a solid before this one has its name.
-bool repeats_a_name(const Case& c, const Solid& solid) {
-    return std::any_of(c.solids.data(), &solid, [&](const Solid& other) { return other.name == solid.name; });
-}
-
 bool by_log_law(const Solid& solid) { return solid.surface == SolidSurface::log_law; }
 
 Findings outline_that_fills_all(const Case& c, const Solid& solid) {
@@ -70,7 +65,7 @@ CheckList solid_refusals() {
          "each needs its own",
          "choose another one",
          [](const Case& c, const Solid& solid) {
-             return found_if(repeats_a_name(c, solid), "another solid has this name already");
+             return found_if(repeats_a_name(c.solids, solid), "another solid has this name already");
          }},
     }};
 }

@@ -207,8 +207,8 @@ FlowAtEnds flow_at_ends(const Case& c) {
     const EndInput input = read_end_levels(c);
     const EndFloors floors = end_floors(c);
     BedFlow bed(with_bed_at(c, 0.0));
-    BedFlow last_bed(with_bed_at(c, c.channel.length));
-    BedFlow& bed_at_outflow = c.bed_patches.empty() ? bed : last_bed;
+    std::optional<BedFlow> other;
+    BedFlow& bed_at_outflow = c.bed_patches.empty() ? bed : other.emplace(with_bed_at(c, c.channel.length));
     FlowAtEnds states;
     states.gives_discharge = input.unit_discharge.has_value();
     states.inflow.floor = floors.upstream > 0.0 ? floors.upstream - c.datum() : 0.0;

@@ -35,14 +35,12 @@ class UprightView {
         draw_water_along(beyond);
         draw_roughness(-beyond, length + beyond);
         for (const Vegetation& patch : c_.vegetation) {
-            if (!space_ ||
-                (plan_.y >= patch.y_from.value_or(plan_.y) && plan_.y <= patch.y_to.value_or(plan_.y))) {
+            if (is_cut(patch)) {
                 draw_stems(patch, patch.x_from.value_or(-beyond), patch.x_to.value_or(length + beyond));
             }
         }
         for (const Porous& zone : c_.porous) {
-            if (!space_ ||
-                (plan_.y >= zone.y_from.value_or(plan_.y) && plan_.y <= zone.y_to.value_or(plan_.y))) {
+            if (is_cut(zone)) {
                 draw_porous_along(zone);
             }
         }
@@ -51,8 +49,7 @@ class UprightView {
         }
         draw_floor(c_.channel.ends);
         for (const BedPatch& patch : c_.bed_patches) {
-            if (!space_ ||
-                (plan_.y >= patch.y_from.value_or(plan_.y) && plan_.y <= patch.y_to.value_or(plan_.y))) {
+            if (is_cut(patch)) {
                 draw_bed_patch(patch, patch.x_from.value_or(-beyond), patch.x_to.value_or(length + beyond));
             }
         }
@@ -116,6 +113,13 @@ class UprightView {
     }
 
   private:
+    /// Whether the section along the channel goes through a part that has y_from and y_to.
+    template <class Part>
+    [[nodiscard]] bool is_cut(const Part& part) const {
+        return !space_ ||
+               (plan_.y >= part.y_from.value_or(plan_.y) && plan_.y <= part.y_to.value_or(plan_.y));
+    }
+
     void rectangle(double u0, double u1, double v0, double v1, const std::string& style) {
         sheet_.rectangle(view_.x(u0), view_.y(v1), view_.x(u1) - view_.x(u0), view_.y(v0) - view_.y(v1),
                          style);

@@ -42,13 +42,18 @@ class PatchedDrag final : public BedDrag {
     /// Of [bed].
     [[nodiscard]] double coefficient(double z) const override { return bed_ ? bed_->coefficient(z) : 0.0; }
     [[nodiscard]] double coefficient_at(double x, double y, double z) const override {
-        return sum_at(x, y, [&](const BedDrag& drag) { return drag.coefficient_at(x, y, z); });
+        double sum = 0.0;
+        for_beds_at(x, y,
+                    [&](const BedDrag& drag, double share) { sum += share * drag.coefficient_at(x, y, z); });
+        return sum;
     }
     [[nodiscard]] double speed_factor_at(double x, double y, double z, double speed) const override {
-        const double resting = coefficient_at(x, y, z);
-        const double moving = sum_at(x, y, [&](const BedDrag& drag) {
-            const double beta = drag.coefficient_at(x, y, z);
-            return drag.varies_with_speed() && beta > 0.0 ? beta * drag.speed_factor(z, speed) : beta;
+        double resting = 0.0;
+        double moving = 0.0;
+        for_beds_at(x, y, [&](const BedDrag& drag, double share) {
+            const double beta = share * drag.coefficient_at(x, y, z);
+            resting += beta;
+            moving += drag.varies_with_speed() && beta > 0.0 ? beta * drag.speed_factor(z, speed) : beta;
         });
         return resting > 0.0 ? moving / resting : 1.0;
     }
@@ -66,19 +71,20 @@ class PatchedDrag final : public BedDrag {
         }
     }
 
-    /// A value of each drag by the part of the particle that is over its bed.
-    template <class Value>
-    [[nodiscard]] double sum_at(double x, double y, const Value& value) const {
+    /// visit(drag, share) of each bed under a particle, with the part of it that is over that bed.
+    template <class Visit>
+    void for_beds_at(double x, double y, const Visit& visit) const {
         double outside = 1.0;
-        double sum = 0.0;
         for (const Patch& patch : patches_) {
             const double share = patch.area.share(x, y, width_);
             outside -= share;
             if (share > 0.0 && patch.drag) {
-                sum += share * value(*patch.drag);
+                visit(*patch.drag, share);
             }
         }
-        return outside > 0.0 && bed_ ? sum + outside * value(*bed_) : sum;
+        if (outside > 0.0 && bed_) {
+            visit(*bed_, outside);
+        }
     }
 
     double width_;  ///< of a particle, m

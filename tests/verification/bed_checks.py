@@ -1,7 +1,5 @@
 """Beds of several roughnesses: one behind the other, and side by side."""
 
-import csv
-import io
 import json
 import re
 
@@ -9,7 +7,7 @@ import numpy
 
 import figures
 from check import Check
-from open_end_checks import account, mean_surface, program
+from open_end_checks import account, column_profile, mean_surface, program
 from options import options_text
 from runs import ROOT
 
@@ -19,10 +17,9 @@ def twin_of_one_bed(study, case, roughness):
     text = re.sub(r"\[\[bed_patch\]\].*?(?=\n\[)", "", (ROOT / case).read_text(), flags=re.DOTALL)
     plain = study.folder / "one_bed.toml"
     plain.write_text(text)
-    of_bed = "column", plain, "--set", f"bed.equivalent_roughness={roughness}"
-    rows = list(csv.DictReader(line for line in io.StringIO(program(study, *of_bed, "--csv")) if not line.startswith("#")))
-    z, u = (numpy.array([float(row[next(k for k in row if k.split(" ")[0] == name)]) for row in rows]) for name in ("z", "u"))
-    return z, u, json.loads(program(study, *of_bed, "--json"))["depth_mean_velocity"]
+    of_bed = plain, "--set", f"bed.equivalent_roughness={roughness}"
+    z, u = column_profile(study, *of_bed)
+    return z, u, json.loads(program(study, "column", *of_bed, "--json"))["depth_mean_velocity"]
 
 
 def change(study):

@@ -25,6 +25,13 @@ def backwater(study, case, datum, *arguments):
     return lambda x: numpy.interp(x, stations["x"], stations["depth"]) + datum
 
 
+def column_profile(study, *arguments):
+    """Height and velocity of a column twin, by the arguments of `riffle column`."""
+    table = program(study, "column", *arguments, "--csv")
+    rows = list(csv.DictReader(line for line in io.StringIO(table) if not line.startswith("#")))
+    return tuple(numpy.array([float(row[next(k for k in row if k.split(" ")[0] == name)]) for row in rows]) for name in ("z", "u"))
+
+
 def surface_of(flow):
     """Times, places along the channel, and the level there, [time, place]."""
     with h5py.File(flow.folder / "results.h5", "r") as file:
@@ -72,8 +79,7 @@ def uniform(study):
     case = "cases/open-ends/uniform.toml"
     check = Check("open_uniform", "Uniform flow between open ends",
                   "Condition 2 in channels ten and a hundred depths long that are fed with the twin's profile: their flow is that of the channel without ends.")
-    rows = list(csv.DictReader(line for line in io.StringIO(program(study, "column", "cases/rough-bed-2d/condition-2.toml", "--csv")) if not line.startswith("#")))
-    height, velocity = (numpy.array([float(row[next(k for k in row if k.split(" ")[0] == name)]) for row in rows]) for name in ("z", "u"))
+    height, velocity = column_profile(study, "cases/rough-bed-2d/condition-2.toml")
     runs = [("", "open_uniform", {})] + ([] if study.quick else [(", a hundred depths long", "open_uniform_long", {"channel.length": '"5 m"', "numerics.spacing": '"2.5 mm"'})])
     for label, name, settings in runs:
         flow = study.run(name, case, settings)

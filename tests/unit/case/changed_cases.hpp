@@ -11,6 +11,7 @@
 #include "case/key_table.hpp"
 #include "case/solid_shapes.hpp"
 #include "case_test.hpp"
+#include "plane_bed.hpp"
 #include "stl_box.hpp"
 #include "temporary_folder.hpp"
 
@@ -75,10 +76,7 @@ inline Case open_channel_with_solid() {
 /// A bed by its equivalent roughness.
 inline Case gravel() {
     Case c = flume();
-    c.bed.kind = BedKind::roughness;
-    c.bed.roughness_height = 0.0;
-    c.bed.datum_below_crest = 0.0;
-    c.bed.equivalent_roughness = 0.001;
+    lay_plane_bed(c, 0.001);
     return c;
 }
 
@@ -173,10 +171,7 @@ inline Case with_vegetation() {
 /// A channel in space over gravel with two patches beside each other.
 inline Case with_bed_patches() {
     Case c = cell();
-    c.bed.kind = BedKind::roughness;
-    c.bed.roughness_height = 0.0;
-    c.bed.datum_below_crest = 0.0;
-    c.bed.equivalent_roughness = 0.001;
+    lay_plane_bed(c, 0.001);
     c.run.until = RunUntil::time;
     c.run.time = 5.0;
     c.start.kind = StartKind::rest;

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "plane_bed.hpp"
 #include "roughness/particle_bed_drag.hpp"
 
 namespace riffle::bed_patch_test {
@@ -16,10 +17,7 @@ Case sand() {
     c.channel.slope = 0.002;
     c.channel.depth = 0.2;
     c.channel.length = 2.0;
-    c.bed.kind = BedKind::roughness;
-    c.bed.roughness_height = 0.0;
-    c.bed.datum_below_crest = 0.0;
-    c.bed.equivalent_roughness = 0.001;
+    test::lay_plane_bed(c, 0.001);
     c.turbulence.closure = ClosureKind::nezu_rodi;
     c.numerics.spacing = row;
     return c;

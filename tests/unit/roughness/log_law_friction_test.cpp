@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "plane_bed.hpp"
+
 namespace riffle::log_law_friction_test {
 namespace {
 
@@ -71,10 +73,7 @@ TEST(LogLawFriction, FallsWithTheSpeedWhereViscosityCountsAndKnowsItsSlope) {
 TEST(LogLawFriction, WallsAreAsRoughAsABedByRoughness) {
     Case c = flume(0.0, 1e-6);
     c.channel.depth = 0.1;
-    c.bed.kind = BedKind::roughness;
-    c.bed.roughness_height = 0.0;
-    c.bed.datum_below_crest = 0.0;
-    c.bed.equivalent_roughness = 5e-4;
+    test::lay_plane_bed(c, 5e-4);
     const double smooth = side_wall_friction(c).coefficient(0.1);
     c.side_walls.equivalent_roughness.reset();
     const double like_bed = side_wall_friction(c).coefficient(0.1);

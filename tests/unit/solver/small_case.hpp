@@ -7,6 +7,7 @@
 
 #include "case/case.hpp"
 #include "column/column.hpp"
+#include "plane_bed.hpp"
 #include "solver/simulation.hpp"
 #include "solver/start.hpp"
 
@@ -25,16 +26,6 @@ inline Case small_channel(int dimensions = 2) {
     c.bed.roughness_height = 0.010;
     c.numerics.spacing = 0.004;
     return c;
-}
-
-/// A plane bed of an equivalent roughness, m, in place of the spheres; 0: a smooth one.
-inline void lay_plane_bed(Case& c, double roughness) {
-    c.bed.kind = roughness > 0.0 ? BedKind::roughness : BedKind::smooth;
-    c.bed.roughness_height = 0.0;
-    c.bed.datum_below_crest = 0.0;
-    if (roughness > 0.0) {
-        c.bed.equivalent_roughness = roughness;
-    }
 }
 
 /// The same with still water over a smooth bed, without a closure.
