@@ -91,7 +91,7 @@ void add_drag(const FlowRecord& record, Analysis& analysis) {
 void add_walls(const FlowRecord& record, Analysis& analysis) {
     const MeanFlow& field = record.mean_field();
     const Case& c = *record.flow();
-    if (!has_side_wall_drag(c)) return;
+    if (!c.has_side_wall_drag()) return;
     const double walls = c.channel.sides == Sides::half ? 1.0 : 2.0;
     const SideWallPartition partition = side_wall_partition(c);
     const double scale = c.fluid.density * c.streamwise_gravity() * c.total_depth();

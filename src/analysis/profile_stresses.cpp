@@ -79,7 +79,7 @@ void add_stresses(const FlowRecord& record, const Profiles& p, Analysis& analysi
                             "measured -rho u'w'", 1.0, 0, figure);
     const double bed_stress =
         crest_stress(c.fluid.density, c.streamwise_gravity(), c.total_depth(), c.crest());
-    if (bed_stress > 0.0 && !grown) {
+    if (bed_stress > 0.0 && !grown && !p.analytic_stress.empty()) {
         figure.curves.push_back(make_curve("analytic line (4.6)", Origin::theory, Mark::line,
                                            {bed_stress, 0.0}, {c.crest(), c.total_depth()}));
     }

@@ -1,3 +1,6 @@
+#include <string>
+#include <utility>
+
 #include "case/bed_patch.hpp"
 #include "case/flow_kind.hpp"
 #include "case/patch_checks.hpp"
@@ -8,17 +11,26 @@ namespace riffle {
 
 namespace {
 
-/// What a bed is refused for, where that of a patch is all of it.
+/// Whether a check finds something in a case.
+bool finds(const CheckList& list, const CaseCheck& wanted, const Case& c) {
+    bool found = false;
+    for_each_finding(list, c,
+                     [&](const CaseCheck& check, const CaseFinding&) { found = found || &check == &wanted; });
+    return found;
+}
+
+/// What a bed is refused for, where that of a patch is all of it; not what [bed] itself is refused for.
 Findings refused_as_bed(const Case& c, const BedPatch& patch) {
     const Case everywhere = with_bed_of(c, patch);
     Findings found;
     const auto look = [&](const CheckList& list) {
-        if (!list.concerns(everywhere)) {
-            return;
-        }
         for_each_finding(list, everywhere, [&](const CaseCheck& check, const CaseFinding& finding) {
-            found.push_back({.detail = finding.detail.empty() ? std::string(check.what) : finding.detail,
-                             .cure = finding_text("", check, finding)});
+            if (finds(list, check, c)) {
+                return;
+            }
+            std::string detail = finding.detail.empty() ? std::string(check.what) : finding.detail;
+            std::erase(detail, '`');
+            found.push_back({.detail = std::move(detail), .cure = finding_text("", check, finding)});
         });
     };
     look(wall_law_refusals());
@@ -128,8 +140,7 @@ CheckList bed_patch_refusals() {
              "the other forms follow from the drag of one bed",
              R"(choose [side_walls] drag_form = "log-law" or "none")",
              [](const Case& c) {
-                 return c.has_side_walls() && c.side_walls.drag_form != SideDragForm::none &&
-                        c.side_walls.drag_form != SideDragForm::log_law;
+                 return c.has_side_wall_drag() && c.side_walls.drag_form != SideDragForm::log_law;
              }},
         },
         [](const Case& c) { return !c.bed_patches.empty(); }};

@@ -422,9 +422,13 @@ struct Case {
         return side_walls.layer.value_or(bed.roughness_height > 0.0 ? bed.roughness_height
                                                                     : rows * numerics.spacing);
     }
-    /// Whether the case has side walls with drag.
+    /// Whether the case has side walls.
     [[nodiscard]] bool has_side_walls() const {
         return channel.dimensions == 3 && channel.sides != Sides::periodic;
+    }
+    /// Whether the case has side walls with drag, which carry a part of the water's weight.
+    [[nodiscard]] bool has_side_wall_drag() const {
+        return has_side_walls() && side_walls.drag_form != SideDragForm::none;
     }
     /// Discharge of a unit of the width that the case gives at the inflow, m2/s; none where a file does, or
     /// the depth.

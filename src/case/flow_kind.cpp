@@ -124,9 +124,7 @@ bool channel_resists(const Case& c) {
     return bed_resists(c.bed) || vegetation_everywhere(c) != nullptr || layer_resists(c);
 }
 
-bool channel_or_walls_resist(const Case& c) {
-    return channel_resists(c) || (c.has_side_walls() && c.side_walls.drag_form != SideDragForm::none);
-}
+bool channel_or_walls_resist(const Case& c) { return channel_resists(c) || c.has_side_wall_drag(); }
 
 FlowKind flow_kind(const Case& c) {
     if (c.channel.top == Top::periodic) return FlowKind::periodic_box;

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include "case/case.hpp"
 #include "case/presets.hpp"
 
@@ -18,5 +21,8 @@ namespace riffle {
 /// lattice and the smoothing length, the mean of the pressure's correction over a time longer than the run,
 /// and in three dimensions, where nothing moves, a time to settle. Measured in docs/verification.md (solids).
 void choose_for_quiet_water(Case& c, const GivenNumerics& given);
+
+/// Which of a case's numerics are those of such water, in words; none where the water is not such.
+[[nodiscard]] std::optional<std::string> quiet_water_note(const Case& c);
 
 }  // namespace riffle

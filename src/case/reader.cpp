@@ -16,6 +16,7 @@
 #include "case/conversion.hpp"
 #include "case/key_table.hpp"
 #include "case/outline_check.hpp"
+#include "case/overrides.hpp"
 #include "case/presets.hpp"
 #include "case/problems.hpp"
 #include "case/quiet_water.hpp"
@@ -29,42 +30,11 @@ namespace riffle {
 
 namespace {
 
-/// Replace or add the entries that the options give.
-void apply_overrides(Document& document, const std::vector<Override>& overrides, Problems& problems) {
-    for (const Override& option : overrides) {
-        const Place place{fmt::format("--set {}={}", option.key, option.value), 0, 0, true};
-        const auto dot = option.key.find('.');
-        const std::string section = dot == std::string::npos ? "" : option.key.substr(0, dot);
-        const std::string name = dot == std::string::npos ? option.key : option.key.substr(dot + 1);
-        if (find_section(section) == nullptr) {
-            problems.add(place, unknown_section(section));
-            continue;
-        }
-        if (find_section(section)->repeated()) {
-            problems.add(place, fmt::format("options cannot change [[{0}]], of which there may be several: "
-                                            "change the case file",
-                                            section));
-            continue;
-        }
-        std::erase_if(document.entries,
-                      [&](const Entry& entry) { return entry.section == section && entry.key == name; });
-        const Key* const key = find_key(section, name);
-        const bool text = key != nullptr && (key->type == ValueType::text || key->type == ValueType::file);
-        RawValue value = read_option_value(option.value);
-        if (text && !std::holds_alternative<std::string>(value)) {
-            value =
-                read_option_text(option.value);  // a title such as 2026 needs no quotes on the command line
-        }
-        document.entries.push_back({section, name, std::move(value), place, place});
-    }
-}
-
 /// Most sections of a repeated kind.
 constexpr std::size_t most_sections = 1000;
 
-/// A key, and in which of the sections of its name.
-using KeyItem = std::pair<const Key*, std::size_t>;
-using Values = std::map<KeyItem, Value>;
+/// By the key, and in which of the sections of its name it stands.
+using Values = std::map<std::pair<const Key*, std::size_t>, Value>;
 
 std::string not_as_section(const SectionKeys& section) {
     return fmt::format("`{}` is a section{}: write {} on a line of its own and its keys below", section.name,

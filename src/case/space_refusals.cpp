@@ -257,7 +257,7 @@ CheckList side_wall_refusals() {
                                  shown_length(c.side_layer()), shown_length(c.channel.width));
              }},
         },
-        [](const Case& c) { return c.has_side_walls() && c.side_walls.drag_form != SideDragForm::none; }};
+        [](const Case& c) { return c.has_side_wall_drag(); }};
 }
 
 }  // namespace riffle

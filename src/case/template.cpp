@@ -9,6 +9,7 @@
 #include "case/conversion.hpp"
 #include "case/key_table.hpp"
 #include "case/presets.hpp"
+#include "case/quiet_water.hpp"
 
 namespace riffle {
 
@@ -62,11 +63,26 @@ std::string key_comment(const Key& key) {
     return text;
 }
 
+/// What follows for water beside inclined faces in a file that gives the lattice of the case where it is
+/// another one.
+void choose_for_quiet_water_of_file(Case& chosen) {
+    const StartLattice lattice = chosen.start.lattice;
+    chosen.start.lattice = Start{}.lattice;
+    chosen.start.settling_time = Start{}.settling_time;
+    Case by_default = chosen;
+    choose_for_quiet_water(by_default, {});
+    const bool given = by_default.start.lattice != lattice;
+    chosen.start.lattice = lattice;
+    choose_for_quiet_water(chosen, {.lattice = given});
+    chosen.start.lattice = by_default.start.lattice;
+}
+
 /// The case that a file with nothing but the preset and the kind of bed would give.
 Case defaults_of(const Case& c) {
     Case chosen = c;
     chosen.numerics = preset_numerics(c.numerics.preset, c.channel.dimensions);
     choose_resolution(chosen, {});
+    choose_for_quiet_water_of_file(chosen);
     // The walls are as deep as the kernel that the file will say.
     Case wide = chosen;
     wide.numerics.smoothing_ratio = c.numerics.smoothing_ratio;
@@ -74,6 +90,8 @@ Case defaults_of(const Case& c) {
     chosen.numerics.wall_layers = wide.numerics.wall_layers;
     Case defaults;
     defaults.numerics = chosen.numerics;
+    defaults.start.lattice = chosen.start.lattice;
+    defaults.start.settling_time = chosen.start.settling_time;
     defaults.bed.kind = c.bed.kind;
     if (c.bed.kind != BedKind::spheres) {
         defaults.bed.datum_below_crest = 0.0;

@@ -11,7 +11,9 @@ namespace riffle {
 
 void CaseArgument::add_to(CLI::App& verb) {
     verb.add_option("case", file, "Case file (TOML)")->required()->type_name("CASE");
-    verb.add_option("--set", settings, "Set a key of the case for this call: section.key=value")
+    verb.add_option("--set", settings,
+                    "Set a key of the case for this call: section.key=value; of one of several sections "
+                    "section.name.key=value")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
 }

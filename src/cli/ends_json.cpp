@@ -36,7 +36,9 @@ ordered_json end_json(const FlowAtEnd& end) {
             {"depth_from", source_word(end.source)},
             {"floor", end.floor},
             {"velocity", range_json(end.velocity)},
-            {"froude", range_json(end.froude)}};
+            {"froude", range_json(end.froude)},
+            {"critical_depth", range_json(end.critical_depth)},
+            {"normal_depth", range_json(end.normal_depth)}};
 }
 
 }  // namespace
@@ -55,8 +57,6 @@ ordered_json ends_json(const Forecast& f) {
             {"inflow", end_json(states.inflow)},
             {"outflow", end_json(states.outflow)},
             {"held_depth", range_json(states.held_depth)},
-            {"critical_depth", range_json(states.critical_depth)},
-            {"normal_depth", range_json(states.normal_depth)},
             {"reynolds", optional_number(states.reynolds)},
             {"in_words", facts}};
 }

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/wrapped_text.hpp"
+#include "case/quiet_water.hpp"
 #include "cli/case_argument.hpp"
 #include "cli/ends_json.hpp"
 #include "cli/run_arguments.hpp"
@@ -180,7 +181,11 @@ nlohmann::ordered_json probes_json(const Forecast& f) {
 void print_forecast(const Case& c, const Forecast& f) {
     fmt::print("{}\nvalid\n", c.title.empty() ? c.path.string() : c.title);
     print_row("particles", fmt::format("{} fluid, {} wall", f.particles, f.wall_particles));
-    print_row("spacing, h", fmt::format("{:.4g} mm, {:.4g} mm", 1e3 * f.spacing, 1e3 * f.smoothing_length));
+    print_row("spacing, h",
+              fmt::format("{:.4g} mm, {:.4g} mm", 1e3 * c.numerics.spacing, 1e3 * f.smoothing_length));
+    if (const auto note = quiet_water_note(c)) {
+        print_row("still water", *note);
+    }
     print_row("sound speed",
               fmt::format("{:.4g} m/s{}", f.sound_speed,
                           f.maximum_velocity > 0.0 ? fmt::format(" ({:.3g} times the largest velocity)",
@@ -230,6 +235,7 @@ void print_json(const Case& c, const Forecast& f, const std::vector<std::string>
                                          {"disk_bytes", f.disk_bytes},
                                          {"replacing_bytes", f.replacing_bytes},
                                          {"disk_parts", parts_json(f)},
+                                         {"still_water", quiet_water_note(c).value_or("")},
                                          {"ends", ends_json(f)},
                                          {"canal", canal_json(f)},
                                          {"bed_patches", bed_patches_json(f)},

@@ -44,7 +44,7 @@ std::array<double, 3> gradient_weights(const std::vector<double>& centre, const 
 /// The closure of a case over its bed. A bed by a wall law carries the part of the weight that the side walls
 /// leave it, which counts in its viscous layer.
 std::unique_ptr<const Closure> section_closure(const Case& c) {
-    if (!has_wall_law(c) || !has_side_wall_drag(c)) return make_closure(c);
+    if (!has_wall_law(c) || !c.has_side_wall_drag()) return make_closure(c);
     const Case bed = with_fixed_roughness(c);
     return make_wall_closure(bed, *bed_wall_law(bed, std::sqrt(side_wall_partition(c).bed_stress)));
 }

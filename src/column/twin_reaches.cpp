@@ -1,8 +1,12 @@
 #include "column/twin_reaches.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
+#include "base/error.hpp"
 #include "case/bed_patch.hpp"
+#include "case/flow_kind.hpp"
 #include "case/patch_range.hpp"
 #include "column/twin_channel.hpp"
 
@@ -23,10 +27,17 @@ std::vector<Reach> twin_reaches(const Case& c, double unit_discharge, double len
     std::vector<Reach> reaches;
     double done = 0.0;
     const auto add = [&](const std::string& name, double to, const Case& of) {
-        if (to > done) {
-            reaches.push_back({name, done, to, twin_channel(of, unit_discharge)});
-            done = to;
+        if (!(to > done)) {
+            return;
         }
+        if (!channel_or_walls_resist(of)) {
+            throw InputError(fmt::format(
+                "nothing resists the flow over {}: the varied flow is found with the friction of each bed; give it a "
+                "roughness, or kind = \"smooth\"",
+                name.empty() ? std::string("[bed]") : fmt::format("[[bed_patch]] {}", name)));
+        }
+        reaches.push_back({name, done, to, twin_channel(of, unit_discharge)});
+        done = to;
     };
     for (const BedPatch* const patch : across) {
         const PatchRange along = ranges_of(c, *patch)[0];

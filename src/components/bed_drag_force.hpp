@@ -27,7 +27,7 @@ class BedDragForce final : public Component<D, Real> {
         if (D == 3 && drag_ && drag_->varies_with_speed()) {
             flow.inputs.acceleration = true;
         }
-        if (D == 3 && has_side_wall_drag(flow.c)) {
+        if (D == 3 && flow.c.has_side_wall_drag()) {
             flow.with_side_drag = true;
             if (flow.c.side_walls.drag_form == SideDragForm::thesis) {
                 flow.clock.side_wall_drag_coefficient = printed_side_wall_coefficient(flow.c);
@@ -199,7 +199,7 @@ class BedDragForce final : public Component<D, Real> {
 template <int D, class Real>
 std::unique_ptr<Component<D, Real>> make_bed_drag_force(FlowOf<D, Real>& flow) {
     auto drag = make_particle_bed_drag(flow.c, lattice_of(flow.c).dz);
-    return drag || (D == 3 && has_side_wall_drag(flow.c))
+    return drag || (D == 3 && flow.c.has_side_wall_drag())
                ? std::make_unique<BedDragForce<D, Real>>(flow, std::move(drag))
                : nullptr;
 }

@@ -168,6 +168,26 @@ std::string profile_text(const Case& c, const FlowAtEnds& states) {
     return text + "; add points where that is not meant";
 }
 
+/// Critical and normal depth at an end, and what the slope is with them; empty without discharge.
+std::string characteristic_text(const FlowAtEnd& end) {
+    if (!end.critical_depth || !(end.critical_depth->largest > 0.0)) {
+        return "";
+    }
+    const Extremes critical = *end.critical_depth;
+    std::string text = fmt::format("critical depth {}{}",
+                                   end.critical_of_profile ? "" : "(q²/g)^(1/3) = ", millimetres(critical));
+    if (end.normal_depth) {
+        const Extremes normal = *end.normal_depth;
+        text += fmt::format(", normal depth {}", millimetres(normal));
+        if (normal.least > critical.least && normal.largest > critical.largest) {
+            text += " (a mild slope)";
+        } else if (normal.least < critical.least && normal.largest < critical.largest) {
+            text += " (a steep slope)";
+        }
+    }
+    return text;
+}
+
 }  // namespace
 
 std::vector<EndFact> end_facts(const Case& c, const FlowAtEnds& states) {
@@ -175,19 +195,13 @@ std::vector<EndFact> end_facts(const Case& c, const FlowAtEnds& states) {
     if (const std::string profile = states.profile_heights ? profile_text(c, states) : ""; !profile.empty()) {
         facts.push_back({"profile of the inflow", profile});
     }
-    if (states.critical_depth && states.critical_depth->largest > 0.0) {
-        const Extremes critical = *states.critical_depth;
-        std::string text = "critical depth " + millimetres(critical);
-        if (states.normal_depth) {
-            const Extremes normal = *states.normal_depth;
-            text += fmt::format(", normal depth {}", millimetres(normal));
-            if (normal.least > critical.least && normal.largest > critical.largest) {
-                text += " (a mild slope)";
-            } else if (normal.least < critical.least && normal.largest < critical.largest) {
-                text += " (a steep slope)";
-            }
-        }
-        facts.push_back({"of this discharge", text});
+    const std::string at_inflow = characteristic_text(states.inflow);
+    const std::string at_outflow = characteristic_text(states.outflow);
+    if (!at_inflow.empty() && (states.one_bed || at_inflow == at_outflow)) {
+        facts.push_back({"of this discharge", at_inflow});
+    } else if (!at_inflow.empty()) {
+        facts.push_back({"of it at the inflow", at_inflow});
+        facts.push_back({"of it at the outflow", at_outflow});
     }
     if (states.reynolds) {
         facts.push_back(

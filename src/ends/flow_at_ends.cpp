@@ -64,6 +64,12 @@ class BedFlow {
     }
 
     [[nodiscard]] std::optional<double> normal(double q) {
+        const auto found = normal_.find(q);
+        return found != normal_.end() ? found->second : normal_.emplace(q, find_normal(q)).first->second;
+    }
+
+  private:
+    [[nodiscard]] std::optional<double> find_normal(double q) {
         if (!has_twin_ || !(q > 0.0) || !(case_.streamwise_gravity() > 0.0)) {
             return std::nullopt;
         }
@@ -74,7 +80,6 @@ class BedFlow {
         }
     }
 
-  private:
     [[nodiscard]] bool knows(double q, double depth, bool on_bed) {
         return on_bed && has_channel() && q > 0.0 && depth - case_.datum() >= channel(q).least_depth;
     }
@@ -83,6 +88,7 @@ class BedFlow {
     bool has_twin_;
     bool has_section_;
     std::map<double, SteadyChannel> channels_;
+    std::map<double, std::optional<double>> normal_;
 };
 
 /// Whether bodies, patches or solids at the ends make the flow other than that over the bed.
@@ -187,6 +193,19 @@ void add_depth(const Case& c, BedFlow& bed, double q, double depth, FlowAtEnd& e
     }
 }
 
+/// Adds the critical and the normal depth of a discharge at an end.
+void add_characteristic_depths(const Case& c, BedFlow& bed, double q, FlowAtEnd& end) {
+    const bool on_bed = end.floor == 0.0;
+    end.critical_of_profile = on_bed && bed.has_channel();
+    widen(end.critical_depth, bed.critical(q, on_bed) - (on_bed ? c.datum() : 0.0));
+    if (!on_bed) {
+        return;
+    }
+    if (const auto normal = bed.normal(q)) {
+        widen(end.normal_depth, *normal);
+    }
+}
+
 DepthSource source_of_inflow(const Case& c, const EndInput& input, bool has_flow) {
     return is_duct(c)           ? DepthSource::full
            : input.inflow_depth ? DepthSource::given
@@ -213,6 +232,7 @@ FlowAtEnds flow_at_ends(const Case& c) {
     states.gives_discharge = input.unit_discharge.has_value();
     states.inflow.floor = floors.upstream > 0.0 ? floors.upstream - c.datum() : 0.0;
     states.outflow.floor = floors.downstream > 0.0 ? floors.downstream - c.datum() : 0.0;
+    states.one_bed = !other && states.inflow.floor == states.outflow.floor;
     const std::optional<VariedFlow> flow = steady_flow(c, input, bed, start_unit_discharge(c, input));
     states.inflow.source = source_of_inflow(c, input, flow.has_value());
     states.outflow.source = source_of_outflow(c, input, flow.has_value());
@@ -227,15 +247,8 @@ FlowAtEnds flow_at_ends(const Case& c) {
             add_depth(c, bed, q, c.total_depth() - floors.downstream, states.outflow);
             continue;
         }
-        const double critical = bed.critical(q, true);
-        widen(states.critical_depth, states.inflow.floor > 0.0 || states.outflow.floor > 0.0
-                                         ? bed.critical(q, false)
-                                         : critical - c.datum());
-        if (c.outflow.kind == OutflowKind::normal_depth) {
-            widen(states.normal_depth, at.outflow_depth - c.datum());
-        } else if (const auto normal = bed_at_outflow.normal(q)) {
-            widen(states.normal_depth, *normal);
-        }
+        add_characteristic_depths(c, bed, q, states.inflow);
+        add_characteristic_depths(c, bed_at_outflow, q, states.outflow);
         const double before = input.inflow_depth ? at.inflow_depth
                               : flow             ? flow->depth_at(0.0) + c.datum()
                                      : std::max(of_start, bed.critical(q, states.inflow.floor == 0.0));

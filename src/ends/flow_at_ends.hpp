@@ -35,6 +35,10 @@ struct FlowAtEnd {
     std::optional<Extremes> froude;  ///< as SteadyChannel::froude_number(); not of ducts
     double floor = 0.0;  ///< top of the solid that carries the water through this end, over the datum, m; 0
                          ///< without one
+    std::optional<Extremes> critical_depth;  ///< of q, over the datum, or over the solid at this end, m
+    bool critical_of_profile = false;        ///< with the twin's profile of the velocity, not (q2/g)^(1/3)
+    /// Of q over the bed at this end, over the datum, m; none without slope or friction.
+    std::optional<Extremes> normal_depth;
 };
 
 /// What a case with open ends asks for at them.
@@ -44,8 +48,7 @@ struct FlowAtEnds {
     bool gives_discharge = true;
     Extremes unit_discharge;                  ///< q, m2/s; where the case gives none that of the start
     std::optional<Extremes> held_depth;       ///< that the outflow holds, over the datum, m
-    std::optional<Extremes> critical_depth;   ///< of q, over the datum, or over the solids at the ends, m
-    std::optional<Extremes> normal_depth;     ///< of q, over the datum, m; none without slope or friction
+    bool one_bed = true;                      ///< both ends have the same bed, and stand on it
     std::optional<Extremes> profile_heights;  ///< of the points of inflow.profile_file, over the datum, m
     std::optional<double> reynolds;           ///< of a duct: U, its hydraulic diameter, largest q
 };

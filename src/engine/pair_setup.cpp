@@ -192,7 +192,7 @@ ParticleData<D> particle_constants(const Case& c, const Scheme& scheme, const Do
     if constexpr (D == 3) {
         data.shear_weight_across = stress_weight(false, true, spanwise_ratio(c));
         data.normal_weight_across = stress_weight(true, true, spanwise_ratio(c));
-        if (has_side_wall_drag(c)) {
+        if (c.has_side_wall_drag()) {
             data.layer_below = c.side_layer();
             if (c.channel.sides == Sides::walls) {
                 data.layer_above = c.channel.width - c.side_layer();

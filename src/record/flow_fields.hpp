@@ -204,7 +204,7 @@ struct ProfileFields {
         profile("analytic_stress", "Pa", "shear stress of the momentum balance at the upper edge",
                 &Profiles::analytic_stress,
                 {.note = "rho g S0 (H - z) less the drag below the crest; between side walls the section's, "
-                         "its mean across the channel"});
+                         "its mean across the channel; none there without a section twin"});
     ProfileField velocity_rms =
         profile("velocity_rms", "m/s", "rms fluctuation of u", &Profiles::velocity_rms);
     ProfileField vertical_velocity_rms =

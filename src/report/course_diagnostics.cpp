@@ -40,9 +40,7 @@ class CourseRows : public DiagnosticRows {
                                        [](const Solid& solid) { return solid.motion != SolidMotion::fixed; });
         const bool judged = !moved && !still();
         constexpr double bar = 0.02;
-        add({"energy", "Change of the water's energy",
-             fmt::format("{} of the largest kinetic energy; largest gain {}", signed_percent(change->value),
-                         percent(gain->value)),
+        add({"energy", "Change of the water's energy", energy_text(change->value, gain->value),
              judged  ? "no gain above 2 %"
              : moved ? "moving walls and bodies add energy"
                      : "the water is nearly still",
@@ -86,7 +84,21 @@ class CourseRows : public DiagnosticRows {
     void front() { against_theory("front_speed", "front", "Speed of the front against Ritter's", 0.05); }
 
   private:
-    /// Whether the fastest water ever moves at less than a hundredth of sqrt(g H).
+    /// Change and gain, both over the largest kinetic energy; of still water, which has next to none, the
+    /// change over the potential energy.
+    [[nodiscard]] std::string energy_text(double change, double gain) const {
+        const Finding* const kinetic = finding("kinetic_energy_largest");
+        const auto& of = fields::time_series;
+        if (still() && kinetic != nullptr && data_.series.has(of.potential_energy) &&
+            data_.series[of.potential_energy].front() > 0.0) {
+            const double share = change * kinetic->value / data_.series[of.potential_energy].front();
+            return fmt::format("{:+.1e} of the potential energy", share);
+        }
+        return fmt::format("{} of the largest kinetic energy; largest gain {}", signed_percent(change),
+                           percent(gain));
+    }
+
+    /// Whether the fastest water ever moves at less than two hundredths of sqrt(g H).
     [[nodiscard]] bool still() const {
         const double scale = std::sqrt(data_.flow.normal_gravity() * data_.flow.total_depth());
         const Finding* const energy = finding("kinetic_energy_largest");

@@ -18,11 +18,6 @@ struct SideWallPartition {
     double wall_over_bed = 0.0;
 };
 
-/// Whether a case has side walls with drag.
-[[nodiscard]] inline bool has_side_wall_drag(const Case& c) {
-    return c.has_side_walls() && c.side_walls.drag_form != SideDragForm::none;
-}
-
 /// `depth`: H, `width`: W_b of the whole channel, m; `streamwise_gravity`: g S0, m/s2.
 [[nodiscard]] SideWallPartition side_wall_partition(double depth, double width, double streamwise_gravity);
 

@@ -211,7 +211,6 @@ Forecast forecast_in(const Case& c) {
     Forecast f;
     f.particles = simulation->particles().size();
     f.wall_particles = simulation->walls().size();
-    f.spacing = scheme.spacing;
     f.smoothing_length = scheme.smoothing_length;
     f.sound_speed = scheme.state.sound_speed;
     f.maximum_velocity = scheme.maximum_velocity;

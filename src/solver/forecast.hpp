@@ -62,7 +62,6 @@ struct RecordForecast {
 struct Forecast {
     std::size_t particles = 0;
     std::size_t wall_particles = 0;
-    double spacing = 0.0;           ///< m
     double smoothing_length = 0.0;  ///< m
     double sound_speed = 0.0;       ///< m/s
     double maximum_velocity = 0.0;  ///< m/s

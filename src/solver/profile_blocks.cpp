@@ -264,11 +264,14 @@ Profiles ProfileSampler::average(double from, double to) const {
         result.pair_stress.push_back(pair_upper[layer]);
         result.viscous_stress.push_back(viscous_upper[layer]);
         result.total_stress.push_back(reynolds_upper + pair_upper[layer] + viscous_upper[layer]);
-        const double line = rho * case_.streamwise_gravity() * (case_.total_depth() - upper);
-        result.analytic_stress.push_back(twin_height != nullptr &&
-                                                 upper < case_.total_depth() - 0.5 * thickness_
-                                             ? stress_at(*twin_height, *twin_stress, upper)
-                                             : line);
+        // Side walls carry a part of the weight that a twin alone knows.
+        if (twin_height != nullptr || !case_.has_side_wall_drag()) {
+            const double line = rho * case_.streamwise_gravity() * (case_.total_depth() - upper);
+            result.analytic_stress.push_back(twin_height != nullptr &&
+                                                     upper < case_.total_depth() - 0.5 * thickness_
+                                                 ? stress_at(*twin_height, *twin_stress, upper)
+                                                 : line);
+        }
         const double volume = result.samples * plan_area_ * thickness_;
         result.drag.push_back(s[index(LayerQuantity::drag_force)] / volume);
         if (quantities_ > index(LayerQuantity::v)) {

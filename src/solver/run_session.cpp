@@ -16,6 +16,7 @@
 #include "base/version.hpp"
 #include "case/end_levels.hpp"
 #include "case/flow_kind.hpp"
+#include "case/quiet_water.hpp"
 #include "output/checkpoint_file.hpp"
 #include "particles/lattice.hpp"
 #include "record/field_content.hpp"
@@ -146,8 +147,11 @@ void RunSession<D>::start() {
     }
     log_.info(fmt::format(
         "{} fluid and {} wall particles, spacing {:.4g} mm, h {:.4g} mm, c0 {:.4g} m/s, step <= {:.4g} s",
-        simulation_->particles().size(), simulation_->walls().size(), 1e3 * scheme.spacing,
+        simulation_->particles().size(), simulation_->walls().size(), 1e3 * case_.numerics.spacing,
         1e3 * scheme.smoothing_length, scheme.state.sound_speed, scheme.acoustic_step));
+    if (const auto note = quiet_water_note(case_)) {
+        log_.info(fmt::format("still water: {}", *note));
+    }
     // Between open ends there is water beyond the lattice of the channel as well.
     if (!case_.solids.empty() && case_.start.water_x.empty() && case_.channel.ends != Ends::open) {
         log_.info(fmt::format("{} particles of the water's lattice are left out, in or too close to solids",

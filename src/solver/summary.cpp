@@ -109,14 +109,18 @@ void add_stresses(const Case& c, const Profiles& p, Numbers& summary) {
             continue;
         }
         spurious.add(p.pair_stress[k] / crest_stress);
-        error.add((p.total_stress[k] - p.analytic_stress[k]) / crest_stress);
+        if (!p.analytic_stress.empty()) {
+            error.add((p.total_stress[k] - p.analytic_stress[k]) / crest_stress);
+        }
     }
     if (spurious.count == 0) {
         return;  // bodies stand through the whole depth
     }
     summary.set(fields::summary.spurious_stress_rms, spurious.rms());
     summary.set(fields::summary.spurious_stress_maximum, spurious.largest);
-    summary.set(fields::summary.stress_error_rms, error.rms());
+    if (error.count > 0) {
+        summary.set(fields::summary.stress_error_rms, error.rms());
+    }
     if (has_bodies(c) || !c.vegetation.empty()) {
         return;  // the stress at the bed is not the one that continues the line
     }

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "case/key_table.hpp"
+#include "case/overrides.hpp"
 #include "particles/lattice.hpp"
 #include "solver/run.hpp"
 
@@ -28,17 +28,23 @@ double cell_size(const Case& c) {
 VariedKey varied_key(const Variation& variation, const std::vector<SweepRun>& runs) {
     VariedKey varied{variation, variation.short_name(), {}, {}, false};
     std::replace(varied.label.begin(), varied.label.end(), '_', ' ');
-    const Key* const key = find_key(variation.key);
-    if (key == nullptr) {
-        return varied;  // cannot be: the cases have been read
-    }
+    const Key* key = nullptr;
     for (const SweepRun& run : runs) {
-        const std::optional<double> number = Key::number_of(key->get(run.flow));
+        // By its name: the sections of another file might stand in another order.
+        const KeyItem found = find_option_key(run.flow, variation.key);
+        key = found.key;
+        if (key == nullptr) {
+            return varied;  // the name of a section itself is varied
+        }
+        const std::optional<double> number = Key::number_of(key->get(run.flow, found.item));
         if (!number || (key->type != ValueType::number && key->type != ValueType::integer)) {
             varied.numbers.clear();
             return varied;
         }
         varied.numbers.push_back(variation.key == "numerics.spacing" ? cell_size(run.flow) : *number);
+    }
+    if (key == nullptr) {
+        return varied;
     }
     varied.unit = key->dimension == Dimension::none ? "1" : std::string(si_unit(key->dimension));
     varied.refines =

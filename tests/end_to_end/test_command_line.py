@@ -242,8 +242,8 @@ class CommandLine(CommandLineTest):
             for key in ("depth", "velocity", "froude"):
                 for value in ends[end][key]:
                     self.assertAlmostEqual(value, told["stations"][key][station], places=6, msg=f"{end} {key}")
-        self.assertAlmostEqual(ends["critical_depth"][0], told["critical_depth"], places=6)
-        self.assertIsNone(ends["normal_depth"])  # the bed is level
+        self.assertAlmostEqual(ends["outflow"]["critical_depth"][0], told["critical_depth"], places=6)
+        self.assertIsNone(ends["outflow"]["normal_depth"])  # the bed is level
         said = " ".join(self.succeed("check", jump, *coarse).stdout.split())
         self.assertRegex(said, r"inflow q = 0\.02658 m2/s, depth 20 mm, U = 1\.329 m/s, Fr = 3\.07\d, supercritical")
         self.assertRegex(said, r"outflow holds 70 mm, U = 0\.3797 m/s, Fr = 0\.466\d, subcritical")

@@ -123,7 +123,7 @@ TEST(Probes, StandUnderDoubleBrackets) {
     EXPECT_THAT(error_of(smallest + "[probe]\nname = \"a\"\n"),
                 HasSubstr("`probe` is a section that may stand several times: write [[probe]]"));
     EXPECT_THAT(error_of(smallest, {{"probe.x", "0.1"}}),
-                HasSubstr("--set probe.x=0.1: options cannot change [[probe]]"));
+                HasSubstr("--set probe.x=0.1: the case has no [[probe]]"));
     EXPECT_THAT(error_of(smallest + "[measured]\nsampling_frequency = 5\n"),
                 HasSubstr("it belongs in [[probe]]"));
 }

@@ -2,12 +2,18 @@
 
 #include "case/quiet_water.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "case/case_documents.hpp"
 #include "case_test.hpp"
 
 namespace riffle::quiet_water_test {
 namespace {
+
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 const std::string basin = R"(
 [channel]
@@ -60,6 +66,41 @@ TEST(QuietWater, KeepsWhatTheCaseGives) {
     EXPECT_EQ(c.numerics.smoothing_ratio, 2.0);
     EXPECT_EQ(c.numerics.pressure_correction_time, 0.0);
     EXPECT_EQ(read(beach, {{"numerics.preset", "violent"}}).numerics.pressure_correction_time, 0.0);
+}
+
+// The smoothing length goes with the lattice: without that one it is as everywhere else.
+TEST(QuietWater, OfAnotherLatticeHasTheSmoothingLengthOfThat) {
+    const Case c = read(beach, {{"start.lattice", "square"}});
+    EXPECT_EQ(c.numerics.smoothing_ratio, 1.5);
+    EXPECT_EQ(c.numerics.pressure_correction_time, 100.0);
+    EXPECT_THAT(case_warnings(c), Not(Contains(HasSubstr("is not verified"))));
+    EXPECT_EQ(read(beach, {{"start.lattice", "hexagonal"}}).numerics.smoothing_ratio, 1.83);
+}
+
+TEST(QuietWater, SaysWhatItHas) {
+    EXPECT_EQ(
+        quiet_water_note(read(beach)).value_or(""),
+        "hexagonal lattice, h = 1.83 dx, mean of the pressure's correction over 100 s: the defaults beside "
+        "inclined faces");
+    EXPECT_FALSE(quiet_water_note(read(step)));
+}
+
+TEST(QuietWater, KnowsNothingOfWhatStandsAboveIt) {
+    EXPECT_FALSE(is_quiet_beside_inclined_faces(read("x = [0.3, 0.7, 0.7]\nz = [0.11, 0.12, 0.3]\n")));
+    EXPECT_TRUE(is_quiet_beside_inclined_faces(read("x = [0.3, 0.7, 0.7]\nz = [0.09, 0.12, 0.3]\n")));
+}
+
+// A case file that is written of it leaves to it what it chose, so that another preset or length of the run
+// counts.
+TEST(QuietWater, IsADefaultInTheTemplateOfACase) {
+    for (const std::string lattice : {"hexagonal", "square"}) {
+        const Case c = read(beach, {{"start.lattice", lattice}});
+        const std::string text = case_template(c);
+        EXPECT_THAT(text, HasSubstr("\n#pressure_correction_time = "));
+        EXPECT_THAT(text, HasSubstr("\n#smoothing_ratio = "));
+        EXPECT_THAT(text, HasSubstr(lattice == "hexagonal" ? "\n#lattice = " : "\nlattice = "));
+        EXPECT_TRUE(parse_case(text, "template").same_parameters(c));
+    }
 }
 
 TEST(QuietWater, IsThatOfBasinsWithInclinedFacesAlone) {

@@ -48,8 +48,8 @@ TEST(FlowAtEnds, WithoutFrictionItIsThatOfTheDischarge) {
     const FlowAtEnds flow = flow_at_ends(c);
     EXPECT_NEAR(flow.outflow.velocity->least, 0.3, 1e-12);
     EXPECT_NEAR(flow.outflow.froude->least, 0.3 / std::sqrt(9.81 * 0.1), 1e-12);
-    EXPECT_NEAR(flow.critical_depth->least, std::cbrt(0.0009 / 9.81), 1e-12);
-    EXPECT_FALSE(flow.normal_depth);
+    EXPECT_NEAR(flow.outflow.critical_depth->least, std::cbrt(0.0009 / 9.81), 1e-12);
+    EXPECT_FALSE(flow.outflow.normal_depth);
     EXPECT_EQ(flow.inflow.source, DepthSource::start);
     EXPECT_NEAR(flow.inflow.depth->least, 0.18, 1e-12);
     EXPECT_THAT(text_of(c), HasSubstr("holds 100 mm, U = 0.3 m/s, Fr = 0.3029, subcritical"));
@@ -93,7 +93,7 @@ TEST(FlowAtEnds, UniformFlowIsThatOfTheTwin) {
     EXPECT_NEAR(flow.held_depth->least, 0.05, 1e-5);
     EXPECT_EQ(flow.inflow.source, DepthSource::backwater);
     EXPECT_NEAR(flow.inflow.depth->least, 0.05, 1e-5);
-    EXPECT_NEAR(flow.normal_depth->least, 0.05, 1e-5);
+    EXPECT_NEAR(flow.outflow.normal_depth->least, 0.05, 1e-5);
     EXPECT_NEAR(flow.inflow.velocity->least, 0.335, 0.001);
     EXPECT_THAT(text_of(c), HasSubstr("(7.992 l/s over the width of 459 mm)"));
     EXPECT_THAT(text_of(c), HasSubstr("(a mild slope)"));
@@ -103,7 +103,7 @@ TEST(FlowAtEnds, UniformFlowIsThatOfTheTwin) {
 TEST(FlowAtEnds, SlowWaterLeavesAFreeOutflowAtTheCriticalDepth) {
     const FlowAtEnds flow =
         flow_at_ends(rough_case("[inflow]\nunit_discharge = \"0.0174 m2/s\"\n[outflow]\nkind = \"free\"\n"));
-    EXPECT_NEAR(flow.outflow.depth->least, flow.critical_depth->least, 1e-6);
+    EXPECT_NEAR(flow.outflow.depth->least, flow.outflow.critical_depth->least, 1e-6);
     EXPECT_NEAR(flow.outflow.froude->least, 1.0, 1e-3);
     EXPECT_LT(flow.inflow.depth->least, 0.05);
 }
@@ -117,6 +117,22 @@ TEST(FlowAtEnds, TheStartIsForgottenWhenAllWaterIsReplaced) {
     EXPECT_NEAR(relaxation_time_between_ends(
                     slip_case(inflow + "kind = \"depth\"\ndepth = \"0.2 m\"\nrelaxation_time = \"30 s\"\n")),
                 30.0, 1e-9);
+}
+
+// Each end has the depths of the bed there.
+TEST(FlowAtEnds, OverTwoBedsHasTheDepthsOfBoth) {
+    const Case c = parse_case(
+        "[channel]\nslope = 0.003\ndepth = \"60 mm\"\nlength = \"1.5 m\"\nends = \"open\"\n"
+        "[inflow]\nunit_discharge = \"0.03 m2/s\"\n[outflow]\nkind = \"depth\"\ndepth = \"60 mm\"\n"
+        "[bed]\nkind = \"roughness\"\nequivalent_roughness = \"1 mm\"\n"
+        "[[bed_patch]]\nname = \"cobbles\"\nequivalent_roughness = \"12 mm\"\nx_from = \"0.5 m\"\n"
+        "[turbulence]\nclosure = \"nezu-rodi\"\n[numerics]\nspacing = \"6 mm\"\n[run]\nuntil = \"8 s\"\n",
+        "test");
+    const FlowAtEnds flow = flow_at_ends(c);
+    EXPECT_FALSE(flow.one_bed);
+    EXPECT_GT(flow.outflow.normal_depth->least, 1.2 * flow.inflow.normal_depth->least);
+    EXPECT_THAT(text_of(c), HasSubstr("of it at the inflow: critical depth "));
+    EXPECT_THAT(text_of(c), HasSubstr("of it at the outflow: critical depth "));
 }
 
 // Beyond the points of a profile its last values go on: to be told where that is more than a row.

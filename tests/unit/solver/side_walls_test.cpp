@@ -10,6 +10,7 @@
 #include "roughness/side_wall_partition.hpp"
 #include "same_bits.hpp"
 #include "small_case.hpp"
+#include "solver/profile_blocks.hpp"
 
 namespace riffle::side_walls_test {
 namespace {
@@ -56,6 +57,24 @@ TEST(SideWalls, GiveTheSameBitsForAnyNumberOfThreads) {
 
 TEST(SideWalls, GoOnFromARestoredStateWithTheSameBits) {
     test::expect_same_bits_after_resume<3>(disordered_channel(), 25, 25);
+}
+
+// Side walls carry a part of the weight: without a twin nothing tells the stress that is left above the bed.
+TEST(SideWalls, LeaveNoAnalyticStressWithoutATwin) {
+    const auto profiles_of = [](const Case& c, bool with_twin) {
+        const Space channel(c);
+        ProfileSampler sampler(c, with_twin ? &channel.column : nullptr);
+        while (sampler.blocks().size() < 2) {
+            channel.advance(1);
+            sampler.sample(*channel.simulation);
+        }
+        return sampler.average(0.0, 1.0);
+    };
+    const Profiles walled = profiles_of(walled_channel(), false);
+    EXPECT_FALSE(walled.total_stress.empty());
+    EXPECT_TRUE(walled.analytic_stress.empty());
+    EXPECT_FALSE(profiles_of(walled_channel(), true).analytic_stress.empty());
+    EXPECT_FALSE(profiles_of(walled_channel(Sides::periodic), false).analytic_stress.empty());
 }
 
 /// Forces along x, N, of the last step.

@@ -102,7 +102,7 @@ TEST(SweepFigures, ShowATwinForEachFamilyWhoseTwinDiffers) {
     SweepStudy sweep = made_up();
     sweep.keys.push_back({read_variation("turbulence.closure=a,b"), "closure", "", {}, false});
     for (std::size_t i = 0; i < 3; ++i) {
-        sweep.runs[i].run.combination.values.push_back("a");
+        sweep.runs[i].run.combination.values.emplace_back("a");
         StudiedRun other = sweep.runs[i];
         other.run.combination.values.back() = "b";
         sweep.runs.push_back(other);
