@@ -94,6 +94,10 @@ const field = (() => {
     return best;
   }
 
+  // Parts with a resistance of their own, in the colours of `riffle preview`.
+  const zone_colours = { vegetation: '#3f7d3a', porous: '#8a7456', bed: '#b5651d' };
+  const zone_words = { vegetation: 'vegetation', porous: 'porous zones', bed: 'patches of the bed' };
+
   const closed = outline => ({ x: [...outline.x, outline.x[0]], z: [...outline.z, outline.z[0]] });
 
   // Bodies and spheres as filled outlines, bed, lid and end walls as lines, in the unit of the axes.
@@ -101,6 +105,16 @@ const field = (() => {
     const made = [];
     const solid = (name, xs, zs, extra) => made.push({ type: 'scatter', mode: 'lines', name, x: xs.map(x => factor * x), y: zs.map(z => factor * z), fill: 'toself',
       fillcolor: figures.colour.body, line: { color: figures.colour.edge, width: 1.2 }, hoverinfo: 'skip', showlegend: false, ...extra });
+    const told = new Set();
+    for (const zone of picture.zones) {
+        const colour = zone_colours[zone.kind], flat = zone.x.length === 2;
+        const { x, z } = flat ? zone : closed(zone);
+        // A rim of white parts it from the water behind it, whatever the colour there.
+        if (!flat) solid(zone.name, x, z, { fill: 'none', line: { color: '#ffffff', width: 3 } });
+        solid(zone_words[zone.kind], x, z, { fill: flat ? 'none' : 'toself', fillcolor: `${colour}38`, line: { color: colour, width: flat ? 6 : 1.6, dash: flat ? 'solid' : 'dash' },
+          showlegend: !told.has(zone.kind), legendgroup: zone.kind });
+        told.add(zone.kind);
+    }
     frame.bodies.forEach((body, i) => { const { x, z } = closed(body); solid('bodies', x, z, { showlegend: i === 0, legendgroup: 'bodies' }); });
     if (picture.spheres.length) {
       const xs = [], zs = [], steps = 32;
@@ -226,6 +240,10 @@ const field = (() => {
       (data.geometry.rough && !picture.spheres.length ? ' White lines: crests of the bed elements (dashed) and datum (dotted); below the crests the elements act on the water by their drag.' : '') +
       (picture.spheres.length ? ' White circles: the spheres of the bed where the slice cuts them, which act on the water by their drag.' : '') +
       (picture.frames.some(({ bodies }) => bodies.length) ? ' Grey: bodies.' : '') +
+      Object.entries(zone_words).map(([kind, words]) => {
+        const names = picture.zones.filter(zone => zone.kind === kind).map(({ name }) => name);
+        return names.length ? ` ${kind === 'bed' ? 'Brown lines along the bed' : `Outlined in ${kind === 'porous' ? 'grey-brown' : 'green'}`}: ${words} (${names.join(', ')}).` : '';
+      }).join('') +
       (picture.y !== undefined ? ` A slice one particle spacing thick at <i>y</i> = ${figures.significant(1000 * picture.y)} mm.` : '') +
       (picture.left_out ? ` Shown: the first ${figures.significant(1000 * picture.x_end)} mm of the channel.` : '');
   };

@@ -27,6 +27,9 @@ void add_distribution(const Distribution& d, double scale, Figure& figure);
 void add_departure(const Distribution& d, double uniform, const char* key, const char* what,
                    const std::optional<double>& thesis, Analysis& analysis);
 
+/// What the partition of Yang & Lim is called beside a case: it knows walls as rough as the bed alone.
+[[nodiscard]] const char* partition_name(const Case& c);
+
 /// The curve of Yang & Lim's stress on the bed; nothing without side walls.
 void add_yang_lim(const Case& c, Figure& figure);
 

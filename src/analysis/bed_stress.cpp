@@ -224,10 +224,18 @@ void add_departure(const Distribution& d, double uniform, const char* key, const
     analysis.findings.push_back(std::move(finding));
 }
 
+const char* partition_name(const Case& c) {
+    const auto& wall = c.side_walls.equivalent_roughness;
+    const bool alike = c.side_walls.drag_form != SideDragForm::log_law ||
+                       (c.bed_patches.empty() && (!wall || wall == c.bed.equivalent_roughness));
+    return alike ? "Yang & Lim" : "Yang & Lim, of walls as rough as the bed";
+}
+
 void add_yang_lim(const Case& c, Figure& figure) {
     if (!c.has_side_walls()) return;
     const SideWallPartition partition = side_wall_partition(c);
-    Curve curve = make_curve("Yang & Lim, at the bed", Origin::theory, Mark::line, {}, {});
+    Curve curve =
+        make_curve(std::string(partition_name(c)) + ", at the bed", Origin::theory, Mark::line, {}, {});
     constexpr int points = 200;
     for (int i = 0; i <= points; ++i) {
         const double y = c.channel.simulated_width() * i / points;

@@ -76,7 +76,8 @@ void add_drag(const FlowRecord& record, Analysis& analysis) {
     Finding mean = make_finding(chapters::bed, "bed_drag_mean", "mean drag of the bed per plan area", "Pa",
                                 d.mean.value, d.mean.half_width);
     if (c.has_side_walls()) {
-        mean = against(std::move(mean), c.fluid.density * side_wall_partition(c).bed_stress, "Yang & Lim");
+        mean =
+            against(std::move(mean), c.fluid.density * side_wall_partition(c).bed_stress, partition_name(c));
         if (const auto beside = twin.value(fields::section_numbers.bed_stress))
             mean.remark = fmt::format("section twin: {:.4g} Pa", *beside);
     } else {
@@ -121,8 +122,8 @@ void add_walls(const FlowRecord& record, Analysis& analysis) {
     Curve curve = make_curve("simulated", Origin::simulated, Mark::line_and_points, found.value, field.z);
     if (std::isfinite(found.half_width.front())) curve.x_half_width = found.half_width;
     figure.curves.push_back(std::move(curve));
-    figure.curves.push_back(
-        make_curve("Yang & Lim", Origin::theory, Mark::line, {0.0, partition.k}, {0.0, c.total_depth()}));
+    figure.curves.push_back(make_curve(partition_name(c), Origin::theory, Mark::line, {0.0, partition.k},
+                                       {0.0, c.total_depth()}));
     analysis.figures.push_back(std::move(figure));
     const Estimate estimate = section_estimate(field, [&](const FieldSums& section) {
         double sum = 0.0;
@@ -131,7 +132,7 @@ void add_walls(const FlowRecord& record, Analysis& analysis) {
     });
     Finding finding = against(make_finding(chapters::bed, "wall_stress_mean", "mean stress on the side walls",
                                            "Pa", estimate.value, estimate.half_width),
-                              c.fluid.density * partition.wall_stress, "Yang & Lim");
+                              c.fluid.density * partition.wall_stress, partition_name(c));
     if (const auto beside = record.section_twin().value(fields::section_numbers.wall_stress))
         finding.remark = fmt::format("section twin: {:.4g} Pa", *beside);
     analysis.findings.push_back(std::move(finding));

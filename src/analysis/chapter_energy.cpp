@@ -116,7 +116,12 @@ void add_shares(const FlowRecord& record, const Figure& frame, Analysis& analysi
     }
     const MeanEstimate input = mean_with_confidence(budget.sum(rows, true));
     if (!(input.mean > 0.0)) {
-        add_missing(record, analysis, frame, "nothing drives the flow");
+        add_missing(
+            record, analysis, frame,
+            open
+                ? "in the window more energy leaves through the ends than comes in and the weight brings: the "
+                  "water is draining, or waves pass"
+                : "nothing drives the flow");
         return;
     }
     const Case& c = *record.flow();

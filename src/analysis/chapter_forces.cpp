@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "analysis/bed_parts.hpp"
 #include "analysis/body_coefficients.hpp"
 #include "analysis/chapters.hpp"
 #include "analysis/figure_tools.hpp"
@@ -31,7 +32,7 @@ struct Share {
 
 /// The share of the side walls by the partition of Yang & Lim.
 std::string partition_remark(const Case& c) {
-    return fmt::format("Yang & Lim: {:.4g}", 1.0 - side_wall_partition(c).bed_share);
+    return fmt::format("{}: {:.4g}", partition_name(c), 1.0 - side_wall_partition(c).bed_share);
 }
 
 /// Figure and findings of the scalar instruments of one kind.

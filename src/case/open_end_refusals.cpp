@@ -219,14 +219,14 @@ CheckList open_end_refusals() {
              "no twin tells the normal depth of such a flow",
              "choose kind = \"depth\", with that of a run with periodic ends, or another",
              [](const Case& c) { return c.outflow.kind == OutflowKind::normal_depth && resolves_eddies(c); }},
-            {{"outflow.kind", "inflow.discharge_file"},
-             "`kind = \"normal-depth\"` without a constant discharge",
-             "the normal depth is found once, for one discharge",
-             "give the discharge or unit_discharge, or choose kind = \"rating-curve\"",
+            {{"outflow.kind", "inflow.unit_discharge", "inflow.discharge"},
+             "`kind = \"normal-depth\"` with a discharge of nothing",
+             "no water flows so",
+             "give the discharge that enters, or choose another kind",
              [](const Case& c) {
-                 return found_if(
-                     c.outflow.kind == OutflowKind::normal_depth && !(c.inflow_unit_discharge() > 0.0),
-                     "kind = \"normal-depth\" needs a constant discharge of more than nothing");
+                 const auto q = c.inflow_unit_discharge();
+                 return found_if(c.outflow.kind == OutflowKind::normal_depth && q && !(*q > 0.0),
+                                 "kind = \"normal-depth\" needs a discharge of more than nothing");
              }},
             {{"channel.depth", "inflow.unit_discharge"},
              "a discharge whose critical depth is more than twice the depth of the case",
@@ -387,12 +387,13 @@ CheckList open_end_refusals() {
                         kind == StartKind::isotropic || kind == StartKind::section;
              }},
             {{"start.kind", "inflow.discharge"},
-             "`kind = \"backwater\"` without a constant discharge",
-             "varied flow is steady",
-             "give [inflow] discharge, or start otherwise",
+             "`kind = \"backwater\"` without a discharge of more than nothing",
+             "varied flow is that of a discharge",
+             "give [inflow] discharge or discharge_file, whose first one it is, or start otherwise",
              [](const Case& c) {
-                 return found_if(c.start.kind == StartKind::backwater && !(c.inflow_unit_discharge() > 0.0),
-                                 "kind = \"backwater\" needs a constant discharge of more than nothing");
+                 return found_if(c.start.kind == StartKind::backwater && c.inflow.discharge_file.empty() &&
+                                     !(c.inflow_unit_discharge().value_or(0.0) > 0.0),
+                                 "kind = \"backwater\" needs a discharge of more than nothing");
              }},
             {{"start.water_z", "channel.ends"},
              "water at an open end that does not stand on the bed",

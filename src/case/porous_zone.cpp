@@ -274,6 +274,27 @@ bool PorousZone::holds(double x, double y, double z) const {
     return along_.holds(x) && z >= upright_.from && z <= (top_x_.empty() ? upright_.to : top(x));
 }
 
+Outline porous_outline(const Case& c, const Porous& zone, double top) {
+    if (!zone.x.empty()) {
+        return {zone.x, zone.z};
+    }
+    const double begin = zone.x_from.value_or(0.0);
+    const double end = zone.x_to.value_or(c.channel.length);
+    const double bottom = std::max(zone.z_from.value_or(0.0), 0.0);
+    if (zone.top_x.empty()) {
+        const double level = std::min(zone.z_to.value_or(top), top);
+        return {{begin, end, end, begin}, {bottom, bottom, level, level}};
+    }
+    const PorousZone shape(c, zone);
+    Outline outline{{begin, end}, {bottom, bottom}};
+    constexpr int pieces = 200;
+    for (int i = pieces; i >= 0; --i) {
+        outline.x.push_back(begin + (end - begin) * i / pieces);
+        outline.z.push_back(std::min(shape.top_at(outline.x.back()), top));
+    }
+    return outline;
+}
+
 PorosityField::PorosityField(const Case& c) {
     for (const Porous& porous : c.porous) {
         zones_.emplace_back(c, porous);

@@ -62,6 +62,10 @@ class PorousZone {
     double length_;  ///< of a periodic channel; 0
 };
 
+/// The outline of a zone in a plane along the channel, up to a height of what is shown (m): its own one, or
+/// that of its box, with the heights of its top at 200 places where they change along it.
+[[nodiscard]] Outline porous_outline(const Case& c, const Porous& zone, double top);
+
 /// The porosity of all of a case.
 class PorosityField {
   public:

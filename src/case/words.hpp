@@ -43,7 +43,8 @@ template <>
 struct Words<OutflowKind> {
     static constexpr std::array<Word, 8> list{{
         {"depth", "the depth that `depth` or `depth_file` gives"},
-        {"normal-depth", "the depth of uniform flow with the discharge of the inflow, found once"},
+        {"normal-depth",
+         "the depth of uniform flow with the discharge of the inflow, where that changes with what leaves"},
         {"critical-depth",
          "the depth (q^2 / g)^(1/3) of the discharge that leaves: what a drop or overfall does to the flow a few depths before it"},
         {"weir",

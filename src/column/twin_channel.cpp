@@ -21,14 +21,6 @@ namespace {
 
 constexpr double small_slope = 1e-3;
 
-/// From where on the friction of a case is known, m over the datum.
-double least_depth_of(const Case& c) {
-    constexpr double least_share = 1e-3;  // of the case's depth, over a smooth bed
-    // A log law holds in water of twice its roughness and more.
-    return std::max({c.crest() - c.datum(), least_share * c.channel.depth,
-                     has_wall_law(c) ? 2.0 * equivalent_roughness(c) : 0.0});
-}
-
 /// Means over the depth of a column's profile.
 struct ProfileMeans {
     double unit_discharge = 0.0;  ///< m2/s
@@ -114,6 +106,13 @@ class TwinStates {
 };
 
 }  // namespace
+
+double least_known_depth(const Case& c) {
+    constexpr double least_share = 1e-3;  // of the case's depth, over a smooth bed
+    // A log law holds in water of twice its roughness and more.
+    return std::max({c.crest() - c.datum(), least_share * c.channel.depth,
+                     has_wall_law(c) ? 2.0 * equivalent_roughness(c) : 0.0});
+}
 
 Case uniform_reach(const Case& c) {
     Case reach = c;
@@ -201,19 +200,25 @@ CarryingSection carrying_section(const Case& c, double depth, double unit_discha
     return {weight, std::move(section)};
 }
 
+double uniform_discharge_at(const Case& c, double depth) {
+    Case at = uniform_reach(with_fixed_roughness(c));
+    at.channel.depth = depth;
+    return has_section_reach(c) ? solve_section(at, coarse).discharge / at.channel.width
+                                : means_of(solve_column(at).profile).unit_discharge;
+}
+
 std::optional<double> twin_normal_depth(const Case& c, double unit_discharge) {
     if (!has_section_reach(c)) {
         return normal_depth(twin_channel(c, unit_discharge));
     }
-    Case at = uniform_reach(with_fixed_roughness(c));
-    const double least_depth = least_depth_of(c);
+    double depth = c.channel.depth;
+    const double least_depth = least_known_depth(c);
     double exponent = 1.5;
     double last_depth = 0.0;
     double last_discharge = 0.0;
     constexpr int most_iterations = 50;
     for (int i = 0; i < most_iterations; ++i) {
-        const double discharge = solve_section(at, coarse).discharge / at.channel.width;
-        const double depth = at.channel.depth;
+        const double discharge = uniform_discharge_at(c, depth);
         if (std::abs(discharge / unit_discharge - 1.0) < 1e-7) {
             return depth;
         }
@@ -225,8 +230,8 @@ std::optional<double> twin_normal_depth(const Case& c, double unit_discharge) {
         }
         last_depth = depth;
         last_discharge = discharge;
-        at.channel.depth = depth * std::pow(unit_discharge / discharge, 1.0 / exponent);
-        if (at.channel.depth < least_depth) {
+        depth *= std::pow(unit_discharge / discharge, 1.0 / exponent);
+        if (depth < least_depth) {
             break;
         }
     }
@@ -243,7 +248,7 @@ double uniform_unit_discharge(const Case& c) {
 }
 
 SteadyChannel twin_channel(const Case& c, double unit_discharge) {
-    const double least_depth = least_depth_of(c);
+    const double least_depth = least_known_depth(c);
     SteadyChannel channel{.slope = c.channel.slope,
                           .gravity = c.fluid.gravity,
                           .unit_discharge = unit_discharge,

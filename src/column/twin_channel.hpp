@@ -42,6 +42,14 @@ struct CarryingSection {
 /// InputError as normal_depth(), and where there is none.
 [[nodiscard]] std::optional<double> twin_normal_depth(const Case& c, double unit_discharge);
 
+/// From where on the friction of the bed of a case is known, m over the datum.
+[[nodiscard]] double least_known_depth(const Case& c);
+
+/// Discharge of a unit of the width of the uniform flow over the bed of a case at another depth over the
+/// datum (m), m2/s: of its column twin, between side walls of its section twin on the grid of
+/// carrying_section().
+[[nodiscard]] double uniform_discharge_at(const Case& c, double depth);
+
 /// Discharge per unit of width of the uniform flow of a case, over the whole depth from the bed level, m2/s:
 /// that of its section twin where it has one, between side walls, else of its column. Throws InputError where
 /// the case has neither.

@@ -18,6 +18,7 @@
 #include "case/units.hpp"
 #include "column/twin_channel.hpp"
 #include "column/twin_reaches.hpp"
+#include "column/uniform_rating.hpp"
 #include "ends/flow_of_results.hpp"
 #include "ends/section_state.hpp"
 #include "hydraulics/varied_flow.hpp"
@@ -168,9 +169,15 @@ std::function<double(double, double)> outflow_rule(const Case& c, double floor) 
     const double datum = c.datum();
     switch (outflow.kind) {
         case OutflowKind::normal_depth: {
-            const auto depth =
-                twin_normal_depth(with_bed_at(c, c.channel.length), c.inflow_unit_discharge().value_or(0.0));
-            return [total = depth.value_or(c.channel.depth) + datum](double, double) { return total; };
+            const Case bed = with_bed_at(c, c.channel.length);
+            if (const auto q = c.inflow_unit_discharge()) {
+                const auto depth = twin_normal_depth(bed, *q);
+                return [total = depth.value_or(c.channel.depth) + datum](double, double) { return total; };
+            }
+            // A discharge that changes, or follows from a depth: that of uniform flow with what leaves.
+            return [rating = std::make_shared<UniformRating>(bed), datum](double q, double) {
+                return rating->depth(q) + datum;
+            };
         }
         case OutflowKind::critical_depth:
             return [g](double q, double) { return critical_depth_of(g, q); };
@@ -343,7 +350,12 @@ ChannelControls controls_at_ends(const Case& c, const EndInput& input, const Ste
 }
 
 std::function<double(double)> varied_depths(const Case& c, const EndInput& input) {
-    const auto reaches = twin_reaches(c, start_unit_discharge(c, input), c.channel.length);
+    const double q = start_unit_discharge(c, input);
+    if (!(q > 0.0)) {
+        throw InputError(
+            "the discharge begins with nothing, and varied flow needs some: give the first row more");
+    }
+    const auto reaches = twin_reaches(c, q, c.channel.length);
     const ChannelControls controls = controls_at_ends(c, input, reaches.back().channel);
     return [flow = std::make_shared<const VariedFlow>(solve_varied_reaches(reaches, controls)),
             length = c.channel.length,

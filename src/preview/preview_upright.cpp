@@ -210,25 +210,9 @@ class UprightView {
     /// A porous zone with its name.
     void draw_porous_along(const Porous& zone) {
         std::vector<SheetPoint> corners;
-        const double begin = zone.x_from.value_or(0.0);
-        const double end = zone.x_to.value_or(c_.channel.length);
-        const double bottom = std::max(zone.z_from.value_or(0.0), 0.0);
-        if (!zone.x.empty()) {
-            for (std::size_t i = 0; i < zone.x.size(); ++i) {
-                corners.push_back({zone.x[i], zone.z[i]});
-            }
-        } else if (!zone.top_x.empty()) {
-            const PorousZone shape(c_, zone);
-            corners.push_back({begin, bottom});
-            corners.push_back({end, bottom});
-            constexpr int pieces = 200;
-            for (int i = pieces; i >= 0; --i) {
-                const double x = begin + (end - begin) * i / pieces;
-                corners.push_back({x, shape.top_at(x)});
-            }
-        } else {
-            const double top = std::min(zone.z_to.value_or(plan_.top), plan_.top);
-            corners = {{begin, bottom}, {end, bottom}, {end, top}, {begin, top}};
+        const Outline outline = porous_outline(c_, zone, plan_.top);
+        for (std::size_t i = 0; i < outline.size(); ++i) {
+            corners.push_back({outline.x[i], outline.z[i]});
         }
         sheet_.polygon(view_, corners, porous_style());
         double u = 0.0;

@@ -8,6 +8,8 @@
 #include "analysis/bodies.hpp"
 #include "analysis/run_snapshots.hpp"
 #include "case/flow_kind.hpp"
+#include "case/patch_range.hpp"
+#include "case/porous_zone.hpp"
 #include "case/refusals.hpp"
 #include "record/flow_fields.hpp"
 #include "record/particle_fields.hpp"
@@ -169,6 +171,32 @@ std::vector<Outline> outlines_in(const RunResults& results, const std::string& g
 
 }  // namespace
 
+std::vector<FieldZone> field_zones(const Case& c, double y, double top) {
+    std::vector<FieldZone> zones;
+    const auto is_cut = [&](const auto& patch) {
+        const PatchRange across = ranges_of(c, patch)[1];
+        return c.channel.dimensions == 2 || (y >= across.from && y <= across.to);
+    };
+    const auto box = [&](const auto& patch, double height) {
+        const PatchRange along = ranges_of(c, patch)[0];
+        return height > 0.0
+                   ? Outline{{along.from, along.to, along.to, along.from}, {0.0, 0.0, height, height}}
+                   : Outline{{along.from, along.to}, {0.0, 0.0}};
+    };
+    for (const Vegetation& patch : c.vegetation) {
+        if (is_cut(patch))
+            zones.push_back({"vegetation", patch.name, box(patch, std::min(patch.height, top))});
+    }
+    for (const Porous& zone : c.porous) {
+        if (is_cut(zone)) zones.push_back({"porous", zone.name, porous_outline(c, zone, top)});
+    }
+    for (const BedPatch& patch : c.bed_patches) {
+        if (is_cut(patch))
+            zones.push_back({"bed", patch.name, box(patch, patch.roughness_height.value_or(0.0))});
+    }
+    return zones;
+}
+
 double falling_height(const Case& c) { return bed_ends(c) ? open_end_clearance(c) : 0.0; }
 
 std::optional<FieldPicture> read_field(const RunResults& results, const Case& c, FieldFrames frames) {
@@ -196,6 +224,7 @@ std::optional<FieldPicture> read_field(const RunResults& results, const Case& c,
                 picture.top = std::max(picture.top, std::min(z, 1.5 * c.total_depth()));
         }
     }
+    picture.zones = field_zones(c, picture.y.value_or(0.0), picture.top);
     return picture;
 }
 

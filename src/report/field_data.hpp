@@ -25,15 +25,27 @@ struct Circle {
     double x = 0, z = 0, radius = 0;
 };
 
+/// A part of the water or of the bed with a resistance of its own.
+struct FieldZone {
+    std::string kind;  ///< "vegetation", "porous" or "bed"
+    std::string name;
+    Outline outline;  ///< of a plane bed a line along it
+};
+
 /// The picture of the flow field: a few snapshots from the start to the last one.
 struct FieldPicture {
     std::vector<FieldFrame> frames;
-    std::vector<Circle> spheres;  ///< of the bed, cut by the slice; three dimensions
-    double x_end = 0;             ///< particles with x below this are included, m
-    bool left_out = false;        ///< whether that leaves some out
-    double top = 0;               ///< height that holds all water and bodies, m
-    std::optional<double> y;      ///< three dimensions: place across the channel of the slice, m
+    std::vector<Circle> spheres;   ///< of the bed, cut by the slice; three dimensions
+    std::vector<FieldZone> zones;  ///< that the slice cuts
+    double x_end = 0;              ///< particles with x below this are included, m
+    bool left_out = false;         ///< whether that leaves some out
+    double top = 0;                ///< height that holds all water and bodies, m
+    std::optional<double> y;       ///< three dimensions: place across the channel of the slice, m
 };
+
+/// The vegetation, the porous zones and the patches of the bed of a case, in three dimensions those that the
+/// plane at y (m) cuts, up to a height (m).
+[[nodiscard]] std::vector<FieldZone> field_zones(const Case& c, double y, double top);
 
 /// Height below the edge of a bed that ends over which the water is followed, m: two supports of the kernel;
 /// 0 where the bed does not end.

@@ -105,10 +105,16 @@ Json field_json(const ReportData& data) {
     Json spheres = Json::array();
     for (const Circle& circle : picture.spheres)
         spheres.push_back({rounded(circle.x), rounded(circle.z), rounded(circle.radius)});
+    Json zones = Json::array();
+    for (const FieldZone& zone : picture.zones)
+        zones.push_back({{"kind", zone.kind},
+                         {"name", zone.name},
+                         {"x", array_of(zone.outline.x)},
+                         {"z", array_of(zone.outline.z)}});
     Json object = {
         {"spacing", data.flow.numerics.spacing}, {"x_end", picture.x_end},      {"top", picture.top},
         {"left_out", picture.left_out},          {"ranges", std::move(ranges)}, {"frames", std::move(frames)},
-        {"spheres", std::move(spheres)}};
+        {"spheres", std::move(spheres)},         {"zones", std::move(zones)}};
     if (picture.y) object["y"] = *picture.y;
     return object;
 }

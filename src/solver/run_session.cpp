@@ -34,7 +34,12 @@ namespace riffle {
 
 namespace {
 
-constexpr const char* no_steady_flow = "no steady flow to converge to";
+/// Why a run is not tested for convergence.
+const char* reason_without_test(const Case& c) {
+    return c.channel.ends == Ends::open && !changes_at_ends(c)
+               ? "not tested for convergence: the run ends at a given time"
+               : "no steady flow to converge to";
+}
 
 /// Share of the time that writing may take before it is done less often.
 constexpr double write_share = 0.02;
@@ -79,7 +84,7 @@ RunSession<D>::RunSession(Case c, RunOptions options)
     set_thread_count(options_.threads);
     twins_ = solve_twins(case_);
     relaxation_time_ = tested_relaxation_time(case_, twins_).value_or(0.0);
-    convergence_.reason = is_tested() ? "not yet tested for convergence" : no_steady_flow;
+    convergence_.reason = is_tested() ? "not yet tested for convergence" : reason_without_test(case_);
     if (case_.channel.ends == Ends::open && !is_duct(case_)) {
         end_events_.emplace(case_.normal_gravity(), lattice_of(case_).dz);
     }
@@ -306,7 +311,7 @@ void RunSession<D>::update_convergence(bool final_test) {
     if (!is_tested()) {
         // No steady flow to converge to: averages over the second half, or from the asked time.
         convergence_.window_start = case_.run.average_from.value_or(0.5 * simulation_->clock().time);
-        convergence_.reason = no_steady_flow;
+        convergence_.reason = reason_without_test(case_);
         return;
     }
     SteadinessRecord record{.time = series.column(fields::time_series.time),

@@ -74,8 +74,8 @@ TEST(OpenEndsTogether, EveryStartMeetsEveryInflowAndOutflow) {
             }
         }
     }
-    // A normal depth without a discharge, and a start by varied flow without one.
-    EXPECT_EQ(refused, 5 * 2 + 2 * 5);
+    // The normal depth of a discharge of nothing, and starts by varied flow without a discharge, one of them both.
+    EXPECT_EQ(refused, 5 + 2 * 6 - 1);
 }
 
 // A hydrograph that ends: the water that waits before the inflow sinks with the depth and does not go in;

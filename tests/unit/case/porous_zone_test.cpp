@@ -153,5 +153,22 @@ TEST(PorousZone, AllAlongTheChannelIsALayer) {
     EXPECT_EQ(flow_kind(c), FlowKind::channel_with_bodies);
 }
 
+TEST(PorousZone, HasAnOutlineToDraw) {
+    Porous zone = medium(0.4);
+    zone.x_from = 0.05;
+    zone.z_to = 0.04;
+    const Case box = with_zone(zone);
+    const Outline outline = porous_outline(box, zone, 0.1);
+    EXPECT_EQ(outline.x, (std::vector<double>{0.05, 0.2, 0.2, 0.05}));
+    EXPECT_EQ(outline.z, (std::vector<double>{0.0, 0.0, 0.04, 0.04}));
+    // A top that changes along it, no higher than what is shown.
+    zone.z_to.reset();
+    zone.top_x = {0.05, 0.2};
+    zone.top_z = {0.02, 0.08};
+    const Outline ramp = porous_outline(with_zone(zone), zone, 0.05);
+    EXPECT_NEAR(ramp.z.back(), 0.02, 1e-12);
+    EXPECT_DOUBLE_EQ(*std::max_element(ramp.z.begin(), ramp.z.end()), 0.05);
+}
+
 }  // namespace
 }  // namespace riffle::porous_zone_test

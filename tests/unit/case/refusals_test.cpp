@@ -129,7 +129,6 @@ std::vector<Wrong> wrong_open_ends() {
         {open_channel(), "outflow.kind = depth; outflow.depth = 60 mm; outflow.depth_file = tide.csv"},
         {open_channel(), "outflow.kind = depth; outflow.depth = 10 mm"},
         {open_channel(), "channel.slope = 0"},
-        {open_channel(), "inflow.unit_discharge = none; inflow.depth = 50 mm"},
         {open_channel(), "inflow.unit_discharge = 0"},
         {open_channel(), "inflow.unit_discharge = 0; outflow.kind = free; start.kind = backwater"},
         {open_channel(), "inflow.unit_discharge = 0.2; outflow.kind = critical-depth"},

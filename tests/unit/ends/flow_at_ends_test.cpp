@@ -119,6 +119,25 @@ TEST(FlowAtEnds, TheStartIsForgottenWhenAllWaterIsReplaced) {
                 30.0, 1e-9);
 }
 
+// A hydrograph over a bed that goes on behind the outflow: it holds the depth of uniform flow with what
+// leaves.
+TEST(FlowAtEnds, AHydrographLeavesWithTheNormalDepthOfWhatLeaves) {
+    test::TemporaryFolder folder;
+    Case c = rough_case("[inflow]\nunit_discharge = \"0.0174 m2/s\"\n[start]\nkind = \"backwater\"\n");
+    const double steady = flow_at_ends(c).held_depth->least;
+    c.inflow.unit_discharge.reset();
+    c.inflow.discharge_file = folder.path() / "hydrograph.csv";
+    std::ofstream(c.inflow.discharge_file)
+        << "time [s],unit_discharge [m2/s]\n0,0.0174\n5,0.0174\n15,0.04\n30,0.0174\n";
+    c.run.time = 20.0;
+    const FlowAtEnds flow = flow_at_ends(c);
+    EXPECT_NEAR(flow.held_depth->least, steady, 1e-5 * steady);
+    EXPECT_GT(flow.held_depth->largest, 1.5 * steady);
+    EXPECT_NEAR(flow.outflow.normal_depth->largest, flow.held_depth->largest, 1e-5 * steady);
+    // The run starts with the steady flow of the first row.
+    EXPECT_NEAR(start_depths(c, read_end_levels(c))(0.3), steady + c.datum(), 1e-4 * steady);
+}
+
 // Each end has the depths of the bed there.
 TEST(FlowAtEnds, OverTwoBedsHasTheDepthsOfBoth) {
     const Case c = parse_case(

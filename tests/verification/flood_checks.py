@@ -1,0 +1,95 @@
+"""Floods: a hydrograph that passes a flume, against unsteady flow in one dimension."""
+
+import csv
+import json
+
+import h5py
+import numpy
+
+import figures
+from check import Check
+from open_end_checks import account, column_profile, program
+from options import options_text
+from runs import ROOT
+from shallow_water import saint_venant
+
+
+def uniform_rating(study, case, depths):
+    """Discharge of a unit of the width of the uniform flow over the bed of a case at some depths (m), and the momentum coefficient of the first."""
+    bed = study.folder / "bed.toml"
+    text = (ROOT / case).read_text()
+    begin, end = text.index("[inflow]"), text.index("[bed]")
+    plain = text[:begin] + text[end:text.index("[[probe]]")]
+    bed.write_text(plain.replace('ends = "open"', 'ends = "periodic"').replace('kind = "backwater"', 'kind = "column"'))
+    of = [(bed, "--set", f"channel.depth={depth}") for depth in depths]
+    discharge = [depth * json.loads(program(study, "column", *arguments, "--json"))["depth_mean_velocity"] for depth, arguments in zip(depths, of)]
+    z, u = column_profile(study, *of[0])
+    faces = numpy.concatenate(([0.0], 0.5 * (z[1:] + z[:-1]), [depths[0]]))
+    share = numpy.diff(faces) / depths[0]
+    return numpy.array(discharge), float((share * u**2).sum() / (share * u).sum() ** 2)
+
+
+def smooth(values, width):
+    """Running mean over an odd number of values, as many at both ends."""
+    return numpy.convolve(numpy.pad(values, (width // 2, width // 2), "edge"), numpy.ones(width) / width, "valid")
+
+
+def hydrograph(study):
+    case = "cases/open-ends/hydrograph.toml"
+    check = Check("open_hydrograph", "A flood passes a flume",
+                  "A flood of more than twice the discharge runs down 8 m of a bed of 2 mm of equivalent roughness, against the equations of de Saint-Venant with the friction "
+                  "of the column twin, 400 cells: the hydrograph upstream, and at 7.5 m the depth of the run.")
+    flow = study.run("open_hydrograph", case)
+    depths = numpy.geomspace(0.05, 0.13, 8)
+    discharge, beta = uniform_rating(study, case, depths)
+    rating = lambda h: numpy.exp(numpy.interp(numpy.log(h), numpy.log(depths), numpy.log(discharge)))
+    with open((ROOT / case).with_suffix(".csv"), encoding="utf-8") as file:
+        rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
+    given = numpy.array([[float(value) for value in row.values()] for row in rows]).T
+    entering = lambda t: numpy.interp(t, given[0], given[1])
+    with h5py.File(flow.folder / "results.h5", "r") as file:
+        probe = file["/probes/sections"]
+        x, time = probe["x"][:], probe["time"][:]
+        h, q = (numpy.array([smooth(column, 21) for column in probe[name][:].T]) for name in ("depth", "flow_rate"))
+    slope, gravity = numpy.sin(numpy.arctan(flow.parameters["channel"]["slope"])), 9.81
+    first = float(numpy.exp(numpy.interp(numpy.log(entering(0.0)), numpy.log(discharge), numpy.log(depths))))
+    solve = lambda length, depth, cells: saint_venant(
+        length, slope, gravity, lambda h, q: slope * (q / rating(h)) ** 2, entering, depth,
+        (lambda x: numpy.full_like(x, first), lambda x: numpy.full_like(x, entering(0.0))), time[-1], cells, beta)
+    moments, places, exact_h, exact_q = solve(x[-1], lambda t: float(numpy.interp(t, time, h[-1])), 400)
+    # So far that nothing of its end is felt.
+    _, long_places, long_h, _ = solve(40.0, lambda t: first, 1000)
+    rise = given[1].max() - given[1].min()
+    figure = figures.Figure(3)
+    axes = [figure.panel("time (s)", "discharge (m2/s)", "at three sections"), figure.panel("time (s)", "depth (mm)", "at three sections"),
+            figure.panel("discharge (m2/s)", "depth (mm)", f"loop of the rating at {x[1]:g} m")]
+    for n, place in enumerate(x[:-1]):
+        at = numpy.abs(places - place).argmin()
+        qs, hs = (numpy.interp(time, moments, values[:, at]) for values in (exact_q, exact_h))
+        check.norm(f"discharge at {place:g} m, rms over the rise of the flood", float(numpy.sqrt(numpy.mean((q[n] - qs) ** 2)) / rise), 0.01)
+        check.norm(f"depth at {place:g} m, largest departure", float(numpy.abs(h[n] / hs - 1).max()), 0.01)
+        check.norm(f"largest discharge at {place:g} m", float(q[n].max() / qs.max() - 1), 0.01)
+        # The running mean over 0.42 s knows the time of a crest to half of that.
+        check.norm(f"when it passes {place:g} m, {time[qs.argmax()] - given[0][given[1].argmax()]:.2f} s after it came in", float(time[q[n].argmax()] - time[qs.argmax()]), 0.21, "s")
+        colour = figures.COLOURS[n]
+        for panel, run, reference in ((axes[0], q[n], qs), (axes[1], 1e3 * h[n], 1e3 * hs)):
+            figures.exact(panel, time, reference, f"de Saint-Venant, {place:g} m", colour)
+            figures.simulated(panel, time, run, f"{place:g} m", colour, most=60)
+        if n == 1:
+            figures.exact(axes[2], qs, 1e3 * hs, "de Saint-Venant", colour)
+            figures.simulated(axes[2], q[n], 1e3 * h[n], "particles", colour, most=90)
+            height = numpy.linspace(hs.min(), hs.max(), 50)
+            figures.exact(axes[2], rating(height), 1e3 * height, "uniform flow", figures.COLOURS[3])
+            loop = [numpy.interp(0.05, run[: run.argmax()], level[: run.argmax()]) for run, level in ((q[n], h[n]), (qs, hs))]
+            back = [numpy.interp(0.05, run[run.argmax():][::-1], level[run.argmax():][::-1]) for run, level in ((q[n], h[n]), (qs, hs))]
+            check.norm(f"depth at {place:g} m that 0.05 m2/s has when the flood falls less that when it rises, {1e3 * (back[1] - loop[1]):.1f} mm", float((back[0] - loop[0]) / (back[1] - loop[1]) - 1), 0.1)
+    check.norm("highest discharge: loss of the crest over 6 m, share of the rise", float((given[1].max() - q[2].max()) / rise))
+    for n, place in enumerate(x):
+        check.norm(f"highest depth at {place:g} m against that in a channel of 40 m", float(h[n].max() / long_h[:, numpy.abs(long_places - place).argmin()].max() - 1))
+    account(check, flow)
+    check.figures.append((figure.svg(check.name), "Discharge and depth as the flood passes, and the loop that they make: for one discharge the water stands higher when the flood falls than when it rises."))
+    check.best, check.cost = options_text(flow), flow.cost_text
+    return check
+
+
+CHECKS = {"open_hydrograph": hydrograph}
