@@ -115,8 +115,6 @@ void add_walls(const FlowRecord& record, Analysis& analysis) {
         "thesis (5.11)-(5.13)", make_axis("wall stress over rho g S0 H", "1"),
         make_axis("height above the bed level z", "m"));
     FieldEstimates found = section_estimates(field, stress);
-    double mean = 0.0;
-    for (const double value : found.value) mean += value * field.cell_height() / c.total_depth();
     for (double& value : found.value) value /= scale;
     for (double& value : found.half_width) value /= scale;
     Curve curve = make_curve("simulated", Origin::simulated, Mark::line_and_points, found.value, field.z);

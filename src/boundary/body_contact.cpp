@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "boundary/body_racks.hpp"
 #include "boundary/solid_fill.hpp"
 #include "boundary/wall_motion.hpp"
 
@@ -80,6 +81,8 @@ BodyContact::BodyContact(const Case& c, const std::vector<FreeBody>& bodies, dou
         return;
     }
     planes_ = dimensions_ == 2 ? boundary_planes<2>(c) : boundary_planes<3>(c);
+    const std::vector<BoundaryPlane> racks = body_racks(c);
+    planes_.insert(planes_.end(), racks.begin(), racks.end());
     const double apart = 0.5 * c.numerics.spacing;
     const auto meshes = dimensions_ == 3 ? meshes_of(c) : nullptr;
     for (std::size_t k = 0; k < c.solids.size(); ++k) {

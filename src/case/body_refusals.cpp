@@ -272,14 +272,6 @@ CheckList free_body_refusals() {
                                     c.numerics.stepping == Stepping::semi_implicit_euler;
                  return !fused && std::any_of(c.solids.begin(), c.solids.end(), is_free);
              }},
-            {{"solid.motion", "channel.ends"},
-             "a free body in a channel with open ends",
-             "no section can let it through",
-             R"(hold it (motion = "fixed"), or set [channel] ends = "walls" or "periodic")",
-             [](const Case& c) {
-                 return c.channel.ends == Ends::open &&
-                        std::any_of(c.solids.begin(), c.solids.end(), is_free);
-             }},
             {{"solid.motion", "channel.length", "channel.width"},
              "a solid that turns and takes up more than a periodic channel less one kernel support of 2 h",
              "it would meet its own image",

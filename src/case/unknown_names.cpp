@@ -61,6 +61,10 @@ const char* key_hint(const std::string& section, const std::string& name) {
         {"numerics", "cfl", "it is `courant_number`"},
         {"numerics", "dt", "a fixed time step is `time_step`"},
         {"turbulence", "model", "it is `closure`"},
+        {"solid", "radius", "the size of spheres, cylinders and circles is their `diameter`"},
+        {"solid", "height",
+         "of a box and a rectangle it is the last value of `size`, of a cylinder its `length` along `axis`"},
+        {"solid", "width", "of a box and a rectangle it is one of the values of `size`"},
         {"run", "end_time", "it is `until`, for example until = \"60 s\""},
         {"run", "time", "it is `until`, for example until = \"60 s\""},
     };

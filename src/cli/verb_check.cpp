@@ -6,6 +6,7 @@
 
 #include "base/wrapped_text.hpp"
 #include "case/quiet_water.hpp"
+#include "case/units.hpp"
 #include "cli/case_argument.hpp"
 #include "cli/ends_json.hpp"
 #include "cli/run_arguments.hpp"
@@ -198,6 +199,10 @@ void print_forecast(const Case& c, const Forecast& f) {
     for (const EndFact& fact : f.end_facts) {
         print_row(fact.label.c_str(), fact.text);
     }
+    if (!f.racks.empty()) {
+        print_row("racks", fmt::format("free bodies are held back at x = {} and {}; the water passes",
+                                       shown_length(f.racks.front()), shown_length(f.racks.back())));
+    }
     print_canal(f);
     print_bed_patches(f);
     print_vegetation(f);
@@ -237,6 +242,7 @@ void print_json(const Case& c, const Forecast& f, const std::vector<std::string>
                                          {"disk_parts", parts_json(f)},
                                          {"still_water", quiet_water_note(c).value_or("")},
                                          {"ends", ends_json(f)},
+                                         {"racks", f.racks},
                                          {"canal", canal_json(f)},
                                          {"bed_patches", bed_patches_json(f)},
                                          {"vegetation", vegetation_json(f)},

@@ -116,7 +116,7 @@ class FreeBodies final : public Component<D, Real> {
             what = "is no longer finite";
         } else if (speed > flow.scheme.state.sound_speed) {
             what = "moves faster than the sound of the water";
-        } else if (place[2] < -reach || (channel.ends == Ends::walls && beyond(0, channel.length)) ||
+        } else if (place[2] < -reach || (channel.ends != Ends::periodic && beyond(0, channel.length)) ||
                    (D == 3 && channel.sides == Sides::walls && beyond(1, channel.simulated_width()))) {
             what = "has left the channel";
         }

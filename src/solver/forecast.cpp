@@ -9,6 +9,7 @@
 #include "base/due_times.hpp"
 #include "base/memory.hpp"
 #include "base/parallel.hpp"
+#include "boundary/body_racks.hpp"
 #include "case/bed_patch.hpp"
 #include "case/flow_kind.hpp"
 #include "case/words.hpp"
@@ -226,6 +227,9 @@ Forecast forecast_in(const Case& c) {
                                 reference.drag_coefficient, displacement_height(stems)});
     }
     f.canal = canal_flow(c);
+    for (const BoundaryPlane& rack : body_racks(c)) {
+        f.racks.push_back(rack.place);
+    }
     if (c.channel.ends == Ends::open) {
         f.ends = flow_at_ends(c);
         f.end_facts = end_facts(c, *f.ends);

@@ -62,6 +62,7 @@ struct RecordForecast {
 struct Forecast {
     std::size_t particles = 0;
     std::size_t wall_particles = 0;
+    std::vector<double> racks;      ///< where free bodies are held back before open ends, m
     double smoothing_length = 0.0;  ///< m
     double sound_speed = 0.0;       ///< m/s
     double maximum_velocity = 0.0;  ///< m/s

@@ -377,6 +377,9 @@ void RunSession<D>::report_end_events() {
         for (const std::string& event : end_events_->news(clock.open_ends, clock.time)) {
             log_.warning(event);
         }
+        for (const std::string& event : rack_watch_.news(clock.time, clock.free_bodies)) {
+            log_.warning(event);
+        }
     }
 }
 

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 
+#include "boundary/body_racks.hpp"
 #include "ends/end_events.hpp"
 #include "solver/recorder.hpp"
 #include "solver/run.hpp"
@@ -76,6 +77,7 @@ class RunSession {
     std::int64_t first_step_ = 0;
     std::size_t told_losses_ = 0;          ///< lost particles that the log knows of
     std::optional<EndEvents> end_events_;  ///< of open ends under a free surface
+    RackWatch rack_watch_{case_};          ///< of free bodies between open ends
     Clock::time_point begin_ = Clock::now();
     Clock::time_point last_write_ = begin_;
     Clock::time_point last_progress_ = begin_;

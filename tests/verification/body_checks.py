@@ -115,6 +115,28 @@ def roll(study):
                  lambda flow: flow.forces["body_angle_y_1"] - math.radians(10))
 
 
+def underturn(study):
+    check = Check("floating_underturn", "A floe before an ice cover",
+                  "A floating block is let go in a stream before an ice cover, between open ends: it is held there, or turned under by the stream where that is faster than the "
+                  "velocity of Ashton (1974). The velocity is that between the fastest stream in which it stays afloat and the slowest one that turns it under.")
+    thickness, density = 0.04, 0.5
+    figure = figures.Figure(1, width=7)
+    axes = figure.panel("time (s)", "pitch (degrees)", "velocity of the stream over Ashton's")
+    afloat, under = [0.0], []
+    for n, share in enumerate((0.9, 1.1) if study.quick else (0.8, 0.9, 1.0, 1.1, 1.2)):
+        gap = 1 - thickness / 0.16
+        critical = 2 * gap / math.sqrt(5 - 3 * gap**2) * math.sqrt(GRAVITY * thickness * (1 - density))
+        flow = study.run(f"floating_underturn_{share:g}", "cases/bodies/floe.toml", {"inflow.unit_discharge": f'"{share * critical * 0.16:.5g} m2/s"'})
+        time, pitch = flow.forces["time"], numpy.degrees(flow.forces["body_angle_y_2"])
+        (under if numpy.abs(pitch).max() > 90 else afloat).append(share)
+        figures.exact(axes, time, pitch, f"{share:g}", figures.COLOURS[n % len(figures.COLOURS)])
+    check.norm("velocity that turns it under over that of Ashton, less one", 0.5 * (max(afloat) + min(under)) - 1 if under and max(afloat) < min(under) else math.nan, 0.1)
+    check.norm("fastest stream in which it stays afloat, over that", max(afloat), unit="")
+    check.figures.append((figure.svg(check.name), "Pitch of the floe, which is let go after 3 s."))
+    check.best, check.cost = options_text(flow), flow.cost_text
+    return check
+
+
 def sinking(study):
     check = Check("sinking_cylinder", "A cylinder sinks between two walls",
                   "Terminal velocity at Re = 0.07 against the drag of Faxen (1946) for a cylinder of a quarter of the width. Bar: 5 %, a twentieth of a spacing on a radius of five, and its weight.")
@@ -194,4 +216,4 @@ def wavemaker(study):
     return check
 
 
-CHECKS = {"wavemaker_in_space": wavemaker, "inclined_plate": plate, "cylindrical_couette": couette, "floating_draught": draught, "floating_heave": heave, "floating_roll": roll, "sinking_cylinder": sinking, "sinking_sphere": sinking_sphere}
+CHECKS = {"wavemaker_in_space": wavemaker, "inclined_plate": plate, "cylindrical_couette": couette, "floating_draught": draught, "floating_heave": heave, "floating_roll": roll, "floating_underturn": underturn, "sinking_cylinder": sinking, "sinking_sphere": sinking_sphere}

@@ -74,7 +74,8 @@ TEST(OpenEndsTogether, EveryStartMeetsEveryInflowAndOutflow) {
             }
         }
     }
-    // The normal depth of a discharge of nothing, and starts by varied flow without a discharge, one of them both.
+    // The normal depth of a discharge of nothing, and starts by varied flow without a discharge, one of them
+    // both.
     EXPECT_EQ(refused, 5 + 2 * 6 - 1);
 }
 

@@ -11,6 +11,7 @@
 
 #include "base/parallel.hpp"
 #include "case/end_levels.hpp"
+#include "drifting_log.hpp"
 #include "ends/end_input.hpp"
 #include "ends/section_state.hpp"
 #include "solver/simulation.hpp"
@@ -427,7 +428,8 @@ class OpenEndsBits : public ::testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(OpenEnds, OpenEndsBits,
                          ::testing::Values(laminar_channel(inflow(1.2 * laminar_discharge()) +
                                                            "[outflow]\nkind = \"critical-depth\"\n"),
-                                           overfall(0.06), weir(0.03, 0.16), duct(step_through_inflow)));
+                                           overfall(0.06), weir(0.03, 0.16), duct(step_through_inflow),
+                                           test::drifting_log(0.3)));
 
 TEST_P(OpenEndsBits, TheSameForAnyNumberOfThreadsAndAfterARestore) {
     const std::string& text = GetParam();

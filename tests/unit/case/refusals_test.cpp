@@ -297,7 +297,6 @@ std::vector<Wrong> wrong_solids() {
         {with_free_body(), "numerics.stepping = verlet"},
         {with_free_body(), "solid[0].z = [-0.002, -0.002, 0.03, 0.03]"},
         {with_free_body(), "channel.ends = periodic; solid[0].x = [0.001, 0.199, 0.199, 0.001]"},
-        {open_channel_with_solid(), "solid[0].motion = free; solid[0].density = 700"},
         {open_channel_with_solid(), "solid[0].z = [0, 0, 0.3, 0.3]"},
         {open_channel_with_solid(),
          "solid[0].z = [0, 0, 0.2, 0.2]; channel.ends = periodic; inflow.unit_discharge = none; outflow.kind = normal-depth"},
