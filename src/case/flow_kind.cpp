@@ -16,10 +16,13 @@ std::optional<std::string> patchy_bed(const Case& c) {
     if (c.bed_patches.empty()) {
         return std::nullopt;
     }
+    const bool strips = std::all_of(c.bed_patches.begin(), c.bed_patches.end(),
+                                    [&c](const BedPatch& patch) { return covers_length(c, patch); });
     return fmt::format(
-        "the patch \"{}\" of the bed is not as rough as the rest of it, and neither twin has a bed of several "
-        "roughnesses: what to compare with far from its edges are the uniform flows of the cases with one bed each",
-        c.bed_patches.front().name);
+        "the patch \"{}\" of the bed is not as rough as the rest of it, and a column has one bed{}: what to compare with "
+        "far from its edges are the uniform flows of the cases with one bed each",
+        c.bed_patches.front().name,
+        strips ? " (that of `riffle section` has strips of plane beds, between side walls)" : "");
 }
 
 /// Why patches of vegetation leave no flow that is the same at all places of a height.

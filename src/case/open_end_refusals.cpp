@@ -157,7 +157,7 @@ CheckList open_end_refusals() {
              [](const Case& c) { return enters_as_twin(c) && channel_resists(c) && resolves_eddies(c); }},
             {{"inflow.profile", "bed_patch.y_from"},
              R"(`profile = "twin"`, the default, or `"column"` where a patch of the bed lies in a part of the inflow's width)",
-             "neither twin has a bed of several roughnesses across",
+             "what enters there has the profile of one bed",
              "choose profile = \"log-law\" or another, or let the patch begin farther down",
              [](const Case& c) {
                  const BedPatch* const beside = patch_beside(c, 0.0);

@@ -1,10 +1,14 @@
 #include "column/section.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
 #include "base/error.hpp"
+#include "case/flow_kind.hpp"
+#include "case/patch_range.hpp"
 #include "column/column.hpp"
 #include "column/section_solver.hpp"
 #include "column/section_start.hpp"
@@ -108,32 +112,50 @@ double slowest_decay_time(const SectionBalance& balance, const Eigen::VectorXd& 
 
 namespace {
 
-/// The section is solved over half of the channel, of which the other half is the mirror image.
-std::optional<std::string> lopsided_vegetation(const Case& c) {
-    if (c.channel.sides == Sides::half) return std::nullopt;
+/// A part of the width, without its name, as a mirror shows it from the centreline.
+template <class Patch>
+Patch mirrored(Patch patch, double width) {
+    const double from = patch.y_from.value_or(0.0);
+    patch.y_from = width - patch.y_to.value_or(width);
+    patch.y_to = width - from;
+    patch.name.clear();
+    return patch;
+}
+
+/// The section is solved over half of the channel, of which the other half is the mirror image: the first
+/// patch that has none; nullptr where all have.
+template <class Patch>
+const Patch* without_image(const Case& c, const std::vector<Patch>& patches) {
     const double width = c.channel.width;
-    for (const Vegetation& patch : c.vegetation) {
-        Vegetation image = patch;
-        image.name.clear();
-        image.y_from = width - patch.y_to.value_or(width);
-        image.y_to = width - patch.y_from.value_or(0.0);
-        const bool mirrored =
-            std::any_of(c.vegetation.begin(), c.vegetation.end(), [&](const Vegetation& other) {
-                const double tolerance = 1e-6 * width;
-                Vegetation same = other;
-                same.name.clear();
-                same.y_from = image.y_from;
-                same.y_to = image.y_to;
-                return std::abs(other.y_from.value_or(0.0) - *image.y_from) < tolerance &&
-                       std::abs(other.y_to.value_or(width) - *image.y_to) < tolerance && same == image;
-            });
-        if (!mirrored) {
-            return "the vegetation \"" + patch.name +
-                   "\" has no mirror image on the other side of the centreline, and the balance of the "
-                   "cross-section is solved over one half of a symmetric channel: set channel.sides = \"half\"";
-        }
-    }
-    return std::nullopt;
+    const double tolerance = 1e-6 * width;
+    const auto found = std::find_if(patches.begin(), patches.end(), [&](const Patch& patch) {
+        const Patch image = mirrored(patch, width);
+        return std::none_of(patches.begin(), patches.end(), [&](const Patch& other) {
+            Patch same = other;
+            same.name.clear();
+            same.y_from = image.y_from;
+            same.y_to = image.y_to;
+            return std::abs(other.y_from.value_or(0.0) - *image.y_from) < tolerance &&
+                   std::abs(other.y_to.value_or(width) - *image.y_to) < tolerance && same == image;
+        });
+    });
+    return c.channel.sides == Sides::half || found == patches.end() ? nullptr : &*found;
+}
+
+/// Why a part of the width has no section.
+template <class Patch>
+std::optional<std::string> lopsided(const Case& c, const std::vector<Patch>& patches, const char* what) {
+    const Patch* const patch = without_image(c, patches);
+    if (patch == nullptr) return std::nullopt;
+    return fmt::format(
+        "{} \"{}\" has no mirror image on the other side of the centreline, and the balance of the cross-section is "
+        "solved over one half of a symmetric channel: set channel.sides = \"half\"",
+        what, patch->name);
+}
+
+/// Strips of plane beds are beds of the section; spheres beside them would need heights of their own.
+bool is_strip(const Case& c, const BedPatch& patch) {
+    return covers_length(c, patch) && patch.kind != BedKind::spheres && c.bed.kind != BedKind::spheres;
 }
 
 /// So with porous zones.
@@ -162,10 +184,12 @@ std::optional<std::string> why_no_section(const Case& c) {
     // a column does so in a section.
     Case resisting = c;
     resisting.bed.kind = BedKind::no_slip;
-    if (auto reason = lopsided_vegetation(c)) return reason;
+    if (auto reason = lopsided(c, c.vegetation, "the vegetation")) return reason;
+    if (auto reason = lopsided(c, c.bed_patches, "the patch of the bed")) return reason;
     if (auto reason = lopsided_porosity(c)) return reason;
     std::erase_if(resisting.porous, [&c](const Porous& zone) { return covers_length(c, zone); });
     std::erase_if(resisting.vegetation, [&c](const Vegetation& patch) { return covers_length(c, patch); });
+    std::erase_if(resisting.bed_patches, [&c](const BedPatch& patch) { return is_strip(c, patch); });
     if (auto reason = why_no_column(resisting)) return reason;
     if (c.channel.top == Top::wall) {
         return "a wall closes the channel at its top (channel.top = \"wall\"), which the balance of a "

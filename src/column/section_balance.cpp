@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "case/bed_friction.hpp"
+#include "case/bed_patch.hpp"
+#include "case/patch_range.hpp"
 #include "roughness/bed_drag.hpp"
 #include "roughness/side_wall_partition.hpp"
 #include "turbulence/closure.hpp"
@@ -56,7 +58,6 @@ SectionBalance::SectionBalance(const Case& c, const SectionGrid& grid)
       rows_(grid.rows()),
       weight_(c.streamwise_gravity()),
       viscosity_(c.fluid.kinematic_viscosity),
-      rests_below_(rests_at_bed(c)),
       wall_form_(c.side_walls.drag_form) {
     const auto size = static_cast<Eigen::Index>(grid.size());
     area_.resize(size);
@@ -87,6 +88,7 @@ SectionBalance::SectionBalance(const Case& c, const SectionGrid& grid)
     }
     layer_extent_ = layer_area_.sum();
     add_vegetation(c, grid);
+    add_bed_patches(c, grid);
     add_faces(c, grid);
     add_porous(c, grid);
 }
@@ -111,8 +113,22 @@ void SectionBalance::add_vegetation(const Case& c, const SectionGrid& grid) {
     }
 }
 
+void SectionBalance::add_bed_patches(const Case& c, const SectionGrid& grid) {
+    rests_below_.assign(columns_, rests_at_bed(c));
+    for (std::size_t n = 0; n < c.bed_patches.size(); ++n) {
+        const PatchRange across = ranges_of(c, c.bed_patches[n])[1];
+        for (std::size_t iy = 0; iy < columns_; ++iy) {
+            // The edges of the patches are faces of the grid.
+            if (grid.y[iy] > across.from && grid.y[iy] < across.to) {
+                patch_of_[iy] = 1 + patches_.size() + n;
+                rests_below_[iy] = rests_at_bed(with_bed_of(c, c.bed_patches[n]));
+            }
+        }
+    }
+}
+
 void SectionBalance::add_faces(const Case& c, const SectionGrid& grid) {
-    const std::size_t kinds = 1 + patches_.size();
+    const std::size_t kinds = 1 + patches_.size() + c.bed_patches.size();
     std::vector<std::vector<double>> face_length(kinds, std::vector<double>(rows_ + 1, 0.0));
     std::vector<double> face_factor(columns_ + 1, 1.0);
     cell_length_.assign(kinds, std::vector<double>(rows_, 0.0));
@@ -121,17 +137,26 @@ void SectionBalance::add_faces(const Case& c, const SectionGrid& grid) {
     if (const auto closure = section_closure(c)) {
         closure->mixing_lengths(grid.z_face, face_length[0]);
         closure->mixing_lengths(grid.z, cell_length_[0]);
-        for (std::size_t n = 1; n < kinds; ++n) {
-            const auto canopy = make_canopy_closure(c, c.vegetation[n - 1], section_closure(c));
-            canopy->mixing_lengths(grid.z_face, face_length[n]);
-            canopy->mixing_lengths(grid.z, cell_length_[n]);
+        const auto set_lengths = [&](const Closure& of, std::size_t kind) {
+            of.mixing_lengths(grid.z_face, face_length[kind]);
+            of.mixing_lengths(grid.z, cell_length_[kind]);
+        };
+        for (std::size_t n = 0; n < patches_.size(); ++n) {
+            set_lengths(*make_canopy_closure(c, c.vegetation[n], section_closure(c)), 1 + n);
+        }
+        for (std::size_t n = 0; n < c.bed_patches.size(); ++n) {
+            set_lengths(*section_closure(with_bed_of(c, c.bed_patches[n])), 1 + patches_.size() + n);
         }
         for (std::size_t i = 0; i <= columns_; ++i) face_factor[i] = closure->side_factor(grid.y_face[i]);
         for (std::size_t i = 0; i < columns_; ++i) cell_factor_[i] = closure->side_factor(grid.y[i]);
         lateral_weight = stress_weight(false, true, closure->spanwise_ratio());
     }
-    bed_length_squared_ = face_length[0].front() * face_length[0].front();
     const auto square = [](double x) { return x * x; };
+    for (std::size_t iy = 0; iy < columns_; ++iy) {
+        // Stems stand on the bed of the channel.
+        const std::size_t kind = patch_of_[iy] > patches_.size() ? patch_of_[iy] : 0;
+        bed_length_squared_.push_back(square(face_length[kind].front()));
+    }
     const auto neighbours = [&](Face& face, std::size_t side, std::size_t cell, std::size_t step, bool first,
                                 bool last, const std::array<double, 3>& weights, double share) {
         const std::size_t at = 3 * side;
@@ -160,16 +185,18 @@ void SectionBalance::add_faces(const Case& c, const SectionGrid& grid) {
         }
     }
     for (std::size_t iz = 0; iz < rows_; ++iz) {
-        const std::array<double, 3> weights =
-            gradient_weights(grid.z, grid.z_face, iz, rests_below_ ? End::rest : End::open, End::open);
+        const auto weights_over = [&](std::size_t iy) {
+            return gradient_weights(grid.z, grid.z_face, iz, rests_below_[iy] ? End::rest : End::open,
+                                    End::open);
+        };
         for (std::size_t iy = 0; iy + 1 < columns_; ++iy) {
             Face face{};
             const bool first = iz == 0;
             const bool last = iz + 1 == rows_;
             const double both = bed_extent_[iy] + bed_extent_[iy + 1];
-            neighbours(face, 0, grid.cell(iy, iz), columns_, first, last, weights,
+            neighbours(face, 0, grid.cell(iy, iz), columns_, first, last, weights_over(iy),
                        bed_extent_[iy + 1] / both);
-            neighbours(face, 1, grid.cell(iy + 1, iz), columns_, first, last, weights,
+            neighbours(face, 1, grid.cell(iy + 1, iz), columns_, first, last, weights_over(iy + 1),
                        bed_extent_[iy] / both);
             face.inverse_distance = 1.0 / (grid.y[iy + 1] - grid.y[iy]);
             const double length =
@@ -213,8 +240,10 @@ void SectionBalance::add_porous(const Case& c, const SectionGrid& grid) {
             change(lateral_faces_[k++], grid.y_face[iy + 1], grid.z[iz]);
         }
     }
-    const double at_bed = porous.limited(std::sqrt(bed_length_squared_), 0.0, grid.y.front(), 0.0);
-    bed_length_squared_ = at_bed * at_bed;
+    for (double& squared : bed_length_squared_) {
+        const double at_bed = porous.limited(std::sqrt(squared), 0.0, grid.y.front(), 0.0);
+        squared = at_bed * at_bed;
+    }
 }
 
 Eigen::VectorXd SectionBalance::water_area() const {
@@ -246,8 +275,11 @@ SectionBalance::FaceFlow SectionBalance::flow(const Face& face, const Eigen::Vec
 }
 
 SectionBalance::FaceFlow SectionBalance::bed_flow(std::size_t iy, const Eigen::VectorXd& u) const {
+    if (!rests_below_[iy]) {
+        return {};
+    }
     const double gradient = u(static_cast<Eigen::Index>(iy)) / bed_distance_;
-    const double factor = bed_length_squared_ * cell_factor_[iy] * cell_factor_[iy];
+    const double factor = bed_length_squared_[iy] * cell_factor_[iy] * cell_factor_[iy];
     const double rate = std::abs(gradient);
     return {(viscosity_ + factor * rate) * gradient, viscosity_ + 2.0 * factor * rate, 0.0};
 }
@@ -258,9 +290,7 @@ double SectionBalance::layer_sum(const Eigen::VectorXd& u) const {
 
 double SectionBalance::bed_force(const Eigen::VectorXd& u) const {
     double force = (bed_drag_.array() * u.array() * u.array().abs()).sum();
-    if (rests_below_) {
-        for (std::size_t iy = 0; iy < columns_; ++iy) force += bed_extent_[iy] * bed_flow(iy, u).stress;
-    }
+    for (std::size_t iy = 0; iy < columns_; ++iy) force += bed_extent_[iy] * bed_flow(iy, u).stress;
     return force;
 }
 
@@ -311,10 +341,8 @@ Eigen::VectorXd SectionBalance::residual(const Eigen::VectorXd& u) const {
             force(face.plus()) -= exchange;
         }
     }
-    if (rests_below_) {
-        for (std::size_t iy = 0; iy < columns_; ++iy) {
-            force(static_cast<Eigen::Index>(iy)) -= bed_extent_[iy] * bed_flow(iy, u).stress;
-        }
+    for (std::size_t iy = 0; iy < columns_; ++iy) {
+        force(static_cast<Eigen::Index>(iy)) -= bed_extent_[iy] * bed_flow(iy, u).stress;
     }
     return force;
 }
@@ -348,13 +376,11 @@ SectionJacobian SectionBalance::jacobian(const Eigen::VectorXd& u) const {
         }
     }
     Eigen::VectorXd bed_slope = 2.0 * bed_drag_.array() * u.array().abs();
-    if (rests_below_) {
-        for (std::size_t iy = 0; iy < columns_; ++iy) {
-            const auto i = static_cast<Eigen::Index>(iy);
-            const double slope = bed_extent_[iy] * bed_flow(iy, u).normal_slope / bed_distance_;
-            entries.emplace_back(i, i, slope);
-            bed_slope(i) += slope;
-        }
+    for (std::size_t iy = 0; iy < columns_; ++iy) {
+        const auto i = static_cast<Eigen::Index>(iy);
+        const double slope = bed_extent_[iy] * bed_flow(iy, u).normal_slope / bed_distance_;
+        entries.emplace_back(i, i, slope);
+        bed_slope(i) += slope;
     }
     SectionJacobian result;
     result.matrix.resize(n, n);
@@ -382,16 +408,15 @@ SectionBalance::Stresses SectionBalance::stresses(const Eigen::VectorXd& u) cons
     };
     for (const Face& face : vertical_faces_) share(result.vertical, face, flow(face, u).stress);
     for (const Face& face : lateral_faces_) share(result.lateral, face, flow(face, u).stress);
-    if (rests_below_) {
-        for (std::size_t iy = 0; iy < columns_; ++iy) result.vertical[iy] += 0.5 * bed_flow(iy, u).stress;
-    }
+    for (std::size_t iy = 0; iy < columns_; ++iy) result.vertical[iy] += 0.5 * bed_flow(iy, u).stress;
     return result;
 }
 
 bool SectionBalance::has_friction() const {
     const bool porous = std::any_of(media_.begin(), media_.end(),
                                     [](const PorousMedia::At& at) { return at.along(1.0) > 0.0; });
-    return rests_below_ || bed_drag_.sum() > 0.0 || stem_area_.sum() > 0.0 || porous || wall_friction_ ||
+    const bool rests = std::any_of(rests_below_.begin(), rests_below_.end(), [](bool at) { return at; });
+    return rests || bed_drag_.sum() > 0.0 || stem_area_.sum() > 0.0 || porous || wall_friction_ ||
            fixed_coefficient_ * layer_area_.sum() > 0.0;
 }
 

@@ -101,6 +101,8 @@ class SectionBalance {
     void add_vegetation(const Case& c, const SectionGrid& grid);
     /// The stems in a cell that has some.
     [[nodiscard]] const StemDrag& stems_in(Eigen::Index cell) const;
+    /// After add_vegetation().
+    void add_bed_patches(const Case& c, const SectionGrid& grid);
     void add_faces(const Case& c, const SectionGrid& grid);
     /// What porous zones make of cells and faces; after add_faces().
     void add_porous(const Case& c, const SectionGrid& grid);
@@ -109,16 +111,18 @@ class SectionBalance {
     std::size_t rows_;
     double weight_;
     double viscosity_;
-    bool rests_below_;  ///< at the bed
+    std::vector<bool> rests_below_;  ///< at the bed, by column
     SideDragForm wall_form_;
     std::optional<LogLawFriction> wall_friction_;  ///< by the log law
-    double wall_over_bed_ = 0.0;       ///< force on the wall over that on the bed of the half section
-    double fixed_coefficient_ = 0.0;   ///< of the wall, printed form
-    double bed_distance_ = 0.0;        ///< of the lowest centres from the bed
-    double bed_length_squared_ = 0.0;  ///< at the bed, over the middle
-    std::vector<double> bed_extent_;   ///< widths of the cells
+    double wall_over_bed_ = 0.0;              ///< force on the wall over that on the bed of the half section
+    double fixed_coefficient_ = 0.0;          ///< of the wall, printed form
+    double bed_distance_ = 0.0;               ///< of the lowest centres from the bed
+    std::vector<double> bed_length_squared_;  ///< l_m^2 at the bed, by column
+    std::vector<double> bed_extent_;          ///< widths of the cells
     std::vector<VegetationPatch> patches_;
-    std::vector<std::size_t> patch_of_;  ///< of each column: 0 without vegetation, n for patches_[n - 1]
+    /// Of each column: 0 over the bed of the channel, n in the vegetation patches_[n - 1], and then the
+    /// patches of the bed.
+    std::vector<std::size_t> patch_of_;
     std::vector<std::vector<double>>
         cell_length_;                   ///< l_m at the heights of the centres, so for each of these
     std::vector<double> cell_factor_;   ///< G at the centres

@@ -28,6 +28,11 @@ SectionGrid make_section_grid(const Case& c, int cells_across, int cells_over_de
             if (side) across.push_back(*side);
         }
     }
+    for (const BedPatch& patch : c.bed_patches) {
+        for (const auto& side : {patch.y_from, patch.y_to}) {
+            if (side) across.push_back(*side);
+        }
+    }
     for (const Porous& zone : c.porous) {
         const double half = 0.5 * porous_edge(c, zone);
         for (const auto& side : {zone.y_from, zone.y_to}) {

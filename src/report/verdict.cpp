@@ -139,6 +139,13 @@ std::optional<std::string> quantity_text(const std::vector<SummaryRow>& quantiti
     return text;
 }
 
+void add_why_no_twin(const Case& c, Verdict& verdict) {
+    if (auto reason = why_no_column(c)) {
+        std::erase(*reason, '`');  // names of commands; the page has no marks for them
+        verdict.sentences.push_back("There is no twin to compare with: " + *reason + ".");
+    }
+}
+
 void judge_uniform(const ReportData& data, const std::vector<SummaryRow>& quantities, Verdict& verdict) {
     // Between side walls the measured velocity is that of the centreline.
     const SummaryRow* const centre = find_quantity(quantities, "centreline_velocity");
@@ -148,11 +155,12 @@ void judge_uniform(const ReportData& data, const std::vector<SummaryRow>& quanti
     const char* const twin = data.flow.has_side_walls() ? "section" : "column";
     const char* const where =
         data.flow.has_side_walls() ? "above the datum over the whole width" : "above the datum";
-    verdict.sentences.push_back(
-        velocity_sentence(*find_quantity(quantities, "depth_mean_velocity"), where, twin));
+    const SummaryRow& mean = *find_quantity(quantities, "depth_mean_velocity");
+    verdict.sentences.push_back(velocity_sentence(mean, where, twin));
     add_friction(verdict.sentences, quantities, resolves_eddies(data.flow));
-    if (const auto reason = why_no_column(data.flow)) {
-        verdict.sentences.push_back("There is no twin to compare with: " + *reason + ".");
+    // A section may have a twin where a column has none.
+    if (!mean.column) {
+        add_why_no_twin(data.flow, verdict);
     }
 }
 
@@ -181,8 +189,9 @@ void judge_bodies(const ReportData& data, const std::vector<SummaryRow>& quantit
             verdict.sentences.emplace_back(
                 "What the ends give rules the flow; the steady varied flow between them stands beside the long "
                 "profile.");
-    } else if (const auto reason = why_no_column(data.flow))
-        verdict.sentences.push_back("There is no twin to compare with: " + *reason + ".");
+    } else {
+        add_why_no_twin(data.flow, verdict);
+    }
 }
 
 void judge_course(const ReportData& data, const std::vector<SummaryRow>& quantities, Verdict& verdict) {

@@ -7,6 +7,7 @@ import numpy
 
 import figures
 from check import Check
+from inflow_checks import means_across, section_means
 from open_end_checks import account, column_profile, mean_surface, program
 from options import options_text
 from runs import ROOT
@@ -88,4 +89,29 @@ def strips(study):
     return check
 
 
-CHECKS = {"bed_change": change, "bed_strips": strips}
+def strip_in_flume(study):
+    case = "cases/plane-beds/flume-strip.toml"
+    check = Check("bed_strip_in_flume", "A strip of gravel in a flume",
+                  "Half of a flume, eight depths wide between glass walls, whose bed is of 10 mm of equivalent roughness along the middle half of its width and of 1 mm beside it, against the twin of the cross-section.")
+    flow = study.run("bed_strip_in_flume", case)
+    begin = flow.parameters["run"]["average_from"]
+    twin_y, twin_u = section_means(study, case)
+    y, u = means_across(flow, 0.5 * flow.length, 0.5 * flow.length, begin)
+    twin = numpy.interp(y, twin_y, twin_u)
+    check.norm("mean over the section against the twin's, less one", float(u.mean() / twin.mean() - 1), 0.01)
+    check.norm("U(y), rms over that mean", float(numpy.sqrt(((u - twin) ** 2).mean()) / twin.mean()), 0.03)
+    check.norm("in the file beside the wall, over the twin's, less one", float(u[0] / twin[0] - 1))
+    check.norm("at the centreline, over the twin's, less one", float(u[-1] / twin[-1] - 1))
+    beds = [twin_of_one_bed(study, case, k)[2] for k in (flow.parameters["bed"]["equivalent_roughness"], flow.parameters["bed_patch"][0]["equivalent_roughness"])]
+    figure = figures.Figure(1, width=7)
+    axes = figure.panel("distance from the wall y (m)", "depth mean of u (m/s)", f"means from {begin:g} s on")
+    figures.exact(axes, twin_y, twin_u, "section twin")
+    figures.simulated(axes, y, u, "particles", figures.COLOURS[0])
+    for number, mean in enumerate(beds):
+        figures.exact(axes, [0, twin_y[-1]], [mean, mean], f"column twin of the {('smoother', 'rougher')[number]} bed", figures.COLOURS[1 + number], linestyle="--")
+    check.figures.append((figure.svg(check.name), "Depth-mean velocity from the wall to the centreline; from 0.12 m on the bed is of gravel."))
+    check.best, check.cost = options_text(flow), flow.cost_text
+    return check
+
+
+CHECKS = {"bed_change": change, "bed_strips": strips, "bed_strip_in_flume": strip_in_flume}

@@ -87,7 +87,7 @@ def turbulence(study):
     return check
 
 
-def _section_means(study, case):
+def section_means(study, case):
     """The section twin of a case: y and the mean velocity over the depth there."""
     text = subprocess.run([str(study.riffle), "section", case, "--csv", "-"], cwd=ROOT, check=True, capture_output=True, text=True).stdout
     cells = numpy.array([[float(value) for value in row] for row in csv.reader(io.StringIO(text)) if row[0][0].isdigit()])
@@ -98,7 +98,7 @@ def _section_means(study, case):
     return y, numpy.diff(faces) @ cells[:, 2].reshape(z.size, y.size) / faces[-1]
 
 
-def _means_across(flow, place, half, start):
+def means_across(flow, place, half, start):
     """Depth means of the velocity in files of one spacing about a place, from the snapshots from a time on: y, U."""
     width = 0.5 * flow.parameters["channel"]["width"]
     files = round(width / flow.spacing)
@@ -118,12 +118,12 @@ def side_walls(study):
                   "Half of a flume between glass walls, ten depths long: water that enters with the profile of the section twin keeps it.")
     flow = study.run("open_side_walls", case)
     start = flow.parameters["run"]["average_from"]
-    twin_y, twin_u = _section_means(study, "cases/plane-beds/flume.toml")
+    twin_y, twin_u = section_means(study, "cases/plane-beds/flume.toml")
     figure = figures.Figure(2)
     axes = figure.panel("distance from the wall y (m)", "depth mean of u (m/s)", f"means from {start:g} s on")
     figures.exact(axes, twin_y, twin_u, "section twin")
     for number, share in enumerate((0.25, 0.5, 0.75)):
-        y, u = _means_across(flow, share * flow.length, 0.1, start)
+        y, u = means_across(flow, share * flow.length, 0.1, start)
         twin = numpy.interp(y, twin_y, twin_u)
         check.norm(f"U(y) at {share:.0%} of the length, rms over the twin's mean", float(numpy.sqrt(((u - twin) ** 2).mean()) / twin.mean()), 0.03)
         check.norm(f"U(y) in the file beside the wall at {share:.0%} of the length, over the twin's, less one", float(u[0] / twin[0] - 1))

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
+#include <utility>
 
 #include "column/column.hpp"
 #include "column/section.hpp"
@@ -62,6 +64,76 @@ TEST(SectionOverPlaneBeds, BetweenFrictionlessWallsIsTheColumn) {
         EXPECT_NEAR(r.velocity_at(0.0, 0.05), column.velocity_at(0.05), 2e-3 * column.velocity_at(0.05));
         EXPECT_NEAR(r.relaxation_time, column.relaxation_time, 2e-3 * column.relaxation_time);
     }
+}
+
+/// The same with a strip along the middle, from a fourth of the width on.
+Case channel_with_strip(double roughness) {
+    Case c = channel(BedKind::roughness);
+    c.turbulence.closure = ClosureKind::nezu_rodi;
+    BedPatch strip;
+    strip.name = "strip";
+    strip.equivalent_roughness = roughness;
+    strip.y_from = 0.25 * c.channel.width;
+    c.bed_patches = {strip};
+    return c;
+}
+
+TEST(SectionOverPlaneBeds, AStripOfTheSameBedChangesNothing) {
+    Case c = channel_with_strip(2e-3);
+    const SectionResult with = solve_section(c, coarse);
+    c.bed_patches.clear();
+    const SectionResult without = solve_section(c, coarse);
+    // The grid has a face at the edge of the strip.
+    EXPECT_NEAR(with.discharge, without.discharge, 1e-3 * without.discharge);
+    EXPECT_NEAR(with.centreline_velocity, without.centreline_velocity, 1e-3 * without.centreline_velocity);
+}
+
+TEST(SectionOverPlaneBeds, ARoughStripHoldsTheWaterBack) {
+    const Case c = channel_with_strip(2e-2);
+    const SectionResult r = solve_section(c, coarse);
+    EXPECT_NEAR(r.drag_share + r.side_wall_share, 1.0, 1e-9);
+    // Each bed slows the water over it, and the eddies share it out between them: between the two flows of
+    // one bed.
+    Case rough = channel(BedKind::roughness);
+    rough.turbulence.closure = ClosureKind::nezu_rodi;
+    const double over_smoother = solve_section(rough, coarse).centreline_velocity;
+    rough.bed.equivalent_roughness = 2e-2;
+    const double over_rougher = solve_section(rough, coarse).centreline_velocity;
+    EXPECT_GT(r.centreline_velocity, over_rougher);
+    EXPECT_LT(r.centreline_velocity, over_smoother);
+    EXPECT_LT(r.centreline_velocity, r.velocity_at(0.06, 0.05));
+}
+
+// Far from its edge and from the walls a strip has the flow of its bed alone.
+TEST(SectionOverPlaneBeds, TheMiddleOfAWideStripIsTheColumnOfItsBed) {
+    Case c = channel_with_strip(2e-2);
+    c.channel.width = 4.0;
+    c.bed_patches.front().y_from = 1.0;
+    c.side_walls.drag_form = SideDragForm::none;
+    const SectionResult r = solve_section(c, coarse);
+    for (const auto& [y, roughness] : {std::pair{0.0, 2e-3}, std::pair{2.0, 2e-2}}) {
+        Case alone = c;
+        alone.bed_patches.clear();
+        alone.bed.equivalent_roughness = roughness;
+        const double expected = solve_column(alone).velocity_at(0.05);
+        EXPECT_NEAR(r.velocity_at(y, 0.05), expected, 0.01 * expected) << "k_s = " << roughness;
+    }
+}
+
+TEST(SectionOverPlaneBeds, StripsAreAsItsMirrorImageAndPlane) {
+    Case c = channel_with_strip(2e-2);
+    c.channel.sides = Sides::walls;
+    c.bed_patches.front().y_to = 0.15;
+    EXPECT_NE(why_no_section(c).value_or("").find("has no mirror image"), std::string::npos);
+    BedPatch other = c.bed_patches.front();
+    other.name = "other";
+    other.y_from = 0.25;
+    other.y_to = 0.3;
+    c.bed_patches.push_back(other);
+    EXPECT_FALSE(why_no_section(c).has_value());
+    c.bed_patches.front().x_to = 0.1;
+    c.bed_patches.back().x_to = 0.1;
+    EXPECT_NE(why_no_section(c).value_or("").find("has one bed"), std::string::npos);
 }
 
 TEST(SectionOverPlaneBeds, HalvingTheRowsChangesNothingByATenthOfAPercent) {
