@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "boundary/wall_motion.hpp"
 #include "case/flow_kind.hpp"
@@ -23,6 +24,15 @@ std::vector<Outline> outlines_at(const Case& c, double time) {
         outlines.push_back(std::move(outline));
     }
     return outlines;
+}
+
+std::vector<Outline> prescribed_outlines_at(const Case& c, double time) {
+    std::vector<Outline> all = outlines_at(c, time);
+    std::vector<Outline> prescribed;
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        if (c.solids[k].motion != SolidMotion::free) prescribed.push_back(std::move(all[k]));
+    }
+    return prescribed;
 }
 
 std::vector<Curve> body_curves(const Case& c, double time) {

@@ -13,8 +13,10 @@ namespace riffle {
 /// start. Empty in three.
 [[nodiscard]] std::vector<Outline> outlines_at(const Case& c, double time);
 
-/// The same as filled curves of a figure whose axes are x and the height above the bed level; without free
-/// bodies.
+/// The same without free bodies, whose place no law says.
+[[nodiscard]] std::vector<Outline> prescribed_outlines_at(const Case& c, double time);
+
+/// These as filled curves of a figure whose axes are x and the height above the bed level.
 [[nodiscard]] std::vector<Curve> body_curves(const Case& c, double time);
 
 /// Length of the upright line at x that lies in solids, from the bed level up to a height, m.

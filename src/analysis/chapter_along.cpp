@@ -240,7 +240,7 @@ void analyse_along(const FlowRecord& record, Analysis& analysis) {
         return;
     }
     const LongProfile profile = long_profile(surface);
-    const std::vector<Outline> bodies = outlines_at(c, record.window().from);
+    const std::vector<Outline> bodies = prescribed_outlines_at(c, record.window().from);
     for (Curve& body : body_curves(c, record.window().from)) figure.curves.push_back(std::move(body));
     Curve level = make_curve("mean level", Origin::simulated, Mark::line, profile.x, profile.level);
     // A band where each place has enough independent samples for one.

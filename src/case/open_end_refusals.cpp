@@ -25,7 +25,7 @@ int ways_to_give_discharge(const Inflow& inflow) {
 /// Whether something of a solid stands within a distance of either end, unless it carries the water through.
 Findings too_near(const Case& c, const Solid& solid) {
     const auto extent = extent_of(c, solid, 0);
-    if (!extent) {
+    if (!extent || solid.motion == SolidMotion::free) {
         return {};
     }
     const double clear = open_end_clearance(c);
@@ -44,6 +44,20 @@ Findings too_near(const Case& c, const Solid& solid) {
         "it reaches to x = {}, the channel from 0 to {}. One that carries the water through this end stands on the bed and has a level top at least from x = {} to x = {}",
         shown_length(upstream ? extent->low : extent->high), shown_length(length),
         shown_length(upstream ? -beyond : length - clear), shown_length(upstream ? clear : length + beyond));
+}
+
+/// Whether a free body starts where it would be held back.
+Findings beyond_racks(const Case& c, const Solid& solid) {
+    const auto extent = extent_of(c, solid, 0);
+    if (!extent || solid.motion != SolidMotion::free) {
+        return {};
+    }
+    const double clear = open_end_clearance(c);
+    const double length = c.channel.length;
+    return found_if(extent->low < clear || extent->high > length - clear,
+                    "it reaches from x = {} to {}, and the racks stand at {} and {}",
+                    shown_length(extent->low), shown_length(extent->high), shown_length(clear),
+                    shown_length(length - clear));
 }
 
 /// Whether the profile that enters is one of the twins'.
@@ -94,8 +108,8 @@ CheckList open_end_refusals() {
              "only one can hold",
              "keep one of discharge, unit_discharge and discharge_file",
              [](const Case& c) {
-                 return found_if(ways_to_give_discharge(c.inflow) > 1,
-                                 "[inflow] gives the discharge in {} ways", ways_to_give_discharge(c.inflow));
+                 return found_if(ways_to_give_discharge(c.inflow) > 1, "gives the discharge in {} ways",
+                                 ways_to_give_discharge(c.inflow));
              }},
             {{"inflow.depth", "inflow.depth_file"},
              "the depth at the inflow given twice",
@@ -400,6 +414,11 @@ CheckList open_end_refusals() {
              "what is beyond the end is as deep as the water beside it",
              "draw its outline down to the bed there, or to the solid that carries it, or away from the end",
              floating_ends},
+            {{"solid.motion", "solid.centre", "solid.x"},
+             "a free body that starts before the rack of the inflow or behind that of the outflow",
+             "free bodies are held back two kernel supports before either end",
+             "move it, or make the channel longer",
+             [](const Case& c, const Solid& solid) { return beyond_racks(c, solid); }},
             {{"solid.x", "channel.ends"},
              "a solid in the water that enters or leaves",
              "the water is watched over two kernel supports beside either end",

@@ -21,6 +21,8 @@ const char* source_word(DepthSource source) {
             return "given";
         case DepthSource::backwater:
             return "backwater";
+        case DepthSource::uniform:
+            return "uniform";
         case DepthSource::start:
             return "start";
         case DepthSource::full:

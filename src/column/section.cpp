@@ -153,9 +153,23 @@ std::optional<std::string> lopsided(const Case& c, const std::vector<Patch>& pat
         what, patch->name);
 }
 
-/// Strips of plane beds are beds of the section; spheres beside them would need heights of their own.
-bool is_strip(const Case& c, const BedPatch& patch) {
-    return covers_length(c, patch) && patch.kind != BedKind::spheres && c.bed.kind != BedKind::spheres;
+/// Why patches of the bed are not strips of plane beds, which a section may have.
+std::optional<std::string> other_than_strips(const Case& c) {
+    for (const BedPatch& patch : c.bed_patches) {
+        if (!covers_length(c, patch)) {
+            return fmt::format(
+                "the patch \"{}\" of the bed does not lie all along the channel, so the flow changes along it: leave out "
+                "its x_from and x_to",
+                patch.name);
+        }
+        if (patch.kind == BedKind::spheres || c.bed.kind == BedKind::spheres) {
+            return fmt::format(
+                "the patch \"{}\" of the bed or what lies beside it is of spheres, and the balance of the cross-section "
+                "has strips of plane beds alone: give them by equivalent_roughness or manning",
+                patch.name);
+        }
+    }
+    return std::nullopt;
 }
 
 /// So with porous zones.
@@ -186,10 +200,11 @@ std::optional<std::string> why_no_section(const Case& c) {
     resisting.bed.kind = BedKind::no_slip;
     if (auto reason = lopsided(c, c.vegetation, "the vegetation")) return reason;
     if (auto reason = lopsided(c, c.bed_patches, "the patch of the bed")) return reason;
+    if (auto reason = other_than_strips(c)) return reason;
     if (auto reason = lopsided_porosity(c)) return reason;
     std::erase_if(resisting.porous, [&c](const Porous& zone) { return covers_length(c, zone); });
     std::erase_if(resisting.vegetation, [&c](const Vegetation& patch) { return covers_length(c, patch); });
-    std::erase_if(resisting.bed_patches, [&c](const BedPatch& patch) { return is_strip(c, patch); });
+    resisting.bed_patches.clear();
     if (auto reason = why_no_column(resisting)) return reason;
     if (c.channel.top == Top::wall) {
         return "a wall closes the channel at its top (channel.top = \"wall\"), which the balance of a "

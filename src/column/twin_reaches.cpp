@@ -22,6 +22,14 @@ std::vector<Reach> twin_reaches(const Case& c, double unit_discharge, double len
     std::sort(across.begin(), across.end(), [&c](const BedPatch* a, const BedPatch* b) {
         return ranges_of(c, *a)[0].from < ranges_of(c, *b)[0].from;
     });
+    for (const BedPatch& patch : c.bed_patches) {
+        if (!covers_width(c, patch)) {
+            throw InputError(fmt::format(
+                "[[bed_patch]] {} lies in a part of the width, and varied flow is that over one bed at each place along "
+                "the channel: let it cover the width, or leave it out",
+                patch.name));
+        }
+    }
     Case plain = c;
     plain.bed_patches.clear();
     std::vector<Reach> reaches;

@@ -87,6 +87,9 @@ std::string inflow_text(const Case& c, const FlowAtEnds& states) {
             case DepthSource::backwater:
                 text += ", depth " + depth + " by riffle backwater";
                 break;
+            case DepthSource::uniform:
+                text += ", depth " + depth + " of uniform flow (the flow sets it)";
+                break;
             case DepthSource::start:
                 text += ", depth " + depth + " at the start (the flow sets it)";
                 break;
@@ -98,7 +101,15 @@ std::string inflow_text(const Case& c, const FlowAtEnds& states) {
         }
     }
     const std::string motion = motion_text(end);
-    return text + (motion.empty() ? "" : ", " + motion);
+    text += motion.empty() ? "" : ", " + motion;
+    // Nothing from downstream tells a supercritical inflow its depth.
+    if (!c.inflow.gives_depth() && end.froude && end.froude->largest > 1.0 + critical_band) {
+        text += fmt::format(
+            ". Without [inflow] depth the water enters at the critical depth and shoots off from there: give the depth with "
+            "which it enters{}",
+            end.depth && !end.depth->changes() ? ", " + millimetres(*end.depth) : std::string());
+    }
+    return text;
 }
 
 /// What rules the water that leaves.

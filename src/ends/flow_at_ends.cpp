@@ -14,6 +14,7 @@
 #include "case/flow_kind.hpp"
 #include "column/twin_channel.hpp"
 #include "column/twin_reaches.hpp"
+#include "column/uniform_rating.hpp"
 #include "ends/end_input.hpp"
 #include "hydraulics/varied_reaches.hpp"
 #include "laboratory/profile_record.hpp"
@@ -70,13 +71,17 @@ class BedFlow {
 
   private:
     [[nodiscard]] std::optional<double> find_normal(double q) {
-        if (!has_twin_ || !(q > 0.0) || !(case_.streamwise_gravity() > 0.0)) {
+        if (!has_twin_ || !(case_.streamwise_gravity() > 0.0)) {
             return std::nullopt;
+        }
+        if (!(q > 0.0)) {
+            return 0.0;
         }
         try {
             return has_section_ ? twin_normal_depth(case_, q) : normal_depth(channel(q));
         } catch (const InputError&) {
-            return std::nullopt;  // shallower than what the friction of the bed is known for
+            // Shallower than what the friction of the bed is known for: as the outflow goes on downwards.
+            return UniformRating(case_).depth(q);
         }
     }
 
@@ -206,10 +211,11 @@ void add_characteristic_depths(const Case& c, BedFlow& bed, double q, FlowAtEnd&
     }
 }
 
-DepthSource source_of_inflow(const Case& c, const EndInput& input, bool has_flow) {
+DepthSource source_of_inflow(const Case& c, const EndInput& input, bool has_flow, bool has_uniform_flow) {
     return is_duct(c)           ? DepthSource::full
            : input.inflow_depth ? DepthSource::given
            : has_flow           ? DepthSource::backwater
+           : has_uniform_flow   ? DepthSource::uniform
                                 : DepthSource::start;
 }
 
@@ -234,7 +240,10 @@ FlowAtEnds flow_at_ends(const Case& c) {
     states.outflow.floor = floors.downstream > 0.0 ? floors.downstream - c.datum() : 0.0;
     states.one_bed = !other && states.inflow.floor == states.outflow.floor;
     const std::optional<VariedFlow> flow = steady_flow(c, input, bed, start_unit_discharge(c, input));
-    states.inflow.source = source_of_inflow(c, input, flow.has_value());
+    // A hydrograph that nothing but the bed rules: about that of uniform flow, whatever the start.
+    const bool has_uniform = !c.inflow.discharge_file.empty() && !is_disturbed(c) && !is_duct(c) &&
+                             bed.normal(input.unit_discharge->largest()).has_value();
+    states.inflow.source = source_of_inflow(c, input, flow.has_value(), has_uniform);
     states.outflow.source = source_of_outflow(c, input, flow.has_value());
     const double of_start = depth_of_start(c, input) - floors.upstream;
 
@@ -249,9 +258,12 @@ FlowAtEnds flow_at_ends(const Case& c) {
         }
         add_characteristic_depths(c, bed, q, states.inflow);
         add_characteristic_depths(c, bed_at_outflow, q, states.outflow);
+        const std::optional<double> uniform =
+            states.inflow.source == DepthSource::uniform ? bed.normal(q) : std::nullopt;
         const double before = input.inflow_depth ? at.inflow_depth
                               : flow             ? flow->depth_at(0.0) + c.datum()
-                                     : std::max(of_start, bed.critical(q, states.inflow.floor == 0.0));
+                              : uniform          ? std::max(*uniform + c.datum(), bed.critical(q, true))
+                                        : std::max(of_start, bed.critical(q, states.inflow.floor == 0.0));
         add_depth(c, bed, q, before, states.inflow);
         if (input.outflow_depth) {
             widen(states.held_depth, at.outflow_depth + floors.downstream - c.datum());

@@ -20,6 +20,8 @@ struct Extremes {
 enum class DepthSource {
     given,      ///< what the case gives: [inflow] depth, or what the outflow holds
     backwater,  ///< the steady varied flow between the ends, as riffle backwater finds it
+    uniform,    ///< uniform flow over the bed there with the discharge that changes: the flow itself will
+                ///< decide
     start,      ///< the water of the start, at least the critical depth: the flow itself will decide
     full,       ///< the height of a duct
     unknown     ///< nothing tells it

@@ -1,5 +1,7 @@
 #include "solver/start.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -11,6 +13,7 @@
 #include "case/packed_start.hpp"
 #include "case/porous_zone.hpp"
 #include "column/canal_flow.hpp"
+#include "column/section.hpp"
 #include "ends/end_input.hpp"
 #include "particles/lattice.hpp"
 #include "solver/isotropic_start.hpp"
@@ -155,9 +158,11 @@ Particles<D> initial_particles(const Case& c, const Scheme& scheme, const Column
                                const SectionVelocity& section, bool pack) {
     constexpr std::size_t vertical = D - 1;
     if (c.start.kind == StartKind::section && (D == 2 || !section)) {
-        throw InputError(
-            "[start] kind = \"section\" needs the steady flow over the cross-section, which this case does "
-            "not have; choose \"column\", \"rest\" or \"uniform\"");
+        throw InputError(fmt::format(
+            "{}: [start] kind = \"section\" needs the steady flow over the cross-section, and the case has none: {}; or "
+            "choose \"rest\" or \"uniform\"",
+            c.path.empty() ? "the case" : c.path.string(),
+            why_no_section(c).value_or("it has two dimensions")));
     }
     const std::optional<OpenStart> open =
         c.channel.ends == Ends::open ? std::optional<OpenStart>(c) : std::nullopt;

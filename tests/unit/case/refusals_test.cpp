@@ -172,6 +172,8 @@ std::vector<Wrong> wrong_open_ends() {
          "inflow.unit_discharge = none; inflow.depth = 50 mm; outflow.kind = free; start.kind = backwater"},
         {open_channel(),
          "start.kind = rest; start.water_x = [0, 0.1, 0.1, 0]; start.water_z = [0.02, 0.02, 0.05, 0.05]"},
+        {open_channel_with_solid(),
+         "solid[0].motion = free; solid[0].density = 700; solid[0].x = [0.001, 0.041, 0.041, 0.001]"},
         {open_channel_with_solid(), "solid[0].x = [0.005, 0.045, 0.045, 0.005]"},
         {flume(), "start.kind = backwater"},
     };

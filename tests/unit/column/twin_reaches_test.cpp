@@ -47,5 +47,18 @@ TEST(TwinReaches, NeedFrictionOverEachBed) {
     }
 }
 
+// What lies beside another bed at one place would be left out of the friction.
+TEST(TwinReaches, AreNotOfStrips) {
+    Case c = over_beds("equivalent_roughness = \"12 mm\"\n");
+    c.channel.dimensions = 3;
+    c.bed_patches.front().y_to = 0.5 * c.channel.width;
+    try {
+        static_cast<void>(twin_reaches(c, 0.03, 1.5));
+        FAIL() << "a patch beside another bed has no varied flow";
+    } catch (const InputError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("[[bed_patch]] middle lies in a part of the width"));
+    }
+}
+
 }  // namespace
 }  // namespace riffle

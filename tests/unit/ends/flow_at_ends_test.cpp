@@ -133,9 +133,19 @@ TEST(FlowAtEnds, AHydrographLeavesWithTheNormalDepthOfWhatLeaves) {
     const FlowAtEnds flow = flow_at_ends(c);
     EXPECT_NEAR(flow.held_depth->least, steady, 1e-5 * steady);
     EXPECT_GT(flow.held_depth->largest, 1.5 * steady);
+    EXPECT_EQ(flow.inflow.source, DepthSource::uniform);
+    EXPECT_NEAR(flow.inflow.depth->largest, flow.held_depth->largest, 1e-5 * steady);
     EXPECT_NEAR(flow.outflow.normal_depth->largest, flow.held_depth->largest, 1e-5 * steady);
     // The run starts with the steady flow of the first row.
     EXPECT_NEAR(start_depths(c, read_end_levels(c))(0.3), steady + c.datum(), 1e-4 * steady);
+}
+
+// A supercritical inflow is told to need its depth.
+TEST(FlowAtEnds, OfASteepSlopeAsksForTheDepth) {
+    Case c = rough_case("[inflow]\nunit_discharge = \"0.0174 m2/s\"\n");
+    EXPECT_THAT(text_of(c), Not(HasSubstr("give the depth")));
+    c.channel.slope = 0.1;
+    EXPECT_THAT(text_of(c), HasSubstr("Without [inflow] depth the water enters at the critical depth"));
 }
 
 // Each end has the depths of the bed there.
