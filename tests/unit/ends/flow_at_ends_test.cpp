@@ -7,6 +7,7 @@
 #include <fstream>
 #include <string>
 
+#include "ends/end_input.hpp"
 #include "ends/relaxation_between_ends.hpp"
 #include "temporary_folder.hpp"
 
