@@ -54,12 +54,15 @@ std::vector<std::string> RackWatch::news(double time, std::span<const FreeBodySt
     for (Body& body : bodies_) {
         const BodyState& state = states[first_solid + body.solid];
         for (std::size_t r = 0; r < racks_.size(); ++r) {
+            if (body.told[r]) {
+                continue;
+            }
             const BoundaryPlane& rack = racks_[r];
             const bool touches =
                 std::any_of(body.corners.begin(), body.corners.end(), [&](const Point3& corner) {
                     return rack.inward * (state.placed(corner)[0] - rack.place) <= 0.0;
                 });
-            if (touches && !body.told[r]) {
+            if (touches) {
                 body.told[r] = true;
                 sentences.push_back(fmt::format(
                     "the free body \"{}\" has come to the rack at x = {} before the {} at t = {:.4g} s: bodies are "

@@ -41,25 +41,24 @@ std::size_t count_of(const Document& document, const std::string& section) {
         [&](const SectionMention& mention) { return mention.repeated && mention.name == section; }));
 }
 
-/// Their names, in quotes.
-std::vector<std::string> names_of(const Document& document, const std::string& section) {
-    std::vector<std::string> names;
+/// Those of them that have a name, with it.
+std::vector<std::pair<std::size_t, std::string>> named_items(const Document& document,
+                                                             const std::string& section) {
+    std::vector<std::pair<std::size_t, std::string>> named;
     for (const Entry& entry : document.entries) {
         const auto* const name = std::get_if<std::string>(&entry.value);
         if (entry.repeated && entry.section == section && entry.key == "name" && name != nullptr) {
-            names.push_back("\"" + *name + "\"");
+            named.emplace_back(entry.item, *name);
         }
     }
-    return names;
+    return named;
 }
 
 /// Which of the sections of a kind has this name; none without one.
 std::optional<std::size_t> item_of(const Document& document, const OptionName& option) {
-    for (const Entry& entry : document.entries) {
-        const auto* const name = std::get_if<std::string>(&entry.value);
-        if (entry.repeated && entry.section == option.section && entry.key == "name" && name != nullptr &&
-            *name == option.item) {
-            return entry.item;
+    for (const auto& [item, name] : named_items(document, option.section)) {
+        if (name == option.item) {
+            return item;
         }
     }
     return std::nullopt;
@@ -71,7 +70,10 @@ std::string unknown_item(const Document& document, const OptionName& option) {
         return fmt::format("the case has no [[{}]]: options change those that it has, they add none",
                            section);
     }
-    const std::vector<std::string> names = names_of(document, section);
+    std::vector<std::string> names;
+    for (const auto& named : named_items(document, section)) {
+        names.push_back("\"" + named.second + "\"");
+    }
     if (names.empty()) {
         return fmt::format("no [[{0}]] of the case has a name: give it one, then --set {0}.NAME.{1}=...",
                            section, option.key);

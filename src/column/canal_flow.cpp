@@ -26,7 +26,7 @@ std::optional<CanalFlow> canal_flow(const Case& c) {
     } else {
         sides += std::max(0.0, level - section.levels.back());
     }
-    if (c.channel.sides != Sides::periodic && c.side_walls.drag_form != SideDragForm::none) {
+    if (c.has_side_wall_drag()) {
         flow.wet.perimeter += sides;
     }
     if (flow.wet.area <= 0.0) {
