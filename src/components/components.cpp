@@ -42,7 +42,8 @@ ComponentList<D, Real> make_components(FlowOf<D, Real>& flow, double celerity) {
     ComponentList<D, Real> components;
     add(components, make_density_filter(flow));
     add(components, make_xsph(flow));
-    add(components, make_crowds(flow));
+    add(components, make_crowds_of_impacts(flow));
+    add(components, make_crowds_at_edges(flow));
     add(components, make_further_pair_sums(flow));
     add(components, make_density_relaxation(flow));
     add(components, make_slow_correction(flow));  // after all that makes the correction

@@ -10,22 +10,22 @@
 
 namespace riffle {
 
-/// Each `crowding_interval` steps: raise the density of crowded particles. With dissipation of impacts by the
-/// water around them; with solids that move in space, whose edges crowd slow water too, by the walls as well.
+/// Each so many steps: raise the density of crowded particles, by the water around them, or by the walls as
+/// well.
 template <int D, class Real>
 class Crowds final : public Component<D, Real> {
   public:
     using typename Component<D, Real>::Flow;
     using typename Component<D, Real>::Task;
 
-    explicit Crowds(bool counts_walls) : counts_walls_(counts_walls) {}
+    Crowds(bool counts_walls, int interval) : counts_walls_(counts_walls), interval_(interval) {}
 
     void begin_step(Flow& flow, double dt) override {
-        if (flow.clock.steps % crowding_interval != 0) {
+        if (flow.clock.steps % interval_ != 0) {
             return;
         }
         const Scheme& scheme = flow.scheme;
-        const double turns = crowding_interval * dt * scheme.state.sound_speed / scheme.smoothing_length;
+        const double turns = interval_ * dt * scheme.state.sound_speed / scheme.smoothing_length;
         if (counts_walls_) {
             sum_walls(flow);
         }
@@ -80,14 +80,28 @@ class Crowds final : public Component<D, Real> {
     }
 
     bool counts_walls_;
+    int interval_;               ///< steps from one look to the next
     std::vector<double> walls_;  ///< of each particle, sum of V W over the walls
 };
 
+/// Those that an impact drives together, where impacts are dissipated.
 template <int D, class Real>
-std::unique_ptr<Component<D, Real>> make_crowds(FlowOf<D, Real>& flow) {
+std::unique_ptr<Component<D, Real>> make_crowds_of_impacts(FlowOf<D, Real>& flow) {
     const bool pushed = D == 3 && flow.motion.displaces();
-    return pushed || flow.c.numerics.impact_dissipation > 0.0 ? std::make_unique<Crowds<D, Real>>(pushed)
-                                                              : nullptr;
+    return flow.c.numerics.impact_dissipation > 0.0 && !pushed
+               ? std::make_unique<Crowds<D, Real>>(false, crowding_interval)
+               : nullptr;
+}
+
+/// Those in the edges between walls in space: where a solid that moves pushes slow water into them, and where
+/// disordered water flows along them.
+template <int D, class Real>
+std::unique_ptr<Component<D, Real>> make_crowds_at_edges(FlowOf<D, Real>& flow) {
+    if (D == 3 && flow.motion.displaces()) {
+        return std::make_unique<Crowds<D, Real>>(true, crowding_interval);
+    }
+    return flow.c.has_side_walls() ? std::make_unique<Crowds<D, Real>>(true, crowding_interval_along_edges)
+                                   : nullptr;
 }
 
 }  // namespace riffle

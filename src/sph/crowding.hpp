@@ -17,6 +17,9 @@ inline constexpr double crowding_begin_with_walls = 1.05;
 /// Steps from one look at the crowds to the next: an impact drives particles together within some tens.
 inline constexpr int crowding_interval = 8;
 
+/// The same along the edges between bed and side walls, where crowds take a thousand steps to gather.
+inline constexpr int crowding_interval_along_edges = 64;
+
 /// What the density of a particle with this sum gains beside the continuity equation, in units of c0/h: the
 /// pressure that follows drives the crowd apart within some hundred h/c0. An impact drives particles together
 /// and contact with a wall moves them, without their densities' knowing; suction then draws them to one

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <map>
@@ -108,6 +109,40 @@ TEST(OpenEndsTogether, AChannelWhoseInflowDriesUpDrains) {
                       static_cast<std::int64_t>(simulation->particles().created) - ledger.left);
         }
     }
+}
+
+// A surge of disordered water without friction between side walls: in 2 s the edges beside the bed held half
+// as much water again as there is room, and the run failed (docs/theory.md, Crowds).
+TEST(OpenEndsTogether, ASurgeBetweenSideWallsDoesNotCrowdTheEdges) {
+    const Case c = parse_case(
+        "[channel]\nslope = 0.002\ndepth = \"60 mm\"\nlength = \"0.5 m\"\nwidth = \"80 mm\"\ndimensions = 3\n"
+        "ends = \"open\"\nsides = \"walls\"\n[inflow]\nunit_discharge = 0.02\nprofile = \"uniform\"\n"
+        "[outflow]\nkind = \"depth\"\ndepth = \"140 mm\"\nrelaxation_time = \"0.5 s\"\n[bed]\nkind = \"slip\"\n"
+        "[turbulence]\nclosure = \"none\"\n[numerics]\nspacing = \"10 mm\"\n[run]\nuntil = \"3 s\"\n",
+        "ends.toml");
+    const auto simulation =
+        make_simulation<3>(c, nullptr, initial_particles<3>(c, make_scheme(c, nullptr), nullptr));
+    const double dx = c.numerics.spacing;
+    double in_edges = 0.0, in_places = 0.0;
+    for (int n = 0; n < 20; ++n) {
+        const double until = simulation->clock().time + 0.1;
+        while (simulation->clock().time < until) {
+            ASSERT_NO_THROW(simulation->step());
+        }
+        if (simulation->clock().time > 1.0) {
+            const Particles<3>& p = simulation->particles();
+            for (std::size_t i = 0; i < p.size(); ++i) {
+                const double beside = std::min(p.position[1][i], c.channel.width - p.position[1][i]);
+                if (beside < dx && p.position[2][i] < dx && p.position[0][i] > 0.1 &&
+                    p.position[0][i] < 0.4) {
+                    in_edges += 1.0;
+                }
+            }
+            in_places += 2.0 * 0.3 / dx;
+        }
+    }
+    EXPECT_GT(in_places, 0.0);
+    EXPECT_NEAR(in_edges / in_places, 1.0, 0.2);
 }
 
 }  // namespace
