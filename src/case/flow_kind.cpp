@@ -106,7 +106,7 @@ bool bed_resists(const Bed& bed) {
 
 const Vegetation* vegetation_everywhere(const Case& c) {
     const auto found = std::find_if(c.vegetation.begin(), c.vegetation.end(), [&c](const Vegetation& patch) {
-        return covers_length(c, patch) && covers_width(c, patch);
+        return covers_length(c, patch) && covers_width(c, patch) && patch.stands_on.empty();
     });
     return found != c.vegetation.end() ? &*found : nullptr;
 }

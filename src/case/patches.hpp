@@ -35,7 +35,8 @@ struct Vegetation {
     std::string name;
     double stems_per_area = 0.0;               ///< n, 1/m2
     double stem_diameter = 0.0;                ///< d, m
-    double height = 0.0;                       ///< of the stems' tops above the bed level, m
+    double height = 0.0;                       ///< of the stems' tops above what they stand on, m
+    std::string stands_on;                     ///< name of a solid; empty: the bed
     std::optional<double> drag_coefficient;    ///< C_D; unset: Cheng & Nguyen's (roughness/stem_drag.hpp)
     double vogel_exponent = 0.0;               ///< psi of the force ~ U^(2 + psi); 0: rigid
     std::optional<double> reference_velocity;  ///< up to which flexible stems stand as rigid ones, m/s

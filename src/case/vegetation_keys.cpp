@@ -30,12 +30,17 @@ SectionKeys vegetation_keys() {
                          .is_required()
                          .with_example("\"6 mm\""));
     s.keys.push_back(key("height", &Vegetation::height,
-                         "Height of the tops of the stems above the bed level; above the surface the stems "
-                         "are emergent.")
+                         "Height of the tops of the stems above the bed level, or above what they stand on; "
+                         "above the surface the stems are emergent.")
                          .measured_in(length)
                          .greater_than(0)
                          .is_required()
                          .with_example("\"60 mm\""));
+    s.keys.push_back(key("stands_on", &Vegetation::stands_on,
+                         "Name of the solid at rest on whose top the stems stand, a beach, a bank or a bed "
+                         "of measured heights; beside it they stand on the bed.")
+                         .with_default_note("none: they stand on the bed")
+                         .with_example("\"bank\""));
     s.keys.push_back(
         key("drag_coefficient", &Vegetation::drag_coefficient,
             "C_D of the stems, with the velocity of the water between them and their frontal area.")

@@ -2,9 +2,12 @@
 #include <numbers>
 #include <optional>
 
+#include "case/gauge_face.hpp"
 #include "case/patch_checks.hpp"
 #include "case/refusals.hpp"
+#include "case/solid_mesh.hpp"
 #include "case/solid_places.hpp"
+#include "case/stem_feet.hpp"
 
 namespace riffle {
 
@@ -27,7 +30,6 @@ Findings in_solids(const Case& c, const Vegetation& patch) {
     }
     const SolidPlaces solids(c);
     const auto ranges = ranges_of(c, patch);
-    const double top = std::min(patch.height, c.total_depth());
     // As near to each other as the particles, but no more than some ten thousands.
     const double most = in_space(c) ? 24.0 : 160.0;
     const auto steps = [&](double extent) {
@@ -38,12 +40,14 @@ Findings in_solids(const Case& c, const Vegetation& patch) {
     };
     const int columns = steps(ranges[0].to - ranges[0].from);
     const int files = in_space(c) ? steps(ranges[1].to - ranges[1].from) : 1;
-    const int rows = steps(top);
+    const int rows = steps(std::min(patch.height, c.total_depth()));
     std::optional<std::size_t> solid;
     for (int i = 0; i < columns * files * rows; ++i) {
-        solid =
-            solids.resting_at({at(ranges[0], i % columns, columns), at(ranges[1], i / columns % files, files),
-                               at({0.0, top}, i / columns / files, rows)});
+        const double x = at(ranges[0], i % columns, columns);
+        const double y = at(ranges[1], i / columns % files, files);
+        const double foot = stem_foot(c, patch, x, y);
+        const double top = std::min(foot + patch.height, std::max(foot, c.total_depth()));
+        solid = solids.resting_at({x, y, at({foot, top}, i / columns / files, rows)});
         if (!solid) {
             return {};
         }
@@ -51,6 +55,28 @@ Findings in_solids(const Case& c, const Vegetation& patch) {
     return solid ? found_if(true, "up to the tops of its stems it stands in the solid \"{}\"",
                             c.solids[*solid].name)
                  : Findings{};
+}
+
+/// Nowhere below it is the solid that its stems are said to stand on.
+Findings beside_its_solid(const Case& c, const Vegetation& patch) {
+    const auto solid = solid_named(c, patch.stands_on);
+    if (!solid || c.solids[*solid].motion != SolidMotion::fixed ||
+        (in_space(c) && mesh_of(c, c.solids[*solid]) == nullptr)) {
+        return {};
+    }
+    const auto ranges = ranges_of(c, patch);
+    const auto at = [](const PatchRange& range, int i, int of) {
+        return range.from + (i + 0.5) / of * (range.to - range.from);
+    };
+    constexpr int along = 100;
+    const int across = in_space(c) ? 50 : 1;
+    for (int i = 0; i < along * across; ++i) {
+        if (solid_top(c, c.solids[*solid], at(ranges[0], i % along, along),
+                      at(ranges[1], i / along, across))) {
+            return {};
+        }
+    }
+    return found_if(true, "none of the solid \"{}\" lies below it", patch.stands_on);
 }
 
 }  // namespace
@@ -137,9 +163,31 @@ CheckList vegetation_refusals() {
              }},
             {{"vegetation.name", "vegetation.height", "solid.name"},
              "a patch whose stems end in solids",
-             "no water would flow between them; heights count from the bed level, not from a solid's top",
-             "give stems that reach out of it, or another place",
+             "no water would flow between them; heights count from the bed level without `stands_on`",
+             R"(name what they stand on (stands_on = "..."), or give stems that reach out of it or another place)",
              in_solids},
+            {{"vegetation.stands_on"},
+             "a `stands_on` that no [[solid]] has the name of",
+             "stems stand on the bed or on the top of a solid",
+             "correct the name, or remove the key for stems on the bed",
+             [](const Case& c, const Vegetation& patch) {
+                 return found_if(!patch.stands_on.empty() && !solid_named(c, patch.stands_on),
+                                 "no [[solid]] has the name \"{}\"", patch.stands_on);
+             }},
+            {{"vegetation.stands_on", "solid.motion"},
+             "a `stands_on` of a solid that moves",
+             "stems do not move",
+             "name a solid at rest",
+             [](const Case& c, const Vegetation& patch) {
+                 const auto solid = solid_named(c, patch.stands_on);
+                 return found_if(solid && c.solids[*solid].motion != SolidMotion::fixed,
+                                 "the solid \"{}\" moves", patch.stands_on);
+             }},
+            {{"vegetation.stands_on", "vegetation.x_from", "vegetation.y_from"},
+             "a `stands_on` of a solid that lies nowhere below the patch",
+             "the stems would stand on the bed",
+             "correct the name or the place of the patch, or remove the key",
+             beside_its_solid},
         },
         [](const Case& c) { return !c.vegetation.empty(); }};
 }

@@ -29,13 +29,13 @@ class MixingLengths final : public Component<D, Real> {
         const double row = lattice_of(flow.c).dz;
         for (const BedPatch& patch : flow.c.bed_patches) {
             if (has_mixing_length(flow.c)) {
-                patches_.push_back(
-                    {PatchArea(flow.c, patch), make_particle_closure(with_bed_of(flow.c, patch), row)});
+                patches_.push_back({PatchArea(flow.c, patch), std::nullopt,
+                                    make_particle_closure(with_bed_of(flow.c, patch), row)});
             }
         }
         for (const Vegetation& stems : flow.c.vegetation) {
             if (has_mixing_length(flow.c)) {
-                patches_.push_back({PatchArea(flow.c, stems),
+                patches_.push_back({PatchArea(flow.c, stems), StemGround(flow.c, stems),
                                     make_canopy_closure(flow.c, stems, make_particle_closure(flow.c, row))});
             }
         }
@@ -83,6 +83,7 @@ class MixingLengths final : public Component<D, Real> {
     /// A part of the channel with lengths of its own: of the bed, or of vegetation, which lie side by side.
     struct Patch {
         PatchArea area;
+        std::optional<StemGround> ground;  ///< of vegetation
         std::unique_ptr<const Closure> closure;
     };
 
@@ -97,8 +98,14 @@ class MixingLengths final : public Component<D, Real> {
             for (const Patch& patch : patches_) {
                 const double share = patch.area.share(position[0][i], position[1][i], flow.scheme.spacing);
                 if (share > 0.0) {
+                    const double ground =
+                        patch.ground ? patch.ground->at(position[0][i], D == 3 ? position[1][i] : 0.0) : 0.0;
+                    const double z = position[Flow::vertical][i] - ground;
                     outside -= share;
-                    inside += share * patch.closure->mixing_length_in(position[Flow::vertical][i], water);
+                    // At the water's edge the depth, which follows the water, may not reach the particle.
+                    const double over_ground =
+                        ground > 0.0 ? std::max({water - ground, z, flow.scheme.spacing}) : water;
+                    inside += share * patch.closure->mixing_length_in(z, over_ground);
                 }
             }
             lengths[n] = std::max(0.0, outside) * lengths[n] + inside;

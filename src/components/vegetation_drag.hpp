@@ -56,8 +56,13 @@ class VegetationDrag final : public Component<D, Real> {
   private:
     [[nodiscard]] double share_in(const VegetationPatch& patch, const Flow& flow, std::size_t i) const {
         const auto& position = flow.particles.position;
-        const double below = patch.share_below_top(position[Flow::vertical][i], row_);
-        return below > 0.0 ? below * patch.share_in_plan(position[0][i], position[1][i], width_) : 0.0;
+        const double share = patch.share_in_plan(position[0][i], position[1][i], width_);
+        if (share <= 0.0) {
+            return 0.0;
+        }
+        const double over_feet =
+            position[Flow::vertical][i] - patch.foot(position[0][i], D == 3 ? position[1][i] : 0.0);
+        return share * patch.share_below_top(over_feet, row_);
     }
 
     std::vector<VegetationPatch> patches_;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "boundary/wall.hpp"
 #include "case/end_buffers.hpp"
@@ -12,6 +13,7 @@
 #include "case/porous_zone.hpp"
 #include "case/solid_mesh.hpp"
 #include "case/solid_shapes.hpp"
+#include "case/stem_feet.hpp"
 #include "preview/preview_views.hpp"
 #include "preview/solid_slices.hpp"
 #include "roughness/sphere_lattice.hpp"
@@ -36,7 +38,8 @@ class UprightView {
         draw_roughness(-beyond, length + beyond);
         for (const Vegetation& patch : c_.vegetation) {
             if (is_cut(patch)) {
-                draw_stems(patch, patch.x_from.value_or(-beyond), patch.x_to.value_or(length + beyond));
+                draw_stems(patch, patch.x_from.value_or(-beyond), patch.x_to.value_or(length + beyond),
+                           [&](double x) { return stem_foot(c_, patch, x, plan_.y); });
             }
         }
         for (const Porous& zone : c_.porous) {
@@ -73,7 +76,8 @@ class UprightView {
         draw_roughness(0.0, width);
         for (const Vegetation& patch : c_.vegetation) {
             if (x >= patch.x_from.value_or(x) && x <= patch.x_to.value_or(x)) {
-                draw_stems(patch, patch.y_from.value_or(0.0), std::min(width, patch.y_to.value_or(width)));
+                draw_stems(patch, patch.y_from.value_or(0.0), std::min(width, patch.y_to.value_or(width)),
+                           [&](double y) { return stem_foot(c_, patch, x, y); });
             }
         }
         for (const Porous& zone : c_.porous) {
@@ -192,13 +196,23 @@ class UprightView {
     }
 
     /// Stems of a patch, as far apart as they stand in the mean, but no nearer than three pixels.
-    void draw_stems(const Vegetation& patch, double from, double to) {
-        rectangle(from, to, 0.0, patch.height, fmt::format(R"(fill="{}" fill-opacity="0.18")", stem_colour));
+    /// `foot`: the height at which they stand.
+    void draw_stems(const Vegetation& patch, double from, double to,
+                    const std::function<double(double)>& foot) {
+        // A level patch needs no more than its corners.
+        const int parts = patch.stands_on.empty() ? 1 : 200;
+        std::vector<SheetPoint> corners;
+        for (int i = 0; i <= 2 * parts + 1; ++i) {
+            const bool upper = i > parts;
+            const double u = from + (to - from) * (upper ? 2 * parts + 1 - i : i) / parts;
+            corners.push_back({u, foot(u) + (upper ? patch.height : 0.0)});
+        }
+        sheet_.polygon(view_, corners, fmt::format(R"(fill="{}" fill-opacity="0.18")", stem_colour));
         const double apart = std::max(1.0 / std::sqrt(patch.stems_per_area), 3.0 / view_.scale_u());
         const double width = std::clamp(patch.stem_diameter * view_.scale_u(), 0.8, 6.0);
         for (double u = from + 0.5 * apart; u < to; u += apart) {
             line(
-                u, 0.0, u, patch.height,
+                u, foot(u), u, foot(u) + patch.height,
                 fmt::format(R"(stroke="{}" stroke-opacity="0.7" stroke-width="{:.1f}")", stem_colour, width));
         }
     }

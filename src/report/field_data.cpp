@@ -11,6 +11,7 @@
 #include "case/patch_range.hpp"
 #include "case/porous_zone.hpp"
 #include "case/refusals.hpp"
+#include "case/stem_feet.hpp"
 #include "record/flow_fields.hpp"
 #include "record/particle_fields.hpp"
 #include "report/solid_cuts.hpp"
@@ -183,9 +184,22 @@ std::vector<FieldZone> field_zones(const Case& c, double y, double top) {
                    ? Outline{{along.from, along.to, along.to, along.from}, {0.0, 0.0, height, height}}
                    : Outline{{along.from, along.to}, {0.0, 0.0}};
     };
+    // Along the ground and back along the tops, as far as the picture reaches.
+    const auto canopy = [&](const Vegetation& patch) {
+        const PatchRange along = ranges_of(c, patch)[0];
+        const int parts = patch.stands_on.empty() ? 1 : 200;
+        Outline outline;
+        for (int i = 0; i <= 2 * parts + 1; ++i) {
+            const bool upper = i > parts;
+            const double x = along.from + (along.to - along.from) * (upper ? 2 * parts + 1 - i : i) / parts;
+            const double foot = std::min(stem_foot(c, patch, x, y), top);
+            outline.x.push_back(x);
+            outline.z.push_back(upper ? std::min(foot + patch.height, top) : foot);
+        }
+        return outline;
+    };
     for (const Vegetation& patch : c.vegetation) {
-        if (is_cut(patch))
-            zones.push_back({"vegetation", patch.name, box(patch, std::min(patch.height, top))});
+        if (is_cut(patch)) zones.push_back({"vegetation", patch.name, canopy(patch)});
     }
     for (const Porous& zone : c.porous) {
         if (is_cut(zone)) zones.push_back({"porous", zone.name, porous_outline(c, zone, top)});

@@ -55,7 +55,7 @@ class CanopyClosure final : public Closure {
 }  // namespace
 
 VegetationPatch::VegetationPatch(const Case& c, const Vegetation& stems)
-    : drag_(stems, c.fluid.kinematic_viscosity), top_(stems.height), area_(c, stems) {}
+    : drag_(stems, c.fluid.kinematic_viscosity), top_(stems.height), area_(c, stems), ground_(c, stems) {}
 
 double VegetationPatch::share_below_top(double z, double row_height) const {
     return std::clamp((top_ - z) / row_height + 0.5, 0.0, 1.0);

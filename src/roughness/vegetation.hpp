@@ -8,6 +8,7 @@
 #include "case/case.hpp"
 #include "roughness/patch_area.hpp"
 #include "roughness/stem_drag.hpp"
+#include "roughness/stem_ground.hpp"
 #include "turbulence/closure.hpp"
 
 namespace riffle {
@@ -18,8 +19,10 @@ class VegetationPatch {
     VegetationPatch(const Case& c, const Vegetation& stems);
 
     [[nodiscard]] const StemDrag& drag() const { return drag_; }
-    [[nodiscard]] double top() const { return top_; }  ///< of the stems above the bed level, m
-    /// Share of a row of a height (m) around z that stands below the tops.
+    [[nodiscard]] double top() const { return top_; }  ///< of the stems above their feet, m
+    /// Height of their feet above the bed level at a place in plan, m.
+    [[nodiscard]] double foot(double x, double y) const { return ground_.at(x, y); }
+    /// Share of a row of a height (m) around z, from the feet of the stems, that stands below the tops.
     [[nodiscard]] double share_below_top(double z, double row_height) const;
     /// Share of a particle of a width (m) around a place in plan that stands in the patch.
     [[nodiscard]] double share_in_plan(double x, double y, double width) const {
@@ -31,6 +34,7 @@ class VegetationPatch {
     StemDrag drag_;
     double top_;
     PatchArea area_;
+    StemGround ground_;
 };
 
 [[nodiscard]] std::vector<VegetationPatch> vegetation_patches(const Case& c);

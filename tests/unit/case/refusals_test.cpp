@@ -403,6 +403,11 @@ std::vector<Wrong> wrong_vegetation() {
         {with_vegetation(), "vegetation[0].x_to = 120 mm"},
         {with_vegetation(),
          "solid[0].name = terrace; solid[0].x = [0.02, 0.18, 0.18, 0.02]; solid[0].z = [0, 0, 0.02, 0.02]; vegetation[0].x_from = 0.03; vegetation[0].height = 15 mm"},
+        {with_vegetation(), "vegetation[0].stands_on = terrace"},
+        {with_vegetation(),
+         "solid[0].name = terrace; solid[0].x = [0.02, 0.08, 0.08, 0.02]; solid[0].z = [0, 0, 0.02, 0.02]; solid[0].motion = constant; solid[0].velocity_x = 0.01; vegetation[0].stands_on = terrace"},
+        {with_vegetation(),
+         "solid[0].name = terrace; solid[0].x = [0.12, 0.18, 0.18, 0.12]; solid[0].z = [0, 0, 0.02, 0.02]; vegetation[0].stands_on = terrace"},
     };
 }
 

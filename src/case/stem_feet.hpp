@@ -1,0 +1,17 @@
+#pragma once
+
+#include <optional>
+
+#include "case/case.hpp"
+
+namespace riffle {
+
+/// Height of the top of a solid, where it stands at the start, over a place in plan, m; in two dimensions y
+/// does not count. Nothing where none of it lies, and of a solid in space whose surface was not read.
+[[nodiscard]] std::optional<double> solid_top(const Case& c, const Solid& solid, double x, double y);
+
+/// Height at which the stems of a patch stand at a place in plan, m: the top of the solid that they stand on,
+/// the bed level beside it and without one.
+[[nodiscard]] double stem_foot(const Case& c, const Vegetation& stems, double x, double y);
+
+}  // namespace riffle
