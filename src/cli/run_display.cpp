@@ -70,6 +70,18 @@ void RunDisplay::show(const RunProgress& progress) {
     }
 }
 
+void RunDisplay::warn(const std::string& warning) {
+    if (quiet_) {
+        return;
+    }
+    try {
+        line_.clear();
+        print_warning(warning);
+    } catch (const std::system_error&) {
+        quiet_ = true;
+    }
+}
+
 void RunDisplay::finish() { line_.finish(); }
 
 const std::atomic<int>& catch_stop_signals() {

@@ -12,6 +12,8 @@ class RunDisplay {
   public:
     explicit RunDisplay(bool quiet);
     void show(const RunProgress& progress);
+    /// Print a warning on a line of its own; the progress line goes on below it.
+    void warn(const std::string& warning);
     /// End the line that is being rewritten.
     void finish();
 

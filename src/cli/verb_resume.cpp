@@ -29,10 +29,8 @@ void resume(const ResumeVerb& verb) {
     options.threads = verb.options.threads;
     RunDisplay display(verb.options.quiet);
     options.progress = [&](const RunProgress& progress) { display.show(progress); };
+    options.warn = [&](const std::string& warning) { display.warn(warning); };
     options.stop_signal = &catch_stop_signals();
-    if (!verb.options.quiet) {
-        options.warn = print_warning;
-    }
     std::filesystem::path checkpoint = verb.checkpoint;
     if (!checkpoint.empty() && checkpoint.is_relative() && !std::filesystem::exists(checkpoint)) {
         checkpoint = options.folder / checkpoint;

@@ -46,6 +46,7 @@ void run(const RunVerb& verb) {
     }
     RunDisplay display(verb.options.quiet);
     options.progress = [&](const RunProgress& progress) { display.show(progress); };
+    options.warn = [&](const std::string& warning) { display.warn(warning); };
     options.stop_signal = &catch_stop_signals();
     const RunOutcome outcome = run_case(c, options);
     display.finish();

@@ -186,10 +186,7 @@ void RunSession<D>::restore(const std::filesystem::path& checkpoint,
         run_id_ = run_id_of(saved);
         inputs_ = saved.read_string(fields::stored_case.inputs.path());
         for (const std::string& warning : warnings) {
-            log_.warning(warning);
-            if (options_.warn) {
-                options_.warn(warning);
-            }
+            tell(warning);
         }
         // The start particles only give the arrays their walls and sizes; the state replaces them. A start
         // from a results file that is gone must not stop a resume.
@@ -367,7 +364,15 @@ void RunSession<D>::report_losses() {
     }
     told_losses_ = ledger.size();
     const LostWater water = lost();
-    log_.warning(fmt::format("so far {}: {}", lost_text(water), exits_text(ledger)));
+    tell(fmt::format("so far {}: {}", lost_text(water), exits_text(ledger)));
+}
+
+template <int D>
+void RunSession<D>::tell(const std::string& warning) {
+    log_.warning(warning);
+    if (options_.warn) {
+        options_.warn(warning);
+    }
 }
 
 template <int D>
@@ -375,10 +380,10 @@ void RunSession<D>::report_end_events() {
     if (end_events_) {
         const SimulationClock& clock = simulation_->clock();
         for (const std::string& event : end_events_->news(clock.open_ends, clock.time)) {
-            log_.warning(event);
+            tell(event);
         }
         for (const std::string& event : rack_watch_.news(clock.time, clock.free_bodies)) {
-            log_.warning(event);
+            tell(event);
         }
     }
 }

@@ -54,6 +54,8 @@ class RunSession {
     [[nodiscard]] double fields_due() const;
     /// Say in the log which particles have left the domain since the last call.
     void report_losses();
+    /// Write a warning into the log, and show it to who started the run.
+    void tell(const std::string& warning);
     /// The same of what happens at open ends.
     void report_end_events();
     [[nodiscard]] LostWater lost() const;

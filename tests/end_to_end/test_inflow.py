@@ -49,6 +49,35 @@ class Inflow(CommandLineTest):
         self.succeed("run", self.case(), "-o", folder, "-j", threads, "-q", *until(seconds), *options)
         return folder
 
+    def test_what_happens_at_the_ends_is_told_on_the_terminal_too(self):
+        case = self.folder / "surge.toml"
+        case.write_text("""[channel]
+slope = 0
+depth = "60 mm"
+length = "0.4 m"
+ends = "open"
+[inflow]
+unit_discharge = "0.01 m2/s"
+profile = "uniform"
+[outflow]
+kind = "depth"
+depth = "90 mm"
+relaxation_time = "0.2 s"
+[bed]
+kind = "slip"
+[turbulence]
+closure = "none"
+[numerics]
+spacing = "5 mm"
+""")
+        told = "water comes in through the outflow"
+        loud = self.succeed("run", case, "-o", self.folder / "loud", *until(0.4))
+        self.assertIn(f"riffle: warning: {told}", loud.stderr)
+        quiet = self.succeed("run", case, "-o", self.folder / "quiet", "-q", *until(0.4))
+        self.assertNotIn(told, quiet.stderr)
+        for folder in ("loud", "quiet"):
+            self.assertIn(told, (self.folder / folder / "run.log").read_text())
+
     def test_the_water_of_another_run_enters_with_the_discharge_of_the_case(self):
         import h5py
         import numpy
