@@ -62,6 +62,7 @@ void check_sections(const Document& document, Places& places, Problems& problems
 Values collect_values(const Document& document, Places& places, Problems& problems) {
     check_sections(document, places, problems);
     Values values;
+    UnknownKeys unknown;
     for (const Entry& entry : document.entries) {
         const SectionKeys* const section = find_section(entry.section);
         if (section == nullptr || section->repeated() != entry.repeated || entry.item >= most_sections) {
@@ -73,7 +74,7 @@ Values collect_values(const Document& document, Places& places, Problems& proble
         }
         const Key* const key = find_key(entry.section, entry.key);
         if (key == nullptr) {
-            problems.add(entry.key_place, unknown_key(entry.section, entry.key));
+            problems.add(entry.key_place, unknown.message(entry.section, entry.key));
             continue;
         }
         places.set(key->id(entry.item), entry.value_place);

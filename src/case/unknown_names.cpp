@@ -65,6 +65,12 @@ const char* key_hint(const std::string& section, const std::string& name) {
         {"solid", "height",
          "of a box and a rectangle it is the last value of `size`, of a cylinder its `length` along `axis`"},
         {"solid", "width", "of a box and a rectangle it is one of the values of `size`"},
+        {"solid", "x_from", "of a box and a rectangle `centre` and `size` say where it stands"},
+        {"solid", "x_to", "of a box and a rectangle `centre` and `size` say where it stands"},
+        {"solid", "y_from", "of a box `centre` and `size` say where it stands"},
+        {"solid", "y_to", "of a box `centre` and `size` say where it stands"},
+        {"solid", "z_from", "of a box and a rectangle `centre` and `size` say where it stands"},
+        {"solid", "z_to", "of a box and a rectangle `centre` and `size` say where it stands"},
         {"run", "end_time", "it is `until`, for example until = \"60 s\""},
         {"run", "time", "it is `until`, for example until = \"60 s\""},
     };
@@ -85,7 +91,7 @@ std::string unknown_section(const std::string& name) {
                        meant ? fmt::format(": did you mean [{}]?", *meant) : "", joined(names));
 }
 
-std::string unknown_key(const std::string& section, const std::string& name) {
+std::string UnknownKeys::message(const std::string& section, const std::string& name) {
     const std::string shown = shortened(visible_text(name));
     const SectionKeys& here = *find_section(section);
     if (const char* const hint = key_hint(section, name)) {
@@ -104,8 +110,9 @@ std::string unknown_key(const std::string& section, const std::string& name) {
     } else if (meant) {
         advice = fmt::format(": did you mean `{}`?", *meant);
     }
-    return fmt::format("unknown key `{}` {}{}; the keys {} are {}", shown, where, advice, where,
-                       joined(names));
+    const bool is_first = listed_.insert(section).second;
+    const std::string keys = is_first ? fmt::format("; the keys {} are {}", where, joined(names)) : "";
+    return fmt::format("unknown key `{}` {}{}{}", shown, where, advice, keys);
 }
 
 }  // namespace riffle

@@ -33,6 +33,14 @@ TEST(BadInput, UnknownKeyLikeNoOther) {
     EXPECT_THAT(message, Not(HasSubstr("did you mean")));
 }
 
+TEST(BadInput, TheKeysOfASectionAreListedOnce) {
+    const std::string message = error_of(smallest + "banana = 1\npeach = 2\nspacing = \"2 mm\"\n");
+    EXPECT_THAT(message, HasSubstr("unknown key `peach` in [bed]"));
+    const std::string list = "the keys in [bed] are";
+    ASSERT_THAT(message, HasSubstr(list));
+    EXPECT_EQ(message.find(list), message.rfind(list));
+}
+
 TEST(BadInput, KeyInTheWrongSectionIsSentHome) {
     EXPECT_THAT(error_of(smallest + "spacing = \"2 mm\"\n"),
                 HasSubstr("`spacing` in [bed]: it belongs in [numerics]"));
