@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -218,6 +219,35 @@ void add_duct(const Case& c, double floor, EndInput& input) {
     input.relaxation_time = c.outflow.relaxation_time.value_or(time);
 }
 
+/// The depth to which a discharge shoots off between the ends, where the channel is so steep that uniform
+/// flow is supercritical: that of uniform flow over the faster bed of both ends, without the side walls'
+/// drag; where nothing holds the water back, neither bed nor outflow, that of its free fall along the
+/// channel. Infinite on a mild slope.
+double shooting_depth(const Case& c, double q) {
+    const double critical = critical_depth_of(c.normal_gravity(), q);
+    double depth = std::numeric_limits<double>::infinity();
+    if (!(c.streamwise_gravity() > 0.0) || !(q > 0.0)) {
+        return depth;
+    }
+    for (const double place : {0.0, c.channel.length}) {
+        Case bed = with_bed_at(c, place);
+        bed.channel.sides = Sides::periodic;
+        bed.channel.dimensions = 2;
+        if (!channel_resists(bed)) {
+            if (c.outflow.kind != OutflowKind::free && c.outflow.kind != OutflowKind::free_fall) {
+                continue;
+            }
+            const double begin = q / critical;
+            const double fall = 2.0 * c.streamwise_gravity() * c.channel.length;
+            depth = std::min(depth, q / std::sqrt(begin * begin + fall));
+        } else if (!resolves_eddies(c) && critical > 2.0 * c.datum() &&
+                   uniform_discharge_at(bed, critical - c.datum()) > q) {
+            depth = std::min(depth, UniformRating(bed).depth(q) + c.datum());
+        }
+    }
+    return depth;
+}
+
 double default_relaxation_time(const Case& c) {
     constexpr double times = 80.0;  // of a rise as long as five depths 5 % come back
     const double depth = c.total_depth();
@@ -307,7 +337,8 @@ EndExtremes end_extremes(const Case& c, const EndInput& input) {
     // Water that rises to carry a flood moves no faster than critical flow, unless it comes in so.
     const double critical = critical_depth_of(g, q);
     extremes.depth = std::max(extremes.depth, floor + critical);
-    const double shallow = input.inflow_depth ? least_depth : std::max(least_depth, critical);
+    const double shallow =
+        input.inflow_depth ? least_depth : std::min(std::max(least_depth, critical), shooting_depth(c, q));
     extremes.velocity = std::max(shallow > 0.0 ? input.entering->largest() * q / shallow : 0.0,
                                  c.start.velocity.value_or(0.0));
     return extremes;

@@ -56,6 +56,40 @@ TEST(FlowAtEnds, WithoutFrictionItIsThatOfTheDischarge) {
     EXPECT_THAT(text_of(c), HasSubstr("holds 100 mm, U = 0.3 m/s, Fr = 0.3029, subcritical"));
 }
 
+double largest_velocity(const Case& c) { return end_extremes(c, read_end_input(c)).velocity; }
+
+// Where the depth of the inflow is not given, water shoots off on a steep slope, to uniform flow.
+TEST(FlowAtEnds, TheSpeedOnASteepSlopeIsThatOfUniformFlow) {
+    const auto at_slope = [](const std::string& slope, const std::string& more) {
+        return parse_case(
+            "[channel]\nslope = " + slope +
+                "\ndepth = \"40 mm\"\nlength = \"1.5 m\"\nends = \"open\"\n[bed]\nkind = \"roughness\"\n"
+                "equivalent_roughness = \"1 mm\"\n[numerics]\nspacing = \"2.5 mm\"\n[run]\nuntil = \"5 s\"\n"
+                "[outflow]\nkind = \"free\"\n[inflow]\nunit_discharge = \"0.03 m2/s\"\n" +
+                more,
+            "test");
+    };
+    const Case steep = at_slope("0.03", "");
+    const double uniform = 0.03 / flow_at_ends(steep).inflow.normal_depth->least;
+    // The profile's largest velocity is some fifth above its mean.
+    EXPECT_GT(largest_velocity(steep), 1.1 * uniform);
+    EXPECT_NEAR(largest_velocity(steep), largest_velocity(at_slope("0.03", "depth = \"24.77 mm\"\n")),
+                0.01 * uniform);
+    EXPECT_LT(largest_velocity(at_slope("0.001", "")), uniform);
+}
+
+// Nothing holds it on a slip bed: U^2 grows by 2 g S0 L.
+TEST(FlowAtEnds, TheSpeedWithoutFrictionIsThatOfFreeFall) {
+    const std::string free_outflow =
+        "[inflow]\nunit_discharge = \"0.03 m2/s\"\nprofile = \"uniform\"\n[outflow]\nkind = \"free\"\n";
+    Case c = slip_case(free_outflow);
+    EXPECT_NEAR(largest_velocity(c), 0.03 / 0.18, 1e-12);
+    c.channel.slope = 0.05;
+    const double critical = std::cbrt(c.normal_gravity() * 0.03);
+    EXPECT_NEAR(largest_velocity(c), std::sqrt(critical * critical + 2.0 * c.streamwise_gravity() * 1.4),
+                1e-9);
+}
+
 // A hydrograph: the range of the run, not of rows behind its end; no faster than critical flow.
 TEST(FlowAtEnds, TablesGiveTheRangeDuringTheRun) {
     test::TemporaryFolder folder;
