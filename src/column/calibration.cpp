@@ -57,13 +57,14 @@ void check_parameter(const CalibrationParameter& p, const Case& c) {
 Unknown make_unknown(const CalibrationParameter& p, std::span<const Case> cases,
                      std::optional<std::size_t> condition) {
     const std::size_t first = condition.value_or(0);
-    Unknown u{&p, condition, p.value(cases[first]), 1.0, -infinity, infinity};
+    Unknown u{&p, condition, 0.0, 1.0, -infinity, infinity};
     for (std::size_t i = 0; i < cases.size(); ++i) {
         if (!u.concerns(i)) continue;
         check_parameter(p, cases[i]);
         u.lower = std::max(u.lower, p.lower(cases[i]));
         u.upper = std::min(u.upper, p.upper(cases[i]));
     }
+    u.start = p.value(cases[first]);
     if (u.start < u.lower || u.start > u.upper) {
         throw InputError(fmt::format(
             "{} starts at {:.6g}, outside of the range {:.6g} to {:.6g} that all conditions allow: "

@@ -11,6 +11,7 @@ namespace riffle {
 
 namespace {
 
+bool plane(const Case& c) { return c.bed.kind == BedKind::roughness; }
 bool spheres(const Case& c) { return c.bed.kind == BedKind::spheres; }
 
 bool has_kappa(const Case& c) {
@@ -67,6 +68,17 @@ const std::array table{
             return c.turbulence.closure == ClosureKind::czernuszenko_rylov && c.has_side_walls();
         },
         "turbulence.closure = \"czernuszenko-rylov\" between side walls"},
+    CalibrationParameter{"equivalent_roughness", "bed.equivalent_roughness", "m",
+                         [](Case& c) -> double& { return c.bed.equivalent_roughness.value(); },
+                         [](const Case&) { return 1e-6; },
+                         [](const Case& c) { return 0.5 * c.channel.depth; }, nullptr,
+                         [](const Case& c) { return plane(c) && c.bed.equivalent_roughness.has_value(); },
+                         "bed.kind = \"roughness\" with bed.equivalent_roughness"},
+    CalibrationParameter{"manning", "bed.manning", "s/m^(1/3)",
+                         [](Case& c) -> double& { return c.bed.manning.value(); },
+                         [](const Case&) { return 1e-3; }, [](const Case&) { return 0.1; }, nullptr,
+                         [](const Case& c) { return plane(c) && c.bed.manning.has_value(); },
+                         "bed.kind = \"roughness\" with bed.manning"},
 };
 
 }  // namespace

@@ -237,6 +237,32 @@ TEST(Calibration, FindsKappaAndTheZeroPlane) {
     EXPECT_LT(r.parameters[0].half_width, 0.1);
 }
 
+// Plane beds: the roughness whose column has the measured mean velocity, by k_s and by Manning's n.
+TEST(Calibration, FindsTheRoughnessOfAPlaneBed) {
+    Case truth;
+    truth.channel.depth = 0.1;
+    truth.channel.slope = 0.002;
+    truth.bed.kind = BedKind::roughness;
+    truth.bed.roughness_height = 0.0;
+    truth.bed.datum_below_crest = 0.0;
+    truth.bed.equivalent_roughness = 3e-3;
+    truth.turbulence.closure = ClosureKind::nezu_rodi;
+    Case c = truth;
+    c.measured.depth_mean_velocity = solve_column(truth).depth_mean_velocity;
+    c.bed.equivalent_roughness = 1e-3;
+    const auto fitted = [&](const char* parameter) {
+        return calibrate_column(c, {.parameters = {parameter}}).conditions.front().fitted;
+    };
+    EXPECT_NEAR(fitted("equivalent_roughness").bed.equivalent_roughness.value(), 3e-3, 3e-6);
+    EXPECT_THROW((void)fitted("manning"), InputError);
+    EXPECT_THROW((void)fitted("roughness_height"), InputError);
+
+    c.bed.equivalent_roughness.reset();
+    c.bed.manning = 0.02;
+    EXPECT_NEAR(solve_column(fitted("manning")).depth_mean_velocity / *c.measured.depth_mean_velocity, 1.0,
+                1e-4);
+}
+
 TEST(Calibration, FindsTheConstantOfTheSpsClosure) {
     Case truth = condition_2();
     truth.turbulence.closure = ClosureKind::sps;
