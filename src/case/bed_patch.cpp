@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "case/mirror_image.hpp"
 #include "case/patch_range.hpp"
 
 namespace riffle {
@@ -45,8 +46,20 @@ Case with_bed_at(const Case& c, double x) {
         }
     }
     Case everywhere = c;
-    everywhere.bed_patches.clear();
+    std::erase_if(everywhere.bed_patches, [&](const BedPatch& patch) { return !lies_at(c, patch, x); });
+    for (BedPatch& patch : everywhere.bed_patches) {
+        patch.x_from.reset();
+        patch.x_to.reset();
+    }
     return everywhere;
+}
+
+bool strips_have_section(const Case& c, double x) {
+    const Case there = with_bed_at(c, x);
+    const auto is_plane = [](const BedPatch& patch) { return patch.kind != BedKind::spheres; };
+    return c.has_side_walls() && c.bed.kind != BedKind::spheres &&
+           std::all_of(there.bed_patches.begin(), there.bed_patches.end(), is_plane) &&
+           without_image(there, there.bed_patches) == nullptr;
 }
 
 const BedPatch* patch_beside(const Case& c, double x) {

@@ -170,24 +170,28 @@ CheckList open_end_refusals() {
              R"(choose profile = "results", the water of a run with periodic ends, or for a start of their growth "power-law")",
              [](const Case& c) { return enters_as_twin(c) && channel_resists(c) && resolves_eddies(c); }},
             {{"inflow.profile", "bed_patch.y_from"},
-             R"(`profile = "twin"`, the default, or `"column"` where a patch of the bed lies in a part of the inflow's width)",
+             R"(`profile = "twin"`, the default, or `"column"` where a patch of the bed lies in a part of the inflow's width; with `"twin"` strips of plane beds may lie between side walls, the same on both sides of the centreline)",
              "what enters there has the profile of one bed",
              "choose profile = \"log-law\" or another, or let the patch begin farther down",
              [](const Case& c) {
                  const BedPatch* const beside = patch_beside(c, 0.0);
-                 return found_if(beside != nullptr && enters_as_twin(c),
+                 const bool has_twin =
+                     c.inflow.profile == InflowProfile::twin && beside && strips_have_section(c, 0.0);
+                 return found_if(beside != nullptr && enters_as_twin(c) && !has_twin,
                                  "profile is that of a twin, and the patch \"{}\" lies there",
                                  beside ? beside->name : std::string());
              }},
             {{"outflow.kind", "bed_patch.y_from"},
-             "`kind = \"normal-depth\"`, the default, where a patch of the bed lies in a part of the outflow's width",
-             "no twin tells the normal depth over a bed of several roughnesses across",
+             "`kind = \"normal-depth\"`, the default, where a patch of the bed lies in a part of the outflow's width, but strips of plane beds between side walls, the same on both sides of the centreline",
+             "no twin tells the normal depth over such a bed",
              "choose kind = \"depth\" or another, or let the patch end farther up",
              [](const Case& c) {
                  const BedPatch* const beside = patch_beside(c, c.channel.length);
-                 return found_if(beside != nullptr && c.outflow.kind == OutflowKind::normal_depth,
-                                 R"(kind is "normal-depth", and the patch "{}" lies there)",
-                                 beside ? beside->name : std::string());
+                 const bool has_twin = beside && strips_have_section(c, c.channel.length);
+                 return found_if(
+                     beside != nullptr && c.outflow.kind == OutflowKind::normal_depth && !has_twin,
+                     R"(kind is "normal-depth", and the patch "{}" lies there)",
+                     beside ? beside->name : std::string());
              }},
             {{"outflow.depth", "outflow.kind"},
              "`kind = \"depth\"` without a depth",

@@ -44,7 +44,7 @@ const std::array table{
                              return std::max(0.2, ramp ? c.turbulence.lambda : 0.0);
                          },
                          [](const Case&) { return 0.8; }, nullptr, has_kappa,
-                         "turbulence.closure = \"ramp\", \"nezu-rodi\" or \"czernuszenko-rylov\""},
+                         R"(turbulence.closure = "ramp", "nezu-rodi" or "czernuszenko-rylov")"},
     CalibrationParameter{
         "zero_plane", "turbulence.zero", "m", [](Case& c) -> double& { return c.turbulence.zero; },
         [](const Case&) { return 0.0; }, [](const Case& c) { return c.crest(); },

@@ -10,7 +10,9 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "case/bed_patch.hpp"
 #include "case/flow_kind.hpp"
+#include "case/patch_range.hpp"
 #include "case/porous_zone.hpp"
 #include "column/column.hpp"
 #include "turbulence/wall_law.hpp"
@@ -110,8 +112,14 @@ class TwinStates {
 double least_known_depth(const Case& c) {
     constexpr double least_share = 1e-3;  // of the case's depth, over a smooth bed
     // A log law holds in water of twice its roughness and more.
-    return std::max({c.crest() - c.datum(), least_share * c.channel.depth,
-                     has_wall_law(c) ? 2.0 * equivalent_roughness(c) : 0.0});
+    const auto of_law = [](const Case& bed) {
+        return has_wall_law(bed) ? 2.0 * equivalent_roughness(bed) : 0.0;
+    };
+    double least = std::max({c.crest() - c.datum(), least_share * c.channel.depth, of_law(c)});
+    for (const BedPatch& patch : c.bed_patches) {
+        if (covers_length(c, patch)) least = std::max(least, of_law(with_bed_of(c, patch)));
+    }
+    return least;
 }
 
 Case uniform_reach(const Case& c) {
@@ -122,7 +130,10 @@ Case uniform_reach(const Case& c) {
     reach.channel.ends = Ends::periodic;
     reach.inflow = {};
     reach.outflow = {};
-    reach.bed_patches.clear();
+    // Strips along the channel have the twin of a cross-section.
+    std::erase_if(reach.bed_patches, [&c](const BedPatch& patch) {
+        return !c.has_side_walls() || !covers_length(c, patch) || covers_width(c, patch);
+    });
     reach.solids.clear();
     reach.probes.clear();
     reach.start.water_x.clear();  // where the water stands when the run begins is not how it enters

@@ -233,6 +233,7 @@ double shooting_depth(const Case& c, double q) {
         Case bed = with_bed_at(c, place);
         bed.channel.sides = Sides::periodic;
         bed.channel.dimensions = 2;
+        bed.bed_patches.clear();
         if (!channel_resists(bed)) {
             if (c.outflow.kind != OutflowKind::free && c.outflow.kind != OutflowKind::free_fall) {
                 continue;

@@ -20,7 +20,7 @@ StemGround::StemGround(const Case& c, const Vegetation& stems) {
     }
     // On the edge of the patch the top of a solid that ends there has two values: look a little inside.
     const auto inside = [](const Axis& axis, std::size_t n) {
-        const double last = static_cast<double>(axis.count - 1);
+        const auto last = static_cast<double>(axis.count - 1);
         constexpr double little = 1e-3;
         return axis.from +
                axis.step * std::clamp(static_cast<double>(n), little, std::max(little, last - little));
@@ -34,7 +34,7 @@ StemGround::StemGround(const Case& c, const Vegetation& stems) {
 
 StemGround::Place StemGround::place(double at, std::size_t axis) const {
     const Axis& a = axes_[axis];
-    const double last = static_cast<double>(a.count - 1);
+    const auto last = static_cast<double>(a.count - 1);
     const double cells = std::clamp((at - a.from) / a.step, 0.0, last);
     const auto cell = static_cast<std::size_t>(cells);
     return {cell, std::min(cell + 1, a.count - 1), cells - static_cast<double>(cell)};

@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "base/interpolation.hpp"
+#include "case/bed_patch.hpp"
 #include "turbulence/closure.hpp"
 
 namespace riffle {
@@ -133,6 +134,12 @@ Case with_fixed_roughness(Case c) {
     if (c.bed.kind == BedKind::roughness) {
         c.bed.equivalent_roughness = equivalent_roughness(c);
         c.bed.manning.reset();
+    }
+    for (BedPatch& patch : c.bed_patches) {
+        if (patch.kind == BedKind::roughness) {
+            patch.equivalent_roughness = equivalent_roughness(with_bed_of(c, patch));
+            patch.manning.reset();
+        }
     }
     return c;
 }

@@ -56,6 +56,31 @@ TEST(FlowAtEnds, WithoutFrictionItIsThatOfTheDischarge) {
     EXPECT_THAT(text_of(c), HasSubstr("holds 100 mm, U = 0.3 m/s, Fr = 0.3029, subcritical"));
 }
 
+// Between side walls strips of plane beds have the twin of a cross-section: those of the same bed change
+// nothing, rougher ones make the uniform flow deeper, by less than such a bed all over.
+TEST(FlowAtEnds, StripsBetweenSideWallsHaveANormalDepth) {
+    const auto normal_depth = [](const std::string& bed, const std::string& strip) {
+        const Case c = parse_case(
+            "[channel]\ndimensions = 3\nslope = 0.002\ndepth = \"60 mm\"\nlength = \"300 mm\"\nwidth = \"240 mm\"\n"
+            "sides = \"half\"\nends = \"open\"\n[inflow]\nunit_discharge = \"0.024 m2/s\"\n[outflow]\n"
+            "kind = \"normal-depth\"\n[side_walls]\nequivalent_roughness = 0\n[turbulence]\nclosure = "
+            "\"nezu-rodi\"\n[numerics]\nspacing = \"5 mm\"\n[run]\nuntil = \"1 s\"\n[bed]\nkind = \"roughness\"\n"
+            "equivalent_roughness = \"" +
+                bed + "\"\n" +
+                (strip.empty()
+                     ? ""
+                     : "[[bed_patch]]\nname = \"strip\"\ny_from = \"60 mm\"\nequivalent_roughness = \"" +
+                           strip + "\"\n"),
+            "test");
+        return flow_at_ends(c).outflow.normal_depth.value().least;
+    };
+    const double smooth = normal_depth("1 mm", "");
+    EXPECT_NEAR(normal_depth("1 mm", "1 mm") / smooth, 1.0, 2e-3);
+    const double partly = normal_depth("1 mm", "10 mm");
+    EXPECT_GT(partly, 1.02 * smooth);
+    EXPECT_LT(partly, normal_depth("10 mm", ""));
+}
+
 double largest_velocity(const Case& c) { return end_extremes(c, read_end_input(c)).velocity; }
 
 // Where the depth of the inflow is not given, water shoots off on a steep slope, to uniform flow.
