@@ -87,9 +87,10 @@ def turbulence(study):
     return check
 
 
-def section_means(study, case):
-    """The section twin of a case: y and the mean velocity over the depth there."""
-    text = subprocess.run([str(study.riffle), "section", case, "--csv", "-"], cwd=ROOT, check=True, capture_output=True, text=True).stdout
+def section_means(study, case, *settings):
+    """The section twin of a case with settings, as the command line has them: y and the mean velocity over the depth there."""
+    options = [word for setting in settings for word in ("--set", setting)]
+    text = subprocess.run([str(study.riffle), "section", case, "--csv", "-", *options], cwd=ROOT, check=True, capture_output=True, text=True).stdout
     cells = numpy.array([[float(value) for value in row] for row in csv.reader(io.StringIO(text)) if row[0][0].isdigit()])
     y, z = (numpy.unique(cells[:, axis]) for axis in (0, 1))
     faces = numpy.zeros(z.size + 1)
@@ -113,17 +114,28 @@ def means_across(flow, place, half, start):
 
 
 def side_walls(study):
-    case = "cases/open-ends/side-walls.toml"
     check = Check("open_side_walls", "Uniform flow between side walls and open ends",
                   "Half of a flume between glass walls, ten depths long: water that enters with the profile of the section twin keeps it.")
-    flow = study.run("open_side_walls", case)
+    return _between_walls(study, check, "cases/open-ends/side-walls.toml", "cases/plane-beds/flume.toml", 0.1)
+
+
+def strip(study):
+    check = Check("open_strip", "A strip of gravel between open ends",
+                  "Half of a flume between glass walls with a strip of gravel along its middle: water that enters with the profile of the section twin keeps it.")
+    return _between_walls(study, check, "cases/open-ends/strip.toml", "cases/plane-beds/flume-strip.toml", 0.05,
+                          "channel.depth=72mm", "numerics.spacing=6mm")
+
+
+def _between_walls(study, check, case, periodic, half, *settings):
+    """U(y) within `half` of three places along a channel with open ends against the section twin of the case of the same channel with periodic ones."""
+    flow = study.run(check.name, case)
     start = flow.parameters["run"]["average_from"]
-    twin_y, twin_u = section_means(study, "cases/plane-beds/flume.toml")
+    twin_y, twin_u = section_means(study, periodic, *settings)
     figure = figures.Figure(2)
     axes = figure.panel("distance from the wall y (m)", "depth mean of u (m/s)", f"means from {start:g} s on")
     figures.exact(axes, twin_y, twin_u, "section twin")
     for number, share in enumerate((0.25, 0.5, 0.75)):
-        y, u = means_across(flow, share * flow.length, 0.1, start)
+        y, u = means_across(flow, share * flow.length, half, start)
         twin = numpy.interp(y, twin_y, twin_u)
         check.norm(f"U(y) at {share:.0%} of the length, rms over the twin's mean", float(numpy.sqrt(((u - twin) ** 2).mean()) / twin.mean()), 0.03)
         check.norm(f"U(y) in the file beside the wall at {share:.0%} of the length, over the twin's, less one", float(u[0] / twin[0] - 1))
@@ -139,4 +151,4 @@ def side_walls(study):
     return check
 
 
-CHECKS = {"open_turbulence": turbulence, "open_side_walls": side_walls}
+CHECKS = {"open_turbulence": turbulence, "open_side_walls": side_walls, "open_strip": strip}

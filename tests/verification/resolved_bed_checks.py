@@ -1,4 +1,4 @@
-"""Rough beds with resolved eddies: flow condition 2 over the drag of the spheres and over the spheres themselves, condition 5."""
+"""Rough beds with resolved eddies: flow condition 2 over the drag of the spheres and over the spheres themselves, conditions 5, 1 and 8."""
 
 import h5py
 import numpy
@@ -24,8 +24,10 @@ class Measured:
         return self.depth * numpy.exp(-1 - KAPPA * (self.velocity / self.friction_velocity - 8.5))
 
 
+CONDITION_1 = Measured(1, 40e-3, 0.28, 0.039, 35e-3, 0.32e-3)
 CONDITION_2 = Measured(2, 50e-3, 0.35, 0.044, 35e-3, 0.40e-3)
 CONDITION_5 = Measured(5, 70e-3, 0.36, 0.045, 30e-3, 1.15e-3)
+CONDITION_8 = Measured(8, 100e-3, 0.43, 0.044, 22e-3, 1.50e-3)
 
 
 class Bed:
@@ -159,10 +161,24 @@ def resolved_bed(study):
             Bed(study, "resolved_bed-spheres", "condition 2, solid spheres", folder + "resolved-spheres.toml", {"run.until": '"62 s"'}, (20, 62), 8.5e-3, 12.5e-3,
                 CONDITION_2),
             Bed(study, "resolved_bed-condition_5", "condition 5, drag", folder + "resolved-condition-5.toml", {}, (36, 70), 6e-3, 10e-3, CONDITION_5)]
+    return _finished(check, beds, beds[1])
+
+
+def resolved_depths(study):
+    check = Check("resolved_depths", "Resolved eddies in shallow and in deep water",
+                  "As the cells of conditions 2 and 5 over the drag of the spheres: conditions 1, 16 spacings deep, and 8, 20 spacings deep.")
+    folder = "cases/rough-bed-3d/"
+    beds = [Bed(study, f"resolved_bed-condition_{measured.number}", f"condition {measured.number}, drag",
+                f"{folder}resolved-condition-{measured.number}.toml", {}, window, 6e-3, 10e-3, measured)
+            for measured, window in ((CONDITION_1, (20, 50)), (CONDITION_8, (20, 56)))]
+    return _finished(check, beds, beds[1])
+
+
+def _finished(check, beds, of_options):
     for bed in beds:
         _norms(check, bed)
     _table(check, beds)
-    check.best, check.cost = options_text(beds[1].run), "; ".join(f"{bed.title}: {bed.run.cost_text}" for bed in beds)
+    check.best, check.cost = options_text(of_options.run), "; ".join(f"{bed.title}: {bed.run.cost_text}" for bed in beds)
     check.figures.append((_figure(check.name, beds), "Mean velocity, intensities and Reynolds stress of the beds, and U over time."))
     return check
 
@@ -175,7 +191,7 @@ def _figure(name, beds):
     for axis, style in zip("uw", ("-", "--")):
         figures.exact(turbulence, NEZU[axis] * numpy.exp(-share), share, f"Nezu {axis}'", linestyle=style)
     figures.exact(stress, [1, 0], [0.08, 1], "weight of the water above")
-    for measured, style in ((CONDITION_2, "-"), (CONDITION_5, "--")):
+    for measured, style in zip(dict.fromkeys(bed.measured for bed in beds), ("-", "--")):
         law = measured.friction_velocity * (numpy.log(share * measured.depth / measured.roughness) / KAPPA + 8.5)
         figures.exact(mean, law / measured.velocity, share, f"log law of measured u*, k_s, condition {measured.number}", linestyle=style)
     figures.exact(course, [0, max(bed.time[-1] for bed in beds)], [1, 1], "measured")
@@ -189,4 +205,4 @@ def _figure(name, beds):
     return figure.svg(name)
 
 
-CHECKS = {"resolved_bed": resolved_bed}
+CHECKS = {"resolved_bed": resolved_bed, "resolved_depths": resolved_depths}
