@@ -1,11 +1,11 @@
 #include "case/stem_feet.hpp"
 
 #include <algorithm>
-#include <limits>
+#include <vector>
 
 #include "case/gauge_face.hpp"
-#include "case/outline.hpp"
 #include "case/solid_mesh.hpp"
+#include "case/solid_stretches.hpp"
 
 namespace riffle {
 
@@ -30,43 +30,22 @@ std::optional<double> top_of_outline(const Outline& outline, double x) {
     return top;
 }
 
-/// Of a triangle that the upright line at (x, y) meets, the height where it does.
-void raise_to_triangle(std::optional<double>& top, const Triangle& t, double x, double y) {
-    const Point3 normal = normal_of(t);
-    if (normal[2] <= 0.0) {
-        return;  // upright, or seen from below
-    }
-    for (std::size_t i = 0; i < t.size(); ++i) {
-        const Point3& a = t[i];
-        const Point3& b = t[(i + 1) % t.size()];
-        if ((b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0]) < 0.0) {
-            return;
-        }
-    }
-    raise(top, t[0][2] - (normal[0] * (x - t[0][0]) + normal[1] * (y - t[0][1])) / normal[2]);
-}
-
 }  // namespace
 
 std::optional<double> solid_top(const Case& c, const Solid& solid, double x, double y) {
-    std::optional<double> top;
     if (c.channel.dimensions == 2) {
         const Outline outline{solid.x, solid.z};
-        const double period = c.channel.ends == Ends::periodic ? c.channel.length : 0.0;
-        const auto raise_at = [&](double place) {
-            if (const auto found = top_of_outline(outline, place)) raise(top, *found);
-            return false;
-        };
-        (void)at_any_image(x, period, raise_at);
+        std::optional<double> top = top_of_outline(outline, x);
+        if (c.channel.ends == Ends::periodic) {
+            // Empty is below any height.
+            top = std::max({top, top_of_outline(outline, x - c.channel.length),
+                            top_of_outline(outline, x + c.channel.length)});
+        }
         return top;
     }
-    if (const SolidMesh* const mesh = mesh_of(c, solid)) {
-        constexpr double far = std::numeric_limits<double>::infinity();
-        const TriangleTree& tree = mesh->tree();
-        tree.in_box({x, y, -far}, {x, y, far},
-                    [&](std::size_t triangle) { raise_to_triangle(top, tree.triangles()[triangle], x, y); });
-    }
-    return top;
+    const SolidMesh* const mesh = mesh_of(c, solid);
+    const auto stretches = mesh != nullptr ? upright_stretches(*mesh, x, y) : std::vector<SolidStretch>{};
+    return stretches.empty() ? std::nullopt : std::optional(stretches.back().high);
 }
 
 double stem_foot(const Case& c, const Vegetation& stems, double x, double y) {
@@ -75,6 +54,22 @@ double stem_foot(const Case& c, const Vegetation& stems, double x, double y) {
     }
     const auto solid = solid_named(c, stems.stands_on);
     return solid ? std::max(0.0, solid_top(c, c.solids[*solid], x, y).value_or(0.0)) : 0.0;
+}
+
+Outline canopy_outline(const Vegetation& stems, double from, double to,
+                       const std::function<double(double)>& foot) {
+    // A level patch needs no more than its corners.
+    const int parts = stems.stands_on.empty() ? 1 : 200;
+    Outline outline;
+    for (int i = 0; i <= 2 * parts + 1; ++i) {
+        const bool upper = i > parts;
+        const double step = upper ? 2 * parts + 1 - i : i;
+        // At its very end a solid may count as past it: look a little inside.
+        const double inside = std::clamp(step, 1e-3, parts - 1e-3);
+        outline.x.push_back(from + (to - from) * step / parts);
+        outline.z.push_back(foot(from + (to - from) * inside / parts) + (upper ? stems.height : 0.0));
+    }
+    return outline;
 }
 
 }  // namespace riffle

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "case/case.hpp"
+#include "case/outline.hpp"
 
 namespace riffle {
 
@@ -13,5 +15,10 @@ namespace riffle {
 /// Height at which the stems of a patch stand at a place in plan, m: the top of the solid that they stand on,
 /// the bed level beside it and without one.
 [[nodiscard]] double stem_foot(const Case& c, const Vegetation& stems, double x, double y);
+
+/// What the stems of a patch fill in an upright view from one place to another, m: along the ground and back
+/// along their tops. `foot`: the height at which they stand at a place.
+[[nodiscard]] Outline canopy_outline(const Vegetation& stems, double from, double to,
+                                     const std::function<double(double)>& foot);
 
 }  // namespace riffle

@@ -48,6 +48,8 @@ const char* key_hint(const std::string& section, const std::string& name) {
         const char* name;
         const char* text;
     };
+    static constexpr const char* place_of_box =
+        "of a box and a rectangle `centre` and `size` say where it stands";
     static constexpr Hint hints[] = {
         {"channel", "discharge",
          "a periodic channel has no inflow: its discharge follows from slope, depth and roughness (`riffle "
@@ -65,12 +67,12 @@ const char* key_hint(const std::string& section, const std::string& name) {
         {"solid", "height",
          "of a box and a rectangle it is the last value of `size`, of a cylinder its `length` along `axis`"},
         {"solid", "width", "of a box and a rectangle it is one of the values of `size`"},
-        {"solid", "x_from", "of a box and a rectangle `centre` and `size` say where it stands"},
-        {"solid", "x_to", "of a box and a rectangle `centre` and `size` say where it stands"},
+        {"solid", "x_from", place_of_box},
+        {"solid", "x_to", place_of_box},
         {"solid", "y_from", "of a box `centre` and `size` say where it stands"},
         {"solid", "y_to", "of a box `centre` and `size` say where it stands"},
-        {"solid", "z_from", "of a box and a rectangle `centre` and `size` say where it stands"},
-        {"solid", "z_to", "of a box and a rectangle `centre` and `size` say where it stands"},
+        {"solid", "z_from", place_of_box},
+        {"solid", "z_to", place_of_box},
         {"run", "end_time", "it is `until`, for example until = \"60 s\""},
         {"run", "time", "it is `until`, for example until = \"60 s\""},
     };

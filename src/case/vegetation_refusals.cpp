@@ -23,6 +23,11 @@ Findings thinner_than_a_particle(const Case& c, const Vegetation& patch) {
                     shown_length(c.numerics.spacing));
 }
 
+/// The middle of the i-th of some equal parts of a range, m.
+double middle_of_part(const PatchRange& range, int i, int parts) {
+    return range.from + (i + 0.5) / parts * (range.to - range.from);
+}
+
 /// Nowhere among its stems, up to their tops, is there water: solids at rest take it up.
 Findings in_solids(const Case& c, const Vegetation& patch) {
     if (c.solids.empty()) {
@@ -35,19 +40,16 @@ Findings in_solids(const Case& c, const Vegetation& patch) {
     const auto steps = [&](double extent) {
         return static_cast<int>(std::clamp(extent / c.numerics.spacing, 1.0, most));
     };
-    const auto at = [](const PatchRange& range, int i, int of) {
-        return range.from + (i + 0.5) / of * (range.to - range.from);
-    };
     const int columns = steps(ranges[0].to - ranges[0].from);
     const int files = in_space(c) ? steps(ranges[1].to - ranges[1].from) : 1;
     const int rows = steps(std::min(patch.height, c.total_depth()));
     std::optional<std::size_t> solid;
     for (int i = 0; i < columns * files * rows; ++i) {
-        const double x = at(ranges[0], i % columns, columns);
-        const double y = at(ranges[1], i / columns % files, files);
+        const double x = middle_of_part(ranges[0], i % columns, columns);
+        const double y = middle_of_part(ranges[1], i / columns % files, files);
         const double foot = stem_foot(c, patch, x, y);
         const double top = std::min(foot + patch.height, std::max(foot, c.total_depth()));
-        solid = solids.resting_at({x, y, at({foot, top}, i / columns / files, rows)});
+        solid = solids.resting_at({x, y, middle_of_part({foot, top}, i / columns / files, rows)});
         if (!solid) {
             return {};
         }
@@ -65,14 +67,11 @@ Findings beside_its_solid(const Case& c, const Vegetation& patch) {
         return {};
     }
     const auto ranges = ranges_of(c, patch);
-    const auto at = [](const PatchRange& range, int i, int of) {
-        return range.from + (i + 0.5) / of * (range.to - range.from);
-    };
     constexpr int along = 100;
     const int across = in_space(c) ? 50 : 1;
     for (int i = 0; i < along * across; ++i) {
-        if (solid_top(c, c.solids[*solid], at(ranges[0], i % along, along),
-                      at(ranges[1], i / along, across))) {
+        if (solid_top(c, c.solids[*solid], middle_of_part(ranges[0], i % along, along),
+                      middle_of_part(ranges[1], i / along, across))) {
             return {};
         }
     }

@@ -84,11 +84,16 @@ class Crowds final : public Component<D, Real> {
     std::vector<double> walls_;  ///< of each particle, sum of V W over the walls
 };
 
+/// Whether a solid that moves pushes slow water into the edges between walls in space.
+template <int D, class Real>
+[[nodiscard]] bool pushes_into_edges(const FlowOf<D, Real>& flow) {
+    return D == 3 && flow.motion.displaces();
+}
+
 /// Those that an impact drives together, where impacts are dissipated.
 template <int D, class Real>
 std::unique_ptr<Component<D, Real>> make_crowds_of_impacts(FlowOf<D, Real>& flow) {
-    const bool pushed = D == 3 && flow.motion.displaces();
-    return flow.c.numerics.impact_dissipation > 0.0 && !pushed
+    return flow.c.numerics.impact_dissipation > 0.0 && !pushes_into_edges(flow)
                ? std::make_unique<Crowds<D, Real>>(false, crowding_interval)
                : nullptr;
 }
@@ -97,7 +102,7 @@ std::unique_ptr<Component<D, Real>> make_crowds_of_impacts(FlowOf<D, Real>& flow
 /// disordered water flows along them.
 template <int D, class Real>
 std::unique_ptr<Component<D, Real>> make_crowds_at_edges(FlowOf<D, Real>& flow) {
-    if (D == 3 && flow.motion.displaces()) {
+    if (pushes_into_edges(flow)) {
         return std::make_unique<Crowds<D, Real>>(true, crowding_interval);
     }
     return flow.c.has_side_walls() ? std::make_unique<Crowds<D, Real>>(true, crowding_interval_along_edges)

@@ -128,6 +128,13 @@ class UprightView {
         sheet_.rectangle(view_.x(u0), view_.y(v1), view_.x(u1) - view_.x(u0), view_.y(v0) - view_.y(v1),
                          style);
     }
+    void polygon(const Outline& outline, const std::string& style) {
+        std::vector<SheetPoint> corners;
+        for (std::size_t i = 0; i < outline.size(); ++i) {
+            corners.push_back({outline.x[i], outline.z[i]});
+        }
+        sheet_.polygon(view_, corners, style);
+    }
     void line(double u0, double v0, double u1, double v1, const std::string& style) {
         sheet_.line(view_.x(u0), view_.y(v0), view_.x(u1), view_.y(v1), style);
     }
@@ -146,11 +153,7 @@ class UprightView {
         const std::string surface = fmt::format(R"(stroke="{}" stroke-width="1.6")", surface_colour);
         const double length = c_.channel.length;
         if (!c_.start.water_x.empty()) {
-            std::vector<SheetPoint> corners;
-            for (std::size_t i = 0; i < c_.start.water_x.size(); ++i) {
-                corners.push_back({c_.start.water_x[i], c_.start.water_z[i]});
-            }
-            sheet_.polygon(view_, corners, fill + " " + surface);
+            polygon({c_.start.water_x, c_.start.water_z}, fill + " " + surface);
             return;
         }
         const double depth = c_.total_depth();
@@ -199,15 +202,8 @@ class UprightView {
     /// `foot`: the height at which they stand.
     void draw_stems(const Vegetation& patch, double from, double to,
                     const std::function<double(double)>& foot) {
-        // A level patch needs no more than its corners.
-        const int parts = patch.stands_on.empty() ? 1 : 200;
-        std::vector<SheetPoint> corners;
-        for (int i = 0; i <= 2 * parts + 1; ++i) {
-            const bool upper = i > parts;
-            const double u = from + (to - from) * (upper ? 2 * parts + 1 - i : i) / parts;
-            corners.push_back({u, foot(u) + (upper ? patch.height : 0.0)});
-        }
-        sheet_.polygon(view_, corners, fmt::format(R"(fill="{}" fill-opacity="0.18")", stem_colour));
+        polygon(canopy_outline(patch, from, to, foot),
+                fmt::format(R"(fill="{}" fill-opacity="0.18")", stem_colour));
         const double apart = std::max(1.0 / std::sqrt(patch.stems_per_area), 3.0 / view_.scale_u());
         const double width = std::clamp(patch.stem_diameter * view_.scale_u(), 0.8, 6.0);
         for (double u = from + 0.5 * apart; u < to; u += apart) {
@@ -223,17 +219,13 @@ class UprightView {
 
     /// A porous zone with its name.
     void draw_porous_along(const Porous& zone) {
-        std::vector<SheetPoint> corners;
         const Outline outline = porous_outline(c_, zone, plan_.top);
-        for (std::size_t i = 0; i < outline.size(); ++i) {
-            corners.push_back({outline.x[i], outline.z[i]});
-        }
-        sheet_.polygon(view_, corners, porous_style());
+        polygon(outline, porous_style());
         double u = 0.0;
         double v = 0.0;
-        for (const SheetPoint& corner : corners) {
-            u += corner.x / static_cast<double>(corners.size());
-            v += corner.y / static_cast<double>(corners.size());
+        for (std::size_t i = 0; i < outline.size(); ++i) {
+            u += outline.x[i] / static_cast<double>(outline.size());
+            v += outline.z[i] / static_cast<double>(outline.size());
         }
         sheet_.text(view_.x(u), view_.y(v), zone.name,
                     R"(class="halo" text-anchor="middle" font-weight="600")");
@@ -255,11 +247,7 @@ class UprightView {
     void draw_solid_along(std::size_t k) {
         const Solid& solid = c_.solids[k];
         if (!space_) {
-            std::vector<SheetPoint> corners;
-            for (std::size_t i = 0; i < solid.x.size(); ++i) {
-                corners.push_back({solid.x[i], solid.z[i]});
-            }
-            sheet_.polygon(view_, corners, solid_style(k));
+            polygon({solid.x, solid.z}, solid_style(k));
         } else if (const SolidMesh* const mesh = mesh_of(c_, solid)) {
             draw_slices(k, slice_polygons(view_.u_low, view_.u_high, 500,
                                           [&](double x) { return upright_stretches(*mesh, x, plan_.y); }));

@@ -184,18 +184,12 @@ std::vector<FieldZone> field_zones(const Case& c, double y, double top) {
                    ? Outline{{along.from, along.to, along.to, along.from}, {0.0, 0.0, height, height}}
                    : Outline{{along.from, along.to}, {0.0, 0.0}};
     };
-    // Along the ground and back along the tops, as far as the picture reaches.
+    // As far as the picture reaches.
     const auto canopy = [&](const Vegetation& patch) {
         const PatchRange along = ranges_of(c, patch)[0];
-        const int parts = patch.stands_on.empty() ? 1 : 200;
-        Outline outline;
-        for (int i = 0; i <= 2 * parts + 1; ++i) {
-            const bool upper = i > parts;
-            const double x = along.from + (along.to - along.from) * (upper ? 2 * parts + 1 - i : i) / parts;
-            const double foot = std::min(stem_foot(c, patch, x, y), top);
-            outline.x.push_back(x);
-            outline.z.push_back(upper ? std::min(foot + patch.height, top) : foot);
-        }
+        Outline outline =
+            canopy_outline(patch, along.from, along.to, [&](double x) { return stem_foot(c, patch, x, y); });
+        for (double& z : outline.z) z = std::min(z, top);
         return outline;
     };
     for (const Vegetation& patch : c.vegetation) {

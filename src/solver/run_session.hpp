@@ -52,12 +52,12 @@ class RunSession {
     void report_progress();
     /// Time from which a step must bring the fields of the particles up to date.
     [[nodiscard]] double fields_due() const;
-    /// Say in the log which particles have left the domain since the last call.
+    /// Say which particles have left the domain since the last call.
     void report_losses();
-    /// Write a warning into the log, and show it to who started the run.
-    void tell(const std::string& warning);
     /// The same of what happens at open ends.
     void report_end_events();
+    /// Write a warning into the log, and show it to who started the run.
+    void tell(const std::string& warning);
     [[nodiscard]] LostWater lost() const;
     [[nodiscard]] bool finished() const;
     [[nodiscard]] double seconds_since(Clock::time_point t) const;

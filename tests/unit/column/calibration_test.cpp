@@ -16,6 +16,7 @@
 
 #include "base/error.hpp"
 #include "column/velocity_measurements.hpp"
+#include "plane_bed.hpp"
 
 namespace riffle::calibration_test {
 namespace {
@@ -242,10 +243,7 @@ TEST(Calibration, FindsTheRoughnessOfAPlaneBed) {
     Case truth;
     truth.channel.depth = 0.1;
     truth.channel.slope = 0.002;
-    truth.bed.kind = BedKind::roughness;
-    truth.bed.roughness_height = 0.0;
-    truth.bed.datum_below_crest = 0.0;
-    truth.bed.equivalent_roughness = 3e-3;
+    test::lay_plane_bed(truth, 3e-3);
     truth.turbulence.closure = ClosureKind::nezu_rodi;
     Case c = truth;
     c.measured.depth_mean_velocity = solve_column(truth).depth_mean_velocity;
