@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""Check that each file of src/ includes only headers of rooms that its room may use.
+"""Check that each file of src/ includes only headers of rooms that its room may use, and is in its room's namespace.
 
 The rooms and what they use are read from the lines riffle_room(NAME ROOMS ...) of CMakeLists.txt. A room may use its
-own headers and those of the rooms it names; it may name only rooms declared before it.
+own headers and those of the rooms it names; it may name only rooms declared before it. All of a file of room NAME
+stands in `namespace riffle::inline NAME`, in `riffle::inline case_file` for the room case, whose name is a keyword.
 
 Usage: tests/check_rooms.py [REPOSITORY]
 """
@@ -26,6 +27,25 @@ def rooms(text):
     return result
 
 
+def namespace_faults(path, room):
+    """What is wrong with the namespaces of a file, (line, sentence)."""
+    name = {"case": "case_file"}.get(room, room)
+    opened = None
+    for number, line in enumerate(path.read_text().splitlines(), 1):
+        begin = re.match(r"namespace (riffle\S*(?: \S+)?) \{$", line)
+        end = re.match(r"\}  // namespace (riffle.*)$", line)
+        if begin:
+            opened = begin[1]
+            if not re.fullmatch(rf"riffle::inline {name}(::\w+)*", opened):
+                yield number, f"opens namespace {opened}, not riffle::inline {name}"
+        if end and end[1] != opened:
+            yield number, f"closes namespace {end[1]}, but {opened or 'none'} is open"
+        if end:
+            opened = None
+    if opened:
+        yield number, f"does not close namespace {opened} by a line }}  // namespace {opened}"
+
+
 def faults(repository):
     """What is wrong, one line each."""
     allowed = rooms((repository / "CMakeLists.txt").read_text())
@@ -43,6 +63,8 @@ def faults(repository):
             yield f"src/{folder}: no riffle_room({folder} ...) in CMakeLists.txt"
     for path in sorted(source.rglob("*.?pp")):
         room = path.relative_to(source).parts[0]
+        for number, fault in namespace_faults(path, room):
+            yield f"{path.relative_to(repository)}:{number}: {fault}"
         for number, line in enumerate(path.read_text().splitlines(), 1):
             include = re.match(r'\s*#\s*include\s*["<](\w+)/', line)
             if not include or include[1] not in allowed:
@@ -55,7 +77,7 @@ def faults(repository):
 def main():
     repository = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).parent.parent)
     found = list(faults(repository.resolve()))
-    print("\n".join(found) if found else "every include is of a room that may be used")
+    print("\n".join(found) if found else "every include is of a room that may be used, every file in the namespace of its room")
     return 1 if found else 0
 
 

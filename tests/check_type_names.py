@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""No two files define types of the same name in the same namespace.
+"""No two files define types of the same name in the same namespace, those of rooms, which are inline, taken as one.
 
   tests/check_type_names.py ROOT
 
 The linker keeps one of two functions that have the same name, so that a program with two such types may destroy the one
-with the destructor of the other; compilers do not tell. What stands in a namespace without a name cannot meet."""
+with the destructor of the other; compilers do not tell. Of two rooms they would be two types, but a file that sees both could name neither. What stands in a namespace without a name cannot meet."""
 
 import collections
 import pathlib
@@ -20,8 +20,8 @@ def types_of(path):
     """Names with their namespaces of the types that a file defines."""
     spaces, hidden, found = [], False, set()
     for line in path.read_text().splitlines():
-        if opened := re.match(r"namespace ([\w:]+) \{", line):
-            spaces.append(opened.group(1))
+        if opened := re.match(r"namespace ([\w:]+?)(?:::inline \w+)?(::\w+)? \{", line):
+            spaces.append(opened.group(1) + (opened.group(2) or ""))
         elif line == "namespace {":
             hidden = True
         elif line == "}  // namespace":

@@ -6,7 +6,7 @@
 
 #include "base/version.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -163,4 +163,4 @@ std::string analysis_to_json(const std::vector<Analysis>& analyses, int indent) 
 
 std::string figure_to_json(const Figure& figure, int indent) { return dumped(figure_json(figure), indent); }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

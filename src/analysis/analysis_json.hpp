@@ -5,7 +5,7 @@
 
 #include "analysis/figure.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 inline constexpr int analysis_json_version = 1;
 
@@ -23,4 +23,4 @@ inline constexpr int analysis_json_version = 1;
 [[nodiscard]] const char* word(Origin origin);
 [[nodiscard]] const char* word(Mark mark);
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

@@ -11,7 +11,7 @@
 #include "analysis/figure_tools.hpp"
 #include "base/wrapped_text.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -157,4 +157,4 @@ std::string comparison_to_text(const std::vector<Analysis>& analyses) {
     return text;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

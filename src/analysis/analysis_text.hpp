@@ -5,7 +5,7 @@
 
 #include "analysis/figure.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 /// The findings of an analysis as text for a terminal, chapter by chapter: value, half-width of the 95 %
 /// interval, reference and relative difference; remarks below their line; warnings and figures without data
@@ -15,4 +15,4 @@ namespace riffle {
 /// The findings of several analyses side by side, one line per finding that at least two of them have.
 [[nodiscard]] std::string comparison_to_text(const std::vector<Analysis>& analyses);
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

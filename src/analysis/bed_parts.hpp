@@ -7,7 +7,7 @@
 #include "analysis/flow_record.hpp"
 #include "analysis/mean_flow.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 // The parts of the chapter on the bed and the side walls.
 
@@ -39,4 +39,4 @@ void add_yang_lim(const Case& c, Figure& figure);
 /// The stress near the bed across the channel: of a run, or measured points alone.
 void add_bed_stress(const FlowRecord& record, Analysis& analysis);
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

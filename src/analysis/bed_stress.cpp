@@ -14,7 +14,7 @@
 #include "hydraulics/secondary_flow_laws.hpp"
 #include "roughness/side_wall_partition.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -253,4 +253,4 @@ void add_bed_stress(const FlowRecord& record, Analysis& analysis) {
     }
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

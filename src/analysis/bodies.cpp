@@ -7,7 +7,7 @@
 #include "boundary/wall_motion.hpp"
 #include "case/flow_kind.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 std::vector<Outline> outlines_at(const Case& c, double time) {
     std::vector<Outline> outlines;
@@ -98,4 +98,4 @@ std::optional<DamBreak> dam_break_of(const Case& c) {
     return dam;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

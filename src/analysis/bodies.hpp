@@ -7,7 +7,7 @@
 #include "case/case.hpp"
 #include "case/outline.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 /// Outlines of the solids of a case in two dimensions, where they stand at a time (s), free bodies where they
 /// start. Empty in three.
@@ -35,4 +35,4 @@ struct DamBreak {
 /// The dam break that the case is; nothing where it is none.
 [[nodiscard]] std::optional<DamBreak> dam_break_of(const Case& c);
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

@@ -18,7 +18,7 @@
 #include "statistics/confidence.hpp"
 #include "statistics/dominant_frequency.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -170,4 +170,4 @@ void add_body_coefficients(const FlowRecord& record, Analysis& analysis) {
     }
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

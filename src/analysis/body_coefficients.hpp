@@ -3,7 +3,7 @@
 #include "analysis/figure.hpp"
 #include "analysis/flow_record.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 /// Findings for each resting body that a stream flows around: its drag and lift coefficient with the bulk
 /// velocity of the stream and its area as seen along the channel, and the Strouhal number where vortices
@@ -11,4 +11,4 @@ namespace riffle {
 /// beds.
 void add_body_coefficients(const FlowRecord& record, Analysis& analysis);
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

@@ -16,7 +16,7 @@
 #include "statistics/jackknife.hpp"
 #include "statistics/peak.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -287,4 +287,4 @@ StationCelerity station_celerity(std::span<const StationRecord> stations, double
     return celerity_of(records, std::move(c), options);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

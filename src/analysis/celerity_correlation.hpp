@@ -7,7 +7,7 @@
 #include "analysis/space_time.hpp"
 #include "statistics/moments.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 /// Temporal cross-correlation between stations a distance apart (thesis 4.7), over all pairs of columns at
 /// that distance: R(t_l) = <h'_m(t) h'_n(t + t_l)> / sqrt(<h'_m^2> <h'_n^2>), n downstream of m, each mean
@@ -60,4 +60,4 @@ struct StationCelerity {
 [[nodiscard]] StationCelerity station_celerity(std::span<const StationRecord> stations, double interval,
                                                const StationOptions& options = {});
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

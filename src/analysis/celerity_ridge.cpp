@@ -9,7 +9,7 @@
 #include "base/not_a_number.hpp"
 #include "statistics/jackknife.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -126,7 +126,7 @@ RidgeCelerity ridge_celerity(const SpaceTime& fluctuation, std::size_t blocks) {
     RidgeCelerity result;
     for (std::size_t b = 0; b < blocks; ++b) {
         result.spectrum =
-            wave_spectrum(rows_of(fluctuation, b * (rows - segment) / (blocks - 1), segment), segment);
+            wave_spectrum(block_of_rows(fluctuation, b * (rows - segment) / (blocks - 1), segment), segment);
         densities.insert(densities.end(), result.spectrum.density.begin(), result.spectrum.density.end());
     }
     const std::size_t width = result.spectrum.density.size();
@@ -173,4 +173,4 @@ RidgeCelerity ridge_celerity(const SpaceTime& fluctuation, std::size_t blocks) {
     return result;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

@@ -7,7 +7,7 @@
 #include "analysis/surface_spectra.hpp"
 #include "statistics/moments.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 /// A point of the ridge of a spectrum in wavenumber and frequency.
 struct RidgePoint {
@@ -43,4 +43,4 @@ struct RidgeCelerity {
 /// InputError for fewer than two blocks or less than 8 times in each.
 [[nodiscard]] RidgeCelerity ridge_celerity(const SpaceTime& fluctuation, std::size_t blocks = 10);
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

@@ -14,7 +14,7 @@
 #include "statistics/jackknife.hpp"
 #include "statistics/peak.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -261,4 +261,4 @@ CrestCelerity track_crests(const SpaceTime& fluctuation, const CrestOptions& opt
     return result;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

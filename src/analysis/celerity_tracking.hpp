@@ -6,7 +6,7 @@
 #include "analysis/space_time.hpp"
 #include "statistics/moments.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 /// One crest followed through the space-time map.
 struct CrestTrack {
@@ -52,4 +52,4 @@ struct CrestCelerity {
 /// InputError for fewer rows than blocks or a negative length.
 [[nodiscard]] CrestCelerity track_crests(const SpaceTime& fluctuation, const CrestOptions& options);
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

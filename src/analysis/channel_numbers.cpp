@@ -13,7 +13,7 @@
 #include "record/flow_fields.hpp"
 #include "statistics/confidence.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -114,4 +114,4 @@ void add_channel_numbers(const FlowRecord& record, Analysis& analysis) {
     analysis.figures.push_back(std::move(figure));
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

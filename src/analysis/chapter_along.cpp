@@ -18,7 +18,7 @@
 #include "record/flow_fields.hpp"
 #include "statistics/confidence.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -279,4 +279,4 @@ void analyse_along(const FlowRecord& record, Analysis& analysis) {
     if (c.channel.ends == Ends::open) add_ends(record, analysis);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

@@ -14,7 +14,7 @@
 #include "roughness/bed_drag.hpp"
 #include "roughness/side_wall_partition.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -209,4 +209,4 @@ void analyse_bed(const FlowRecord& record, Analysis& analysis) {
     add_walls(record, analysis);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

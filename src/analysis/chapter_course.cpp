@@ -13,7 +13,7 @@
 #include "base/not_a_number.hpp"
 #include "record/flow_fields.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -267,4 +267,4 @@ void analyse_course(const FlowRecord& record, Analysis& analysis) {
     add_volumes(record, surface, analysis);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

@@ -12,7 +12,7 @@
 #include "record/probe_fields.hpp"
 #include "statistics/confidence.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -272,4 +272,4 @@ void analyse_energy(const FlowRecord& record, Analysis& analysis) {
         analysis);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

@@ -18,7 +18,7 @@
 #include "hydraulics/log_law.hpp"
 #include "solver/summary.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -346,4 +346,4 @@ void analyse_fits(const FlowRecord& record, Analysis& analysis) {
     add_channel_numbers(record, analysis);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

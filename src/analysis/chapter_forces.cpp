@@ -17,7 +17,7 @@
 #include "roughness/side_wall_partition.hpp"
 #include "statistics/confidence.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -273,4 +273,4 @@ void analyse_forces(const FlowRecord& record, Analysis& analysis) {
                 1.0, "momentum balance"));
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

@@ -1,7 +1,7 @@
 #pragma once
 
 /// Keys of the chapters of an analysis (analysis/chapters.hpp has their titles).
-namespace riffle::chapters {
+namespace riffle::inline analysis::chapters {
 
 inline constexpr const char* course = "course";
 inline constexpr const char* along = "along";
@@ -17,4 +17,4 @@ inline constexpr const char* secondary = "secondary";
 inline constexpr const char* bed = "bed";
 inline constexpr const char* particles = "particles";
 
-}  // namespace riffle::chapters
+}  // namespace riffle::inline analysis::chapters

@@ -4,7 +4,7 @@
 #include "analysis/figure_tools.hpp"
 #include "record/flow_fields.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -64,4 +64,4 @@ void analyse_particles(const FlowRecord& record, Analysis& analysis) {
               {{of.maximum_velocity, "fastest particle"}}, analysis);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

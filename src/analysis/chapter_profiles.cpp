@@ -13,7 +13,7 @@
 #include "analysis/section_parts.hpp"
 #include "hydraulics/profile_comparison.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -175,4 +175,4 @@ void analyse_profiles(const FlowRecord& record, Analysis& analysis) {
     add_plane_maps(record, analysis);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

@@ -14,7 +14,7 @@
 #include "analysis/section_parts.hpp"
 #include "analysis/vortices.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -320,4 +320,4 @@ void analyse_secondary(const FlowRecord& record, Analysis& analysis) {
     add_space_vortices(setting, analysis);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

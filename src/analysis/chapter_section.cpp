@@ -12,7 +12,7 @@
 #include "hydraulics/turbulence_laws.hpp"
 #include "record/twin_fields.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -187,4 +187,4 @@ void analyse_section(const FlowRecord& record, Analysis& analysis) {
     add_section_profiles(record, analysis);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

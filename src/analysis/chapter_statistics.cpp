@@ -16,7 +16,7 @@
 #include "statistics/settling.hpp"
 #include "statistics/stationarity.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -362,4 +362,4 @@ void analyse_statistics(const FlowRecord& record, Analysis& analysis) {
     if (!record.series().empty()) add_means(record, analysis);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

@@ -13,7 +13,7 @@
 #include "analysis/velocity_spectra.hpp"
 #include "statistics/power_spectrum.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -240,4 +240,4 @@ void analyse_subsurface(const FlowRecord& record, Analysis& analysis) {
     add_ejections_and_upwellings(record, instrument, analysis);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

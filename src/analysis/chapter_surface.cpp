@@ -15,7 +15,7 @@
 #include "statistics/probability_density.hpp"
 #include "statistics/stationarity.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -279,4 +279,4 @@ void analyse_surface(const FlowRecord& record, Analysis& analysis) {
     add_station_correlations(record, stations, analysis);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

@@ -10,7 +10,7 @@
 #include "analysis/chapter_names.hpp"
 #include "base/error.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 std::span<const Chapter> analysis_chapters() {
     const auto uniform = [](FlowKind kind) { return kind == FlowKind::uniform_channel; };
@@ -64,4 +64,4 @@ Analysis analyse(const FlowRecord& record, const std::string& chapter) {
     return analysis;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

@@ -7,7 +7,7 @@
 #include "analysis/flow_record.hpp"
 #include "case/flow_kind.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 // The chapters of an analysis. Each adds its findings and figures to the analysis. A figure that a run should
 // have but whose data the record lacks is added with the reason in `missing`; of a laboratory record, which
@@ -76,4 +76,4 @@ struct Chapter {
 /// reading the record throws.
 [[nodiscard]] Analysis analyse(const FlowRecord& record, const std::string& chapter = {});
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

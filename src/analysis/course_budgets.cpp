@@ -11,7 +11,7 @@
 #include "case/flow_kind.hpp"
 #include "record/flow_fields.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -162,4 +162,4 @@ void add_volumes(const FlowRecord& record, const SpaceTime& surface, Analysis& a
     analysis.figures.push_back(std::move(figure));
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

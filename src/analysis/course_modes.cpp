@@ -11,7 +11,7 @@
 #include "case/flow_kind.hpp"
 #include "statistics/damped_oscillation.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -88,4 +88,4 @@ void add_surface_modes(const FlowRecord& record, const SpaceTime& surface, Analy
     analysis.figures.push_back(std::move(figure));
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

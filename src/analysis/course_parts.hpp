@@ -3,7 +3,7 @@
 #include "analysis/figure.hpp"
 #include "analysis/flow_record.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 // Parts of the chapter on the course of a flow that nothing drives steadily.
 
@@ -17,4 +17,4 @@ void add_volumes(const FlowRecord& record, const SpaceTime& surface, Analysis& a
 /// in time, period and decay beside those of linear theory.
 void add_surface_modes(const FlowRecord& record, const SpaceTime& surface, Analysis& analysis);
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

@@ -8,7 +8,7 @@
 #include "base/error.hpp"
 #include "base/not_a_number.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -86,4 +86,4 @@ std::optional<InfluenceDepth> influence_depth(std::span<const HeightCorrelation>
                           crossing(down, threshold, -1.0).value_or(not_a_number)};
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

@@ -8,7 +8,7 @@
 #include "statistics/cross_correlation.hpp"
 #include "statistics/moments.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 /// A record at one height, evenly sampled; not-a-number where there was no water.
 struct HeightRecord {
@@ -48,4 +48,4 @@ struct InfluenceDepth {
 [[nodiscard]] std::optional<InfluenceDepth> influence_depth(std::span<const HeightCorrelation> correlations,
                                                             double from, double threshold = 0.5);
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

@@ -15,7 +15,7 @@
 #include "base/not_a_number.hpp"
 #include "statistics/jackknife.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -249,4 +249,4 @@ void add_double_averages(const FlowRecord& record, const FieldEstimates& form, A
     }
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

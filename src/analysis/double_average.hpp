@@ -4,7 +4,7 @@
 #include "analysis/flow_record.hpp"
 #include "analysis/section_parts.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 /// Form-induced stress -rho <u~ w~> of the mean field of a run in three dimensions at its heights
 /// (`mean_field().z`), Pa, with the half-widths of its 95 % intervals: of the departures of the time means
@@ -18,4 +18,4 @@ namespace riffle {
 /// form_induced_stress().
 void add_double_averages(const FlowRecord& record, const FieldEstimates& form, Analysis& analysis);
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

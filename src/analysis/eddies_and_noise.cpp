@@ -6,7 +6,7 @@
 
 #include "particles/particle_cells.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -118,4 +118,4 @@ double noise_viscosity(const EddiesAndNoise& split, double from, double to) {
     return gradient > 0.0 ? stress / static_cast<double>(layers.size()) / gradient : 0.0;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

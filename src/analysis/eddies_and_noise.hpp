@@ -6,7 +6,7 @@
 
 #include "particles/domain.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 /// What of the velocities of the particles is a field that neighbours share, and what is each particle's own.
 /// Around each particle the linear field that fits its neighbours within `noise_reach` spacings best, itself
@@ -62,4 +62,4 @@ class NoiseSplit {
     std::size_t moments_ = 0;
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 /// Where the numbers of a curve come from; the report gives each origin one look throughout.
 enum class Origin { simulated, measured, column, theory, fit, reference };
@@ -93,4 +93,4 @@ struct Analysis {
     std::vector<std::string> warnings;  ///< what the reader must know, e.g. a record too short
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

@@ -13,7 +13,7 @@
 #include "analysis/figure_keys.hpp"
 #include "base/csv_text.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -154,4 +154,4 @@ bool begins_like_analysis_csv(std::istream& file) {
     return line.starts_with(curves_heading) || is_map_heading(line);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

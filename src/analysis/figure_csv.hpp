@@ -7,7 +7,7 @@
 
 #include "analysis/figure.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 /// The curves of a figure as CSV, one line per point: `curve,run,origin,<x axis> [unit],<y axis> [unit]`,
 /// then the half-widths of the 95 % intervals of x and y where a curve has them. Comment lines (#) before the
@@ -43,4 +43,4 @@ struct CsvFile {
 /// Whether a file begins like a table of findings or of a figure, whichever it is of.
 [[nodiscard]] bool begins_like_analysis_csv(std::istream& file);
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

@@ -6,7 +6,7 @@
 
 #include "analysis/chapter_names.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -87,4 +87,4 @@ bool is_figure_key(std::string_view key, std::string_view chapter) {
     });
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

@@ -12,7 +12,7 @@
 #include "record/flow_fields.hpp"
 #include "statistics/confidence.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 std::string measured_name(const Case& c) {
     return c.measured.source.empty() ? measured_in_case : "measured (" + c.measured.source + ")";
@@ -142,4 +142,4 @@ double interpolated(const std::vector<double>& x, const std::vector<double>& y, 
     return place_in(x, at).in(y);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

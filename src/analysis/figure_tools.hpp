@@ -12,7 +12,7 @@
 #include "statistics/confidence.hpp"
 #include "statistics/power_spectrum.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 // Small helps for the chapters.
 
@@ -81,4 +81,4 @@ void attempt(const FlowRecord& record, Analysis& analysis, Figure figure, const 
 /// Linear interpolation in a table with ascending x; not-a-number beyond its ends.
 [[nodiscard]] double interpolated(const std::vector<double>& x, const std::vector<double>& y, double at);
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

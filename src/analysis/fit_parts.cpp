@@ -11,7 +11,7 @@
 #include "analysis/section_parts.hpp"
 #include "hydraulics/channel_laws.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -163,4 +163,4 @@ void add_secondary_flow_laws(const FlowRecord& record, const FittedFlow& flow, F
     add_stress_law(record, flow, analysis);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

@@ -8,7 +8,7 @@
 #include "analysis/flow_record.hpp"
 #include "hydraulics/law_fits.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 // The parts of the chapter on the laws fitted to profiles.
 
@@ -43,4 +43,4 @@ void add_kappa(const FlowRecord& record, const FittedFlow& flow, Analysis& analy
 void add_secondary_flow_laws(const FlowRecord& record, const FittedFlow& flow, Figure& laws,
                              Analysis& analysis);
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

@@ -11,7 +11,7 @@
 #include "hydraulics/channel_laws.hpp"
 #include "hydraulics/law_fits.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 void add_roughness_of_stress(const FlowRecord& record, const FittedFlow& flow, Analysis& analysis) {
     if (!flow.friction_velocity) return;
@@ -54,4 +54,4 @@ void add_kappa(const FlowRecord& record, const FittedFlow& flow, Analysis& analy
     analysis.findings.push_back(std::move(finding));
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

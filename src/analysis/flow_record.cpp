@@ -13,7 +13,7 @@
 #include "record/flow_fields.hpp"
 #include "solver/summary.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 const SeriesTable& FlowRecord::series() const {
     static const SeriesTable none;
@@ -164,4 +164,4 @@ double friction_velocity_of(const FlowRecord& record) {
                : 0.0;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

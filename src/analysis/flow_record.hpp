@@ -18,7 +18,7 @@
 #include "record/profiles.hpp"
 #include "record/series_table.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 /// Stretch of a record that averages are taken over, s.
 struct TimeWindow {
@@ -191,4 +191,4 @@ class FlowRecord {
 /// (thesis 4.6), else the measured one, else sqrt(g h S0). 0 where none is known.
 [[nodiscard]] double friction_velocity_of(const FlowRecord& record);
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

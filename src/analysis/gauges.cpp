@@ -10,7 +10,7 @@
 #include "analysis/chapter_names.hpp"
 #include "analysis/figure_tools.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -63,4 +63,4 @@ void add_gauges(const FlowRecord& record, Analysis& analysis) {
     if (!figure.curves.empty()) analysis.figures.push_back(std::move(figure));
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 /// Small waves on water of uniform depth that flows at a uniform velocity along x (Lamb, Hydrodynamics,
 /// art. 266 f.): omega = k U +- sqrt((g k + sigma k^3 / rho) tanh(k H)). SI; k in rad/m, omega in rad/s.
@@ -31,4 +31,4 @@ struct GravityCapillaryWaves {
     [[nodiscard]] double advection_frequency(double k) const { return k * velocity; }
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

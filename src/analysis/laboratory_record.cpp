@@ -15,7 +15,7 @@
 #include "laboratory/velocity_series.hpp"
 #include "record/twin_fields.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -313,4 +313,4 @@ const SectionTwin& LaboratoryRecord::section_twin() const {
 }
 std::vector<std::string> LaboratoryRecord::warnings() const { return impl_->warnings; }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

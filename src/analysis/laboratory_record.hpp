@@ -8,7 +8,7 @@
 
 #include "analysis/flow_record.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 /// What the file of a laboratory record does not tell.
 struct LaboratoryRecordOptions {
@@ -48,4 +48,4 @@ class LaboratoryRecord final : public FlowRecord {
     std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

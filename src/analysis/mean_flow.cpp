@@ -8,7 +8,7 @@
 #include "record/flow_fields.hpp"
 #include "statistics/jackknife.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -189,4 +189,4 @@ std::vector<double> period_means(const std::vector<double>& y, const std::vector
     return result;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

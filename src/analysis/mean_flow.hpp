@@ -8,7 +8,7 @@
 #include "record/field.hpp"
 #include "statistics/moments.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 /// Quantities of `/mean_field` of a three-dimensional run, in the order of `fields::mean_field`.
 enum class FieldQuantity : std::size_t {
@@ -124,4 +124,4 @@ using SectionEstimator = std::function<std::vector<double>(const FieldSums& sect
 [[nodiscard]] std::vector<double> period_means(const std::vector<double>& y,
                                                const std::vector<double>& values, double period);
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

@@ -10,7 +10,7 @@
 #include "base/not_a_number.hpp"
 #include "laboratory/csv_table.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -220,4 +220,4 @@ void add_measured_file(const std::filesystem::path& path, const Case& c, FlowRec
     }
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

@@ -9,7 +9,7 @@
 #include "laboratory/section_record.hpp"
 #include "laboratory/velocity_field.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 /// What a laboratory's file holds.
 enum class LaboratoryKind {
@@ -42,4 +42,4 @@ enum class LaboratoryKind {
 void add_measured_file(const std::filesystem::path& path, const Case& c, FlowRecord::Measured& measured,
                        std::vector<std::string>& warnings);
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

@@ -15,7 +15,7 @@
 #include "record/probe_fields.hpp"
 #include "statistics/confidence.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -154,4 +154,4 @@ void add_momentum_budget(const FlowRecord& record, Analysis& analysis) {
     for (Finding& finding : findings) analysis.findings.push_back(std::move(finding));
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

@@ -3,7 +3,7 @@
 #include "analysis/figure.hpp"
 #include "analysis/flow_record.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 /// Findings of a channel with open ends: the momentum that the water brings in and takes out, the pressure on
 /// the sections of both ends, the weight down the slope, and what bed, walls and each body take of it, the
@@ -11,4 +11,4 @@ namespace riffle {
 /// Nothing of other channels, whose forces stand over the weight component (chapter_forces.cpp).
 void add_momentum_budget(const FlowRecord& record, Analysis& analysis);
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

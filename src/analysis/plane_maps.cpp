@@ -15,7 +15,7 @@
 #include "case/porous_zone.hpp"
 #include "hydraulics/turbulence_laws.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -236,4 +236,4 @@ void add_plane_maps(const FlowRecord& record, Analysis& analysis) {
              reynolds);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

@@ -7,7 +7,7 @@
 #include "base/error.hpp"
 #include "statistics/autocorrelation.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -77,4 +77,4 @@ std::vector<ProbePointStatistics> probe_point_statistics(const VelocityProbe& pr
     return result;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

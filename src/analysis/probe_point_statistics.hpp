@@ -5,7 +5,7 @@
 #include "analysis/flow_record.hpp"
 #include "statistics/moments.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 /// Statistics of the velocities recorded at one point, with 95 % intervals that take correlation in time into
 /// account. SI.
@@ -31,4 +31,4 @@ struct ProbePointStatistics {
 /// The sampling interval of a probe, s: the mean one.
 [[nodiscard]] double sampling_interval_of(const VelocityProbe& probe);
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

@@ -12,7 +12,7 @@
 #include "base/not_a_number.hpp"
 #include "hydraulics/profile_comparison.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -136,4 +136,4 @@ void add_profile_errors(const FlowRecord& record, const Profiles& p, Analysis& a
     }
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

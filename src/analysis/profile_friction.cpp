@@ -14,7 +14,7 @@
 #include "case/flow_kind.hpp"
 #include "hydraulics/friction_parts.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -170,4 +170,4 @@ void add_friction_parts(const FlowRecord& record, const Profiles& p, const Field
     analysis.figures.push_back(std::move(figure));
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

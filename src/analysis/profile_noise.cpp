@@ -11,7 +11,7 @@
 #include "analysis/profile_parts.hpp"
 #include "case/flow_kind.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -140,4 +140,4 @@ void add_eddies_and_noise(const FlowRecord& record, Analysis& analysis) {
     add_noise_viscosity(record, split, analysis);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

@@ -7,7 +7,7 @@
 #include "analysis/flow_record.hpp"
 #include "analysis/section_parts.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 // The parts of the chapter on the vertical profiles.
 
@@ -79,4 +79,4 @@ void add_eddies_and_noise(const FlowRecord& record, Analysis& analysis);
 /// Pressure against hydrostatic, and its departure.
 void add_pressure(const FlowRecord& record, const Profiles& p, Analysis& analysis);
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

@@ -10,7 +10,7 @@
 #include "analysis/profile_parts.hpp"
 #include "record/flow_fields.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 double mean_level_of(const FlowRecord& record, const Profiles& p) {
     const std::vector<double>& time = record.series()[fields::time_series.time];
@@ -96,4 +96,4 @@ void add_pressure(const FlowRecord& record, const Profiles& p, Analysis& analysi
     analysis.findings.push_back(std::move(finding));
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

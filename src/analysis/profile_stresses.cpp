@@ -13,7 +13,7 @@
 #include "roughness/porous_resistance.hpp"
 #include "roughness/vegetation.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -162,4 +162,4 @@ void add_drag(const FlowRecord& record, const Profiles& p, Analysis& analysis) {
     analysis.figures.push_back(std::move(figure));
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

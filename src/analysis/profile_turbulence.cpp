@@ -9,7 +9,7 @@
 #include "case/flow_kind.hpp"
 #include "hydraulics/turbulence_laws.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 void add_measured_turbulence(const FlowRecord& record, ProfileQuantity quantity,
                              std::vector<double> Profiles::*values, std::string name, double factor,
@@ -116,4 +116,4 @@ void add_intensities(const FlowRecord& record, const Profiles& p, Analysis& anal
     analysis.figures.push_back(std::move(figure));
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

@@ -10,7 +10,7 @@
 #include "record/flow_fields.hpp"
 #include "record/twin_fields.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -173,4 +173,4 @@ SectionTwin read_section_twin(const RunResults& results) {
     return twin;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

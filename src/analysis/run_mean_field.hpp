@@ -7,7 +7,7 @@
 #include "analysis/mean_flow.hpp"
 #include "record/run_results.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 /// The mean field of a three-dimensional run over those of its windows that lie within the window, read
 /// window by window; empty where the file has none. What is left out is added to `warnings`. Throws FileError
@@ -23,4 +23,4 @@ namespace riffle {
 /// The section twin that the run stored, `/section`; empty where it has none.
 [[nodiscard]] SectionTwin read_section_twin(const RunResults& results);
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

@@ -11,7 +11,7 @@
 #include "base/not_a_number.hpp"
 #include "record/probe_fields.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -313,4 +313,4 @@ RunProbes read_probes(const RunResults& results, const Case& c, const TimeWindow
     return probes;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

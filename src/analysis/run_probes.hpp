@@ -8,7 +8,7 @@
 #include "analysis/flow_record.hpp"
 #include "record/run_results.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 /// The instruments of a run, from the groups `/probes/NAME` of its results file (docs/results-format.md),
 /// over the window. Instruments share `most_values` equally; one with more values than that keeps its last
@@ -28,4 +28,4 @@ struct RunProbes {
 /// Length after which the channel of a case repeats, m; none between walls.
 [[nodiscard]] std::optional<double> period_of(const Case& c);
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

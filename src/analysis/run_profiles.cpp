@@ -11,7 +11,7 @@
 #include "record/flow_fields.hpp"
 #include "solver/profile_blocks.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 Profiles read_profiles_group(const RunResults& results) {
     Profiles profiles;
@@ -58,4 +58,4 @@ Profiles average_profile_blocks(const RunResults& results, const Case& c, const 
     return sampler.average(window.from, window.to);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

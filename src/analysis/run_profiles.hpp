@@ -3,7 +3,7 @@
 #include "analysis/flow_record.hpp"
 #include "record/run_results.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 /// The profiles of the run's averaging window, `/profiles`. Bins without particles are left out, as are
 /// columns that the file lacks (their vectors are empty). Empty without profiles.
@@ -14,4 +14,4 @@ namespace riffle {
 [[nodiscard]] Profiles average_profile_blocks(const RunResults& results, const Case& c,
                                               const ColumnResult* column, const TimeWindow& window);
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

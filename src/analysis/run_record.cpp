@@ -18,7 +18,7 @@
 #include "record/flow_fields.hpp"
 #include "record/run_fields.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 struct RunRecord::Impl {
     Impl(const std::filesystem::path& file, RunRecordOptions given)
@@ -219,4 +219,4 @@ const FlowRecord::Measured& RunRecord::measured() const {
 
 bool RunRecord::is_compared() const { return impl_->compared; }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

@@ -9,7 +9,7 @@
 #include "analysis/flow_record.hpp"
 #include "record/run_results.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 /// What a user may ask of the record of a run.
 struct RunRecordOptions {
@@ -63,4 +63,4 @@ class RunRecord final : public FlowRecord {
     std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

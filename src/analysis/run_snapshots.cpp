@@ -11,7 +11,7 @@
 #include "record/particle_fields.hpp"
 #include "record/whole_snapshots.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -68,4 +68,4 @@ EddiesAndNoise read_eddies_and_noise(const RunResults& results, const Case& c, c
     return split.result();
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

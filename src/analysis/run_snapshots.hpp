@@ -9,7 +9,7 @@
 #include "case/case.hpp"
 #include "record/run_results.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 /// The three components of an (N, 3) dataset, each an array of its own.
 [[nodiscard]] std::array<std::vector<double>, 3> components(const std::vector<double>& rows);
@@ -21,4 +21,4 @@ namespace riffle {
                                                    const TimeWindow& window,
                                                    std::size_t most_particles = 1'000'000);
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

@@ -8,7 +8,7 @@
 #include "base/not_a_number.hpp"
 #include "statistics/jackknife.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -166,4 +166,4 @@ std::vector<SecondaryCell> secondary_cells(const std::vector<double>& y, const F
     return cells;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

@@ -5,7 +5,7 @@
 
 #include "analysis/mean_flow.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 // The mean motion across the flow, (V, W), and what the averaging has left in it of the fluctuation.
 
@@ -61,4 +61,4 @@ struct SecondaryCell {
 [[nodiscard]] std::vector<SecondaryCell> secondary_cells(const std::vector<double>& y,
                                                          const FieldEstimates& psi, double width);
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

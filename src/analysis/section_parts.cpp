@@ -11,7 +11,7 @@
 #include "base/not_a_number.hpp"
 #include "case/sphere_tiling.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -192,4 +192,4 @@ Curve section_vectors(const MeanFlow& field, const FieldSums& section, const Cas
     return curve;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

@@ -9,7 +9,7 @@
 #include "analysis/mean_flow.hpp"
 #include "case/case.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 // What the chapters on three-dimensional runs share.
 
@@ -76,4 +76,4 @@ struct SectionProfile {
 [[nodiscard]] Curve section_vectors(const MeanFlow& field, const FieldSums& section, const Case& c,
                                     double velocity_scale, const std::string& scale_name);
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

@@ -6,7 +6,7 @@
 #include <limits>
 #include <numeric>
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -99,4 +99,4 @@ const SectionPoints& points_beside(const FlowRecord& record) {
     return record.origin() == Origin::measured ? record.section_points() : record.measured().section;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

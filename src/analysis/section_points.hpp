@@ -4,7 +4,7 @@
 
 #include "analysis/flow_record.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 /// The points of a section that lie over each other, from the bed up.
 struct MeasuredStation {
@@ -31,4 +31,4 @@ struct MeasuredRow {
 /// with.
 [[nodiscard]] const SectionPoints& points_beside(const FlowRecord& record);
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

@@ -15,7 +15,7 @@
 #include "hydraulics/profile_comparison.hpp"
 #include "hydraulics/turbulence_laws.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -254,4 +254,4 @@ void add_section_profiles(const FlowRecord& record, Analysis& analysis) {
     add_lateral(record, analysis);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

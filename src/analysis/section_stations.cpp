@@ -18,7 +18,7 @@
 #include "hydraulics/profile_comparison.hpp"
 #include "hydraulics/turbulence_laws.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -331,4 +331,4 @@ void add_section_stations(const FlowRecord& record, Analysis& analysis) {
     add_rows(record, analysis);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

@@ -9,7 +9,7 @@
 #include "base/error.hpp"
 #include "base/not_a_number.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -120,7 +120,7 @@ SpaceTime make_space_time(std::span<const double> x, std::span<const double> tim
     return data;
 }
 
-SpaceTime rows_of(const SpaceTime& data, std::size_t first, std::size_t count) {
+SpaceTime block_of_rows(const SpaceTime& data, std::size_t first, std::size_t count) {
     if (first > data.rows() || count > data.rows() - first) {
         throw InputError(fmt::format("record along a line: rows {} to {} of {} were asked for", first + 1,
                                      first + count, data.rows()));
@@ -280,4 +280,4 @@ void require_even_times(const SpaceTime& data, const char* purpose, double toler
     }
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

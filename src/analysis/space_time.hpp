@@ -7,7 +7,7 @@
 
 #include "statistics/confidence.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 /// A quantity along a line over time, e.g. the surface elevation eta(x, t) of a run or of a row of wave
 /// probes: evenly spaced along the line, at increasing times. SI.
@@ -54,7 +54,7 @@ struct StationRecord {
                                         std::optional<double> period = std::nullopt);
 
 /// Rows first ... first + count - 1. Throws InputError where there are not so many.
-[[nodiscard]] SpaceTime rows_of(const SpaceTime& data, std::size_t first, std::size_t count);
+[[nodiscard]] SpaceTime block_of_rows(const SpaceTime& data, std::size_t first, std::size_t count);
 
 /// The record at fewer places, at most `most` (>= 2): every n-th column. Along a periodic line n must divide
 /// the columns; where no n leaves at least half of `most`, the record is interpolated linearly at `most` even
@@ -114,4 +114,4 @@ void require_wet(const SpaceTime& data, const char* purpose);
 /// Throws InputError where the times are not even to `tolerance` intervals.
 void require_even_times(const SpaceTime& data, const char* purpose, double tolerance = 0.01);
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

@@ -8,7 +8,7 @@
 #include "base/error.hpp"
 #include "statistics/fourier.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -133,4 +133,4 @@ std::optional<double> deepest_zero(std::span<const StreamwiseCorrelation> height
     return deepest;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

@@ -7,7 +7,7 @@
 
 #include "analysis/space_time.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 /// How far apart in space and time places are correlated.
 struct CorrelationReach {
@@ -66,4 +66,4 @@ struct StreamwiseCorrelation {
 /// does not at the highest.
 [[nodiscard]] std::optional<double> deepest_zero(std::span<const StreamwiseCorrelation> heights);
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

@@ -8,7 +8,7 @@
 #include "base/error.hpp"
 #include "statistics/record.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 std::vector<StationPair> pairs_by_distance(std::span<const StationRecord> stations) {
     std::vector<StationPair> pairs;
@@ -50,4 +50,4 @@ std::vector<StationRecord> normalised_stations(std::span<const StationRecord> st
     return result;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

@@ -6,7 +6,7 @@
 
 #include "analysis/space_time.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 /// Two stations, the second further downstream.
 struct StationPair {
@@ -22,4 +22,4 @@ struct StationPair {
 [[nodiscard]] std::vector<StationRecord> normalised_stations(std::span<const StationRecord> stations,
                                                              const char* purpose);
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

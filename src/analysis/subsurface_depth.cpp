@@ -9,7 +9,7 @@
 #include "analysis/subsurface_parts.hpp"
 #include "statistics/power_spectrum.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -101,4 +101,4 @@ void add_depth_correlation(const FlowRecord& record, const VelocityInstrument& i
     if (!lags.curves.empty()) analysis.figures.push_back(std::move(lags));
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

@@ -11,7 +11,7 @@
 #include "statistics/cross_correlation.hpp"
 #include "statistics/record.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -84,4 +84,4 @@ void add_ejections_and_upwellings(const FlowRecord& record, const VelocityInstru
     });
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

@@ -8,7 +8,7 @@
 #include "analysis/flow_record.hpp"
 #include "analysis/probe_point_statistics.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 // The parts of the chapter on the velocities below the surface.
 
@@ -45,4 +45,4 @@ void add_ejections_and_upwellings(const FlowRecord& record, const VelocityInstru
 /// Parts of the Reynolds stress by quadrant over the depth, and against the hole size. Nothing without w.
 void add_quadrants(const FlowRecord& record, const VelocityInstrument& instrument, Analysis& analysis);
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

@@ -10,7 +10,7 @@
 #include "analysis/subsurface_parts.hpp"
 #include "statistics/quadrants.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -82,4 +82,4 @@ void add_quadrants(const FlowRecord& record, const VelocityInstrument& instrumen
     });
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

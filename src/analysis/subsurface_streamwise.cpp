@@ -9,7 +9,7 @@
 #include "analysis/space_time_correlation.hpp"
 #include "analysis/subsurface_parts.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -135,4 +135,4 @@ void add_streamwise_correlation(const FlowRecord& record, Analysis& analysis) {
     });
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

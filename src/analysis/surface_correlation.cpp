@@ -14,7 +14,7 @@
 #include "statistics/jackknife.hpp"
 #include "statistics/least_squares.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -237,4 +237,4 @@ SurfaceCorrelationFit fit_surface_correlation(const SpatialCorrelation& correlat
     return result;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

@@ -8,7 +8,7 @@
 #include "analysis/space_time.hpp"
 #include "statistics/moments.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 /// The spatial correlation of a fluctuation, W(rho) = <eta'(x) eta'(x + rho)> / <eta'^2>, over all pairs of
 /// points at a distance and all times.
@@ -76,4 +76,4 @@ struct SurfaceCorrelationOptions {
 [[nodiscard]] SurfaceCorrelationFit fit_surface_correlation(const SpatialCorrelation& correlation,
                                                             const SurfaceCorrelationOptions& options = {});
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

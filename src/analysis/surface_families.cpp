@@ -12,7 +12,7 @@
 #include "base/error.hpp"
 #include "statistics/fourier.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -155,4 +155,4 @@ SurfaceMakeup surface_makeup(const SurfacePlan& plan, const GravityCapillaryWave
     return result;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

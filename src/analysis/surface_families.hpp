@@ -6,7 +6,7 @@
 
 #include "analysis/gravity_capillary_waves.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 /// Elevation of the free surface in plan at even times, about its mean over the plan at each time.
 struct SurfacePlan {
@@ -59,4 +59,4 @@ struct SurfaceMakeup {
 [[nodiscard]] SurfaceMakeup surface_makeup(const SurfacePlan& plan, const GravityCapillaryWaves& waves,
                                            double slowest, double fastest, std::size_t segment_times);
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

@@ -11,7 +11,7 @@
 #include "analysis/space_time.hpp"
 #include "base/error.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 // The parts of the chapter on the surface: from a record along a line, and from records at single places.
 
@@ -100,4 +100,4 @@ void add_station_spectra(const FlowRecord& record, const std::vector<SurfaceStat
 void add_station_correlations(const FlowRecord& record, const std::vector<SurfaceStation>& stations,
                               Analysis& analysis);
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

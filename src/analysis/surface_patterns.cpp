@@ -14,7 +14,7 @@
 #include "analysis/surface_parts.hpp"
 #include "analysis/upwelling.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -288,4 +288,4 @@ void add_place_patterns(const FlowRecord& record, const std::vector<SurfaceStati
         analysis);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

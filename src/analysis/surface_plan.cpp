@@ -11,7 +11,7 @@
 #include "analysis/surface_parts.hpp"
 #include "statistics/record.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -124,4 +124,4 @@ void add_surface_plan(const FlowRecord& record, Analysis& analysis) {
     });
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

@@ -15,7 +15,7 @@
 #include "base/error.hpp"
 #include "statistics/record.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -101,4 +101,4 @@ void add_surface_families(const FlowRecord& record, Analysis& analysis) {
     });
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

@@ -9,7 +9,7 @@
 #include "analysis/space_time_correlation.hpp"
 #include "analysis/surface_parts.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -81,4 +81,4 @@ void add_surface_extremes(const FlowRecord& record, const StationCelerity& found
     analysis.figures.push_back(std::move(figure));
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

@@ -13,7 +13,7 @@
 #include "statistics/jackknife.hpp"
 #include "statistics/welch.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -186,4 +186,4 @@ WaveSpectrum wave_spectrum(const SpaceTime& fluctuation, std::size_t segment_row
     return result;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

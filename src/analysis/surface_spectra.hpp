@@ -5,7 +5,7 @@
 
 #include "analysis/space_time.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 // Spectra of a fluctuation (mean zero: fluctuation()) over a line and time, without dry points, at even times
 // (resample_evenly()). Otherwise InputError. Densities per rad/m and per rad/s: their integral is the
@@ -63,4 +63,4 @@ struct WaveSpectrum {
 /// (aliases). Throws InputError also for segments of less than 4 rows or longer than the record.
 [[nodiscard]] WaveSpectrum wave_spectrum(const SpaceTime& fluctuation, std::size_t segment_rows);
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

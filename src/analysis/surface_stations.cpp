@@ -13,7 +13,7 @@
 #include "statistics/cross_correlation.hpp"
 #include "statistics/power_spectrum.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -243,4 +243,4 @@ void add_station_correlations(const FlowRecord& record, const std::vector<Surfac
     });
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

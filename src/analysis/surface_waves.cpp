@@ -15,7 +15,7 @@
 #include "statistics/confidence.hpp"
 #include "statistics/record.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -207,4 +207,4 @@ void add_surface_spectra(const FlowRecord& record, const SurfaceFluctuation& sur
     add_wave_spectrum(record, surface, analysis);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

@@ -8,7 +8,7 @@
 
 #include "base/error.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -85,4 +85,4 @@ SpaceTime surface_vertical_velocity(const SpaceTime& elevation, double surface_v
     return result;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

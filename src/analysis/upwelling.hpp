@@ -5,7 +5,7 @@
 #include "analysis/space_time.hpp"
 #include "statistics/confidence.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 // Upwellings and downwellings: where water rises to the surface and sinks from it. Tamburrino & Gulliver
 // (1999; thesis 2.30-2.31) expect about A_r/2 of each across a channel of aspect ratio A_r = width/depth. The
@@ -39,4 +39,4 @@ struct UpwellingCounts {
 /// Number of upwellings expected across a channel, as many of downwellings: A_r/2 (thesis 2.30-2.31).
 [[nodiscard]] constexpr double expected_upwellings(double width, double depth) { return 0.5 * width / depth; }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

@@ -7,7 +7,7 @@
 
 #include "base/error.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -86,4 +86,4 @@ std::vector<VelocitySpectrum> velocity_spectra(std::span<const HeightRecord> rec
     return result;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

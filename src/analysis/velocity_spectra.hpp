@@ -7,7 +7,7 @@
 #include "analysis/depth_correlation.hpp"
 #include "statistics/power_spectrum.hpp"
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 /// Band of frequencies, Hz.
 struct FrequencyBand {
@@ -34,4 +34,4 @@ struct VelocitySpectrum {
                                                              std::optional<FrequencyBand> band = std::nullopt,
                                                              const WelchOptions& options = {});
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 namespace {
 
@@ -126,4 +126,4 @@ double root_mean_square(const std::vector<double>& values) {
     return count > 0.0 ? std::sqrt(squares / count) : 0.0;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

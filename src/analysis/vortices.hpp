@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace riffle {
+namespace riffle::inline analysis {
 
 /// A box of cells for derivatives and regions: the first axis runs fastest; an axis of one cell has no
 /// derivative.
@@ -45,4 +45,4 @@ struct CellBox {
 /// Root mean square over the values that are numbers; 0 where there are none.
 [[nodiscard]] double root_mean_square(const std::vector<double>& values);
 
-}  // namespace riffle
+}  // namespace riffle::inline analysis

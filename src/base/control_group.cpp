@@ -2,7 +2,7 @@
 
 #include <fstream>
 
-namespace riffle {
+namespace riffle::inline base {
 
 namespace {
 
@@ -49,4 +49,4 @@ std::vector<ControlGroupFolder> control_group_folders(const SystemFiles& files, 
     return folders;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline base

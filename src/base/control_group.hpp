@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace riffle {
+namespace riffle::inline base {
 
 /// Where the system says what the process may use; another root for tests.
 struct SystemFiles {
@@ -25,4 +25,4 @@ struct ControlGroupFolder {
 /// First line of a file; empty where there is none.
 [[nodiscard]] std::string first_line(const std::string& file);
 
-}  // namespace riffle
+}  // namespace riffle::inline base

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace riffle {
+namespace riffle::inline base {
 
 std::string csv_number(double value) { return std::isfinite(value) ? fmt::format("{:.9g}", value) : ""; }
 
@@ -21,4 +21,4 @@ std::string csv_cell(const std::string& text) {
     return quoted + '"';
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline base

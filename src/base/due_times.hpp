@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace riffle {
+namespace riffle::inline base {
 
 // Due times are whole multiples of an interval (s), found anew each time, without accumulated rounding. A
 // time within a billionth of an interval of a multiple counts as it.
@@ -20,4 +20,4 @@ namespace riffle {
     return (whole_intervals(time * frequency) + 1.0) / frequency;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline base

@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace riffle {
+namespace riffle::inline base {
 
 /// Exit status of the `riffle` command; documented in docs/user-guide.md.
 enum class ExitCode : int {
@@ -41,4 +41,4 @@ class RunError : public Error {
     explicit RunError(const std::string& message) : Error(ExitCode::run_failed, message) {}
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline base

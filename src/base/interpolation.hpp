@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <span>
 
-namespace riffle {
+namespace riffle::inline base {
 
 /// Where a value stands among rising ones: the entries before and behind it, and the share of the latter.
 struct TablePlace {
@@ -33,4 +33,4 @@ struct TablePlace {
     return {i - 1, i, (at - x[i - 1]) / (x[i] - x[i - 1])};
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline base

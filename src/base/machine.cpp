@@ -8,7 +8,7 @@
 #include <fstream>
 #include <system_error>
 
-namespace riffle {
+namespace riffle::inline base {
 
 namespace {
 
@@ -92,4 +92,4 @@ std::optional<std::size_t> available_memory(const SystemFiles& files) {
     return bytes;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline base

@@ -6,7 +6,7 @@
 
 #include "base/control_group.hpp"
 
-namespace riffle {
+namespace riffle::inline base {
 
 /// Name of the processor as /proc/cpuinfo gives it; "unknown" where there is none.
 [[nodiscard]] std::string processor_name();
@@ -17,4 +17,4 @@ namespace riffle {
 /// where the system does not say.
 [[nodiscard]] std::optional<std::size_t> available_memory(const SystemFiles& files = {});
 
-}  // namespace riffle
+}  // namespace riffle::inline base

@@ -1,6 +1,6 @@
 #include "base/markup.hpp"
 
-namespace riffle {
+namespace riffle::inline base {
 
 std::string escape_markup(std::string_view text) {
     std::string result;
@@ -25,4 +25,4 @@ std::string escape_markup(std::string_view text) {
     return result;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline base

@@ -14,7 +14,7 @@
 
 #include "base/error.hpp"
 
-namespace riffle {
+namespace riffle::inline base {
 
 namespace {
 
@@ -82,4 +82,4 @@ bool reset_peak_memory() {
     return control.good();
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline base

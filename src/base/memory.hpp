@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <optional>
 
-namespace riffle {
+namespace riffle::inline base {
 
 /// Let the program end with a message, at once, when it gets no more memory: what would have to be undone
 /// after std::bad_alloc needs memory itself, and parts of the libraries do not survive it. Files stay as
@@ -34,4 +34,4 @@ class OutOfMemoryEnd {
 /// Count the peak anew; whether the system lets it.
 bool reset_peak_memory();
 
-}  // namespace riffle
+}  // namespace riffle::inline base

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace riffle {
+namespace riffle::inline base {
 
 /// Whether a is b or several times it, up to a share `tolerance` of a.
 [[nodiscard]] inline bool is_multiple(double a, double b, double tolerance) {
@@ -10,4 +10,4 @@ namespace riffle {
     return times >= 1.0 && std::abs(times * b - a) <= tolerance * std::abs(a);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline base

@@ -2,9 +2,9 @@
 
 #include <limits>
 
-namespace riffle {
+namespace riffle::inline base {
 
 /// Stands where a quantity has no value: figures leave a gap there, tables an empty cell.
 inline constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-}  // namespace riffle
+}  // namespace riffle::inline base

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace riffle {
+namespace riffle::inline base {
 
 namespace {
 
@@ -23,4 +23,4 @@ void notice(const std::string& what) {
     }
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline base

@@ -7,7 +7,7 @@
 
 #include "base/processors.hpp"
 
-namespace riffle {
+namespace riffle::inline base {
 
 namespace {
 std::unique_ptr<tbb::global_control>& control() {
@@ -45,4 +45,4 @@ std::string thread_description() {
     return nodes() == 1 ? threads : threads + ", memory spread over " + std::to_string(nodes()) + " nodes";
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline base

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace riffle {
+namespace riffle::inline base {
 
 /// Number of threads that the parallel loops use from now on; 0: all processors that this process may run on
 /// and has computing time for (available_processors()). With several threads, memory taken later is spread
@@ -60,4 +60,4 @@ template <class T, class Map, class Combine>
     return result;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline base

@@ -14,7 +14,7 @@
 #include <optional>
 #include <sstream>
 
-namespace riffle {
+namespace riffle::inline base {
 
 namespace {
 
@@ -137,4 +137,4 @@ std::size_t spread_memory_over_nodes() {
     return spread ? count : 1;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline base

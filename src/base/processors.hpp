@@ -6,7 +6,7 @@
 
 #include "base/control_group.hpp"
 
-namespace riffle {
+namespace riffle::inline base {
 
 /// Numbers of a list such as "0-3,8"; empty where the text is none.
 [[nodiscard]] std::vector<std::size_t> numbers_of_list(const std::string& text);
@@ -26,4 +26,4 @@ namespace riffle {
 /// policy already (numactl), or where the system refuses. It stays so for the life of the process.
 std::size_t spread_memory_over_nodes();
 
-}  // namespace riffle
+}  // namespace riffle::inline base

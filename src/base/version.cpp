@@ -3,7 +3,7 @@
 #include "riffle_build.hpp"
 #include "riffle_revision.hpp"
 
-namespace riffle {
+namespace riffle::inline base {
 
 std::string version() { return build::version; }
 
@@ -11,4 +11,4 @@ std::string build_description() {
     return std::string(build::compiler) + ", " + build::type + ", revision " + build::revision;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline base

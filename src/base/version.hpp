@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace riffle {
+namespace riffle::inline base {
 
 /// Version of Riffle, e.g. "0.1.0".
 [[nodiscard]] std::string version();
@@ -10,4 +10,4 @@ namespace riffle {
 /// Build facts: compiler, build type, revision of the source.
 [[nodiscard]] std::string build_description();
 
-}  // namespace riffle
+}  // namespace riffle::inline base

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-namespace riffle {
+namespace riffle::inline base {
 
 namespace {
 
@@ -75,4 +75,4 @@ std::string shortened(const std::string& text) {
     return text.size() <= longest ? text : text.substr(0, longest) + "...";
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline base

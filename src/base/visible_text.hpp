@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace riffle {
+namespace riffle::inline base {
 
 /// Where a text holds a character that a terminal, a log or a page would obey instead of showing it, and
 /// which: control characters (U+0000 to U+001F, U+007F to U+009F), the marks that turn the direction of
@@ -27,4 +27,4 @@ struct HiddenCharacter {
 /// A text of a file as a message shows it: its begin, where it is long.
 [[nodiscard]] std::string shortened(const std::string& text);
 
-}  // namespace riffle
+}  // namespace riffle::inline base

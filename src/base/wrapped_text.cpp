@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace riffle {
+namespace riffle::inline base {
 
 std::size_t columns_of(std::string_view text) {
     return static_cast<std::size_t>(std::count_if(
@@ -35,4 +35,4 @@ std::string wrapped_text(std::string_view line, std::size_t indent, std::size_t 
     return text + current;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline base

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace riffle {
+namespace riffle::inline base {
 
 /// Columns that a terminal is sure to have.
 inline constexpr std::size_t usual_columns = 80;
@@ -18,4 +18,4 @@ inline constexpr std::size_t usual_columns = 80;
 [[nodiscard]] std::string wrapped_text(std::string_view line, std::size_t indent,
                                        std::size_t columns = usual_columns);
 
-}  // namespace riffle
+}  // namespace riffle::inline base

@@ -8,7 +8,7 @@
 #include "boundary/solid_fill.hpp"
 #include "boundary/wall_motion.hpp"
 
-namespace riffle {
+namespace riffle::inline boundary {
 
 namespace {
 
@@ -303,4 +303,4 @@ double BodyContact::deepest(const std::vector<FreeBody>& free, std::size_t n,
     return depth;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline boundary

@@ -8,7 +8,7 @@
 #include "boundary/solid_surface.hpp"
 #include "case/case.hpp"
 
-namespace riffle {
+namespace riffle::inline boundary {
 
 /// Contact of free bodies with walls, other solids and each other by soft spheres (Cundall & Strack 1979):
 /// points of the surface of a body that have gone behind a wall by d are pushed out by k d - c v, never
@@ -77,4 +77,4 @@ class BodyContact {
 /// its speed; `restitution` from exp(-2) on, which critical damping leaves (Schwager & Poeschel 2007).
 [[nodiscard]] double damping_ratio(double restitution);
 
-}  // namespace riffle
+}  // namespace riffle::inline boundary

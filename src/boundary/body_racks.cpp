@@ -9,7 +9,7 @@
 #include "case/solid_mesh.hpp"
 #include "case/units.hpp"
 
-namespace riffle {
+namespace riffle::inline boundary {
 
 std::vector<BoundaryPlane> body_racks(const Case& c) {
     const bool any = std::any_of(c.solids.begin(), c.solids.end(),
@@ -74,4 +74,4 @@ std::vector<std::string> RackWatch::news(double time, std::span<const FreeBodySt
     return sentences;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline boundary

@@ -9,7 +9,7 @@
 #include "boundary/wall_motion.hpp"
 #include "case/case.hpp"
 
-namespace riffle {
+namespace riffle::inline boundary {
 
 /// Where free bodies are held back before open ends, as by racks that the water passes: the sections at the
 /// ends know of water alone. Two planes across the channel, none without open ends or without free bodies.
@@ -37,4 +37,4 @@ class RackWatch {
     WallMotion motion_;
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline boundary

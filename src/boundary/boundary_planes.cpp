@@ -3,7 +3,7 @@
 #include "boundary/wall.hpp"
 #include "case/flow_kind.hpp"
 
-namespace riffle {
+namespace riffle::inline boundary {
 
 template <int D>
 std::vector<BoundaryPlane> boundary_planes(const Case& c) {
@@ -36,4 +36,4 @@ std::vector<BoundaryPlane> boundary_planes(const Case& c) {
 template std::vector<BoundaryPlane> boundary_planes<2>(const Case&);
 template std::vector<BoundaryPlane> boundary_planes<3>(const Case&);
 
-}  // namespace riffle
+}  // namespace riffle::inline boundary

@@ -7,7 +7,7 @@
 #include "case/case.hpp"
 #include "particles/domain.hpp"
 
-namespace riffle {
+namespace riffle::inline boundary {
 
 /// A plane wall of a channel: bed, lid, end wall, side wall or the plane of symmetry in half of a channel.
 struct BoundaryPlane {
@@ -29,4 +29,4 @@ struct BoundaryPlane {
 template <int D>
 [[nodiscard]] std::vector<BoundaryPlane> boundary_planes(const Case& c);
 
-}  // namespace riffle
+}  // namespace riffle::inline boundary

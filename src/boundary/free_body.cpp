@@ -6,7 +6,7 @@
 #include "case/solid_motion.hpp"
 #include "case/solid_volume.hpp"
 
-namespace riffle {
+namespace riffle::inline boundary {
 
 namespace {
 
@@ -245,4 +245,4 @@ std::vector<FreeBody> free_bodies(const Case& c) {
     return bodies;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline boundary

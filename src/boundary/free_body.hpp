@@ -6,7 +6,7 @@
 #include "case/body_state.hpp"
 #include "case/case.hpp"
 
-namespace riffle {
+namespace riffle::inline boundary {
 
 /// A turn as a quaternion of length 1: cos(angle/2), then sin(angle/2) along the axis.
 using Quaternion = std::array<double, 4>;
@@ -118,4 +118,4 @@ class FreeBody {
 /// The free bodies of a case, in its order.
 [[nodiscard]] std::vector<FreeBody> free_bodies(const Case& c);
 
-}  // namespace riffle
+}  // namespace riffle::inline boundary

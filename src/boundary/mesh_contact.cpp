@@ -6,7 +6,7 @@
 
 #include "boundary/wall.hpp"
 
-namespace riffle {
+namespace riffle::inline boundary {
 
 MeshContact::MeshContact(const Case& c, const WallParticles<3>& walls)
     : meshes_(meshes_of(c)),
@@ -150,4 +150,4 @@ double MeshContact::resolve(const std::vector<BodyState>& now, Vec<3>& position,
     return furthest;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline boundary

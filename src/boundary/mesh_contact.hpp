@@ -12,7 +12,7 @@
 #include "case/solid_mesh.hpp"
 #include "particles/particles.hpp"
 
-namespace riffle {
+namespace riffle::inline boundary {
 
 /// Keeps water out of the solids of a case in three dimensions, as SolidContact does in two: in an impact
 /// single particles are driven in between the wall particles. Up to the surface itself where those fill the
@@ -58,4 +58,4 @@ class MeshContact {
     std::vector<BoundaryPlane> planes_;
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline boundary

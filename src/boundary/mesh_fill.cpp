@@ -8,7 +8,7 @@
 #include "boundary/wall_motion.hpp"
 #include "case/solid_mesh.hpp"
 
-namespace riffle {
+namespace riffle::inline boundary {
 
 namespace {
 
@@ -271,4 +271,4 @@ void add_meshes(const Case& c, const Lattice& lattice, int rows, WallParticles<3
     }
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline boundary

@@ -4,7 +4,7 @@
 #include "particles/lattice.hpp"
 #include "particles/particles.hpp"
 
-namespace riffle {
+namespace riffle::inline boundary {
 
 /// Add the wall particles of the solids in three dimensions to the walls, as deep as there are layers: of
 /// those at rest in the channel up to so many `rows` of the lattice, of those that move all of them. Each
@@ -18,4 +18,4 @@ void add_meshes(const Case& c, const Lattice& lattice, int rows, WallParticles<3
 /// Zaleski 2000, eq. 1 in three dimensions).
 [[nodiscard]] double share_below_plane(const Vec<3>& size, const Vec<3>& n, double d);
 
-}  // namespace riffle
+}  // namespace riffle::inline boundary

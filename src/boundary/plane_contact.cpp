@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace riffle {
+namespace riffle::inline boundary {
 
 template <int D>
 PlaneContact<D>::PlaneContact(const Case& c) : spacing_(c.numerics.spacing) {
@@ -29,4 +29,4 @@ double PlaneContact<D>::resolve(Vec<D>& position, Vec<D>& velocity) const {
 template class PlaneContact<2>;
 template class PlaneContact<3>;
 
-}  // namespace riffle
+}  // namespace riffle::inline boundary

@@ -6,7 +6,7 @@
 #include "case/case.hpp"
 #include "particles/domain.hpp"
 
-namespace riffle {
+namespace riffle::inline boundary {
 
 /// Keeps water before the plane walls of a case: bed, end walls, side walls and lid. Their pressure does so
 /// but for single particles that an impact drives in between the wall particles.
@@ -29,4 +29,4 @@ class PlaneContact {
     double spacing_ = 0.0;
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline boundary

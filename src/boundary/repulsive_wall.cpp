@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace riffle {
+namespace riffle::inline boundary {
 
 template <int D>
 RepulsiveWalls<D>::RepulsiveWalls(const Case& c, double sound_speed) {
@@ -37,4 +37,4 @@ Vec<D> RepulsiveWalls<D>::acceleration(const Vec<D>& x, const Vec<D>& u) const {
 template class RepulsiveWalls<2>;
 template class RepulsiveWalls<3>;
 
-}  // namespace riffle
+}  // namespace riffle::inline boundary

@@ -6,7 +6,7 @@
 #include "case/case.hpp"
 #include "particles/domain.hpp"
 
-namespace riffle {
+namespace riffle::inline boundary {
 
 /// Walls that push the water away (Monaghan & Kos 1999, as in SPHysics): each particle of a row on the wall
 /// acts on the water along its normal,
@@ -39,4 +39,4 @@ class RepulsiveWalls {
     double sound_speed_ = 0.0;
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline boundary

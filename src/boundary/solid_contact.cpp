@@ -6,7 +6,7 @@
 
 #include "boundary/solid_fill.hpp"
 
-namespace riffle {
+namespace riffle::inline boundary {
 
 SolidContact::SolidContact(const Case& c)
     : spacing_(c.numerics.spacing), period_(c.channel.ends == Ends::periodic ? c.channel.length : 0.0) {
@@ -92,4 +92,4 @@ double SolidContact::resolve(const std::vector<BodyState>& now, Vec<2>& position
     return deepest;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline boundary

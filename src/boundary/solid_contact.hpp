@@ -8,7 +8,7 @@
 #include "case/case.hpp"
 #include "case/outline.hpp"
 
-namespace riffle {
+namespace riffle::inline boundary {
 
 /// Keeps water out of the solids of a case, in two dimensions. The pressure of a wall does so, but at a sharp
 /// edge, and at the line where the surface meets a solid that moves (where there is no pressure), single
@@ -47,4 +47,4 @@ class SolidContact {
     double period_ = 0.0;  ///< 0: closed ends
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline boundary

@@ -7,7 +7,7 @@
 #include "case/outline.hpp"
 #include "case/solid_mesh.hpp"
 
-namespace riffle {
+namespace riffle::inline boundary {
 
 namespace {
 
@@ -204,4 +204,4 @@ double SolidDistance<D>::in_grid(const Grid& grid, const Vec<D>& place) const {
 template class SolidDistance<2>;
 template class SolidDistance<3>;
 
-}  // namespace riffle
+}  // namespace riffle::inline boundary

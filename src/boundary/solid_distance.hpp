@@ -8,7 +8,7 @@
 #include "boundary/wall_motion.hpp"
 #include "case/case.hpp"
 
-namespace riffle {
+namespace riffle::inline boundary {
 
 /// Distance of water from the surfaces of the solids of a case, up to a limit: from grids that are laid
 /// around each solid once, and move with it.
@@ -48,4 +48,4 @@ class SolidDistance {
     std::vector<Grid> grids_;
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline boundary

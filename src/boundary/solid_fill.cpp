@@ -9,7 +9,7 @@
 #include "case/end_buffers.hpp"
 #include "case/end_floor.hpp"
 
-namespace riffle {
+namespace riffle::inline boundary {
 
 namespace {
 
@@ -291,4 +291,4 @@ void add_solid(const Case& c, const Solid& solid, std::int32_t body, WallParticl
     Fill(c, solid, body, walls).run();
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline boundary

@@ -4,7 +4,7 @@
 #include "case/outline.hpp"
 #include "particles/particles.hpp"
 
-namespace riffle {
+namespace riffle::inline boundary {
 
 /// The outline of a solid, its corners in the sense that has the solid on the left.
 [[nodiscard]] Outline outline_of(const Solid& solid);
@@ -23,4 +23,4 @@ namespace riffle {
 /// filled once.
 void add_solid(const Case& c, const Solid& solid, std::int32_t body, WallParticles<2>& walls);
 
-}  // namespace riffle
+}  // namespace riffle::inline boundary

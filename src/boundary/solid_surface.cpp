@@ -6,7 +6,7 @@
 
 #include "boundary/solid_fill.hpp"
 
-namespace riffle {
+namespace riffle::inline boundary {
 
 namespace {
 
@@ -91,4 +91,4 @@ std::optional<SolidSurfaces::Foot> SolidSurfaces::nearest(std::size_t solid, con
     return foot;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline boundary

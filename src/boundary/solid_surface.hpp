@@ -10,7 +10,7 @@
 #include "case/solid_mesh.hpp"
 #include "particles/domain.hpp"
 
-namespace riffle {
+namespace riffle::inline boundary {
 
 /// The surfaces of the solids of a case where they stand at t = 0, whatever the number of dimensions: places
 /// are (x, y, z), y = 0 in two.
@@ -47,4 +47,4 @@ class SolidSurfaces {
     Vec<3> period_{};             ///< along x, y, z, m; 0: none
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline boundary

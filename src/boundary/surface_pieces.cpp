@@ -8,7 +8,7 @@
 #include "case/solid_mesh.hpp"
 #include "case/triangle.hpp"
 
-namespace riffle {
+namespace riffle::inline boundary {
 
 namespace {
 
@@ -120,4 +120,4 @@ std::vector<SurfacePiece> surface_pieces(const Case& c, std::size_t solid, doubl
     return pieces;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline boundary

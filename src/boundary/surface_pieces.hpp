@@ -6,7 +6,7 @@
 #include "case/case.hpp"
 #include "particles/domain.hpp"
 
-namespace riffle {
+namespace riffle::inline boundary {
 
 /// A small part of the surface of a solid.
 struct SurfacePiece {
@@ -18,4 +18,4 @@ struct SurfacePiece {
 /// beyond the walls of the channel, in pieces no longer than `size`, m.
 [[nodiscard]] std::vector<SurfacePiece> surface_pieces(const Case& c, std::size_t solid, double size);
 
-}  // namespace riffle
+}  // namespace riffle::inline boundary

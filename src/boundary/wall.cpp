@@ -11,7 +11,7 @@
 #include "case/end_levels.hpp"
 #include "particles/lattice.hpp"
 
-namespace riffle {
+namespace riffle::inline boundary {
 
 WallAction wall_action(const Case& c) {
     WallAction action{.dynamic = c.numerics.wall == WallKind::dynamic,
@@ -247,4 +247,4 @@ WallParticles<3> wall_particles<3>(const Case& c) {
     return wall;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline boundary

@@ -4,7 +4,7 @@
 #include "case/case.hpp"
 #include "particles/particles.hpp"
 
-namespace riffle {
+namespace riffle::inline boundary {
 
 /// Whether a wall particle belongs to a solid.
 template <int D>
@@ -42,4 +42,4 @@ struct WallAction {
 template <int D = 2>
 [[nodiscard]] WallParticles<D> wall_particles(const Case& c);
 
-}  // namespace riffle
+}  // namespace riffle::inline boundary

@@ -5,7 +5,7 @@
 
 #include "case/solid_motion.hpp"
 
-namespace riffle {
+namespace riffle::inline boundary {
 
 WallMotion::WallMotion(const Case& c)
     : solids_(c.solids),
@@ -42,4 +42,4 @@ double largest_wall_speed(const Case& c) {
     return largest;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline boundary

@@ -10,7 +10,7 @@
 #include "case/solid_motion.hpp"
 #include "particles/domain.hpp"
 
-namespace riffle {
+namespace riffle::inline boundary {
 
 /// Bodies that wall particles belong to (WallParticles::body): walls at rest, the lid, and from `first_solid`
 /// on the solids in the order of the case.
@@ -63,4 +63,4 @@ class WallMotion {
 /// Largest speed of the lid and of the solids of a case, m/s.
 [[nodiscard]] double largest_wall_speed(const Case& c);
 
-}  // namespace riffle
+}  // namespace riffle::inline boundary

@@ -3,7 +3,7 @@
 #include "boundary/wall_motion.hpp"
 #include "particles/particles.hpp"
 
-namespace riffle {
+namespace riffle::inline boundary {
 
 /// One wall particle in two dimensions; a normal of zero: of a corner, where all motion of the water counts.
 struct WallParticle {
@@ -35,4 +35,4 @@ inline void add_wall_particle(WallParticles<2>& wall, const WallParticle& p) {
     wall.body.push_back(p.body);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline boundary

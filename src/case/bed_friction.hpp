@@ -5,7 +5,7 @@
 
 #include "case/case.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 // The log laws of plane beds, by which beds of a roughness and smooth ones act.
 
@@ -84,4 +84,4 @@ inline constexpr double rows_of_wall_layer = 5.0;
                     share_of_waves * std::sqrt(c.fluid.gravity * depth));
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -12,7 +12,7 @@
 #include "case/height_file.hpp"
 #include "case/text_lines.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -409,4 +409,4 @@ double largest_filled_hole(const Case& c, const Solid& solid) {
 
 BedHeights bed_heights(const Case& c, const Solid& solid) { return BedMaker(c, solid).make(); }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

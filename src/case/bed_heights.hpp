@@ -6,7 +6,7 @@
 
 #include "case/case.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 /// The heights of a bed as the particle spacing resolves them: at regular places over the channel from its
 /// begin to its end and from side to side, m above the bed level.
@@ -35,4 +35,4 @@ struct BedHeights {
 /// The widest hole that is filled of a bed, m: `largest_hole`, else four particle spacings.
 [[nodiscard]] double largest_filled_hole(const Case& c, const Solid& solid);
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -5,7 +5,7 @@
 #include "case/mirror_image.hpp"
 #include "case/patch_range.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -69,4 +69,4 @@ const BedPatch* patch_beside(const Case& c, double x) {
     return found != c.bed_patches.end() ? &*found : nullptr;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

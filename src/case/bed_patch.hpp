@@ -2,7 +2,7 @@
 
 #include "case/case.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 /// The bed of a patch as that of a whole channel: with the depth of the case over the bed level z = 0, which
 /// all beds of a channel share. Its spheres act by the form of those of the channel's bed, where that has
@@ -25,4 +25,4 @@ namespace riffle {
 /// centreline.
 [[nodiscard]] bool strips_have_section(const Case& c, double x);
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

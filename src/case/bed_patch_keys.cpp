@@ -4,7 +4,7 @@
 
 #include "case/patch_keys.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 SectionKeys bed_patch_keys() {
     using enum Dimension;
@@ -61,4 +61,4 @@ SectionKeys bed_patch_keys() {
     return s;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -7,7 +7,7 @@
 #include "case/refusals.hpp"
 #include "case/words.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -146,4 +146,4 @@ CheckList bed_patch_refusals() {
         [](const Case& c) { return !c.bed_patches.empty(); }};
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -7,7 +7,7 @@
 #include "case/units.hpp"
 #include "case/words.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -192,4 +192,4 @@ CheckList bed_refusals() {
     }};
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

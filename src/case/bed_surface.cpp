@@ -8,7 +8,7 @@
 #include "case/end_buffers.hpp"
 #include "case/polygon.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -131,4 +131,4 @@ Triangles section_triangles(const Case& c, const Solid& solid) {
     return triangles;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

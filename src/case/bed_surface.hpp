@@ -7,7 +7,7 @@
 #include "case/outline.hpp"
 #include "case/triangle.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 // Bodies that lie under all of a channel. They reach below its floor and beyond its ends and sides by a
 // spacing more than the layers of wall particles are thick, so that no edge of them is near the water; beyond
@@ -30,4 +30,4 @@ namespace riffle {
 /// The closed surfaces of these spheres.
 [[nodiscard]] Triangles sphere_layer_triangles(const Case& c, const Solid& solid);
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -10,7 +10,7 @@
 #include "case/outline_check.hpp"
 #include "case/solid_places.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -159,4 +159,4 @@ std::optional<Blockage> blockage(const Case& c) {
     return Blockage{last, reach, level};
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -5,7 +5,7 @@
 
 #include "case/case.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 /// Solids at rest that leave the water no way along the channel.
 struct Blockage {
@@ -25,4 +25,4 @@ struct Blockage {
 /// and porous zones are one. Solids must have their shapes.
 [[nodiscard]] std::optional<Blockage> blockage(const Case& c);
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

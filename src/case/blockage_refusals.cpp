@@ -3,7 +3,7 @@
 #include "case/refusals.hpp"
 #include "case/units.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -41,4 +41,4 @@ CheckList blockage_refusals() {
         have_shapes};
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -15,7 +15,7 @@
 #include "case/units.hpp"
 #include "case/words.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -286,4 +286,4 @@ CheckList free_body_refusals() {
         have_shapes};
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

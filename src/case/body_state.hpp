@@ -5,7 +5,7 @@
 
 #include "case/triangle.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 /// A turn as a matrix, row after row.
 using Rotation = std::array<double, 9>;
@@ -108,4 +108,4 @@ inline Point3 BodyState::acceleration_at(const Point3& point) const {
             acceleration[2] + around[2] + along[2]};
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

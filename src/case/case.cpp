@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 double Case::streamwise_gravity() const { return fluid.gravity * std::sin(std::atan(channel.slope)); }
 
@@ -36,4 +36,4 @@ bool Case::same_parameters(const Case& other) const {
            vegetation == other.vegetation && porous == other.porous;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

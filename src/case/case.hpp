@@ -9,7 +9,7 @@
 #include "case/options.hpp"
 #include "case/patches.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 class SolidMesh;
 
@@ -459,4 +459,4 @@ struct Override {
 /// Warnings for a valid case that leaves the envelope in which the scheme was verified (docs/theory.md).
 [[nodiscard]] std::vector<std::string> case_warnings(const Case& c);
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

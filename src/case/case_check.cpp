@@ -2,7 +2,7 @@
 
 #include <set>
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 void for_each_finding(const CheckList& list, const Case& c,
                       const std::function<void(const CaseCheck&, const CaseFinding&)>& take) {
@@ -43,4 +43,4 @@ std::string finding_text(const std::string& detail, const CaseCheck& check, cons
     return text;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -12,7 +12,7 @@
 
 #include "case/case.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 /// What a check finds in a case.
 struct CaseFinding {
@@ -113,4 +113,4 @@ void for_each_finding(const CheckList& list, const Case& c,
 [[nodiscard]] std::string finding_text(const std::string& detail, const CaseCheck& check,
                                        const CaseFinding& finding);
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

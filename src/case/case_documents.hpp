@@ -4,7 +4,7 @@
 
 #include "case/case.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 /// JSON schema (draft 2020-12) of the case file, for editors that complete and check TOML.
 [[nodiscard]] std::string case_schema_json();
@@ -16,4 +16,4 @@ namespace riffle {
 /// required or differ from their default are set; the others stand commented out with their default.
 [[nodiscard]] std::string case_template(const Case& c);
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -3,7 +3,7 @@
 #include "case/conversion.hpp"
 #include "case/key_table.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 std::string case_text(const Case& c) {
     std::string text;
@@ -23,4 +23,4 @@ std::string case_text(const Case& c) {
     return text;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

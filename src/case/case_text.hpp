@@ -4,10 +4,10 @@
 
 #include "case/case.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 /// The complete normalised TOML text of a case: every key with its value in SI. Reading it gives an equal
 /// case.
 [[nodiscard]] std::string case_text(const Case& c);
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

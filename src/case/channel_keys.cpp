@@ -4,7 +4,7 @@
 
 #include "case/units.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -231,4 +231,4 @@ std::vector<SectionKeys> channel_keys() {
     return {heading(), channel(), bed(), side_walls(), turbulence(), fluid()};
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

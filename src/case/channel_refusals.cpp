@@ -2,7 +2,7 @@
 #include "case/units.hpp"
 #include "case/words.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -101,4 +101,4 @@ CheckList channel_refusals() {
     }};
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

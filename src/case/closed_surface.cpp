@@ -18,7 +18,7 @@
 #include "case/triangle_tree.hpp"
 #include "case/winding.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -361,4 +361,4 @@ ClosedSurface closed_surface(Triangles triangles, const std::string& name) {
     return Surface(std::move(triangles), name).closed();
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -5,7 +5,7 @@
 
 #include "case/triangle.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 /// Corners of a surface closer to each other than this share of the diagonal of the box around it are one.
 /// Files hold six or seven digits, and programs that write them round shared corners one by one.
@@ -27,4 +27,4 @@ struct ClosedSurface {
 /// triangle with an area.
 [[nodiscard]] ClosedSurface closed_surface(Triangles triangles, const std::string& name);
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

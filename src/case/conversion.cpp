@@ -11,7 +11,7 @@
 #include "base/visible_text.hpp"
 #include "case/nearest.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -352,4 +352,4 @@ std::string handy_value_text(const Key& key, const Value& value) {
     return number != nullptr ? handy(*number) : value_text(key, value);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

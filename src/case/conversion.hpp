@@ -6,7 +6,7 @@
 #include "case/key.hpp"
 #include "case/toml_entries.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 /// Most values of a list. The checks of an outline compare each of its edges with each other one.
 inline constexpr std::size_t longest_list = 10000;
@@ -29,4 +29,4 @@ inline constexpr std::size_t longest_list = 10000;
 /// Name for messages: "[channel] slope", "[[probe]] name".
 [[nodiscard]] std::string shown_name(const Key& key);
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

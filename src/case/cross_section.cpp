@@ -11,7 +11,7 @@
 #include "case/solid_shapes.hpp"
 #include "case/units.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -206,4 +206,4 @@ const Solid* canal_of(const Case& c) {
                : nullptr;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -6,7 +6,7 @@
 
 #include "case/case.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 /// A cross-section: places across the simulated channel and the heights of the bed there, m, from one side to
 /// the other.
@@ -37,4 +37,4 @@ struct WettedSection {
 /// friction of the log law, and none beside it; nothing where the case is another.
 [[nodiscard]] const Solid* canal_of(const Case& c);
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -2,7 +2,7 @@
 
 #include "case/flow_kind.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 // The water beyond the ends of an open channel: buffers of ordinary particles whose motion the ends
 // prescribe.
@@ -32,4 +32,4 @@ namespace riffle {
     return c.channel.ends != Ends::open || (x >= 0.0 && x < c.channel.length);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

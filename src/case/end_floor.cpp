@@ -7,7 +7,7 @@
 
 #include "case/outline.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -91,4 +91,4 @@ bool passes_through(const Case& c, const Solid& solid) {
     return true;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

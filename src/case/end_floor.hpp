@@ -2,7 +2,7 @@
 
 #include "case/case.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 /// Height of the top of the solid that stands on the bed at a place along a channel, m: 0 where none does,
 /// and in three dimensions.
@@ -25,4 +25,4 @@ struct EndFloors {
 /// in the channel.
 [[nodiscard]] bool passes_through(const Case& c, const Solid& solid);
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

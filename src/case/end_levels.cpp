@@ -7,7 +7,7 @@
 #include "case/end_floor.hpp"
 #include "case/flow_kind.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 double critical_depth_of(double gravity, double unit_discharge) {
     return std::cbrt(unit_discharge * unit_discharge / gravity);
@@ -75,4 +75,4 @@ double level_with_room(const Case& c) {
     return depths * std::max(c.total_depth(), highest_end_level(c));
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -2,7 +2,7 @@
 
 #include "case/case.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 /// Depth of critical flow with a discharge, m: (q^2/g)^(1/3); `gravity` normal to the bed, m/s2,
 /// `unit_discharge` in m2/s.
@@ -40,4 +40,4 @@ struct LeastDepth {
 /// room for it, and for waves above.
 [[nodiscard]] double level_with_room(const Case& c);
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

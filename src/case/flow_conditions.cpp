@@ -12,7 +12,7 @@
 #include "case/nearest.hpp"
 #include "case/presets.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -273,4 +273,4 @@ std::optional<int> flow_condition_of(const Case& c) {
     return std::nullopt;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -7,7 +7,7 @@
 
 #include "case/case.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 /// Names of the built-in cases: "rough-bed" (a plain example), "dam-break" (violent flow), "condition-1" to
 /// "condition-8" (the measured flow conditions of the thesis, Table 3.1), "paper-2016", and of conditions 1,
@@ -22,4 +22,4 @@ namespace riffle {
 /// closure and numerics; nothing where it has none of theirs.
 [[nodiscard]] std::optional<int> flow_condition_of(const Case& c);
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

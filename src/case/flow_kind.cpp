@@ -7,7 +7,7 @@
 #include "case/cross_section.hpp"
 #include "case/porous_zone.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -269,4 +269,4 @@ std::optional<std::string> why_no_column(const Case& c) {
     return std::nullopt;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -6,7 +6,7 @@
 #include "case/case.hpp"
 #include "case/patch_range.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 /// The kinds of flow that a case can describe. What a run is judged by, which chapters its analysis has and
 /// what its report shows follow from the kind.
@@ -99,4 +99,4 @@ enum class FlowKind {
 /// change. Nothing where it has one.
 [[nodiscard]] std::optional<std::string> why_no_column(const Case& c);
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

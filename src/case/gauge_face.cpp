@@ -7,7 +7,7 @@
 #include "case/outline.hpp"
 #include "case/solid_mesh.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -148,4 +148,4 @@ std::optional<GaugeFace> gauge_face(const Case& c, const Probe& probe, const Poi
                                                            : points_of_face(c, *surface, probe.diameter)};
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -8,7 +8,7 @@
 #include "case/case.hpp"
 #include "case/triangle.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 /// A place of the surface of a wall or a solid.
 struct SurfacePlace {
@@ -42,4 +42,4 @@ struct GaugeFace {
 /// touches the surface there. Nothing where it has a solid or a diameter, and no surface is there.
 [[nodiscard]] std::optional<GaugeFace> gauge_face(const Case& c, const Probe& probe, const Point3& point);
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

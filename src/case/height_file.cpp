@@ -13,7 +13,7 @@
 #include "case/height_raster.hpp"
 #include "case/text_lines.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -368,4 +368,4 @@ HeightLine parse_height_line(std::string_view content, const std::string& name) 
     return line;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

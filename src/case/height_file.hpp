@@ -5,7 +5,7 @@
 
 #include "case/height_grid.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 /// Heights on a grid from the content of a file; `name` stands for it in messages and says the kind: .asc an
 /// ESRI ASCII grid, .tif or .tiff a GeoTIFF, else (.csv, .xyz, .txt) lines of x, y and z in any order on a
@@ -17,4 +17,4 @@ namespace riffle {
 /// Heights along a line: lines of x and z in any order, or an ESRI ASCII grid or GeoTIFF of one row.
 [[nodiscard]] HeightLine parse_height_line(std::string_view content, const std::string& name);
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

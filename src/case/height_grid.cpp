@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <deque>
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -198,4 +198,4 @@ double height_between(const HeightLine& line, double x) {
     return line.z[j - 1] + share * (line.z[j] - line.z[j - 1]);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

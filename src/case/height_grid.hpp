@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 /// Heights on a regular grid, in any unit. Row by row along x, y growing from row to row.
 struct HeightGrid {
@@ -51,4 +51,4 @@ FilledHoles fill_holes(HeightLine& line);
 [[nodiscard]] double height_between(const HeightGrid& grid, double x, double y);
 [[nodiscard]] double height_between(const HeightLine& line, double x);
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -19,7 +19,7 @@
 #include <optional>
 #include <vector>
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -360,11 +360,11 @@ HeightGrid parse_height_raster(std::string_view content, const std::string& name
     return RasterReader(content, name).read();
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file
 
 #else
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 bool reads_rasters() { return false; }
 
@@ -375,6 +375,6 @@ HeightGrid parse_height_raster(std::string_view /*content*/, const std::string& 
         name));
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file
 
 #endif

@@ -5,7 +5,7 @@
 
 #include "case/height_grid.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 /// Whether this build reads GeoTIFF files: it was made with RIFFLE_GEOTIFF.
 [[nodiscard]] bool reads_rasters();
@@ -17,4 +17,4 @@ namespace riffle {
 /// scaled heights.
 [[nodiscard]] HeightGrid parse_height_raster(std::string_view content, const std::string& name);
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -4,7 +4,7 @@
 #include <charconv>
 #include <utility>
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 double Diameters::length(double diameter) const {
     constexpr int digits = 15;
@@ -111,4 +111,4 @@ Key&& Key::and_with(std::string other, std::vector<std::string> options) && {
     return std::move(*this);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

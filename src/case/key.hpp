@@ -14,7 +14,7 @@
 #include "case/units.hpp"
 #include "case/words.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 /// A length given as a multiple of the sphere diameter: "0.4 D".
 struct Diameters {
@@ -257,4 +257,4 @@ Key make_key(std::string name, T Case::*member, std::string meaning) {
     return key;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

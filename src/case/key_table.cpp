@@ -14,7 +14,7 @@
 #include "case/units.hpp"
 #include "case/vegetation_keys.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -256,4 +256,4 @@ bool key_applies(const Key& key, const Case& c, std::size_t item) {
     return unmet_condition(key, c, item) == nullptr;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

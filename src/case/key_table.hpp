@@ -7,7 +7,7 @@
 
 #include "case/key.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 /// A section of the case file and its keys, in the order in which they are read and written.
 struct SectionKeys {
@@ -43,4 +43,4 @@ struct SectionKeys {
 /// Whether the key has an effect in a case (its `applies` holds), in a repeated section in that `item`.
 [[nodiscard]] bool key_applies(const Key& key, const Case& c, std::size_t item = 0);
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

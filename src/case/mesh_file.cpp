@@ -10,7 +10,7 @@
 #include "case/stl_file.hpp"
 #include "case/text_lines.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 Triangles read_mesh(const std::filesystem::path& file) {
     std::string ending = file.extension().string();
@@ -42,4 +42,4 @@ Triangles read_mesh(const std::filesystem::path& file) {
     }
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

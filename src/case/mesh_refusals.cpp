@@ -4,7 +4,7 @@
 #include "case/solid_mesh.hpp"
 #include "case/units.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -104,4 +104,4 @@ CheckList mesh_refusals() {
             in_space};
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -2,7 +2,7 @@
 #include "case/refusals.hpp"
 #include "case/velocity_gradient.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -134,4 +134,4 @@ CheckList method_refusals() {
     }};
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

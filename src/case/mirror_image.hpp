@@ -6,7 +6,7 @@
 
 #include "case/case.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 // Patches on the two sides of a channel's centreline.
 
@@ -40,4 +40,4 @@ template <class Patch>
     return c.channel.sides == Sides::half || found == patches.end() ? nullptr : &*found;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -2,7 +2,7 @@
 
 #include "case/units.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -192,4 +192,4 @@ void add_free_body_keys(SectionKeys& s) {
                          .applies_with(motion, {"free"}, true));
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -15,7 +15,7 @@
 #include "case/solid_shapes.hpp"
 #include "case/units.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -252,4 +252,4 @@ CheckList motion_refusals() {
         have_shapes};
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

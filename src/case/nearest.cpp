@@ -4,7 +4,7 @@
 #include <cctype>
 #include <vector>
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
     std::vector<std::size_t> before_last(b.size() + 1);
@@ -61,4 +61,4 @@ std::optional<std::string> nearest_name(std::string_view text, std::span<const s
     return std::nullopt;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

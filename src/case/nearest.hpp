@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 /// Edit distance with transpositions (optimal string alignment): the number of letters to insert, delete,
 /// change or swap with a neighbour to make one text of the other.
@@ -17,4 +17,4 @@ namespace riffle {
 [[nodiscard]] std::optional<std::string> nearest_name(std::string_view text,
                                                       std::span<const std::string> known);
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -4,7 +4,7 @@
 
 #include "case/units.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 SectionKeys numerics_keys() {
     using enum Dimension;
@@ -178,4 +178,4 @@ SectionKeys stirring_keys() {
     return s;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -5,7 +5,7 @@
 #include "case/case.hpp"
 #include "case/word.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 // The words of [numerics].
 
@@ -231,4 +231,4 @@ struct Words<Precision> {
     }};
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

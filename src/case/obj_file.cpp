@@ -11,7 +11,7 @@
 #include "case/polygon.hpp"
 #include "case/text_lines.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -131,4 +131,4 @@ Triangles parse_obj(std::string_view content, const std::string& name) {
     return ObjReader(content, name).read();
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

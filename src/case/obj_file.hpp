@@ -5,7 +5,7 @@
 
 #include "case/triangle.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 /// Triangles of a Wavefront OBJ file from its content; `name` stands for it in messages. Faces of more than
 /// three corners are cut into triangles; textures, normals, groups, lines and points are passed over.
@@ -13,4 +13,4 @@ namespace riffle {
 /// than three corners or that crosses itself, curves and curved surfaces, a file without a face.
 [[nodiscard]] Triangles parse_obj(std::string_view content, const std::string& name);
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -4,7 +4,7 @@
 
 #include "case/units.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -129,4 +129,4 @@ SectionKeys outflow_keys() {
     return s;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

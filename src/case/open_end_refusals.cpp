@@ -11,7 +11,7 @@
 #include "case/refusals.hpp"
 #include "case/units.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -443,4 +443,4 @@ CheckList closed_end_refusals() {
             [](const Case& c) { return c.channel.ends != Ends::open; }};
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 // The options of a case. Each enumerator has one word in the case file (words.hpp). They stand apart from the
 // case so that the loops over particles, which know options but no case, are not compiled anew for each new
@@ -77,4 +77,4 @@ enum class SolidMotion { fixed, constant, oscillating, table, free };
 enum class RunUntil { time, converged };
 enum class ProbeKind { velocity, wave, surface_line, grid, flow_rate, pressure, force };
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

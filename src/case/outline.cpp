@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -173,4 +173,4 @@ double thickness_at(const Outline& outline, std::size_t i) {
     return least;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 /// A closed polygon in the x-z plane by its corners, m; the last edge goes back to the first corner.
 struct Outline {
@@ -62,4 +62,4 @@ template <class F>
 /// first other edge, m.
 [[nodiscard]] double thickness_at(const Outline& outline, std::size_t i);
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

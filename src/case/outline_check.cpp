@@ -7,7 +7,7 @@
 #include "case/solid_mesh.hpp"
 #include "case/units.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -120,4 +120,4 @@ std::optional<double> highest_of_solid_bed(const Case& c) {
     return highest;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -9,7 +9,7 @@
 #include "case/case_check.hpp"
 #include "case/outline.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 /// What makes corners no outline; each is looked for where those before it are not found.
 enum class OutlineFault {
@@ -57,4 +57,4 @@ struct Extent {
 /// were not read with the case.
 [[nodiscard]] std::optional<double> highest_of_solid_bed(const Case& c);
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

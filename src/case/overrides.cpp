@@ -10,7 +10,7 @@
 #include "case/key_table.hpp"
 #include "case/unknown_names.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -137,4 +137,4 @@ KeyItem find_option_key(const Case& c, std::string_view text) {
     return {};
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -10,7 +10,7 @@
 #include "case/problems.hpp"
 #include "case/toml_entries.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 /// Replace or add the entries of a case that options give: `section.key=value`, and of a section that may
 /// stand several times `section.name.key=value`, by the name that it has in the case. Options apply in their
@@ -26,4 +26,4 @@ struct KeyItem {
 /// The key of a case that an option names so; its key is null where there is none.
 [[nodiscard]] KeyItem find_option_key(const Case& c, std::string_view name);
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

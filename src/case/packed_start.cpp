@@ -5,7 +5,7 @@
 #include "case/key_table.hpp"
 #include "case/outline_check.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 bool packing_meets_entering_rows(const Case& c) {
     return c.channel.ends == Ends::open && c.channel.top != Top::wall;
@@ -39,4 +39,4 @@ bool starts_packed(const Case& c) {
            !packing_reaches_an_open_end(c);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -2,7 +2,7 @@
 
 #include "case/case.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 /// Whether rows of water enter at an end under a free surface: those of the lattice, drawn out to the
 /// surface, which packing would move.
@@ -21,4 +21,4 @@ namespace riffle {
 /// (solver/start_packing.hpp looks at that).
 [[nodiscard]] bool starts_packed(const Case& c);
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

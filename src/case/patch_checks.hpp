@@ -9,7 +9,7 @@
 #include "case/patch_range.hpp"
 #include "case/units.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 // What is wrong with patches, of the bed and of vegetation alike.
 
@@ -42,4 +42,4 @@ template <class Patch>
     return found != own ? found : nullptr;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -5,7 +5,7 @@
 #include "case/key_table.hpp"
 #include "case/units.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 /// Add to the keys of patches those that say where a patch lies: x_from, x_to, y_from, y_to.
 template <class Patch>
@@ -26,4 +26,4 @@ void add_range_keys(SectionKeys& s, std::vector<Patch> Case::*patches) {
                          .applies_with("channel.dimensions", {"3"}, true));
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -6,7 +6,7 @@
 
 #include "case/case.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 // Where patches lie in plan: parts of a channel with `x_from`, `x_to`, `y_from` and `y_to`, each unset where
 // the patch reaches to the end or side of the channel.
@@ -60,4 +60,4 @@ template <class Patch>
     return c.channel.dimensions == 3 ? std::min(along, ranges[1].to - ranges[1].from) : along;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

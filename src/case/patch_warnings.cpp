@@ -5,7 +5,7 @@
 #include "case/units.hpp"
 #include "case/warnings.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -73,4 +73,4 @@ CheckList patch_warnings() {
     }};
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

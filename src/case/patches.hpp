@@ -7,7 +7,7 @@
 
 #include "case/options.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 // The parts of a channel that differ from the rest of it; the axes and units are those of case.hpp.
 
@@ -82,4 +82,4 @@ struct Porous {
     bool operator==(const Porous&) const = default;
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

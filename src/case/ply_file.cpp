@@ -17,7 +17,7 @@
 #include "case/polygon.hpp"
 #include "case/text_lines.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -261,4 +261,4 @@ Triangles parse_ply(std::string_view content, const std::string& name) {
     return surface.read(rows, name);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -9,7 +9,7 @@
 #include "base/error.hpp"
 #include "case/text_lines.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -186,4 +186,4 @@ PlyHeader parse_ply_header(std::string_view content, const std::string& name) {
     return PlyHeaderReader(content, name).read();
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

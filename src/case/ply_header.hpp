@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 /// How the numbers behind the header of a PLY file are written.
 enum class PlyFormat { text, little_endian, big_endian };
@@ -47,4 +47,4 @@ struct PlyHeader {
 /// rows than the file has bytes for are a fault.
 [[nodiscard]] PlyHeader parse_ply_header(std::string_view content, const std::string& name);
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -94,4 +94,4 @@ std::vector<std::array<std::size_t, 3>> polygon_triangles(const std::vector<Poin
     return polygon_triangles(seen);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -6,7 +6,7 @@
 
 #include "case/triangle.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 /// A place in a plane.
 using PlanePoint = std::array<double, 2>;
@@ -19,4 +19,4 @@ using PlanePoint = std::array<double, 2>;
 /// Triangles of a polygon in space that is nearly plane, in its sense of rotation; empty as above.
 [[nodiscard]] std::vector<std::array<std::size_t, 3>> polygon_triangles(const std::vector<Point3>& corners);
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

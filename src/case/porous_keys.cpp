@@ -4,7 +4,7 @@
 
 #include "case/units.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -140,4 +140,4 @@ SectionKeys porous_keys() {
     return s;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -10,7 +10,7 @@
 #include "case/solid_places.hpp"
 #include "case/units.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -352,4 +352,4 @@ CheckList porous_refusals() {
         [](const Case& c) { return !c.porous.empty(); }};
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

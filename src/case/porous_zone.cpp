@@ -7,7 +7,7 @@
 #include "case/outline_check.hpp"
 #include "case/solid_mesh.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -327,4 +327,4 @@ bool porosity_varies_along(const Case& c) {
                        [&c](const Porous& porous) { return !covers_length(c, porous); });
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

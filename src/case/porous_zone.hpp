@@ -8,7 +8,7 @@
 #include "case/case.hpp"
 #include "case/outline.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 /// A range along an axis whose ends are as sharp as an edge of some thickness: what lies at its ends as half
 /// in it. An end at infinity is none.
@@ -98,4 +98,4 @@ class PorosityField {
 /// Whether a porous zone makes the flow change along the channel.
 [[nodiscard]] bool porosity_varies_along(const Case& c);
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

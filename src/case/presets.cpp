@@ -5,7 +5,7 @@
 
 #include "case/bed_friction.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -120,4 +120,4 @@ void choose_resolution(Case& c, const GivenNumerics& given) {
     }
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -2,7 +2,7 @@
 
 #include "case/case.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 /// The numerics of a preset, before any key of the case changes them. In three dimensions the thesis took a
 /// lower speed of sound than in two.
@@ -26,4 +26,4 @@ struct GivenNumerics {
 /// reaches. Measured in docs/validation.md.
 void choose_resolution(Case& c, const GivenNumerics& given);
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -4,7 +4,7 @@
 
 #include "case/units.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 SectionKeys probe_keys() {
     using enum Dimension;
@@ -95,4 +95,4 @@ SectionKeys probe_keys() {
     return s;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -2,9 +2,9 @@
 
 #include "case/key_table.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 /// The keys of [[probe]].
 [[nodiscard]] SectionKeys probe_keys();
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

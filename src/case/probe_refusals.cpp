@@ -6,7 +6,7 @@
 #include "case/units.hpp"
 #include "case/words.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -406,4 +406,4 @@ CheckList probe_refusals() {
     }};
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -6,7 +6,7 @@
 
 #include "base/error.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 void Problems::add(Place place, std::string message) {
     list_.push_back({std::move(place), std::move(message)});
@@ -35,4 +35,4 @@ const Place& Places::of_first(const std::vector<std::string>& ids) const {
     return found == ids.end() ? whole_ : of(*found);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -6,7 +6,7 @@
 
 #include "case/toml_entries.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 /// Everything found wrong in a case, so that one message can name it all.
 class Problems {
@@ -43,4 +43,4 @@ class Places {
     std::map<std::string, Place> given_;
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -11,7 +11,7 @@
 #include "case/flow_kind.hpp"
 #include "case/solid_mesh.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -143,4 +143,4 @@ std::optional<std::string> quiet_water_note(const Case& c) {
     return fmt::format("{}: the defaults beside inclined faces", fmt::join(chosen, ", "));
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -6,7 +6,7 @@
 #include "case/case.hpp"
 #include "case/presets.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 /// Whether a solid has faces that cut the rows of a lattice: any that is neither level nor upright along an
 /// axis of the channel. Its outline or its surface must be there.
@@ -25,4 +25,4 @@ void choose_for_quiet_water(Case& c, const GivenNumerics& given);
 /// Which of a case's numerics are those of such water, in words; none where the water is not such.
 [[nodiscard]] std::optional<std::string> quiet_water_note(const Case& c);
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -26,7 +26,7 @@
 #include "case/toml_entries.hpp"
 #include "case/unknown_names.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -344,4 +344,4 @@ Case read_case(const std::filesystem::path& path, const std::vector<Override>& o
     return parse_case(text.str(), path.string(), path, overrides);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

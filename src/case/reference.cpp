@@ -10,7 +10,7 @@
 #include "case/refusals.hpp"
 #include "case/warnings.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -194,4 +194,4 @@ std::string case_reference_markdown() {
     return page + options_page() + preset_page() + unit_page() + check_page();
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

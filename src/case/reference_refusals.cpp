@@ -1,6 +1,6 @@
 #include "case/refusals.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -44,4 +44,4 @@ CheckList reference_refusals() {
         acts};
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -4,7 +4,7 @@
 #include "case/conversion.hpp"
 #include "case/key_table.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -77,4 +77,4 @@ void refuse_to_run(const Case& c) {
     });
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -9,7 +9,7 @@
 #include "case/case_check.hpp"
 #include "case/problems.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 /// All that a case is refused for, beyond what the key table says of each key by itself.
 [[nodiscard]] const std::vector<CheckList>& refusals();
@@ -104,4 +104,4 @@ inline double least_period(const Case& c) {
 /// Greatest height of a surface with waves, m.
 inline double wave_height(const Case& c) { return 1.5 * c.total_depth(); }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -8,7 +8,7 @@
 #include "case/units.hpp"
 #include "case/words.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -162,4 +162,4 @@ CheckList output_refusals() {
     }};
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

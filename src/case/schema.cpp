@@ -9,7 +9,7 @@
 #include "case/conversion.hpp"
 #include "case/key_table.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -149,4 +149,4 @@ std::string case_schema_json() {
     return schema.dump(indent) + "\n";
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

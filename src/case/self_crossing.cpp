@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -101,4 +101,4 @@ std::optional<SelfCrossing> self_crossing(const TriangleTree& tree, double toler
     return first;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

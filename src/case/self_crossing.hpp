@@ -6,7 +6,7 @@
 
 #include "case/triangle_tree.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 /// Two triangles of a surface that pass through each other.
 struct SelfCrossing {
@@ -24,4 +24,4 @@ struct SelfCrossing {
     const TriangleTree& tree, double tolerance,
     const std::function<bool(std::size_t, std::size_t)>& compares);
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -9,7 +9,7 @@
 #include "case/units.hpp"
 #include "case/words.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -190,4 +190,4 @@ CheckList shape_refusals() {
     }};
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -5,7 +5,7 @@
 #include "case/motion_keys.hpp"
 #include "case/units.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -232,4 +232,4 @@ SectionKeys solid_keys() {
     return s;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

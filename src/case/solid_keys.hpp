@@ -2,9 +2,9 @@
 
 #include "case/key_table.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 /// The keys of [[solid]].
 [[nodiscard]] SectionKeys solid_keys();
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

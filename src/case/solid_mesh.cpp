@@ -9,7 +9,7 @@
 #include "case/solid_shapes.hpp"
 #include "case/winding.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -123,4 +123,4 @@ std::optional<SolidMesh::Foot> SolidMesh::nearest(const Point3& p, double limit,
     return result;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -12,7 +12,7 @@
 #include "case/closed_surface.hpp"
 #include "case/triangle_tree.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 /// The closed surface of a solid in three dimensions, placed in the channel. Where several shells overlap,
 /// the solid is what lies in any of them.
@@ -63,4 +63,4 @@ class SolidMesh {
 /// gap, and the surface is that of the lattice.
 [[nodiscard]] bool walls_end_at_surface(const Case& c);
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

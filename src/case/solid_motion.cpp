@@ -6,7 +6,7 @@
 
 #include "case/solid_volume.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -221,4 +221,4 @@ double largest_speed(const Case& c, const Solid& solid) {
     return 0.0;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -5,7 +5,7 @@
 #include "case/body_state.hpp"
 #include "case/case.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 /// How a solid moves at a time; along x, y and z, SI. In two dimensions nothing goes along y.
 struct SolidMotionState {
@@ -45,4 +45,4 @@ struct SolidTurning {
 /// Largest speed of any place of a solid by its prescribed motion, m/s; of a free body at its start.
 [[nodiscard]] double largest_speed(const Case& c, const Solid& solid);
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

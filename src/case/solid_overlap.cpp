@@ -11,7 +11,7 @@
 #include "case/solid_mesh.hpp"
 #include "case/solid_motion.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -305,4 +305,4 @@ std::optional<SolidOverlap> first_overlap(const Case& c) {
     return first;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

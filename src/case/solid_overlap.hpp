@@ -6,7 +6,7 @@
 
 #include "case/case.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 /// Two solids of which one at least moves, and the time from which they stand in each other.
 struct SolidOverlap {
@@ -20,4 +20,4 @@ struct SolidOverlap {
 /// and slide along each other. Ends and sides that are periodic count.
 [[nodiscard]] std::optional<SolidOverlap> first_overlap(const Case& c);
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -2,7 +2,7 @@
 
 #include "case/solid_mesh.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 SolidPlaces::SolidPlaces(const Case& c)
     : c_(c), period_(c.channel.ends == Ends::periodic ? c.channel.length : 0.0) {
@@ -33,4 +33,4 @@ std::optional<std::size_t> SolidPlaces::resting_at(const Point3& p,
     return std::nullopt;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

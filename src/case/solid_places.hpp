@@ -9,7 +9,7 @@
 #include "case/outline.hpp"
 #include "case/triangle.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 /// Which places of a channel solids take up at the start: of those whose shapes are known, and in two
 /// dimensions with their images beyond periodic ends.
@@ -29,4 +29,4 @@ class SolidPlaces {
     std::vector<Outline> outlines_;  ///< two dimensions; empty where they are none
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

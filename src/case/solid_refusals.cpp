@@ -7,7 +7,7 @@
 #include "case/refusals.hpp"
 #include "case/units.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -182,4 +182,4 @@ CheckList outline_refusals() {
         }};
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -11,7 +11,7 @@
 #include "base/error.hpp"
 #include "case/cross_section.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -267,4 +267,4 @@ bool shape_is_complete(const Case& c, const Solid& solid) {
                            : !solid.x.empty() && !solid.z.empty();
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

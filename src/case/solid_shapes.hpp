@@ -7,7 +7,7 @@
 #include "case/outline.hpp"
 #include "case/triangle.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 /// How far the straight edges and flat facets of a round shape may stand from it, m: a hundredth of the
 /// particle spacing.
@@ -41,4 +41,4 @@ namespace riffle {
 /// Whether a shape lies under all of a channel, and cannot move.
 [[nodiscard]] bool is_bed_shape(SolidShape shape);
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

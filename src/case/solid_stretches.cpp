@@ -6,7 +6,7 @@
 
 #include "case/winding.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 std::vector<SolidStretch> upright_stretches(const SolidMesh& mesh, double x, double y) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -35,4 +35,4 @@ std::vector<SolidStretch> upright_stretches(const SolidMesh& mesh, double x, dou
     return stretches;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -4,7 +4,7 @@
 
 #include "case/solid_mesh.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 /// A stretch of a line that lies in a solid, m.
 struct SolidStretch {
@@ -15,4 +15,4 @@ struct SolidStretch {
 /// The stretches of the upright line at (x, y) that lie in a closed surface, from below upward.
 [[nodiscard]] std::vector<SolidStretch> upright_stretches(const SolidMesh& mesh, double x, double y);
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

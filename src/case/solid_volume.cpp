@@ -7,7 +7,7 @@
 #include "case/outline.hpp"
 #include "case/solid_mesh.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -131,4 +131,4 @@ std::array<double, 3> moment_point(const Case& c, const Solid& solid) {
             solid.moment_about.back()};
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

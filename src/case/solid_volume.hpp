@@ -4,7 +4,7 @@
 
 #include "case/case.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 /// What the shape of a solid holds, as if it were of one density; in two dimensions an area, per width.
 struct SolidVolume {
@@ -29,4 +29,4 @@ struct SolidVolume {
 /// that the case gives, or the centroid.
 [[nodiscard]] std::array<double, 3> moment_point(const Case& c, const Solid& solid);
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

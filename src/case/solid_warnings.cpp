@@ -14,7 +14,7 @@
 #include "case/units.hpp"
 #include "case/warnings.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -149,4 +149,4 @@ CheckList solid_warnings() {
     }};
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -8,7 +8,7 @@
 #include "case/sphere_tiling.hpp"
 #include "case/units.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -260,4 +260,4 @@ CheckList side_wall_refusals() {
         [](const Case& c) { return c.has_side_wall_drag(); }};
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

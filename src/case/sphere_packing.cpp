@@ -15,7 +15,7 @@
 #include "case/solid_shapes.hpp"
 #include "case/units.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -141,4 +141,4 @@ Triangles sphere_layer_triangles(const Case& c, const Solid& solid) {
     return all;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

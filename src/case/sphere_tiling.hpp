@@ -6,7 +6,7 @@
 
 #include "case/case.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 /// Periods of the lattice of the bed's spheres, m: along and across the channel. Hexagonal: rows along the
 /// channel, D from sphere to sphere, every other row shifted by D/2.
@@ -28,4 +28,4 @@ struct LatticePeriods {
 /// Largest relative stretch of the lattice that makes it fit a periodic channel.
 inline constexpr double largest_stretch = 0.01;
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -4,7 +4,7 @@
 
 #include "case/units.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 SectionKeys start_keys() {
     using enum Dimension;
@@ -98,4 +98,4 @@ SectionKeys start_keys() {
     return s;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

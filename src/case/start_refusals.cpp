@@ -6,7 +6,7 @@
 #include "case/refusals.hpp"
 #include "case/units.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -129,4 +129,4 @@ CheckList start_refusals() {
     }};
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -7,7 +7,7 @@
 #include "case/solid_mesh.hpp"
 #include "case/solid_stretches.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -72,4 +72,4 @@ Outline canopy_outline(const Vegetation& stems, double from, double to,
     return outline;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

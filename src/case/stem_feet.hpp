@@ -6,7 +6,7 @@
 #include "case/case.hpp"
 #include "case/outline.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 /// Height of the top of a solid, where it stands at the start, over a place in plan, m; in two dimensions y
 /// does not count. Nothing where none of it lies, and of a solid in space whose surface was not read.
@@ -21,4 +21,4 @@ namespace riffle {
 [[nodiscard]] Outline canopy_outline(const Vegetation& stems, double from, double to,
                                      const std::function<double(double)>& foot);
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -16,7 +16,7 @@
 #include "base/error.hpp"
 #include "case/text_lines.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -186,4 +186,4 @@ Triangles parse_stl(std::string_view content, const std::string& name) {
     return read_binary(content, count);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

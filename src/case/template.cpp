@@ -11,7 +11,7 @@
 #include "case/presets.hpp"
 #include "case/quiet_water.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -194,4 +194,4 @@ std::string case_template(const Case& c) {
     return text;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

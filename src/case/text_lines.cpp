@@ -15,7 +15,7 @@
 #include "base/notice.hpp"
 #include "base/visible_text.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 std::string_view without_plus(std::string_view word) {
     if (word.size() > 1 && word.front() == '+' && word[1] != '-') {
@@ -120,4 +120,4 @@ std::string data_file_content(const std::string& file, std::string_view kind, do
     return content;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

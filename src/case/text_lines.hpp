@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 /// The lines of a text file of numbers, with the words of each; faults name file and line.
 class TextLines {
@@ -54,4 +54,4 @@ class TextLines {
 [[nodiscard]] std::string data_file_content(const std::string& file, std::string_view kind,
                                             double memory_per_byte);
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -13,7 +13,7 @@
 #include "case/toml_nesting.hpp"
 #include "case/units.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -198,4 +198,4 @@ std::string toml_string(std::string_view text) {
     return quoted;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -5,7 +5,7 @@
 #include <variant>
 #include <vector>
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 /// Where something stands: in a file, or in an option of the command line.
 struct Place {
@@ -70,4 +70,4 @@ struct Document {
 /// A basic TOML string with its quotes.
 [[nodiscard]] std::string toml_string(std::string_view text);
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -8,7 +8,7 @@
 #include "base/error.hpp"
 #include "case/toml_entries.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -89,4 +89,4 @@ class Nesting {
 
 void refuse_deep_nesting(const std::string& text, const std::string& name) { Nesting(text, name).check(); }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

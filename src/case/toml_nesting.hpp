@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 /// Parts that a dotted key may have, and arrays and tables that may stand in each other. A case needs two of
 /// either; the TOML library works through both by recursion, and some ten thousand overflow the stack.
@@ -13,4 +13,4 @@ inline constexpr int deepest_nesting = 16;
 /// with line and column.
 void refuse_deep_nesting(const std::string& text, const std::string& name);
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

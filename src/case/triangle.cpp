@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -54,4 +54,4 @@ Point3 nearest_on(const Triangle& t, const Point3& p) {
     return best;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

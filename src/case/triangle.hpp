@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 /// A point in space, m.
 using Point3 = std::array<double, 3>;
@@ -36,4 +36,4 @@ using Triangles = std::vector<Triangle>;
 /// lies in it, else the nearest place of its edges.
 [[nodiscard]] Point3 nearest_on(const Triangle& t, const Point3& p);
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -4,7 +4,7 @@
 #include <numeric>
 #include <utility>
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -120,4 +120,4 @@ std::optional<TriangleTree::Crossing> TriangleTree::first_crossing(const Point3&
     return first;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

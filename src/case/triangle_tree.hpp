@@ -11,7 +11,7 @@
 
 #include "case/triangle.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 /// Triangles in a tree of boxes, each around the two below it: a question about a place costs what stands
 /// around that place, not the number of triangles. The answers do not depend on how the tree was cut: of
@@ -212,4 +212,4 @@ void TriangleTree::for_meeting_boxes(const Visit& visit) const {
     }
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

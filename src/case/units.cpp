@@ -8,7 +8,7 @@
 #include <system_error>
 #include <utility>
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -242,4 +242,4 @@ std::string shown_quantity(double value, Dimension dimension) {
     return size < 9.999995e-5 ? text(1e6, "um") : size < 0.9999995 ? text(1e3, "mm") : text(1.0, "m");
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

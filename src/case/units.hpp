@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 /// What a number of the case file measures.
 enum class Dimension {
@@ -84,4 +84,4 @@ struct Quantity {
     return shown_quantity(value, Dimension::length);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -8,7 +8,7 @@
 #include "case/key_table.hpp"
 #include "case/nearest.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -117,4 +117,4 @@ std::string UnknownKeys::message(const std::string& section, const std::string& 
     return fmt::format("unknown key `{}` {}{}{}", shown, where, advice, keys);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -3,7 +3,7 @@
 #include <set>
 #include <string>
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 /// What to say of a section that no case has: the nearest name, and all of them.
 [[nodiscard]] std::string unknown_section(const std::string& name);
@@ -19,4 +19,4 @@ class UnknownKeys {
     std::set<std::string> listed_;  ///< sections whose keys have been named
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

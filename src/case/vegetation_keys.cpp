@@ -4,7 +4,7 @@
 
 #include "case/patch_keys.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 SectionKeys vegetation_keys() {
     using enum Dimension;
@@ -66,4 +66,4 @@ SectionKeys vegetation_keys() {
     return s;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

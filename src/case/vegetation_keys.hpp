@@ -2,9 +2,9 @@
 
 #include "case/key_table.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 /// The keys of [[vegetation]].
 [[nodiscard]] SectionKeys vegetation_keys();
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -9,7 +9,7 @@
 #include "case/solid_places.hpp"
 #include "case/stem_feet.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -191,4 +191,4 @@ CheckList vegetation_refusals() {
         [](const Case& c) { return !c.vegetation.empty(); }};
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -15,7 +15,7 @@
 #include "case/units.hpp"
 #include "case/words.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -436,4 +436,4 @@ std::vector<std::string> case_warnings(const Case& c) {
     return messages;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

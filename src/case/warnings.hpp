@@ -2,7 +2,7 @@
 
 #include "case/case_check.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 /// All that a valid case is warned of, beyond keys that have no effect.
 [[nodiscard]] const CheckList& warnings();
@@ -13,4 +13,4 @@ namespace riffle {
 /// Those of solids.
 [[nodiscard]] CheckList solid_warnings();
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

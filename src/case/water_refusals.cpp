@@ -2,7 +2,7 @@
 #include "case/refusals.hpp"
 #include "case/units.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 namespace {
 
@@ -99,4 +99,4 @@ CheckList water_refusals() {
         }};
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

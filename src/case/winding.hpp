@@ -5,7 +5,7 @@
 
 #include "case/triangle_tree.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 /// How often a triangle, seen from above, goes around the vertical line at (x, y): 1 against the clock, -1
 /// with it, 0 not at all. Neighbours decide about their common edge by the same arithmetic, so that a line
@@ -60,4 +60,4 @@ template <class Accept>
     return sum;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

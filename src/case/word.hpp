@@ -4,7 +4,7 @@
 #include <string_view>
 #include <type_traits>
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 /// A word of the case file that names an option, and what the option is.
 struct Word {
@@ -25,4 +25,4 @@ requires std::is_enum_v<Enum>
     return Words<Enum>::list[static_cast<std::size_t>(option)].name;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

@@ -6,7 +6,7 @@
 #include "case/numerics_words.hpp"
 #include "case/word.hpp"
 
-namespace riffle {
+namespace riffle::inline case_file {
 
 template <>
 struct Words<Ends> {
@@ -327,4 +327,4 @@ struct Words<ProbeKind> {
     }};
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline case_file

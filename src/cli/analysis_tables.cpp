@@ -11,7 +11,7 @@
 #include "base/error.hpp"
 #include "output/atomic_file.hpp"
 
-namespace riffle {
+namespace riffle::inline cli {
 
 namespace {
 
@@ -76,4 +76,4 @@ std::size_t write_tables(const std::vector<Analysis>& analyses, const fs::path& 
     return tables.size() - 1;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline cli

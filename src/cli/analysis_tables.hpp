@@ -6,7 +6,7 @@
 
 #include "analysis/figure.hpp"
 
-namespace riffle {
+namespace riffle::inline cli {
 
 /// Refuse to write the tables of the analyses of `inputs` records (of the named chapter, or of all) to a
 /// folder where one would take the place of something that is no table of an analysis. Throws InputError.
@@ -18,4 +18,4 @@ void refuse_to_lose_tables(const std::filesystem::path& folder, std::size_t inpu
 /// written.
 std::size_t write_tables(const std::vector<Analysis>& analyses, const std::filesystem::path& folder);
 
-}  // namespace riffle
+}  // namespace riffle::inline cli

@@ -8,7 +8,7 @@
 
 #include "cli/svg_drawing.hpp"
 
-namespace riffle {
+namespace riffle::inline cli {
 
 namespace {
 
@@ -135,4 +135,4 @@ std::string backwater_figure(const std::string& title, const std::string& subtit
     return svg + "</svg>\n";
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline cli

@@ -5,7 +5,7 @@
 
 #include "hydraulics/varied_flow.hpp"
 
-namespace riffle {
+namespace riffle::inline cli {
 
 /// What a table of a channel holds at one place.
 struct BackwaterStation {
@@ -27,4 +27,4 @@ struct BackwaterStation {
                                            const SteadyChannel& channel, const VariedFlow& flow,
                                            const std::vector<BackwaterStation>& stations);
 
-}  // namespace riffle
+}  // namespace riffle::inline cli

@@ -8,7 +8,7 @@
 #include "base/wrapped_text.hpp"
 #include "cli/printed_number.hpp"
 
-namespace riffle {
+namespace riffle::inline cli {
 
 namespace {
 
@@ -200,4 +200,4 @@ nlohmann::ordered_json backwater_json(const Case& c, const Backwater& b,
     return result;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline cli

@@ -7,7 +7,7 @@
 #include "case/case.hpp"
 #include "cli/backwater_figure.hpp"
 
-namespace riffle {
+namespace riffle::inline cli {
 
 /// Everything that the outputs of `riffle backwater` tell.
 struct Backwater {
@@ -36,4 +36,4 @@ void print_backwater(const Case& c, const Backwater& b, const std::vector<Backwa
 [[nodiscard]] nlohmann::ordered_json backwater_json(const Case& c, const Backwater& b,
                                                     const std::vector<BackwaterStation>& stations);
 
-}  // namespace riffle
+}  // namespace riffle::inline cli

@@ -7,7 +7,7 @@
 #include "column/velocity_measurements.hpp"
 #include "particles/case_size.hpp"
 
-namespace riffle {
+namespace riffle::inline cli {
 
 void CaseArgument::add_to(CLI::App& verb) {
     verb.add_option("case", file, "Case file (TOML)")->required()->type_name("CASE");
@@ -45,4 +45,4 @@ void CaseArgument::add_large_to(CLI::App& verb) {
 
 void CaseArgument::check_size_of(const Case& c) const { check_size(c, large, available_memory()); }
 
-}  // namespace riffle
+}  // namespace riffle::inline cli

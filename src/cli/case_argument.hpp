@@ -6,7 +6,7 @@
 
 #include "case/case.hpp"
 
-namespace riffle {
+namespace riffle::inline cli {
 
 /// The case of a verb as given on its command line: the file and the `--set section.key=value` options.
 struct CaseArgument {
@@ -32,4 +32,4 @@ struct CaseArgument {
     void check_size_of(const Case& c) const;
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline cli

@@ -5,7 +5,7 @@
 #include "cli/printed_number.hpp"
 #include "ends/flow_at_ends.hpp"
 
-namespace riffle {
+namespace riffle::inline cli {
 
 namespace {
 
@@ -63,4 +63,4 @@ ordered_json ends_json(const Forecast& f) {
             {"in_words", facts}};
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline cli

@@ -6,7 +6,7 @@
 
 #include "base/wrapped_text.hpp"
 
-namespace riffle {
+namespace riffle::inline cli {
 
 namespace {
 
@@ -29,4 +29,4 @@ class WrappedHelp final : public CLI::Formatter {
 
 std::shared_ptr<CLI::Formatter> help_formatter() { return std::make_shared<WrappedHelp>(); }
 
-}  // namespace riffle
+}  // namespace riffle::inline cli

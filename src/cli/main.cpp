@@ -15,7 +15,7 @@
 #include "cli/terminal.hpp"
 #include "cli/verbs.hpp"
 
-namespace riffle {
+namespace riffle::inline cli {
 
 int& verb_exit_status() {
     static int status = 0;
@@ -95,7 +95,7 @@ int parse_and_run(int argc, char** argv) {
 
 }  // namespace
 
-}  // namespace riffle
+}  // namespace riffle::inline cli
 
 int main(int argc, char** argv) {
     using riffle::ExitCode;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-namespace riffle {
+namespace riffle::inline cli {
 
 CLI::Validator positive_number() {
     return {[](const std::string& text) {
@@ -18,4 +18,4 @@ CLI::Validator positive_number() {
             "", "positive number"};
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline cli

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace riffle {
+namespace riffle::inline cli {
 
 std::string printed_number(double value) { return fmt::format("{:.4g}", value); }
 
@@ -10,4 +10,4 @@ nlohmann::ordered_json optional_number(const std::optional<double>& value) {
     return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline cli

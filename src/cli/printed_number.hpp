@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-namespace riffle {
+namespace riffle::inline cli {
 
 /// A number for a table of the terminal: four significant digits, more than any of the measurements has.
 [[nodiscard]] std::string printed_number(double value);
@@ -12,4 +12,4 @@ namespace riffle {
 /// A number in JSON, null where there is none.
 [[nodiscard]] nlohmann::ordered_json optional_number(const std::optional<double>& value);
 
-}  // namespace riffle
+}  // namespace riffle::inline cli

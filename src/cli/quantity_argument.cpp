@@ -6,7 +6,7 @@
 
 #include "base/error.hpp"
 
-namespace riffle {
+namespace riffle::inline cli {
 
 double quantity_argument(const std::string& option, const std::string& text, Dimension dimension) {
     if (const std::optional<Quantity> quantity = split_quantity(text)) {
@@ -25,4 +25,4 @@ double quantity_argument(const std::string& option, const std::string& text, Dim
                     dimension_name(dimension), unit_list(dimension), si_unit(dimension), text));
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline cli

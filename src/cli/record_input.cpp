@@ -14,7 +14,7 @@
 #include "output/results_file.hpp"
 #include "report/report.hpp"
 
-namespace riffle {
+namespace riffle::inline cli {
 
 namespace {
 
@@ -117,4 +117,4 @@ void add_record_options(CLI::App& verb, RecordInput& options) {
         ->type_name("FILE.csv");
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline cli

@@ -9,7 +9,7 @@
 #include "analysis/figure.hpp"
 #include "analysis/flow_record.hpp"
 
-namespace riffle {
+namespace riffle::inline cli {
 
 /// What a command line says of the records that it names: runs, and tables of a laboratory.
 struct RecordInput {
@@ -35,4 +35,4 @@ void check_record_options(const RecordInput& options);
 /// The analysis of one of the inputs. Throws what reading it throws.
 [[nodiscard]] Analysis analyse_input(const RecordInput& options, const std::string& input);
 
-}  // namespace riffle
+}  // namespace riffle::inline cli

@@ -2,7 +2,7 @@
 
 #include "cli/verbs.hpp"
 
-namespace riffle {
+namespace riffle::inline cli {
 
 CLI::Option* add_threads_option(CLI::App& verb, int& threads, const std::string& meaning) {
     return verb.add_option("-j,--threads", threads, meaning)->check(CLI::Range(0, maximum_threads));
@@ -14,4 +14,4 @@ void RunArguments::add_to(CLI::App& verb) {
     verb.add_flag("-q,--quiet", quiet, "No warnings, progress and summary on the terminal; errors only");
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline cli

@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-namespace riffle {
+namespace riffle::inline cli {
 
 /// Add the option `-j,--threads` to a verb; 0 stands for available_processors().
 CLI::Option* add_threads_option(CLI::App& verb, int& threads, const std::string& meaning);
@@ -17,4 +17,4 @@ struct RunArguments {
     void add_to(CLI::App& verb);
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline cli

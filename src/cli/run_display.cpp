@@ -12,7 +12,7 @@
 #include "cli/verbs.hpp"
 #include "record/run_fields.hpp"
 
-namespace riffle {
+namespace riffle::inline cli {
 
 namespace {
 
@@ -173,4 +173,4 @@ void print_outcome(const RunOutcome& outcome, const Case& c, const RunFiles& fil
     }
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline cli

@@ -5,7 +5,7 @@
 #include "cli/status_line.hpp"
 #include "solver/run.hpp"
 
-namespace riffle {
+namespace riffle::inline cli {
 
 /// The progress line of a run on standard error.
 class RunDisplay {
@@ -31,4 +31,4 @@ class RunDisplay {
 /// Print what came out of a run and what to do next; sets the exit status after a stop by a signal.
 void print_outcome(const RunOutcome& outcome, const Case& c, const RunFiles& files, bool quiet);
 
-}  // namespace riffle
+}  // namespace riffle::inline cli

@@ -10,7 +10,7 @@
 
 #include "cli/svg_drawing.hpp"
 
-namespace riffle {
+namespace riffle::inline cli {
 
 namespace {
 
@@ -185,4 +185,4 @@ std::string section_figure(const Case& c, const SectionResult& r, const std::str
     return svg + "</svg>\n";
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline cli

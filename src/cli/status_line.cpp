@@ -8,7 +8,7 @@
 #include "base/wrapped_text.hpp"
 #include "cli/terminal.hpp"
 
-namespace riffle {
+namespace riffle::inline cli {
 
 namespace {
 
@@ -85,4 +85,4 @@ void StatusLine::clear() {
     }
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline cli

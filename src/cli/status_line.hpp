@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace riffle {
+namespace riffle::inline cli {
 
 /// As many of the parts, the first ones, as fit into `columns` with " | " between them; the first one is cut
 /// where it alone is longer.
@@ -36,4 +36,4 @@ class StatusLine {
     Clock::time_point next_ = begin_;  ///< of the next whole line
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline cli

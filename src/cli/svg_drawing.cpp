@@ -7,7 +7,7 @@
 
 #include "base/markup.hpp"
 
-namespace riffle {
+namespace riffle::inline cli {
 
 namespace {
 
@@ -79,4 +79,4 @@ std::string svg_path(const std::vector<double>& x, const std::vector<double>& y,
     return fmt::format("<path d=\"{}\" fill=\"none\" {}/>\n", points, style);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline cli

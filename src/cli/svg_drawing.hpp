@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace riffle {
+namespace riffle::inline cli {
 
 // Pieces of the figures that verbs write as SVG files.
 
@@ -34,4 +34,4 @@ struct SvgPanel {
 [[nodiscard]] std::string svg_path(const std::vector<double>& x, const std::vector<double>& y,
                                    const SvgPanel& p, const char* style);
 
-}  // namespace riffle
+}  // namespace riffle::inline cli

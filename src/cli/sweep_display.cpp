@@ -9,7 +9,7 @@
 
 #include "cli/terminal.hpp"
 
-namespace riffle {
+namespace riffle::inline cli {
 
 namespace {
 
@@ -100,4 +100,4 @@ void print_matrix(const std::vector<SweepRun>& runs, const std::vector<FolderSta
     }
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline cli

@@ -7,7 +7,7 @@
 #include "solver/forecast.hpp"
 #include "sweep/schedule.hpp"
 
-namespace riffle {
+namespace riffle::inline cli {
 
 /// The progress line of a sweep on standard error, and a line on standard output for each run that ends.
 class SweepDisplay {
@@ -28,4 +28,4 @@ class SweepDisplay {
 void print_matrix(const std::vector<SweepRun>& runs, const std::vector<FolderStanding>& standings,
                   const std::vector<std::optional<Forecast>>& forecasts, const Shares& shares);
 
-}  // namespace riffle
+}  // namespace riffle::inline cli

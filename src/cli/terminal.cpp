@@ -13,7 +13,7 @@
 #include "base/visible_text.hpp"
 #include "base/wrapped_text.hpp"
 
-namespace riffle {
+namespace riffle::inline cli {
 
 namespace {
 
@@ -79,4 +79,4 @@ std::string size_text(double bytes) {
     return bytes < 1e9 ? fmt::format("{:.1f} MB", bytes / 1e6) : fmt::format("{:.2f} GB", bytes / 1e9);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline cli

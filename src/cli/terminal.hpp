@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <string>
 
-namespace riffle {
+namespace riffle::inline cli {
 
 /// Whether standard error is a terminal that shows colours (not redirected, NO_COLOR unset, TERM not "dumb").
 [[nodiscard]] bool error_stream_has_colours();
@@ -32,4 +32,4 @@ void show_notices();
 /// Bytes as a person says them: "340 kB", "1.2 GB".
 [[nodiscard]] std::string size_text(double bytes);
 
-}  // namespace riffle
+}  // namespace riffle::inline cli

@@ -8,7 +8,7 @@
 #include "output/atomic_file.hpp"
 #include "output/replaced_file.hpp"
 
-namespace riffle {
+namespace riffle::inline cli {
 
 void refuse_to_replace_any(const std::vector<std::string>& files, bool force) {
     for (auto file = files.begin(); file != files.end(); ++file) {
@@ -32,4 +32,4 @@ void write_text(const std::string& file, const std::string& text) {
     write_text_atomically(file, text);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline cli

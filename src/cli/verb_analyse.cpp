@@ -14,7 +14,7 @@
 #include "output/atomic_file.hpp"
 #include "output/replaced_file.hpp"
 
-namespace riffle {
+namespace riffle::inline cli {
 
 namespace {
 
@@ -87,4 +87,4 @@ void add_verb_analyse(CLI::App& app) {
     verb->callback([options] { run_analyse(*options); });
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline cli

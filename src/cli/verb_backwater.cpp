@@ -24,7 +24,7 @@
 #include "ends/end_input.hpp"
 #include "hydraulics/varied_flow.hpp"
 
-namespace riffle {
+namespace riffle::inline cli {
 
 namespace {
 
@@ -306,4 +306,4 @@ void add_verb_backwater(CLI::App& app) {
     verb->callback([a] { run_backwater(*a); });
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline cli

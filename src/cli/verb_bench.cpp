@@ -20,7 +20,7 @@
 #include "sph/pair_loops.hpp"
 #include "sph/peak_rate.hpp"
 
-namespace riffle {
+namespace riffle::inline cli {
 
 namespace {
 
@@ -213,4 +213,4 @@ void add_verb_bench(CLI::App& app) {
     command->callback([verb] { bench(*verb); });
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline cli

@@ -20,7 +20,7 @@
 #include "output/atomic_file.hpp"
 #include "output/replaced_file.hpp"
 
-namespace riffle {
+namespace riffle::inline cli {
 
 namespace {
 
@@ -288,4 +288,4 @@ void add_verb_calibrate(CLI::App& app) {
     verb->callback([options] { run_calibrate(*options); });
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline cli

@@ -14,7 +14,7 @@
 #include "cli/verbs.hpp"
 #include "solver/forecast.hpp"
 
-namespace riffle {
+namespace riffle::inline cli {
 
 namespace {
 
@@ -289,4 +289,4 @@ void add_verb_check(CLI::App& app) {
     command->callback([verb] { check(*verb); });
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline cli

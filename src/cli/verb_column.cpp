@@ -15,7 +15,7 @@
 #include "column/column.hpp"
 #include "hydraulics/channel_laws.hpp"
 
-namespace riffle {
+namespace riffle::inline cli {
 
 namespace {
 
@@ -183,4 +183,4 @@ void add_verb_column(CLI::App& app) {
     verb->callback([options] { run_column(*options); });
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline cli

@@ -9,7 +9,7 @@
 #include "case/nearest.hpp"
 #include "cli/verbs.hpp"
 
-namespace riffle {
+namespace riffle::inline cli {
 
 std::string verb_list(const CLI::App& app, const std::string& asked) {
     std::vector<std::string> verbs;
@@ -45,4 +45,4 @@ void add_verb_help(CLI::App& app) {
     });
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline cli

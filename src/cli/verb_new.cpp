@@ -13,7 +13,7 @@
 #include "output/atomic_file.hpp"
 #include "output/replaced_file.hpp"
 
-namespace riffle {
+namespace riffle::inline cli {
 
 namespace {
 
@@ -73,4 +73,4 @@ void add_verb_new(CLI::App& app) {
     verb->callback([options] { write_new_case(*options); });
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline cli

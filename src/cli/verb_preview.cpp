@@ -16,7 +16,7 @@
 #include "output/replaced_file.hpp"
 #include "preview/preview_page.hpp"
 
-namespace riffle {
+namespace riffle::inline cli {
 
 namespace {
 
@@ -88,4 +88,4 @@ void add_verb_preview(CLI::App& app) {
     command->callback([verb] { preview(*verb); });
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline cli

@@ -18,7 +18,7 @@
 #include "report/report.hpp"
 #include "report/thesis.hpp"
 
-namespace riffle {
+namespace riffle::inline cli {
 
 namespace {
 
@@ -195,4 +195,4 @@ void add_verb_report(CLI::App& app) {
     verb->callback([options] { run_report(*options); });
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline cli

@@ -12,7 +12,7 @@
 #include "record/run_results.hpp"
 #include "solver/run.hpp"
 
-namespace riffle {
+namespace riffle::inline cli {
 
 namespace {
 
@@ -74,4 +74,4 @@ void add_verb_resume(CLI::App& app) {
     command->callback([verb] { resume(*verb); });
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline cli

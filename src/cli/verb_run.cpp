@@ -12,7 +12,7 @@
 #include "cli/verbs.hpp"
 #include "solver/run.hpp"
 
-namespace riffle {
+namespace riffle::inline cli {
 
 namespace {
 
@@ -76,4 +76,4 @@ void add_verb_run(CLI::App& app) {
     command->callback([verb] { run(*verb); });
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline cli

@@ -12,7 +12,7 @@
 #include "output/replaced_file.hpp"
 #include "record/field_tables.hpp"
 
-namespace riffle {
+namespace riffle::inline cli {
 
 namespace {
 
@@ -58,4 +58,4 @@ void add_verb_schema(CLI::App& app) {
     verb->callback([options] { write_schema(*options); });
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline cli

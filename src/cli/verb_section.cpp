@@ -22,7 +22,7 @@
 #include "cli/verbs.hpp"
 #include "column/section.hpp"
 
-namespace riffle {
+namespace riffle::inline cli {
 
 namespace {
 
@@ -279,4 +279,4 @@ void add_verb_section(CLI::App& app) {
     verb->callback([a] { run_section(*a); });
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline cli

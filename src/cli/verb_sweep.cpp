@@ -16,7 +16,7 @@
 #include "output/folder_lock.hpp"
 #include "sweep/study_files.hpp"
 
-namespace riffle {
+namespace riffle::inline cli {
 
 namespace {
 
@@ -198,4 +198,4 @@ void add_verb_sweep(CLI::App& app) {
     command->callback([verb] { sweep(*verb); });
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline cli

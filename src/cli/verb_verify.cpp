@@ -13,7 +13,7 @@
 #include "output/results_file.hpp"
 #include "solver/run.hpp"
 
-namespace riffle {
+namespace riffle::inline cli {
 
 namespace {
 
@@ -90,4 +90,4 @@ void add_verb_verify(CLI::App& app) {
     verb->callback([options] { verify(*options); });
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline cli

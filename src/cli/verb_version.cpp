@@ -7,7 +7,7 @@
 #include "cli/verbs.hpp"
 #include "sph/pair_loops.hpp"
 
-namespace riffle {
+namespace riffle::inline cli {
 
 void add_verb_version(CLI::App& app) {
     auto* const verb = app.add_subcommand("version", "Version, build, instruction set and threads");
@@ -25,4 +25,4 @@ void add_verb_version(CLI::App& app) {
     });
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline cli

@@ -13,7 +13,7 @@
 #include "cli/verbs.hpp"
 #include "watch/page_server.hpp"
 
-namespace riffle {
+namespace riffle::inline cli {
 
 namespace {
 
@@ -73,4 +73,4 @@ void add_verb_watch(CLI::App& app) {
     verb->callback([options] { watch(*options); });
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline cli

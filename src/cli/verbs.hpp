@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-namespace riffle {
+namespace riffle::inline cli {
 
 // Each verb of the command line adds its subcommand; its callback does the work and throws riffle::Error.
 // One file per verb; a new verb is a new file, a line here and a line in main.cpp.
@@ -36,4 +36,4 @@ inline constexpr int maximum_threads = 4096;
 /// Exit status that a verb asks for after its callback (a run stopped by a signal); 0 unless set.
 [[nodiscard]] int& verb_exit_status();
 
-}  // namespace riffle
+}  // namespace riffle::inline cli

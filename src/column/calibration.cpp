@@ -18,7 +18,7 @@
 #include "statistics/least_squares.hpp"
 #include "statistics/linear_fit.hpp"
 
-namespace riffle {
+namespace riffle::inline column {
 
 namespace {
 
@@ -357,4 +357,4 @@ std::vector<Override> fitted_overrides(const CalibrationResult& result, std::siz
     return overrides;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline column

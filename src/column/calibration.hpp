@@ -11,7 +11,7 @@
 #include "case/case.hpp"
 #include "column/column.hpp"
 
-namespace riffle {
+namespace riffle::inline column {
 
 /// What to fit, and how much to trust each measured value. Uncertainties are relative standard uncertainties.
 struct CalibrationOptions {
@@ -109,4 +109,4 @@ struct CalibrationResult {
 [[nodiscard]] std::vector<Override> fitted_overrides(const CalibrationResult& result,
                                                      std::size_t condition = 0);
 
-}  // namespace riffle
+}  // namespace riffle::inline column

@@ -7,7 +7,7 @@
 
 #include "base/error.hpp"
 
-namespace riffle {
+namespace riffle::inline column {
 
 namespace {
 
@@ -97,4 +97,4 @@ const CalibrationParameter& find_calibration_parameter(const std::string& name) 
     return *found;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline column

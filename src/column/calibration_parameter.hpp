@@ -6,7 +6,7 @@
 
 #include "case/case.hpp"
 
-namespace riffle {
+namespace riffle::inline column {
 
 /// A parameter that can be fitted: where it lives in the case, and where it makes sense.
 struct CalibrationParameter {
@@ -30,4 +30,4 @@ struct CalibrationParameter {
 /// The one with this name. Throws InputError, naming those that there are, for another.
 [[nodiscard]] const CalibrationParameter& find_calibration_parameter(const std::string& name);
 
-}  // namespace riffle
+}  // namespace riffle::inline column

@@ -12,7 +12,7 @@
 #include "base/interpolation.hpp"
 #include "hydraulics/channel_laws.hpp"
 
-namespace riffle {
+namespace riffle::inline column {
 
 namespace {
 
@@ -277,4 +277,4 @@ std::string CalibrationTarget::contradiction() const {
         *m.friction_velocity, *m.equivalent_roughness, mean, 100.0 * difference, *depth_mean_);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline column

@@ -10,7 +10,7 @@
 #include "column/section_measurements.hpp"
 #include "column/velocity_measurements.hpp"
 
-namespace riffle {
+namespace riffle::inline column {
 
 /// The measured values of a condition that a calibration aims at, with their weights.
 class CalibrationTarget {
@@ -59,4 +59,4 @@ class CalibrationTarget {
          uses_section_ = false;
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline column

@@ -5,7 +5,7 @@
 
 #include "hydraulics/channel_laws.hpp"
 
-namespace riffle {
+namespace riffle::inline column {
 
 std::optional<CanalFlow> canal_flow(const Case& c) {
     const Solid* const canal = canal_of(c);
@@ -43,4 +43,4 @@ std::optional<CanalFlow> canal_flow(const Case& c) {
     return flow;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline column

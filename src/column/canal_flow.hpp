@@ -5,7 +5,7 @@
 #include "case/case.hpp"
 #include "case/cross_section.hpp"
 
-namespace riffle {
+namespace riffle::inline column {
 
 /// Uniform flow in a canal of one cross-section by the equation of Colebrook and White with the constants of
 /// a pipe and the hydraulic radius of the section: what the engineer's formula says, not a solution of the
@@ -20,4 +20,4 @@ struct CanalFlow {
 /// Nothing where a case is no canal (canal_of()), or its roughness too large for the equation.
 [[nodiscard]] std::optional<CanalFlow> canal_flow(const Case& c);
 
-}  // namespace riffle
+}  // namespace riffle::inline column

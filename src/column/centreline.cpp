@@ -7,7 +7,7 @@
 #include "column/section.hpp"
 #include "hydraulics/channel_laws.hpp"
 
-namespace riffle {
+namespace riffle::inline column {
 
 LogLawFit fit_column_profile(const Case& c, const ColumnResult& column) {
     constexpr int points = 200;
@@ -42,4 +42,4 @@ Centreline solve_centreline_and_section(const Case& c) {
     return both;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline column

@@ -6,7 +6,7 @@
 #include "column/column.hpp"
 #include "column/section.hpp"
 
-namespace riffle {
+namespace riffle::inline column {
 
 /// Fit of a profile to the rough log law at evenly spaced heights, as an instrument would sample it.
 [[nodiscard]] LogLawFit fit_column_profile(const Case& c, const ColumnResult& column);
@@ -26,4 +26,4 @@ struct Centreline {
 /// solve_column().
 [[nodiscard]] ColumnResult solve_centreline(const Case& c);
 
-}  // namespace riffle
+}  // namespace riffle::inline column

@@ -16,7 +16,7 @@
 #include "turbulence/closure.hpp"
 #include "turbulence/wall_law.hpp"
 
-namespace riffle {
+namespace riffle::inline column {
 
 namespace {
 
@@ -182,4 +182,4 @@ ColumnResult solve_column(const Case& c, int cells) {
     return result;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline column

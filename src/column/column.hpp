@@ -7,7 +7,7 @@
 #include "case/flow_kind.hpp"
 #include "hydraulics/log_law.hpp"
 
-namespace riffle {
+namespace riffle::inline column {
 
 /// Profile of the steady column on its grid (cell centres, from the bed level up). SI.
 struct ColumnProfile {
@@ -66,4 +66,4 @@ inline constexpr int column_cells = 1000;
 /// uniform flow, with the reason (why_no_column()).
 [[nodiscard]] ColumnResult solve_column(const Case& c, int cells = column_cells);
 
-}  // namespace riffle
+}  // namespace riffle::inline column

@@ -12,7 +12,7 @@
 #include "case/porous_zone.hpp"
 #include "turbulence/wall_law.hpp"
 
-namespace riffle {
+namespace riffle::inline column {
 
 std::vector<double> distinct_between(std::vector<double> points, double from, double to) {
     std::sort(points.begin(), points.end());
@@ -100,4 +100,4 @@ ColumnGrid make_column_grid(const Case& c, int cells) {
     return grid;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline column

@@ -4,7 +4,7 @@
 
 #include "case/case.hpp"
 
-namespace riffle {
+namespace riffle::inline column {
 
 /// Finite-volume grid of the column over 0 <= z <= H, m. Faces stand at every height where a coefficient of
 /// the momentum balance has a kink, a jump or a root: the zero of the mixing length, the plateau of the
@@ -34,4 +34,4 @@ struct ColumnGrid {
 /// Grid of about `cells` cells. Throws InputError unless 0 <= datum < H.
 [[nodiscard]] ColumnGrid make_column_grid(const Case& c, int cells);
 
-}  // namespace riffle
+}  // namespace riffle::inline column

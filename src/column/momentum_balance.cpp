@@ -9,7 +9,7 @@
 #include "roughness/vegetation.hpp"
 #include "turbulence/wall_law.hpp"
 
-namespace riffle {
+namespace riffle::inline column {
 
 std::vector<double> Tridiagonal::solve(std::vector<double> b) const {
     const std::size_t n = diagonal.size();
@@ -230,4 +230,4 @@ std::vector<double> MomentumBalance::first_guess() const {
     return u;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline column

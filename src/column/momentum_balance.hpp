@@ -8,7 +8,7 @@
 #include "roughness/porous_resistance.hpp"
 #include "roughness/stem_drag.hpp"
 
-namespace riffle {
+namespace riffle::inline column {
 
 /// Symmetric tridiagonal matrix: `diagonal` of n, `off` of n - 1 entries.
 struct Tridiagonal {
@@ -92,4 +92,4 @@ class MomentumBalance {
     }
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline column

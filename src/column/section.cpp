@@ -14,7 +14,7 @@
 #include "column/section_solver.hpp"
 #include "column/section_start.hpp"
 
-namespace riffle {
+namespace riffle::inline column {
 
 namespace {
 
@@ -241,4 +241,4 @@ SectionResult start_section(const Case& c, SectionStart start, const SectionOpti
     return section_result(c, grid, balance, u);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline column

@@ -8,7 +8,7 @@
 #include "case/case.hpp"
 #include "roughness/side_wall_partition.hpp"
 
-namespace riffle {
+namespace riffle::inline column {
 
 /// The cross-section twin of a case: the same model for the mean flow along a straight channel with side
 /// walls, without secondary flow.
@@ -99,4 +99,4 @@ struct SectionMoment {
                                             const SectionOptions& options = {},
                                             const std::function<void(const SectionMoment&)>& observe = {});
 
-}  // namespace riffle
+}  // namespace riffle::inline column

@@ -13,7 +13,7 @@
 #include "turbulence/czernuszenko_rylov.hpp"
 #include "turbulence/wall_law.hpp"
 
-namespace riffle {
+namespace riffle::inline column {
 
 namespace {
 
@@ -420,4 +420,4 @@ bool SectionBalance::has_friction() const {
            fixed_coefficient_ * layer_area_.sum() > 0.0;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline column

@@ -14,7 +14,7 @@
 #include "roughness/porous_resistance.hpp"
 #include "roughness/vegetation.hpp"
 
-namespace riffle {
+namespace riffle::inline column {
 
 /// Minus the derivative of a section's momentum balance, matrix + column row^T: the friction coefficient of
 /// the side walls depends on the flow of the whole section, which adds a product of two vectors.
@@ -137,4 +137,4 @@ class SectionBalance {
     std::vector<double> pore_length_;     ///< l_m of the cells with them, m
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline column

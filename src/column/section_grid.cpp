@@ -4,7 +4,7 @@
 #include "case/porous_zone.hpp"
 #include "column/column_grid.hpp"
 
-namespace riffle {
+namespace riffle::inline column {
 
 SectionGrid make_section_grid(const Case& c, int cells_across, int cells_over_depth) {
     constexpr int fewest = 4;
@@ -46,4 +46,4 @@ SectionGrid make_section_grid(const Case& c, int cells_across, int cells_over_de
     return grid;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline column

@@ -5,7 +5,7 @@
 
 #include "case/case.hpp"
 
-namespace riffle {
+namespace riffle::inline column {
 
 /// Finite-volume grid of half a cross-section, from the side wall y = 0 to the plane of symmetry, m. Faces
 /// stand where a coefficient has a kink: over the height those of the column, across the channel the edge of
@@ -24,4 +24,4 @@ struct SectionGrid {
 /// Grid of about `cells_across` x `cells_over_depth` cells. Throws InputError unless 0 <= datum < H.
 [[nodiscard]] SectionGrid make_section_grid(const Case& c, int cells_across, int cells_over_depth);
 
-}  // namespace riffle
+}  // namespace riffle::inline column

@@ -6,7 +6,7 @@
 
 #include "base/error.hpp"
 
-namespace riffle {
+namespace riffle::inline column {
 
 SectionPoints section_points_of(const SectionRecord& record, const Case& c) {
     SectionPoints points;
@@ -47,4 +47,4 @@ SectionPoints section_points_of(const SectionRecord& record, const Case& c) {
     return points;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline column

@@ -7,7 +7,7 @@
 #include "case/case.hpp"
 #include "laboratory/section_record.hpp"
 
-namespace riffle {
+namespace riffle::inline column {
 
 /// What was measured at points of a cross-section: y[i] from the side wall at y = 0, z[i] above the bed level
 /// (not-a-number: means over the depth above the datum). Quantities have a value for each point, not-a-number
@@ -27,4 +27,4 @@ struct SectionPoints {
 /// channel or outside of the water.
 [[nodiscard]] SectionPoints section_points_of(const SectionRecord& record, const Case& c);
 
-}  // namespace riffle
+}  // namespace riffle::inline column

@@ -7,7 +7,7 @@
 #include "base/interpolation.hpp"
 #include "roughness/side_wall_partition.hpp"
 
-namespace riffle {
+namespace riffle::inline column {
 
 void SectionFactorisation::compute(const SectionJacobian& jacobian, const Eigen::VectorXd& diagonal) {
     Eigen::SparseMatrix<double> matrix = jacobian.matrix;
@@ -140,4 +140,4 @@ Eigen::VectorXd velocities_on(const SectionGrid& grid, const SectionResult& resu
     return u;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline column

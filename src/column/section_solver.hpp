@@ -7,7 +7,7 @@
 #include "column/section.hpp"
 #include "column/section_balance.hpp"
 
-namespace riffle {
+namespace riffle::inline column {
 
 /// Solves (diagonal + J) x = b, J = matrix + column row^T the Jacobian of a section: a sparse factorisation
 /// and the formula of Sherman and Morrison.
@@ -36,4 +36,4 @@ void check_section(const Case& c);
 /// Velocities of a result at the centres of a grid.
 [[nodiscard]] Eigen::VectorXd velocities_on(const SectionGrid& grid, const SectionResult& result);
 
-}  // namespace riffle
+}  // namespace riffle::inline column

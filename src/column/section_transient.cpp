@@ -8,7 +8,7 @@
 #include "column/section.hpp"
 #include "column/section_solver.hpp"
 
-namespace riffle {
+namespace riffle::inline column {
 
 namespace {
 
@@ -78,4 +78,4 @@ SectionResult advance_section(const Case& c, const SectionResult& start, double 
     return section_result(c, grid, balance, u);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline column

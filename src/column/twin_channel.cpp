@@ -17,7 +17,7 @@
 #include "column/column.hpp"
 #include "turbulence/wall_law.hpp"
 
-namespace riffle {
+namespace riffle::inline column {
 
 namespace {
 
@@ -271,4 +271,4 @@ SteadyChannel twin_channel(const Case& c, double unit_discharge) {
     return channel;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline column

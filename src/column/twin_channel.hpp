@@ -7,7 +7,7 @@
 #include "column/section.hpp"
 #include "hydraulics/steady_channel.hpp"
 
-namespace riffle {
+namespace riffle::inline column {
 
 /// The reach of a channel far from its open ends, from all bodies in it and patches of its bed: the case with
 /// periodic ends and without solids and patches, whose uniform flow is that of the bed. A case with other
@@ -64,4 +64,4 @@ struct CarryingSection {
 /// of the case. Throws InputError where the case has no column twin for another reason than its slope.
 [[nodiscard]] SteadyChannel twin_channel(const Case& c, double unit_discharge);
 
-}  // namespace riffle
+}  // namespace riffle::inline column

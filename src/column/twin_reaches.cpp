@@ -10,7 +10,7 @@
 #include "case/patch_range.hpp"
 #include "column/twin_channel.hpp"
 
-namespace riffle {
+namespace riffle::inline column {
 
 std::vector<Reach> twin_reaches(const Case& c, double unit_discharge, double length) {
     std::vector<const BedPatch*> across;
@@ -57,4 +57,4 @@ std::vector<Reach> twin_reaches(const Case& c, double unit_discharge, double len
     return reaches;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline column

@@ -5,7 +5,7 @@
 #include "case/case.hpp"
 #include "hydraulics/varied_reaches.hpp"
 
-namespace riffle {
+namespace riffle::inline column {
 
 /// The reaches of a channel of a length (m) whose bed changes along it, with the friction of the twins over
 /// each bed (twin_channel()): patches that cover the width, and between them the bed of the channel; behind
@@ -14,4 +14,4 @@ namespace riffle {
 /// the beds, and as twin_channel().
 [[nodiscard]] std::vector<Reach> twin_reaches(const Case& c, double unit_discharge, double length);
 
-}  // namespace riffle
+}  // namespace riffle::inline column

@@ -5,7 +5,7 @@
 
 #include "column/twin_channel.hpp"
 
-namespace riffle {
+namespace riffle::inline column {
 
 namespace {
 
@@ -60,4 +60,4 @@ double UniformRating::depth(double unit_discharge) {
     return case_.channel.depth * std::exp(step * place);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline column

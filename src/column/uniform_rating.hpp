@@ -4,7 +4,7 @@
 
 #include "case/case.hpp"
 
-namespace riffle {
+namespace riffle::inline column {
 
 /// Depth of uniform flow for any discharge: the rating of a channel far from its ends, by the twins of its
 /// bed. The twins are solved at depths 15 % apart, each when it is first needed, and interpolated between
@@ -27,4 +27,4 @@ class UniformRating {
     std::map<int, double> log_discharges_;
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline column

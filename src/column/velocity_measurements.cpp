@@ -11,7 +11,7 @@
 #include "hydraulics/channel_laws.hpp"
 #include "laboratory/profile_record.hpp"
 
-namespace riffle {
+namespace riffle::inline column {
 
 VelocityMeasurements read_velocity_measurements(const Case& c) {
     const std::filesystem::path& path = c.measured.velocity_profile;
@@ -64,4 +64,4 @@ VelocityMeasurements measured_log_law(const Case& c, int points) {
     return result;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline column

@@ -5,7 +5,7 @@
 
 #include "case/case.hpp"
 
-namespace riffle {
+namespace riffle::inline column {
 
 /// A measured velocity profile.
 struct VelocityMeasurements {
@@ -26,4 +26,4 @@ void check_velocity_measurements(const Case& c);
 /// heights between crest and surface: the measured profile to within its fit. Empty unless both are given.
 [[nodiscard]] VelocityMeasurements measured_log_law(const Case& c, int points = 10);
 
-}  // namespace riffle
+}  // namespace riffle::inline column

@@ -13,7 +13,7 @@
 #include "roughness/particle_bed_drag.hpp"
 #include "roughness/side_wall_partition.hpp"
 
-namespace riffle {
+namespace riffle::inline components {
 
 /// The drag of the bed, and that of the side walls in their layers, whose coefficient may follow from it.
 template <int D, class Real>
@@ -204,4 +204,4 @@ std::unique_ptr<Component<D, Real>> make_bed_drag_force(FlowOf<D, Real>& flow) {
                : nullptr;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline components

@@ -23,7 +23,7 @@
 #include "components/vegetation_drag.hpp"
 #include "components/xsph.hpp"
 
-namespace riffle {
+namespace riffle::inline components {
 
 namespace {
 
@@ -69,4 +69,4 @@ template ComponentList<2, double> make_components(FlowOf<2, double>&, double);
 template ComponentList<3, float> make_components(FlowOf<3, float>&, double);
 template ComponentList<3, double> make_components(FlowOf<3, double>&, double);
 
-}  // namespace riffle
+}  // namespace riffle::inline components

@@ -5,7 +5,7 @@
 
 #include "engine/component.hpp"
 
-namespace riffle {
+namespace riffle::inline components {
 
 template <int D, class Real>
 using ComponentList = std::vector<std::unique_ptr<Component<D, Real>>>;
@@ -16,4 +16,4 @@ using ComponentList = std::vector<std::unique_ptr<Component<D, Real>>>;
 template <int D, class Real>
 [[nodiscard]] ComponentList<D, Real> make_components(FlowOf<D, Real>& flow, double celerity);
 
-}  // namespace riffle
+}  // namespace riffle::inline components

@@ -13,7 +13,7 @@
 #include "engine/particle_fault.hpp"
 #include "engine/pass_order.hpp"
 
-namespace riffle {
+namespace riffle::inline components {
 
 /// Keeps water before walls and out of solids where their pressure does not: particles of a block that have
 /// moved behind a face are put back onto it.
@@ -150,4 +150,4 @@ std::unique_ptr<Component<D, Real>> make_contact(FlowOf<D, Real>& flow) {
     return contact->empty() ? nullptr : std::move(contact);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline components

@@ -8,7 +8,7 @@
 #include "sph/crowding.hpp"
 #include "sph/kernel.hpp"
 
-namespace riffle {
+namespace riffle::inline components {
 
 /// Each so many steps: raise the density of crowded particles, by the water around them, or by the walls as
 /// well.
@@ -109,4 +109,4 @@ std::unique_ptr<Component<D, Real>> make_crowds_at_edges(FlowOf<D, Real>& flow) 
                                    : nullptr;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline components

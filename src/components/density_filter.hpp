@@ -2,7 +2,7 @@
 
 #include "engine/component.hpp"
 
-namespace riffle {
+namespace riffle::inline components {
 
 /// MLS estimate of the density at a particle (Dilts; Colagrossi & Landrini 2003): rho = sum m W (b0 + b.r), A
 /// b = e0, lengths in h; from the moments of one lane. Shepard's mean where the neighbours (spray) span no
@@ -78,4 +78,4 @@ std::unique_ptr<Component<D, Real>> make_density_filter(FlowOf<D, Real>& flow) {
                : nullptr;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline components

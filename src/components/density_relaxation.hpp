@@ -11,7 +11,7 @@
 #include "sph/scalar_kernel.hpp"
 #include "sph/strain_measure.hpp"
 
-namespace riffle {
+namespace riffle::inline components {
 
 /// The density that a particle carries goes, at a rate in proportion to the strain rate, to what the kernel's
 /// sum over the particles makes of it. The continuity equation knows changes alone, and density diffusion
@@ -135,4 +135,4 @@ std::unique_ptr<Component<D, Real>> make_density_relaxation(FlowOf<D, Real>& flo
                                                     : nullptr;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline components

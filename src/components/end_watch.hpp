@@ -9,7 +9,7 @@
 #include "ends/open_ends_state.hpp"
 #include "engine/flow.hpp"
 
-namespace riffle {
+namespace riffle::inline components {
 
 /// What is seen of the water beside the open ends, inside of the channel: means under a hat of two kernel
 /// supports, so that a row of evenly spaced particles counts alike wherever it stands under it.
@@ -76,4 +76,4 @@ class EndWatch {
     std::array<std::vector<std::size_t>, 2> particles_;
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline components

@@ -12,7 +12,7 @@
 #include "engine/pass_order.hpp"
 #include "particles/working_values.hpp"
 
-namespace riffle {
+namespace riffle::inline components {
 
 /// What each part of the scheme does to the energy of the water, in steps that keep the fields
 /// (docs/theory.md, "Energy"). Forces work on the mean of a particle's velocity before and after them, so
@@ -361,4 +361,4 @@ std::unique_ptr<Component<D, Real>> make_energy_budget(FlowOf<D, Real>& flow) {
     return std::make_unique<EnergyBudget<D, Real>>(flow);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline components

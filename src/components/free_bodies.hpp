@@ -12,7 +12,7 @@
 #include "case/solid_volume.hpp"
 #include "engine/component.hpp"
 
-namespace riffle {
+namespace riffle::inline components {
 
 /// Moves the free bodies of a case: by the forces that the water exerts on them in an evaluation, their
 /// weight, their springs and what they touch, in step with the water. What the pairs give to the water they
@@ -153,4 +153,4 @@ std::unique_ptr<Component<D, Real>> make_free_bodies(FlowOf<D, Real>& flow) {
     return flow.free.empty() ? nullptr : std::make_unique<FreeBodies<D, Real>>(flow);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline components

@@ -7,7 +7,7 @@
 #include "engine/pair_setup.hpp"
 #include "sph/pair_sum.hpp"
 
-namespace riffle {
+namespace riffle::inline components {
 
 /// The options of the scheme that are sums of their own over the lists.
 template <int D, class Real>
@@ -46,4 +46,4 @@ std::unique_ptr<Component<D, Real>> make_further_pair_sums(FlowOf<D, Real>& flow
     return sums.empty() ? nullptr : std::make_unique<FurtherPairSums<D, Real>>(std::move(sums));
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline components

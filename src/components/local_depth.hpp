@@ -9,7 +9,7 @@
 #include "base/parallel.hpp"
 #include "engine/flow.hpp"
 
-namespace riffle {
+namespace riffle::inline components {
 
 /// Depth of the water over each place of the bed, for the mixing lengths: from the particles in plan cells
 /// about a kernel support wide, smoothed over two cells to each side. Without bodies it is the volume over
@@ -221,4 +221,4 @@ class LocalDepth {
     std::array<std::size_t, 2> count_{};
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline components

@@ -13,7 +13,7 @@
 #include "roughness/vegetation.hpp"
 #include "turbulence/closure.hpp"
 
-namespace riffle {
+namespace riffle::inline components {
 
 /// Mixing lengths of the closure at the particles: in water of the depth of the case, or where the flow
 /// varies along the channel of the depth at each place; over patches of the bed those over their roughness;
@@ -155,4 +155,4 @@ std::unique_ptr<Component<D, Real>> make_mixing_lengths(FlowOf<D, Real>& flow) {
     return closure ? std::make_unique<MixingLengths<D, Real>>(flow, std::move(closure)) : nullptr;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline components

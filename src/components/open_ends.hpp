@@ -15,7 +15,7 @@
 #include "engine/component.hpp"
 #include "particles/lattice.hpp"
 
-namespace riffle {
+namespace riffle::inline components {
 
 /// The open ends of a channel (docs/theory.md 20). Beyond each stands a buffer of ordinary particles, whose
 /// motion and density are those of a section: its depth and velocity follow from what the case gives and from
@@ -479,4 +479,4 @@ std::unique_ptr<Component<D, Real>> make_open_ends(FlowOf<D, Real>& flow) {
     return flow.c.channel.ends == Ends::open ? std::make_unique<OpenEnds<D, Real>>(flow) : nullptr;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline components

@@ -4,7 +4,7 @@
 
 #include "engine/component.hpp"
 
-namespace riffle {
+namespace riffle::inline components {
 
 /// What the grains of porous zones make of the sums of the pairs, whose records hold the discharge of an area
 /// q = n u in place of the velocity and m/(n rho) in place of the volume (docs/theory.md, section 21):
@@ -73,4 +73,4 @@ std::unique_ptr<Component<D, Real>> make_porous_forces(FlowOf<D, Real>& flow) {
     return flow.porous.empty() ? nullptr : std::make_unique<PorousForces<D, Real>>(flow);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline components

@@ -14,7 +14,7 @@
 #include "engine/particle_fault.hpp"
 #include "engine/pass_order.hpp"
 
-namespace riffle {
+namespace riffle::inline components {
 
 /// The force of the reference pressure (docs/theory.md, section 5): what the pairs do not carry of the
 /// hydrostatic pressure holds the water up as a function of its height alone.
@@ -97,4 +97,4 @@ std::unique_ptr<Component<D, Real>> make_reference_pressure_force(FlowOf<D, Real
                : nullptr;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline components

@@ -5,7 +5,7 @@
 #include "boundary/repulsive_wall.hpp"
 #include "engine/component.hpp"
 
-namespace riffle {
+namespace riffle::inline components {
 
 /// The push of repulsive walls.
 template <int D, class Real>
@@ -39,4 +39,4 @@ std::unique_ptr<Component<D, Real>> make_repulsion(FlowOf<D, Real>& flow) {
     return walls.active() ? std::make_unique<Repulsion<D, Real>>(flow, std::move(walls)) : nullptr;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline components

@@ -6,7 +6,7 @@
 #include "engine/component.hpp"
 #include "sph/correction.hpp"
 
-namespace riffle {
+namespace riffle::inline components {
 
 /// A drag that takes the motion out of still water at the beginning of a run: what the arrangement of the
 /// start lacks of its balance becomes no motion that lasts. It is critical for the longest wave that a basin
@@ -45,4 +45,4 @@ std::unique_ptr<Component<D, Real>> make_settling(FlowOf<D, Real>& flow) {
     return flow.c.start.settling_time > 0.0 ? std::make_unique<Settling<D, Real>>(flow) : nullptr;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline components

@@ -9,7 +9,7 @@
 #include "particles/field.hpp"
 #include "sph/correction.hpp"
 
-namespace riffle {
+namespace riffle::inline components {
 
 /// The correction of the pressure form in its mean over a time. What the arrangement of the particles makes
 /// of the correction at each moment is no gradient of an energy: it drives the particles, which make another
@@ -74,4 +74,4 @@ std::unique_ptr<Component<D, Real>> make_slow_correction(FlowOf<D, Real>& flow) 
                : nullptr;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline components

@@ -8,7 +8,7 @@
 #include "engine/flow.hpp"
 #include "engine/pair_setup.hpp"
 
-namespace riffle {
+namespace riffle::inline components {
 
 /// Where the forces of particles beside a solid act on its surface: for each the plane that touches the
 /// surface at the place nearest to it when the lists were built. A force acts at its foot on that plane. On
@@ -87,4 +87,4 @@ class SolidFeet {
     std::vector<Plane> planes_;
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline components

@@ -12,7 +12,7 @@
 #include "engine/component.hpp"
 #include "engine/pass_order.hpp"
 
-namespace riffle {
+namespace riffle::inline components {
 
 /// The forces of the water on each solid and their moments, in steps that keep the fields: the force pass
 /// again, with the walls of one solid and no fluid. Of free bodies in all steps: they move by them.
@@ -239,4 +239,4 @@ std::unique_ptr<Component<D, Real>> make_solid_forces(FlowOf<D, Real>& flow) {
     return flow.c.solids.empty() ? nullptr : std::make_unique<SolidForces<D, Real>>(flow);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline components

@@ -12,7 +12,7 @@
 #include "engine/pass_order.hpp"
 #include "roughness/log_law_friction.hpp"
 
-namespace riffle {
+namespace riffle::inline components {
 
 /// The friction of solids whose surface has a log law: a drag on the water in a layer beside each, by the
 /// speed of each particle past the surface. Of a particle that the edge of the layer cuts acts the share
@@ -123,4 +123,4 @@ std::unique_ptr<Component<D, Real>> make_solid_friction(FlowOf<D, Real>& flow) {
     return any ? std::make_unique<SolidFriction<D, Real>>(flow) : nullptr;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline components

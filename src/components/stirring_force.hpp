@@ -3,7 +3,7 @@
 #include "components/stirring_modes.hpp"
 #include "engine/component.hpp"
 
-namespace riffle {
+namespace riffle::inline components {
 
 /// The stirring body force, less its mean over the particles, so that it adds no momentum along or across the
 /// channel even where the particles' spacing correlates with its pattern.
@@ -68,4 +68,4 @@ std::unique_ptr<Component<D, Real>> make_stirring(FlowOf<D, Real>& flow, double 
     return modes.active() ? std::make_unique<StirringForce<D, Real>>(flow, modes) : nullptr;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline components

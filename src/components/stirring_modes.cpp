@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace riffle {
+namespace riffle::inline components {
 
 Stirring2D::Stirring2D(const Case& c, double celerity) : celerity_(celerity) {
     if (c.stirring.acceleration == 0.0) {
@@ -61,4 +61,4 @@ void Stirring3D::add(const Vec<3>& x, double t, Vec<3>& a) const {
     }
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline components

@@ -6,7 +6,7 @@
 #include "case/case.hpp"
 #include "particles/domain.hpp"
 
-namespace riffle {
+namespace riffle::inline components {
 
 /// The stirring body force (a test option): divergence-free vortex modes that travel along the channel,
 ///   psi = sum_m (F/sqrt(M)/|k_m|) sin^2(m pi z/H) cos(2 pi m (x - c t)/L + phase_m),  a = (dpsi/dz,
@@ -67,4 +67,4 @@ class Stirring3D {
 template <int D>
 using StirringIn = std::conditional_t<D == 2, Stirring2D, Stirring3D>;
 
-}  // namespace riffle
+}  // namespace riffle::inline components

@@ -8,7 +8,7 @@
 #include "particles/lattice.hpp"
 #include "roughness/vegetation.hpp"
 
-namespace riffle {
+namespace riffle::inline components {
 
 /// The drag of stems on the water between them, against its velocity. Of a particle that the top or an edge
 /// of a patch cuts acts the share within, so that the force of a layered flow does not depend on where its
@@ -78,4 +78,4 @@ std::unique_ptr<Component<D, Real>> make_vegetation_drag(FlowOf<D, Real>& flow) 
                : std::make_unique<VegetationDrag<D, Real>>(flow, vegetation_patches(flow.c));
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline components

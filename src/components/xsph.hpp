@@ -5,7 +5,7 @@
 
 #include "engine/component.hpp"
 
-namespace riffle {
+namespace riffle::inline components {
 
 /// XSPH (Monaghan 1989): particles move with a velocity that is smoothed over their neighbours.
 template <int D, class Real>
@@ -47,4 +47,4 @@ std::unique_ptr<Component<D, Real>> make_xsph(FlowOf<D, Real>& flow) {
     return flow.c.numerics.xsph != 0.0 ? std::make_unique<Xsph<D, Real>>(flow) : nullptr;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline components

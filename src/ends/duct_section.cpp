@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace riffle {
+namespace riffle::inline ends {
 
 DuctSection duct_section(double sound_speed, double going, double coming) {
     return {0.5 * (going + coming), 0.5 * sound_speed * (going - coming)};
@@ -24,4 +24,4 @@ double duct_relaxation(double sound_speed, const DuctSection& now, double pressu
     return 2.0 * std::min(1.0, dt / time) * (now.pressure - pressure) / sound_speed;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline ends

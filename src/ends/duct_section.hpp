@@ -1,6 +1,6 @@
 #pragma once
 
-namespace riffle {
+namespace riffle::inline ends {
 
 // The state of the water over a section of a duct, from the characteristics of sound: with the water goes
 // U + p/(rho c0), against it comes U - p/(rho c0). Pressures are divided by the density.
@@ -26,4 +26,4 @@ struct DuctSection {
 [[nodiscard]] double duct_relaxation(double sound_speed, const DuctSection& now, double pressure, double time,
                                      double dt);
 
-}  // namespace riffle
+}  // namespace riffle::inline ends

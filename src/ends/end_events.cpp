@@ -4,7 +4,7 @@
 
 #include "ends/section_state.hpp"
 
-namespace riffle {
+namespace riffle::inline ends {
 
 namespace {
 
@@ -71,4 +71,4 @@ std::vector<std::string> EndEvents::news(const OpenEndsState& ends, double time)
     return told;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline ends

@@ -5,7 +5,7 @@
 
 #include "ends/open_ends_state.hpp"
 
-namespace riffle {
+namespace riffle::inline ends {
 
 /// What happens at the open ends of a channel that whoever runs it should know of: the outflow runs dry, or
 /// water comes in through it; a jump reaches the inflow, and what enters is not the shooting flow that the
@@ -32,4 +32,4 @@ class EndEvents {
     Event drowned_;        ///< deeper water stands at a supercritical inflow
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline ends

@@ -7,7 +7,7 @@
 #include "case/units.hpp"
 #include "ends/flow_at_ends.hpp"
 
-namespace riffle {
+namespace riffle::inline ends {
 
 namespace {
 
@@ -221,4 +221,4 @@ std::vector<EndFact> end_facts(const Case& c, const FlowAtEnds& states) {
     return facts;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline ends

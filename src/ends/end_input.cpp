@@ -25,7 +25,7 @@
 #include "hydraulics/varied_flow.hpp"
 #include "laboratory/profile_record.hpp"
 
-namespace riffle {
+namespace riffle::inline ends {
 
 namespace {
 
@@ -394,4 +394,4 @@ std::function<double(double)> varied_depths(const Case& c, const EndInput& input
             datum = c.datum()](double x) { return flow->depth_at(std::clamp(x, 0.0, length)) + datum; };
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline ends

@@ -9,7 +9,7 @@
 #include "ends/time_table.hpp"
 #include "hydraulics/varied_flow.hpp"
 
-namespace riffle {
+namespace riffle::inline ends {
 
 /// What a case with open ends says of them, files read. Depths are those of the whole water over what it
 /// stands on there (end_floors()), m.
@@ -56,4 +56,4 @@ struct EndExtremes {
 /// Total depth of the start along a channel with open ends.
 [[nodiscard]] std::function<double(double x)> start_depths(const Case& c, const EndInput& input);
 
-}  // namespace riffle
+}  // namespace riffle::inline ends

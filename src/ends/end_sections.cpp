@@ -5,7 +5,7 @@
 
 #include "ends/duct_section.hpp"
 
-namespace riffle {
+namespace riffle::inline ends {
 
 namespace {
 
@@ -128,4 +128,4 @@ void EndSections::follow_downstream(EndState& end, double time, double dt) const
     go_over_to(end, section, dt);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline ends

@@ -6,7 +6,7 @@
 #include "ends/open_ends_state.hpp"
 #include "ends/section_state.hpp"
 
-namespace riffle {
+namespace riffle::inline ends {
 
 /// The sections at both ends in time: what the case gives there, and the characteristics that come out of the
 /// channel (docs/theory.md 20).
@@ -43,4 +43,4 @@ class EndSections {
     double least_depth_;
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline ends

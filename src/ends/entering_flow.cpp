@@ -1,6 +1,6 @@
 #include "ends/entering_flow.hpp"
 
-namespace riffle {
+namespace riffle::inline ends {
 
 double EnteringFlow::mean_of_streams(double time, int rows, std::span<const double> files) const {
     double sum = 0.0;
@@ -12,4 +12,4 @@ double EnteringFlow::mean_of_streams(double time, int rows, std::span<const doub
     return sum / (rows * static_cast<double>(files.size()));
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline ends

@@ -8,7 +8,7 @@
 #include "ends/velocity_shape.hpp"
 #include "particles/domain.hpp"
 
-namespace riffle {
+namespace riffle::inline ends {
 
 /// The velocity of the water that enters a channel over the mean velocity of its section, by the place y
 /// across the channel (m) and the height over the depth, z/H.
@@ -69,4 +69,4 @@ class SectionFlow final : public EnteringFlow {
     double depth_;
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline ends

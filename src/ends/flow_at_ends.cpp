@@ -19,7 +19,7 @@
 #include "hydraulics/varied_reaches.hpp"
 #include "laboratory/profile_record.hpp"
 
-namespace riffle {
+namespace riffle::inline ends {
 
 namespace {
 
@@ -284,4 +284,4 @@ FlowAtEnds flow_at_ends(const Case& c) {
     return states;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline ends

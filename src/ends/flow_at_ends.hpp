@@ -6,7 +6,7 @@
 
 #include "case/case.hpp"
 
-namespace riffle {
+namespace riffle::inline ends {
 
 /// The least and the largest value of a quantity during a run; equal where it does not change.
 struct Extremes {
@@ -67,4 +67,4 @@ struct EndFact {
 /// The same in words, for people: inflow, outflow, and the depths of the discharge.
 [[nodiscard]] std::vector<EndFact> end_facts(const Case& c, const FlowAtEnds& states);
 
-}  // namespace riffle
+}  // namespace riffle::inline ends

@@ -25,7 +25,7 @@
 #include "record/run_results.hpp"
 #include "record/whole_snapshots.hpp"
 
-namespace riffle {
+namespace riffle::inline ends {
 
 namespace {
 
@@ -231,4 +231,4 @@ std::shared_ptr<const RecordedFlow> recorded_flow(const Case& c) {
     return kept;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline ends

@@ -5,7 +5,7 @@
 #include "case/case.hpp"
 #include "ends/recorded_flow.hpp"
 
-namespace riffle {
+namespace riffle::inline ends {
 
 /// The water that enters a case from the results of a run with periodic ends (inflow.results): its snapshots
 /// from inflow.results_from on, on cells as large as its spacing, each cell with the kernel's mean at its
@@ -15,4 +15,4 @@ namespace riffle {
 /// snapshots of all the water with velocities; and FileError as RunResults.
 [[nodiscard]] std::shared_ptr<const RecordedFlow> recorded_flow(const Case& c);
 
-}  // namespace riffle
+}  // namespace riffle::inline ends

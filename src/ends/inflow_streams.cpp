@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace riffle {
+namespace riffle::inline ends {
 
 int InflowStreams::rows_for(double depth) const {
     return std::max(1, static_cast<int>(std::lround(depth / row_height_)));
@@ -70,4 +70,4 @@ void InflowStreams::fill(OpenEndsState& state, double depth,
     }
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline ends

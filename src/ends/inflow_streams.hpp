@@ -4,7 +4,7 @@
 
 #include "ends/open_ends_state.hpp"
 
-namespace riffle {
+namespace riffle::inline ends {
 
 /// The streams in which water enters a channel: rows over each other, in three dimensions files beside each
 /// other, each a line of particles that moves at one velocity. A row is as high as the depth over their
@@ -47,4 +47,4 @@ class InflowStreams {
     double area_, row_height_, upstream_edge_;
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline ends

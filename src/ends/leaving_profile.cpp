@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace riffle {
+namespace riffle::inline ends {
 
 void LeavingProfile::clear(const OpenEndsState& state) {
     depth_ = std::max(state.downstream.watched_depth, least_depth_);
@@ -43,4 +43,4 @@ std::size_t LeavingProfile::bin_of(const OpenEndsState& state, double place) {
     return static_cast<std::size_t>(std::clamp(place * bins, 0.0, bins - 0.5));
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline ends

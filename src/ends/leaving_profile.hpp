@@ -4,7 +4,7 @@
 
 #include "ends/open_ends_state.hpp"
 
-namespace riffle {
+namespace riffle::inline ends {
 
 /// The velocity profile of the water that leaves: that of the water before the outflow, smoothed over the
 /// time that a wave takes along one depth. (Were water to keep its own velocity, slow water at the bed could
@@ -41,4 +41,4 @@ class LeavingProfile {
     std::vector<double> weight_, flux_;  ///< by bin
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline ends

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace riffle {
+namespace riffle::inline ends {
 
 namespace {
 
@@ -86,4 +86,4 @@ OpenEndsState OpenEndsState::from(const std::vector<double>& numbers) {
     return state;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline ends

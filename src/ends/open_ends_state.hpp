@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace riffle {
+namespace riffle::inline ends {
 
 /// What crosses the ends of the simulated water, all in all: an account of each particle.
 struct EndsLedger {
@@ -55,4 +55,4 @@ struct OpenEndsState {
     bool operator==(const OpenEndsState&) const = default;
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline ends

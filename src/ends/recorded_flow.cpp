@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-namespace riffle {
+namespace riffle::inline ends {
 
 RecordedFlow::RecordedFlow(RecordedWater water) : water_(std::move(water)) {
     take_off_mean();
@@ -193,4 +193,4 @@ Vec<3> RecordedFlow::at(double time, double y, double place) const {
     return result;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline ends

@@ -6,7 +6,7 @@
 
 #include "ends/entering_flow.hpp"
 
-namespace riffle {
+namespace riffle::inline ends {
 
 /// The water of a periodic channel at some moments, on a grid of cells: what a recorded flow is made of.
 struct RecordedWater {
@@ -67,4 +67,4 @@ class RecordedFlow final : public EnteringFlow {
     std::vector<std::array<Pair, 3>> pairs_;
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline ends

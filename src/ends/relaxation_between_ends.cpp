@@ -7,7 +7,7 @@
 #include "ends/end_input.hpp"
 #include "ends/section_state.hpp"
 
-namespace riffle {
+namespace riffle::inline ends {
 
 namespace {
 
@@ -40,4 +40,4 @@ double relaxation_time_between_ends(const Case& c) {
     return input.outflow_depth ? std::max(time, input.relaxation_time) : time;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline ends

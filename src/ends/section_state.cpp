@@ -5,7 +5,7 @@
 
 #include "case/end_levels.hpp"
 
-namespace riffle {
+namespace riffle::inline ends {
 
 double wave_speed(double gravity, double depth) { return std::sqrt(gravity * std::max(0.0, depth)); }
 
@@ -55,4 +55,4 @@ double relaxation(double gravity, const Section& now, double depth, double time,
     return 2.0 * std::sqrt(gravity / now.depth) * (now.depth - depth) * dt / time;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline ends

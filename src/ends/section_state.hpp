@@ -1,6 +1,6 @@
 #pragma once
 
-namespace riffle {
+namespace riffle::inline ends {
 
 // The state of the water over a section at an open end, from the characteristics of shallow water: along
 // dx/dt = U + c goes U + 2 c, along dx/dt = U - c goes U - 2 c, c = sqrt(g h) (Henderson 1966, chapter 8).
@@ -42,4 +42,4 @@ struct Section {
 /// 1/sqrt(1 + (2 pi time/T)^2) of its height.
 [[nodiscard]] double relaxation(double gravity, const Section& now, double depth, double time, double dt);
 
-}  // namespace riffle
+}  // namespace riffle::inline ends

@@ -9,7 +9,7 @@
 #include "base/interpolation.hpp"
 #include "laboratory/csv_table.hpp"
 
-namespace riffle {
+namespace riffle::inline ends {
 
 namespace {
 
@@ -78,4 +78,4 @@ TimeTable read_time_table(const std::filesystem::path& path, const std::vector<T
     return {std::move(table.first), std::move(table.second)};
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline ends

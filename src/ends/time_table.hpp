@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace riffle {
+namespace riffle::inline ends {
 
 /// A quantity that changes in time: straight lines between its rows, the first value before and the last
 /// behind them.
@@ -48,4 +48,4 @@ struct TwoColumns {
 [[nodiscard]] TimeTable read_time_table(const std::filesystem::path& path,
                                         const std::vector<TableColumn>& columns, double least);
 
-}  // namespace riffle
+}  // namespace riffle::inline ends

@@ -5,7 +5,7 @@
 
 #include "base/interpolation.hpp"
 
-namespace riffle {
+namespace riffle::inline ends {
 
 VelocityShape::VelocityShape(std::vector<double> height, std::vector<double> velocity, double depth)
     : place_(std::move(height)), value_(std::move(velocity)) {
@@ -31,4 +31,4 @@ double VelocityShape::mean_of_rows(int rows) const {
     return sum / rows;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline ends

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-namespace riffle {
+namespace riffle::inline ends {
 
 /// The shape of a profile of the streamwise velocity: u over the depth mean as a function of z/H, straight
 /// lines between its points, constant beyond them.
@@ -26,4 +26,4 @@ class VelocityShape {
     std::vector<double> value_;
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline ends

@@ -2,7 +2,7 @@
 
 #include "engine/flow.hpp"
 
-namespace riffle {
+namespace riffle::inline engine {
 
 /// A part of the model beside the sums of the pair loops: closure, drag, a force, a filter, contact. Its
 /// hooks are called in this order in each step; those of blocks by several threads at a time, each for blocks
@@ -52,4 +52,4 @@ class Component {
     [[nodiscard]] virtual std::size_t bytes() const { return 0; }
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline engine

@@ -10,7 +10,7 @@
 #include "base/interpolation.hpp"
 #include "ends/time_table.hpp"
 
-namespace riffle {
+namespace riffle::inline engine {
 
 EnergySpectrum::EnergySpectrum(const std::filesystem::path& path) {
     TwoColumns table = read_two_columns(path, {"wavenumber", "1/m"}, {{"energy", "m3/s2"}}, 0.0);
@@ -50,4 +50,4 @@ double EnergySpectrum::velocity_rms(double largest) const {
     return std::sqrt(2.0 / 3.0 * energy);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline engine

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <vector>
 
-namespace riffle {
+namespace riffle::inline engine {
 
 /// Energy spectrum E(k) of isotropic turbulence, whose integral over the wave number k is the kinetic energy
 /// per mass: straight between its points on logarithmic axes, nothing beyond them.
@@ -23,4 +23,4 @@ class EnergySpectrum {
     std::vector<double> energy_;
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline engine

@@ -6,7 +6,7 @@
 #include "engine/pair_setup.hpp"
 #include "particles/lattice.hpp"
 
-namespace riffle {
+namespace riffle::inline engine {
 
 template <int D, class Real>
 FlowOf<D, Real>::FlowOf(const Case& c_, const ColumnResult* column, Particles<D> water)
@@ -120,4 +120,4 @@ template struct FlowOf<2, double>;
 template struct FlowOf<3, float>;
 template struct FlowOf<3, double>;
 
-}  // namespace riffle
+}  // namespace riffle::inline engine

@@ -20,7 +20,7 @@
 #include "sph/pair_loops.hpp"
 #include "sph/particle_loops.hpp"
 
-namespace riffle {
+namespace riffle::inline engine {
 
 /// The sets of particles that passes run over, as PassDeclaration numbers them.
 inline constexpr std::size_t fluid_set = 0;
@@ -234,4 +234,4 @@ inline constexpr std::size_t light_block = 128;
     return dimensions == 2 ? 2.67 : 2.0;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline engine

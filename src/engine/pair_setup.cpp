@@ -14,7 +14,7 @@
 #include "turbulence/closure.hpp"
 #include "turbulence/czernuszenko_rylov.hpp"
 
-namespace riffle {
+namespace riffle::inline engine {
 
 namespace {
 
@@ -219,4 +219,4 @@ template std::vector<std::unique_ptr<PairSum<3, double>>> make_pair_sums(const C
 template ParticleData<2> particle_constants(const Case&, const Scheme&, const Domain<2>&);
 template ParticleData<3> particle_constants(const Case&, const Scheme&, const Domain<3>&);
 
-}  // namespace riffle
+}  // namespace riffle::inline engine

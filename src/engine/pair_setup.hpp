@@ -9,7 +9,7 @@
 #include "sph/pair_sum.hpp"
 #include "sph/particle_loops.hpp"
 
-namespace riffle {
+namespace riffle::inline engine {
 
 // What the loops are given of a case: by the simulation, and by whoever runs the loops without one.
 
@@ -57,4 +57,4 @@ template <int D>
 [[nodiscard]] ParticleData<D> particle_constants(const Case& c, const Scheme& scheme,
                                                  const Domain<D>& domain);
 
-}  // namespace riffle
+}  // namespace riffle::inline engine

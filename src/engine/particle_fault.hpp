@@ -4,7 +4,7 @@
 
 #include "base/error.hpp"
 
-namespace riffle {
+namespace riffle::inline engine {
 
 /// The simulation cannot go on because of one particle.
 class ParticleFault : public RunError {
@@ -18,4 +18,4 @@ class ParticleFault : public RunError {
     std::size_t particle_;
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline engine

@@ -2,7 +2,7 @@
 
 #include <array>
 
-namespace riffle {
+namespace riffle::inline engine {
 
 std::span<SparseValues ParticleFields::*const> ParticleFields::near_walls(int dimensions) {
     static constexpr std::array<SparseValues ParticleFields::*, 8> all = {
@@ -76,4 +76,4 @@ std::size_t ParticleFields::bytes() const {
     return total;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline engine

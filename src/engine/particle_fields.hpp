@@ -6,7 +6,7 @@
 #include "particles/sparse_values.hpp"
 #include "particles/working_values.hpp"
 
-namespace riffle {
+namespace riffle::inline engine {
 
 /// Quantities of the particles at the last evaluation of the forces, for sampling and output. By particle,
 /// SI.
@@ -58,4 +58,4 @@ struct ParticleFields {
     static void for_each(Self& self, const F& f);
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline engine

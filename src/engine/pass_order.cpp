@@ -6,7 +6,7 @@
 
 #include "base/parallel.hpp"
 
-namespace riffle {
+namespace riffle::inline engine {
 
 namespace {
 
@@ -241,4 +241,4 @@ PassOrder order_passes(std::span<const PassDeclaration> passes, std::span<const 
     return order;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline engine

@@ -9,7 +9,7 @@
 
 #include "sph/pair_loops.hpp"
 
-namespace riffle {
+namespace riffle::inline engine {
 
 /// Number of blocks that so many clusters make.
 [[nodiscard]] constexpr std::size_t blocks_of(std::size_t clusters) {
@@ -104,4 +104,4 @@ struct PassOrder {
                                      std::span<const ListBetween> lists,
                                      std::span<const std::size_t> set_sizes, PassPlan plan);
 
-}  // namespace riffle
+}  // namespace riffle::inline engine

@@ -12,7 +12,7 @@
 #include "engine/energy_spectrum.hpp"
 #include "particles/lattice.hpp"
 
-namespace riffle {
+namespace riffle::inline engine {
 
 namespace {
 
@@ -130,4 +130,4 @@ double monaghan_kos_step(const Scheme& scheme, double courant_number, double lar
            (largest_acceleration > 0.0 ? std::min(acoustic, std::sqrt(h / largest_acceleration)) : acoustic);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline engine

@@ -4,7 +4,7 @@
 #include "column/column.hpp"
 #include "sph/equation_of_state.hpp"
 
-namespace riffle {
+namespace riffle::inline engine {
 
 /// Numbers of a run that follow from its case: sizes, sound speed, time step. SI.
 struct Scheme {
@@ -43,4 +43,4 @@ struct Scheme {
 [[nodiscard]] double monaghan_kos_step(const Scheme& scheme, double courant_number,
                                        double largest_acceleration, double approach);
 
-}  // namespace riffle
+}  // namespace riffle::inline engine

@@ -7,7 +7,7 @@
 
 #include "base/error.hpp"
 
-namespace riffle {
+namespace riffle::inline hydraulics {
 
 double friction_factor(double gravity_component, double hydraulic_radius, double velocity) {
     return 8.0 * gravity_component * hydraulic_radius / (velocity * velocity);
@@ -104,4 +104,4 @@ double equivalent_roughness_from_mean(double depth, double friction_velocity, do
     return depth * std::exp(-1.0 - kappa * (velocity / friction_velocity - rough_log_law_constant));
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline hydraulics

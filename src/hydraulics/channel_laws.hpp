@@ -1,6 +1,6 @@
 #pragma once
 
-namespace riffle {
+namespace riffle::inline hydraulics {
 
 // Laws of uniform open-channel flow (thesis chapter 2). SI units.
 
@@ -87,4 +87,4 @@ enum class RoughnessClass { smooth, transitional, rough };
 [[nodiscard]] double equivalent_roughness_from_mean(double depth, double friction_velocity, double velocity,
                                                     double kappa = log_law_kappa);
 
-}  // namespace riffle
+}  // namespace riffle::inline hydraulics

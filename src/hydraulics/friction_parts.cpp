@@ -4,7 +4,7 @@
 
 #include "base/error.hpp"
 
-namespace riffle {
+namespace riffle::inline hydraulics {
 
 double friction_factor_of_stress(std::span<const double> height, std::span<const double> stress,
                                  double crests, double surface, double density, double velocity) {
@@ -39,4 +39,4 @@ double friction_factor_of_stress(std::span<const double> height, std::span<const
     return 24.0 / (density * velocity * velocity * depth) * sum;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline hydraulics

@@ -2,7 +2,7 @@
 
 #include <span>
 
-namespace riffle {
+namespace riffle::inline hydraulics {
 
 /// Part of the friction factor f = 8 u_*^2/U^2 that a shear stress makes, by the exact decomposition of
 /// uniform flow (Fukagata, Iwamoto & Kasagi 2002; over rough beds Nikora et al. 2019): where the stresses tau
@@ -20,4 +20,4 @@ namespace riffle {
                                                double crests, double surface, double density,
                                                double velocity);
 
-}  // namespace riffle
+}  // namespace riffle::inline hydraulics

@@ -11,7 +11,7 @@
 #include "statistics/root.hpp"
 #include "statistics/separable_fit.hpp"
 
-namespace riffle {
+namespace riffle::inline hydraulics {
 
 namespace {
 
@@ -318,4 +318,4 @@ KappaFit fit_kappa(const VelocityPoints& points, double friction_velocity,
     return fit;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline hydraulics

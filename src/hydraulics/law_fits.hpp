@@ -7,7 +7,7 @@
 #include "hydraulics/secondary_flow_laws.hpp"
 #include "hydraulics/velocity_laws.hpp"
 
-namespace riffle {
+namespace riffle::inline hydraulics {
 
 // Least-squares fits of the other velocity laws. The range must lie between zero plane and surface. A
 // friction velocity that is given is taken as exact; where it is not, it is fitted, and the intervals, which
@@ -93,4 +93,4 @@ struct KappaFit : FitQuality {
 [[nodiscard]] KappaFit fit_kappa(const VelocityPoints& points, double friction_velocity,
                                  double friction_velocity_half_width, double length, FitRange range = {});
 
-}  // namespace riffle
+}  // namespace riffle::inline hydraulics

@@ -8,7 +8,7 @@
 #include "hydraulics/channel_laws.hpp"
 #include "statistics/separable_fit.hpp"
 
-namespace riffle {
+namespace riffle::inline hydraulics {
 
 namespace {
 
@@ -142,4 +142,4 @@ std::optional<double> profile_depth_mean(const VelocityPoints& points, double de
     return sum / depth;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline hydraulics

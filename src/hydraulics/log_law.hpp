@@ -5,7 +5,7 @@
 
 #include "hydraulics/profile_fit.hpp"
 
-namespace riffle {
+namespace riffle::inline hydraulics {
 
 /// Fit of the rough log law u/u_* = ln((z - z_0)/k_s)/kappa + 8.5 (thesis 2.3). Half-widths of 95 % by linear
 /// propagation, and intervals that hold 95 % also where the points bound a number only poorly
@@ -45,4 +45,4 @@ struct LogLawFit : FitQuality {
 /// water is at rest). Points outside of the depth are left out. Nothing where the law cannot be fitted.
 [[nodiscard]] std::optional<double> profile_depth_mean(const VelocityPoints& points, double depth);
 
-}  // namespace riffle
+}  // namespace riffle::inline hydraulics

@@ -12,7 +12,7 @@
 #include "base/interpolation.hpp"
 #include "base/not_a_number.hpp"
 
-namespace riffle {
+namespace riffle::inline hydraulics {
 
 namespace {
 
@@ -136,4 +136,4 @@ ErrorMeasures errors_between(std::span<const ComparedPoint> points, double from,
     return errors;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline hydraulics

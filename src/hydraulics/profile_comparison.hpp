@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-namespace riffle {
+namespace riffle::inline hydraulics {
 
 /// Mean squared error percentage of the thesis at one point: [(measured - computed)/measured]^2 x 100, the
 /// 100 outside of the square: 0.5 is a relative error of 7 %, 2.5 of 16 %. Infinite for a measured 0.
@@ -66,4 +66,4 @@ struct ProfileSpan {
 /// Errors over the points with from <= z <= to; all not a number where there are none.
 [[nodiscard]] ErrorMeasures errors_between(std::span<const ComparedPoint> points, double from, double to);
 
-}  // namespace riffle
+}  // namespace riffle::inline hydraulics

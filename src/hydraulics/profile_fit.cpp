@@ -9,7 +9,7 @@
 
 #include "base/error.hpp"
 
-namespace riffle {
+namespace riffle::inline hydraulics {
 
 FitPoints::FitPoints(const VelocityPoints& points, FitRange range) {
     const std::size_t n = points.z.size();
@@ -101,4 +101,4 @@ FittedValue inverse_of(const FittedValue& fitted) {
 
 FittedValue known_value(double value) { return {value, 0.0, {value, value}}; }
 
-}  // namespace riffle
+}  // namespace riffle::inline hydraulics

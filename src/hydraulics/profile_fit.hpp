@@ -9,7 +9,7 @@
 
 #include "statistics/linear_fit.hpp"
 
-namespace riffle {
+namespace riffle::inline hydraulics {
 
 /// Points of a measured or computed velocity profile. Points whose height, velocity or uncertainty is not a
 /// number are passed over by the fits.
@@ -78,4 +78,4 @@ class FitPoints {
 /// A number that is known.
 [[nodiscard]] FittedValue known_value(double value);
 
-}  // namespace riffle
+}  // namespace riffle::inline hydraulics

@@ -8,7 +8,7 @@
 #include "base/error.hpp"
 #include "statistics/separable_fit.hpp"
 
-namespace riffle {
+namespace riffle::inline hydraulics {
 
 namespace {
 
@@ -116,4 +116,4 @@ BedStressFit fit_bed_stress(std::span<const double> y, std::span<const double> s
     return fit;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline hydraulics

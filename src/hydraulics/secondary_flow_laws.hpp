@@ -5,7 +5,7 @@
 #include "hydraulics/channel_laws.hpp"
 #include "hydraulics/profile_fit.hpp"
 
-namespace riffle {
+namespace riffle::inline hydraulics {
 
 // Laws of uniform flow with cells of secondary flow beside each other, as over alternate rough and smooth
 // strips along the channel (Wang & Cheng 2005; thesis 2.24, 2.27, 2.29). SI units; heights z over the zero
@@ -72,4 +72,4 @@ struct BedStressFit : FitQuality {
 /// whole of the range of y. Needs six values; not valid where no width in between fits best.
 [[nodiscard]] BedStressFit fit_bed_stress(std::span<const double> y, std::span<const double> stress);
 
-}  // namespace riffle
+}  // namespace riffle::inline hydraulics

@@ -9,7 +9,7 @@
 #include "hydraulics/channel_laws.hpp"
 #include "statistics/root.hpp"
 
-namespace riffle {
+namespace riffle::inline hydraulics {
 
 namespace {
 
@@ -156,4 +156,4 @@ double rough_unit_discharge(double slope, double gravity, double depth, double e
     return depth * rough_log_law_depth_mean(depth, friction_velocity, equivalent_roughness);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline hydraulics

@@ -3,7 +3,7 @@
 #include <functional>
 #include <optional>
 
-namespace riffle {
+namespace riffle::inline hydraulics {
 
 /// What one discharge does in a channel at one depth.
 struct SectionState {
@@ -77,4 +77,4 @@ struct SteadyChannel {
 [[nodiscard]] double rough_unit_discharge(double slope, double gravity, double depth,
                                           double equivalent_roughness);
 
-}  // namespace riffle
+}  // namespace riffle::inline hydraulics

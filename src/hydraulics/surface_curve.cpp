@@ -12,7 +12,7 @@
 #include "base/error.hpp"
 #include "statistics/root.hpp"
 
-namespace riffle {
+namespace riffle::inline hydraulics {
 
 SurfaceCurve::SurfaceCurve(SteadyChannel channel, double place, double control, int direction, double reach,
                            double critical_depth, std::optional<double> normal_depth)
@@ -129,4 +129,4 @@ double SurfaceCurve::distance_within(double share) const {
     return length_;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline hydraulics

@@ -4,7 +4,7 @@
 
 #include "hydraulics/steady_channel.hpp"
 
-namespace riffle {
+namespace riffle::inline hydraulics {
 
 /// A curve of the water surface of gradually varied flow in a channel of one slope: from a control, where the
 /// depth is given, towards the depth that it approaches (uniform flow, without end) or ends at (critical).
@@ -48,4 +48,4 @@ class SurfaceCurve {
     std::vector<double> distance_;  ///< from the control
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline hydraulics

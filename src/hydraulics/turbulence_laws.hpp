@@ -1,6 +1,6 @@
 #pragma once
 
-namespace riffle {
+namespace riffle::inline hydraulics {
 
 // Laws of the turbulence in uniform open-channel flow (thesis chapter 2). SI units. Heights z over the zero
 // plane, depth h between zero plane and surface. The mixing lengths (2.20, 2.21, 4.2) are in the room
@@ -42,4 +42,4 @@ struct TurbulenceIntensities {
     return 1.0 - (z - roughness_height) / (total_depth - roughness_height);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline hydraulics

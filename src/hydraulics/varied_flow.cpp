@@ -9,7 +9,7 @@
 #include "base/error.hpp"
 #include "statistics/root.hpp"
 
-namespace riffle {
+namespace riffle::inline hydraulics {
 
 namespace {
 
@@ -227,4 +227,4 @@ std::optional<double> approach_length(const SteadyChannel& given, const ChannelC
     return (steep ? curves.supercritical : curves.subcritical)->distance_within(share);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline hydraulics

@@ -6,7 +6,7 @@
 
 #include "hydraulics/surface_curve.hpp"
 
-namespace riffle {
+namespace riffle::inline hydraulics {
 
 /// Class of a bed slope for a discharge: by which of normal and critical depth is the larger.
 enum class SlopeClass { mild, critical, steep, horizontal, adverse };
@@ -82,4 +82,4 @@ struct VariedFlow {
 [[nodiscard]] std::optional<double> approach_length(const SteadyChannel& channel,
                                                     const ChannelControls& controls, double share);
 
-}  // namespace riffle
+}  // namespace riffle::inline hydraulics

@@ -7,7 +7,7 @@
 #include "base/error.hpp"
 #include "statistics/root.hpp"
 
-namespace riffle {
+namespace riffle::inline hydraulics {
 
 namespace {
 
@@ -75,4 +75,4 @@ VariedFlow solve_varied_reaches(const std::vector<Reach>& reaches, const Channel
     return whole;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline hydraulics

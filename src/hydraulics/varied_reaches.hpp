@@ -5,7 +5,7 @@
 
 #include "hydraulics/varied_flow.hpp"
 
-namespace riffle {
+namespace riffle::inline hydraulics {
 
 /// A stretch of a channel with one bed, and what the discharge does on it.
 struct Reach {
@@ -23,4 +23,4 @@ struct Reach {
 [[nodiscard]] VariedFlow solve_varied_reaches(const std::vector<Reach>& reaches,
                                               const ChannelControls& controls);
 
-}  // namespace riffle
+}  // namespace riffle::inline hydraulics

@@ -5,7 +5,7 @@
 
 #include "base/error.hpp"
 
-namespace riffle {
+namespace riffle::inline hydraulics {
 
 namespace {
 using std::numbers::pi;
@@ -74,4 +74,4 @@ double sine_integral(double x) {
     return sum;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline hydraulics

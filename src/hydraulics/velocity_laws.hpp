@@ -2,7 +2,7 @@
 
 #include "hydraulics/channel_laws.hpp"
 
-namespace riffle {
+namespace riffle::inline hydraulics {
 
 // Laws of the time-mean velocity over the height in uniform open-channel flow (thesis chapter 2). SI units;
 // the rough log law (2.3) is in channel_laws.hpp. Heights z over the zero plane of the law, depth h between
@@ -58,4 +58,4 @@ inline constexpr double wake_strength_of_uniform_flow = 0.2;
 /// Throws InputError beyond that.
 [[nodiscard]] double sine_integral(double x);
 
-}  // namespace riffle
+}  // namespace riffle::inline hydraulics

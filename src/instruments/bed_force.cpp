@@ -4,7 +4,7 @@
 #include "instruments/instrument.hpp"
 #include "record/probe_fields.hpp"
 
-namespace riffle {
+namespace riffle::inline instruments {
 
 namespace {
 
@@ -115,4 +115,4 @@ std::unique_ptr<Instrument> make_bed_force(const Probe& probe, const Case& c) {
     return std::make_unique<BedForce>(probe, c);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline instruments

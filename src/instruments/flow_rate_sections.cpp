@@ -4,7 +4,7 @@
 #include "instruments/instrument.hpp"
 #include "record/probe_fields.hpp"
 
-namespace riffle {
+namespace riffle::inline instruments {
 
 namespace {
 
@@ -56,4 +56,4 @@ std::unique_ptr<Instrument> make_flow_rate_sections(const Probe& probe, const Ca
     return std::make_unique<FlowRateSections>(probe, c);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline instruments

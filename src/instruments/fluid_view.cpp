@@ -10,7 +10,7 @@
 #include "sph/free_surface.hpp"
 #include "sph/kernel_registry.hpp"
 
-namespace riffle {
+namespace riffle::inline instruments {
 
 namespace {
 
@@ -353,4 +353,4 @@ FluidView::Section FluidViewIn<D>::section_at(double x, const WorkingValues* pre
 template class FluidViewIn<2>;
 template class FluidViewIn<3>;
 
-}  // namespace riffle
+}  // namespace riffle::inline instruments

@@ -12,7 +12,7 @@
 #include "particles/particles.hpp"
 #include "particles/working_values.hpp"
 
-namespace riffle {
+namespace riffle::inline instruments {
 
 /// Share of the kernel's support that must be filled with water for a point to count as wet. It is 1 inside,
 /// and 1/2 on the surface and on the bed.
@@ -142,4 +142,4 @@ class FluidViewIn final : public FluidView {
 extern template class FluidViewIn<2>;
 extern template class FluidViewIn<3>;
 
-}  // namespace riffle
+}  // namespace riffle::inline instruments

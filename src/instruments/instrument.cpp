@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace riffle {
+namespace riffle::inline instruments {
 
 namespace {
 
@@ -90,4 +90,4 @@ std::unique_ptr<Instrument> make_instrument(const Probe& probe, const Case& c) {
     throw std::logic_error("an instrument that instrument.cpp does not list");
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline instruments

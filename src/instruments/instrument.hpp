@@ -16,7 +16,7 @@
 #include "particles/sparse_values.hpp"
 #include "record/field.hpp"
 
-namespace riffle {
+namespace riffle::inline instruments {
 
 /// The state after a step, for instruments.
 struct FlowState {
@@ -144,4 +144,4 @@ struct GridAxes {
 /// The instrument of an entry of [[probe]]. The one place where a kind is registered.
 [[nodiscard]] std::unique_ptr<Instrument> make_instrument(const Probe& probe, const Case& c);
 
-}  // namespace riffle
+}  // namespace riffle::inline instruments

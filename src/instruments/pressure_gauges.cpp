@@ -10,7 +10,7 @@
 #include "instruments/instrument.hpp"
 #include "record/probe_fields.hpp"
 
-namespace riffle {
+namespace riffle::inline instruments {
 
 namespace {
 
@@ -90,4 +90,4 @@ std::unique_ptr<Instrument> make_pressure_gauges(const Probe& probe, const Case&
     return std::make_unique<PressureGauges>(probe, c);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline instruments

@@ -13,7 +13,7 @@
 #include "instruments/standard_probes.hpp"
 #include "record/probe_fields.hpp"
 
-namespace riffle {
+namespace riffle::inline instruments {
 
 namespace {
 
@@ -189,4 +189,4 @@ void ProbeSet::restore(const CheckpointReader& checkpoint) {
     }
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline instruments

@@ -11,7 +11,7 @@
 #include "output/checkpoint_file.hpp"
 #include "output/dataset.hpp"
 
-namespace riffle {
+namespace riffle::inline instruments {
 
 /// The instruments of a run, those of the case file and the standard ones: when each is due, and its rows on
 /// the way to `/probes/NAME` of the results. Due times are multiples of the sampling interval and follow from
@@ -62,4 +62,4 @@ class ProbeSet {
 /// Rows that an instrument records until `end`, s.
 [[nodiscard]] double recorded_rows(const Instrument& instrument, double end);
 
-}  // namespace riffle
+}  // namespace riffle::inline instruments

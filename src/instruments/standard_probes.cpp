@@ -9,7 +9,7 @@
 
 #include "case/units.hpp"
 
-namespace riffle {
+namespace riffle::inline instruments {
 
 namespace {
 
@@ -118,4 +118,4 @@ StandardProbes standard_probes(const Case& c, double largest_step) {
     return c.output.standard_probes ? StandardSet(c, largest_step).make() : StandardProbes{};
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline instruments

@@ -5,7 +5,7 @@
 
 #include "case/case.hpp"
 
-namespace riffle {
+namespace riffle::inline instruments {
 
 /// The instruments that record without being asked for.
 struct StandardProbes {
@@ -17,4 +17,4 @@ struct StandardProbes {
 /// run, s; no instrument samples faster than every fourth step.
 [[nodiscard]] StandardProbes standard_probes(const Case& c, double largest_step);
 
-}  // namespace riffle
+}  // namespace riffle::inline instruments

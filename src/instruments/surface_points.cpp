@@ -6,7 +6,7 @@
 #include "instruments/instrument.hpp"
 #include "record/probe_fields.hpp"
 
-namespace riffle {
+namespace riffle::inline instruments {
 
 namespace {
 
@@ -55,4 +55,4 @@ std::unique_ptr<Instrument> make_surface_line(const Probe& probe, const Case& c)
     return std::make_unique<SurfacePoints>(probe, c, x);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline instruments

@@ -11,7 +11,7 @@
 #include "instruments/instrument.hpp"
 #include "record/probe_fields.hpp"
 
-namespace riffle {
+namespace riffle::inline instruments {
 
 namespace {
 
@@ -176,4 +176,4 @@ std::unique_ptr<Instrument> make_velocity_grid(const Probe& probe, const Case& c
     return std::make_unique<VelocityGrid>(probe, c, grid_axes(probe, c));
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline instruments

@@ -5,7 +5,7 @@
 #include "instruments/instrument.hpp"
 #include "record/probe_fields.hpp"
 
-namespace riffle {
+namespace riffle::inline instruments {
 
 namespace {
 
@@ -51,4 +51,4 @@ std::unique_ptr<Instrument> make_velocity_plane(const Probe& probe, const Case& 
     return std::make_unique<VelocityPlane>(probe, c, grid_axes(probe, c));
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline instruments

@@ -8,7 +8,7 @@
 #include "instruments/instrument.hpp"
 #include "record/probe_fields.hpp"
 
-namespace riffle {
+namespace riffle::inline instruments {
 
 namespace {
 
@@ -80,4 +80,4 @@ std::unique_ptr<Instrument> make_velocity_points(const Probe& probe, const Case&
     return std::make_unique<VelocityPoints>(probe, c);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline instruments

@@ -15,7 +15,7 @@
 #include "base/visible_text.hpp"
 #include "laboratory/unit.hpp"
 
-namespace riffle {
+namespace riffle::inline laboratory {
 
 std::string lower_case(std::string_view text) {
     std::string result(text);
@@ -268,4 +268,4 @@ std::vector<double> column_in_si(const CsvTable& table, std::size_t column, std:
     return result;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline laboratory

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace riffle {
+namespace riffle::inline laboratory {
 
 /// A column of a table, as it stands in the file.
 struct CsvColumn {
@@ -68,4 +68,4 @@ enum class MissingValues { refused, allowed };
 /// The text with its ASCII letters small.
 [[nodiscard]] std::string lower_case(std::string_view text);
 
-}  // namespace riffle
+}  // namespace riffle::inline laboratory

@@ -12,7 +12,7 @@
 #include "laboratory/unit.hpp"
 #include "laboratory/velocity_field.hpp"
 
-namespace riffle {
+namespace riffle::inline laboratory {
 
 namespace {
 
@@ -128,4 +128,4 @@ CsvTable read_field_table(const std::filesystem::path& path) {
     return table;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline laboratory

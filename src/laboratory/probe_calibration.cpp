@@ -10,7 +10,7 @@
 #include "laboratory/csv_table.hpp"
 #include "laboratory/unit.hpp"
 
-namespace riffle {
+namespace riffle::inline laboratory {
 
 namespace {
 
@@ -124,4 +124,4 @@ ProbeDescription parse_probe_description(std::string_view text) {
     return probe;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline laboratory

@@ -10,7 +10,7 @@
 
 #include "statistics/linear_fit.hpp"
 
-namespace riffle {
+namespace riffle::inline laboratory {
 
 /// Calibration line of a wave probe: elevation = offset + gain * voltage.
 struct ProbeCalibration {
@@ -57,4 +57,4 @@ struct ProbeDescription {
 /// SI.
 [[nodiscard]] ProbeDescription parse_probe_description(std::string_view text);
 
-}  // namespace riffle
+}  // namespace riffle::inline laboratory

@@ -12,7 +12,7 @@
 #include "laboratory/timed_table.hpp"
 #include "laboratory/unit.hpp"
 
-namespace riffle {
+namespace riffle::inline laboratory {
 
 namespace {
 
@@ -190,4 +190,4 @@ ProbeRecord read_probe_record(const std::filesystem::path& path, const ProbeReco
     return record;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline laboratory

@@ -10,7 +10,7 @@
 #include "laboratory/probe_calibration.hpp"
 #include "laboratory/record_repair.hpp"
 
-namespace riffle {
+namespace riffle::inline laboratory {
 
 /// One wave probe of a record.
 struct WaveProbe {
@@ -55,4 +55,4 @@ struct ProbeRecordOptions {
 [[nodiscard]] ProbeRecord read_probe_record(const std::filesystem::path& path,
                                             const ProbeRecordOptions& options = {});
 
-}  // namespace riffle
+}  // namespace riffle::inline laboratory

@@ -9,7 +9,7 @@
 
 #include "base/error.hpp"
 
-namespace riffle {
+namespace riffle::inline laboratory {
 
 namespace {
 
@@ -70,4 +70,4 @@ ProfileRecord read_profile_record(const std::filesystem::path& path) {
     return record;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline laboratory

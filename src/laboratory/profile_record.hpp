@@ -7,7 +7,7 @@
 
 #include "laboratory/quantity_columns.hpp"
 
-namespace riffle {
+namespace riffle::inline laboratory {
 
 /// A measured profile, as of an ADV or PIV, the points by rising height.
 struct ProfileRecord {
@@ -34,4 +34,4 @@ struct ProfileRecord {
 /// two points at one height, an uncertainty that is not greater than zero.
 [[nodiscard]] ProfileRecord read_profile_record(const std::filesystem::path& path);
 
-}  // namespace riffle
+}  // namespace riffle::inline laboratory

@@ -11,7 +11,7 @@
 #include "base/error.hpp"
 #include "laboratory/record_repair.hpp"
 
-namespace riffle {
+namespace riffle::inline laboratory {
 
 namespace {
 
@@ -209,4 +209,4 @@ std::vector<std::string> missing_values(const std::vector<ProfileColumn>& column
     return warnings;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline laboratory

@@ -7,7 +7,7 @@
 
 #include "laboratory/csv_table.hpp"
 
-namespace riffle {
+namespace riffle::inline laboratory {
 
 /// What a record of velocities can hold beside positions. All are time means.
 enum class ProfileQuantity {
@@ -66,4 +66,4 @@ void reorder(std::vector<T>& values, const std::vector<std::size_t>& order) {
     values = std::move(sorted);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline laboratory

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace riffle {
+namespace riffle::inline laboratory {
 
 namespace {
 
@@ -229,4 +229,4 @@ RecordQuality repair_record(std::span<double> values, const RepairOptions& optio
     return quality;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline laboratory

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace riffle {
+namespace riffle::inline laboratory {
 
 /// What was wrong with a record, and what was done about it. Counts of samples unless said otherwise.
 struct RecordQuality {
@@ -58,4 +58,4 @@ struct RepairOptions {
 [[nodiscard]] RecordQuality repair_record(std::span<double> values, const RepairOptions& options,
                                           std::size_t refused = 0);
 
-}  // namespace riffle
+}  // namespace riffle::inline laboratory

@@ -8,7 +8,7 @@
 
 #include "base/error.hpp"
 
-namespace riffle {
+namespace riffle::inline laboratory {
 
 namespace {
 
@@ -95,4 +95,4 @@ std::vector<double> on_even_grid(const EvenSampling& sampling, std::span<const d
     return result;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline laboratory

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace riffle {
+namespace riffle::inline laboratory {
 
 /// The even grid of times that a record was sampled on.
 struct EvenSampling {
@@ -30,4 +30,4 @@ struct EvenSampling {
 /// Values at the places of the grid, not a number where the file has no row.
 [[nodiscard]] std::vector<double> on_even_grid(const EvenSampling& sampling, std::span<const double> values);
 
-}  // namespace riffle
+}  // namespace riffle::inline laboratory

@@ -11,7 +11,7 @@
 #include "base/error.hpp"
 #include "laboratory/unit.hpp"
 
-namespace riffle {
+namespace riffle::inline laboratory {
 
 namespace {
 
@@ -111,4 +111,4 @@ SectionRecord read_section_record(const std::filesystem::path& path) {
     return record;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline laboratory

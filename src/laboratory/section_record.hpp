@@ -7,7 +7,7 @@
 
 #include "laboratory/quantity_columns.hpp"
 
-namespace riffle {
+namespace riffle::inline laboratory {
 
 /// Where the distances across the channel of a file are counted from.
 enum class LateralOrigin { wall, centreline };
@@ -38,4 +38,4 @@ struct SectionRecord {
 /// place that is no number.
 [[nodiscard]] SectionRecord read_section_record(const std::filesystem::path& path);
 
-}  // namespace riffle
+}  // namespace riffle::inline laboratory

@@ -8,7 +8,7 @@
 #include "base/error.hpp"
 #include "laboratory/unit.hpp"
 
-namespace riffle {
+namespace riffle::inline laboratory {
 
 namespace {
 
@@ -64,4 +64,4 @@ TableSampling sampling_of(const CsvTable& table, std::optional<double> frequency
     return result;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline laboratory

@@ -8,7 +8,7 @@
 #include "laboratory/csv_table.hpp"
 #include "laboratory/sampling.hpp"
 
-namespace riffle {
+namespace riffle::inline laboratory {
 
 /// The sampling of a table of a time series: from its column `t` or `time`, else from `frequency`, else from
 /// the comment "# sampling_frequency: 100 Hz". Where a time column and a frequency are both there and differ
@@ -21,4 +21,4 @@ struct TableSampling {
 [[nodiscard]] TableSampling sampling_of(const CsvTable& table, std::optional<double> frequency,
                                         double tolerance, std::vector<std::string>& warnings);
 
-}  // namespace riffle
+}  // namespace riffle::inline laboratory

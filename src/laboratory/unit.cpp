@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <system_error>
 
-namespace riffle {
+namespace riffle::inline laboratory {
 
 namespace {
 
@@ -162,4 +162,4 @@ std::optional<double> parse_quantity(std::string_view text, std::string_view uni
     return given->to_si(value);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline laboratory

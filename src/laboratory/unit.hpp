@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace riffle {
+namespace riffle::inline laboratory {
 
 /// A unit of a laboratory file: value in SI = value * multiplier / divisor (two numbers, so that 35 mm is
 /// 0.035 to the last bit), and its exponents of metre, second, volt and kilogram.
@@ -37,4 +37,4 @@ struct LaboratoryUnit {
 /// The whole text as a number with a decimal point; none if it is not one.
 [[nodiscard]] std::optional<double> parse_number(std::string_view text);
 
-}  // namespace riffle
+}  // namespace riffle::inline laboratory

@@ -12,7 +12,7 @@
 #include "base/not_a_number.hpp"
 #include "laboratory/unit.hpp"
 
-namespace riffle {
+namespace riffle::inline laboratory {
 
 namespace {
 
@@ -383,4 +383,4 @@ VelocityField read_velocity_field(const std::filesystem::path& path,
     return reader.finish(sampling_frequency);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline laboratory

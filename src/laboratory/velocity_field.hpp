@@ -9,7 +9,7 @@
 
 #include "laboratory/csv_table.hpp"
 
-namespace riffle {
+namespace riffle::inline laboratory {
 
 /// Velocities on a grid of the x-z plane, as of particle image velocimetry: one field of means, or frames.
 struct VelocityField {
@@ -50,4 +50,4 @@ struct VelocityField {
 /// comment made one, columns between blanks separated. Throws as read_csv_table().
 [[nodiscard]] CsvTable read_field_table(const std::filesystem::path& path);
 
-}  // namespace riffle
+}  // namespace riffle::inline laboratory

@@ -12,7 +12,7 @@
 #include "laboratory/timed_table.hpp"
 #include "laboratory/unit.hpp"
 
-namespace riffle {
+namespace riffle::inline laboratory {
 
 namespace {
 
@@ -164,4 +164,4 @@ ProfileRecord profile_of_series(std::span<const VelocitySeries> series) {
     return record;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline laboratory

@@ -11,7 +11,7 @@
 #include "laboratory/record_repair.hpp"
 #include "statistics/moments.hpp"
 
-namespace riffle {
+namespace riffle::inline laboratory {
 
 /// A component of a velocity record.
 struct VelocityComponent {
@@ -62,4 +62,4 @@ struct PointStatistics {
 /// of a file of profiles. Throws InputError if a point has no height or two have the same.
 [[nodiscard]] ProfileRecord profile_of_series(std::span<const VelocitySeries> series);
 
-}  // namespace riffle
+}  // namespace riffle::inline laboratory

@@ -1,7 +1,7 @@
 #include "methods/step_start.hpp"
 #include "methods/stepper.hpp"
 
-namespace riffle {
+namespace riffle::inline methods {
 
 namespace {
 
@@ -112,4 +112,4 @@ std::unique_ptr<Stepper<D>> make_beeman() {
 template std::unique_ptr<Stepper<2>> make_beeman<2>();
 template std::unique_ptr<Stepper<3>> make_beeman<3>();
 
-}  // namespace riffle
+}  // namespace riffle::inline methods

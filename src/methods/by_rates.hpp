@@ -7,7 +7,7 @@
 #include "methods/method.hpp"
 #include "methods/stepper.hpp"
 
-namespace riffle {
+namespace riffle::inline methods {
 
 /// The methods that take the rates of density, velocity and position together (Stepper). The drags are
 /// explicit.
@@ -112,4 +112,4 @@ class SteppingByRates final : public Method<D, Real> {
     std::vector<double> density_rate_;  ///< ds/dt by particle
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline methods

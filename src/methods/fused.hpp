@@ -4,7 +4,7 @@
 
 #include "methods/method.hpp"
 
-namespace riffle {
+namespace riffle::inline methods {
 
 /// Methods of one evaluation, whose motion is fused with the passes (ParticleLoops::advance): density,
 /// pressure, walls, forces, velocity, position, each with the newest of the others. The drags are implicit:
@@ -63,4 +63,4 @@ class Leapfrog final : public FusedMethod<D, Real> {
     int interval_;
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline methods

@@ -5,7 +5,7 @@
 
 #include "engine/flow.hpp"
 
-namespace riffle {
+namespace riffle::inline methods {
 
 /// A method of time stepping: a step is a list of stages, each of which evaluates the rates by the passes
 /// and, inside the last of them, moves the particles of a block.
@@ -40,4 +40,4 @@ class Method {
 template <int D, class Real>
 [[nodiscard]] std::unique_ptr<Method<D, Real>> make_method(FlowOf<D, Real>& flow);
 
-}  // namespace riffle
+}  // namespace riffle::inline methods

@@ -2,7 +2,7 @@
 #include "methods/fused.hpp"
 #include "methods/method.hpp"
 
-namespace riffle {
+namespace riffle::inline methods {
 
 template <int D>
 std::unique_ptr<Stepper<D>> make_stepper(Stepping stepping) {
@@ -40,4 +40,4 @@ template std::unique_ptr<Method<2, double>> make_method(FlowOf<2, double>&);
 template std::unique_ptr<Method<3, float>> make_method(FlowOf<3, float>&);
 template std::unique_ptr<Method<3, double>> make_method(FlowOf<3, double>&);
 
-}  // namespace riffle
+}  // namespace riffle::inline methods

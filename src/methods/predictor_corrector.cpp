@@ -1,6 +1,6 @@
 #include "methods/step_start.hpp"
 
-namespace riffle {
+namespace riffle::inline methods {
 
 namespace {
 
@@ -33,4 +33,4 @@ std::unique_ptr<Stepper<D>> make_predictor_corrector() {
 template std::unique_ptr<Stepper<2>> make_predictor_corrector<2>();
 template std::unique_ptr<Stepper<3>> make_predictor_corrector<3>();
 
-}  // namespace riffle
+}  // namespace riffle::inline methods

@@ -5,7 +5,7 @@
 
 #include "particles/particles.hpp"
 
-namespace riffle {
+namespace riffle::inline methods {
 
 /// State at the start of a step, for the methods that advance from there more than once.
 template <int D>
@@ -61,4 +61,4 @@ class MidpointStepper : public Stepper<D> {
     double step_ = 0.0;  ///< s
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline methods

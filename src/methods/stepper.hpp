@@ -6,7 +6,7 @@
 #include "case/case.hpp"
 #include "particles/particles.hpp"
 
-namespace riffle {
+namespace riffle::inline methods {
 
 /// Rates of change of one particle at an evaluation. SI.
 template <int D>
@@ -64,4 +64,4 @@ template <int D>
 template <int D>
 [[nodiscard]] std::unique_ptr<Stepper<D>> make_beeman();
 
-}  // namespace riffle
+}  // namespace riffle::inline methods

@@ -1,6 +1,6 @@
 #include "methods/step_start.hpp"
 
-namespace riffle {
+namespace riffle::inline methods {
 
 namespace {
 
@@ -47,4 +47,4 @@ std::unique_ptr<Stepper<D>> make_symplectic() {
 template std::unique_ptr<Stepper<2>> make_symplectic<2>();
 template std::unique_ptr<Stepper<3>> make_symplectic<3>();
 
-}  // namespace riffle
+}  // namespace riffle::inline methods

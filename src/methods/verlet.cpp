@@ -1,6 +1,6 @@
 #include "methods/step_start.hpp"
 
-namespace riffle {
+namespace riffle::inline methods {
 
 namespace {
 
@@ -62,4 +62,4 @@ std::unique_ptr<Stepper<D>> make_verlet() {
 template std::unique_ptr<Stepper<2>> make_verlet<2>();
 template std::unique_ptr<Stepper<3>> make_verlet<3>();
 
-}  // namespace riffle
+}  // namespace riffle::inline methods

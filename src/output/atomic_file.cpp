@@ -8,7 +8,7 @@
 #include "base/error.hpp"
 #include "output/file_replace.hpp"
 
-namespace riffle {
+namespace riffle::inline output {
 
 void write_text_atomically(const std::filesystem::path& path, std::string_view text) {
     const std::array parts = {std::as_bytes(std::span(text))};
@@ -23,4 +23,4 @@ void write_text_atomically(const std::filesystem::path& path, std::string_view t
     }
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline output

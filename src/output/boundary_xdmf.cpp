@@ -7,7 +7,7 @@
 #include "output/results_file.hpp"
 #include "output/xdmf.hpp"
 
-namespace riffle {
+namespace riffle::inline output {
 
 namespace {
 
@@ -123,4 +123,4 @@ void write_boundary_xdmf(const std::filesystem::path& path, const std::string& r
     write_text_atomically(path, text);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline output

@@ -6,7 +6,7 @@
 #include <memory>
 #include <span>
 
-namespace riffle {
+namespace riffle::inline output {
 
 /// What the HDF5 library takes for a file (hdf5_driver.hpp): bytes on the disk that are checked as they are
 /// read, or changes that are not yet in their place. The functions throw; the driver keeps the first
@@ -57,4 +57,4 @@ class ByteStore {
     [[nodiscard]] std::weak_ptr<ByteStore*> reference() const { return self_; }
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline output

@@ -16,7 +16,7 @@
 #include "output/hdf5_objects.hpp"
 #include "output/sealed_reader.hpp"
 
-namespace riffle {
+namespace riffle::inline output {
 namespace {
 
 constexpr const char* previous_suffix = "-previous";
@@ -211,4 +211,4 @@ std::vector<double> CheckpointReader::doubles(const std::string& dataset, std::s
     return read_doubles(dataset);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline output

@@ -7,7 +7,7 @@
 #include "output/content_reader.hpp"
 #include "output/dataset.hpp"
 
-namespace riffle {
+namespace riffle::inline output {
 
 /// A checkpoint: the whole state of a run, as an HDF5 file with checksums (seal.hpp), so that a truncated or
 /// altered file is refused and never half read. Give "/" the attribute `time` (double, s): messages about the
@@ -47,4 +47,4 @@ class CheckpointReader : public ContentReader {
     [[nodiscard]] std::vector<double> doubles(const std::string& path, std::size_t length) const;
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline output

@@ -4,7 +4,7 @@
 #include <bit>
 #include <cstring>
 
-namespace riffle {
+namespace riffle::inline output {
 namespace {
 
 constexpr std::uint64_t polynomial = 0xC96C5795D7870F42ULL;
@@ -51,4 +51,4 @@ std::uint64_t crc64(std::span<const std::byte> bytes, std::uint64_t before) {
     return ~remainder;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline output

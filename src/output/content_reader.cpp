@@ -7,7 +7,7 @@
 #include "output/content_reader_impl.hpp"
 #include "output/hdf5_objects.hpp"
 
-namespace riffle {
+namespace riffle::inline output {
 
 bool ContentReader::Impl::has(const std::string& object) const {
     return told([&] {
@@ -79,4 +79,4 @@ std::vector<std::string> ContentReader::attribute_names(const std::string& path)
     return impl_->told([&] { return hdf5_attribute_names(impl_->file, path); });
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline output

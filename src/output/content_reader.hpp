@@ -8,7 +8,7 @@
 
 #include "output/dataset.hpp"
 
-namespace riffle {
+namespace riffle::inline output {
 
 /// Read access to the datasets and attributes of a file of Riffle. What is read is checked first against the
 /// checksums of the file. Throws FileError. The HDF5 library serves one thread at a time.
@@ -50,4 +50,4 @@ class ContentReader {
     std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline output

@@ -14,7 +14,7 @@
 #include "output/hdf5_handle.hpp"
 #include "output/seal.hpp"
 
-namespace riffle {
+namespace riffle::inline output {
 
 /// An open file.
 struct ContentReader::Impl {
@@ -51,4 +51,4 @@ struct ContentReader::Impl {
     void require(const std::string& object) const;
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline output

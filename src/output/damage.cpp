@@ -13,7 +13,7 @@
 #include "output/hdf5_types.hpp"
 #include "output/sealed_reader.hpp"
 
-namespace riffle {
+namespace riffle::inline output {
 namespace {
 
 /// A sealed file that is looked through although parts of it cannot be read.
@@ -163,4 +163,4 @@ std::string damage_text(const std::filesystem::path& path, SealKind kind,
                               more > 0 ? fmt::format(" and {} more", more) : "");
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline output

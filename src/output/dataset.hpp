@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-namespace riffle {
+namespace riffle::inline output {
 
 /// Values that are made while they are written, block by block, so that a large array needs no copy.
 template <class T>
@@ -52,4 +52,4 @@ struct Content {
     int compression = 4;  ///< deflate level of new large arrays and series in a results file; 0: none
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline output

@@ -9,7 +9,7 @@
 #include <thread>
 #include <utility>
 
-namespace riffle {
+namespace riffle::inline output {
 
 void throw_system_error(int code, const char* operation) {
     throw std::system_error(code, std::generic_category(), operation);
@@ -125,4 +125,4 @@ std::filesystem::path behind_links(std::filesystem::path path) {
     throw_system_error(ELOOP, "open");
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline output

@@ -7,7 +7,7 @@
 #include <span>
 #include <system_error>
 
-namespace riffle {
+namespace riffle::inline output {
 
 /// Throw std::system_error with the text of `code` (errno) for an operation of this name.
 [[noreturn]] void throw_system_error(int code, const char* operation);
@@ -61,4 +61,4 @@ void sync_folder(const std::filesystem::path& folder);
 /// where links go in circles.
 [[nodiscard]] std::filesystem::path behind_links(std::filesystem::path path);
 
-}  // namespace riffle
+}  // namespace riffle::inline output

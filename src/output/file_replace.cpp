@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <utility>
 
-namespace riffle {
+namespace riffle::inline output {
 namespace {
 
 std::filesystem::path with_suffix(std::filesystem::path path, const char* suffix) { return path += suffix; }
@@ -117,4 +117,4 @@ std::string explain(const std::error_code& code, const std::filesystem::path& pa
     return fmt::format("{}Check the disk and the path.", text);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline output

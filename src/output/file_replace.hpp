@@ -10,7 +10,7 @@
 
 #include "output/file_descriptor.hpp"
 
-namespace riffle {
+namespace riffle::inline output {
 
 /// A new content for a file, put in its place in one step: at each instant, a crash of the machine included,
 /// the name holds either the whole old or the whole new content. Written to "<path>.new", which is removed
@@ -52,4 +52,4 @@ void replace_file(const std::filesystem::path& path, std::span<const std::span<c
 [[nodiscard]] std::string explain(const std::error_code& code, const std::filesystem::path& path,
                                   std::optional<std::size_t> size = std::nullopt);
 
-}  // namespace riffle
+}  // namespace riffle::inline output

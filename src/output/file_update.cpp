@@ -12,7 +12,7 @@
 #include "output/checksum.hpp"
 #include "output/journal.hpp"
 
-namespace riffle {
+namespace riffle::inline output {
 namespace {
 
 /// What a change in place takes to the journal is counted in blocks.
@@ -268,4 +268,4 @@ void FileUpdate::copy(const FileDescriptor& to, std::uint64_t end) {
     }
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline output

@@ -11,7 +11,7 @@
 #include "output/file_replace.hpp"
 #include "output/sealed_content.hpp"
 
-namespace riffle {
+namespace riffle::inline output {
 
 /// Size from which a file is changed in place rather than written anew, bytes. A new file costs little below
 /// it, and whoever copies or reads the old one meanwhile, with locks or without, keeps a whole one.
@@ -87,4 +87,4 @@ class FileUpdate final : public ByteStore {
     bool committed_ = false;
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline output

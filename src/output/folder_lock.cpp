@@ -12,7 +12,7 @@
 #include "base/error.hpp"
 #include "output/file_replace.hpp"
 
-namespace riffle {
+namespace riffle::inline output {
 namespace {
 
 std::filesystem::path lock_file(const std::filesystem::path& folder, FolderLock::Work work) {
@@ -101,4 +101,4 @@ FolderLock::Standing FolderLock::standing(const std::filesystem::path& folder, W
     }
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline output

@@ -6,7 +6,7 @@
 
 #include "output/file_descriptor.hpp"
 
-namespace riffle {
+namespace riffle::inline output {
 
 /// The process that works in a folder, as it wrote itself into the lock.
 struct LockHolder {
@@ -40,4 +40,4 @@ class FolderLock {
     bool holds_ = true;
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline output

@@ -7,7 +7,7 @@
 #include "output/atomic_file.hpp"
 #include "output/xdmf.hpp"
 
-namespace riffle {
+namespace riffle::inline output {
 namespace {
 
 std::string geometry(const GridSeries& grid) {
@@ -59,4 +59,4 @@ void write_grid_xdmf(const std::filesystem::path& path, const std::string& resul
     write_text_atomically(path, text);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline output

@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-namespace riffle {
+namespace riffle::inline output {
 
 /// An open file, as the library has it.
 struct Hdf5DriverFile {
@@ -157,4 +157,4 @@ void close_hdf5(Hdf5Handle& file, const ByteStore& store) {
     hdf5_check(closed, "complete the HDF5 file");
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline output

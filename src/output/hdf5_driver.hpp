@@ -5,7 +5,7 @@
 #include "output/byte_store.hpp"
 #include "output/hdf5_handle.hpp"
 
-namespace riffle {
+namespace riffle::inline output {
 
 // HDF5 files whose bytes are those of a store. The store must live at least as long as the handle. Where a
 // call of the library fails, the fault of the store is the reason, if it has one.
@@ -21,4 +21,4 @@ namespace riffle {
 /// the fault of the store, and Hdf5Failure.
 void close_hdf5(Hdf5Handle& file, const ByteStore& store);
 
-}  // namespace riffle
+}  // namespace riffle::inline output

@@ -1,6 +1,6 @@
 #include "output/hdf5_handle.hpp"
 
-namespace riffle {
+namespace riffle::inline output {
 
 void silence_hdf5() {
     static const herr_t silenced = H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
@@ -18,4 +18,4 @@ void throw_hdf5_failure(const std::string& action) {
     throw Hdf5Failure("cannot " + action + (reason.empty() ? "" : ": " + reason));
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline output

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-namespace riffle {
+namespace riffle::inline output {
 
 /// A failed call of the HDF5 library; the message says what was tried and the library's own innermost reason.
 class Hdf5Failure : public std::runtime_error {
@@ -59,4 +59,4 @@ class Hdf5Handle {
     Close close_ = nullptr;
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline output

@@ -7,7 +7,7 @@
 #include "output/dataset.hpp"
 #include "output/hdf5_handle.hpp"
 
-namespace riffle {
+namespace riffle::inline output {
 
 /// How the values of a new dataset lie in the file.
 struct Hdf5Storage {
@@ -62,4 +62,4 @@ void copy_hdf5_content(const Hdf5Handle& from, const Hdf5Handle& to);
                                                                 const std::string& path,
                                                                 const std::string& name);
 
-}  // namespace riffle
+}  // namespace riffle::inline output

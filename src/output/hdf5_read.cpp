@@ -6,7 +6,7 @@
 #include "output/hdf5_objects.hpp"
 #include "output/hdf5_types.hpp"
 
-namespace riffle {
+namespace riffle::inline output {
 namespace {
 
 /// An open dataset with its type and shape.
@@ -221,4 +221,4 @@ std::optional<AttributeValue> read_hdf5_attribute(const Hdf5Handle& file, const 
     }
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline output

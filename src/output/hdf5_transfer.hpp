@@ -10,7 +10,7 @@
 #include "output/hdf5_handle.hpp"
 #include "output/hdf5_types.hpp"
 
-namespace riffle {
+namespace riffle::inline output {
 
 /// Bytes of streamed values that are made at a time.
 inline constexpr std::size_t stream_block_bytes = std::size_t{1} << 20U;
@@ -91,4 +91,4 @@ void write_rows(const Hdf5Handle& target, std::size_t first, const std::vector<s
     }
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline output

@@ -7,7 +7,7 @@
 
 #include "output/hdf5_handle.hpp"
 
-namespace riffle {
+namespace riffle::inline output {
 
 /// The type of an array element in memory.
 template <class T>
@@ -51,4 +51,4 @@ std::string read_hdf5_text(const Hdf5Handle& type, const Hdf5Handle& space, cons
     return result.substr(0, result.find('\0'));
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline output

@@ -12,7 +12,7 @@
 #include "output/hdf5_transfer.hpp"
 #include "output/hdf5_types.hpp"
 
-namespace riffle {
+namespace riffle::inline output {
 namespace {
 
 constexpr std::size_t compress_from_bytes = std::size_t{16}
@@ -329,4 +329,4 @@ void copy_hdf5_content(const Hdf5Handle& from, const Hdf5Handle& to) {
     copy_attributes(from, to, "/");
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline output

@@ -12,7 +12,7 @@
 #include "output/checksum.hpp"
 #include "output/file_replace.hpp"
 
-namespace riffle {
+namespace riffle::inline output {
 namespace {
 
 /// The head of a journal: numbers as this machine has them, for it is read where it was written.
@@ -118,4 +118,4 @@ void lay_over(std::span<const Patch> patches, std::uint64_t at, std::span<std::b
     }
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline output

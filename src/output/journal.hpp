@@ -9,7 +9,7 @@
 
 #include "output/file_descriptor.hpp"
 
-namespace riffle {
+namespace riffle::inline output {
 
 /// Bytes to be put into a file at a place; they are kept elsewhere.
 struct Patch {
@@ -48,4 +48,4 @@ void remove_journal(const std::filesystem::path& file);
 /// Overwrite the part of `bytes`, which stand at `at` in the file, that patches hold.
 void lay_over(std::span<const Patch> patches, std::uint64_t at, std::span<std::byte> bytes);
 
-}  // namespace riffle
+}  // namespace riffle::inline output

@@ -9,7 +9,7 @@
 
 #include "base/error.hpp"
 
-namespace riffle {
+namespace riffle::inline output {
 
 namespace {
 
@@ -46,4 +46,4 @@ void refuse_to_replace_another(const std::filesystem::path& file, std::string_vi
     }
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline output

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string_view>
 
-namespace riffle {
+namespace riffle::inline output {
 
 /// Throws InputError where the file exists: what a user has written is not replaced without --force.
 void refuse_to_replace(const std::filesystem::path& file);
@@ -18,4 +18,4 @@ inline constexpr std::string_view begin_of_json = "{";
 void refuse_to_replace_another(const std::filesystem::path& file, std::string_view begin,
                                std::string_view what);
 
-}  // namespace riffle
+}  // namespace riffle::inline output

@@ -14,7 +14,7 @@
 #include "output/results_update.hpp"
 #include "output/sealed_reader.hpp"
 
-namespace riffle {
+namespace riffle::inline output {
 namespace {
 
 /// Attribute of "/": bytes that replaced objects have left unused in the file so far.
@@ -193,4 +193,4 @@ std::uint64_t ResultsReader::verify() const {
                                 damage_text(path(), results_seal, pages), after_damage));
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline output

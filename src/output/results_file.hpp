@@ -10,7 +10,7 @@
 #include "output/content_reader.hpp"
 #include "output/dataset.hpp"
 
-namespace riffle {
+namespace riffle::inline output {
 
 inline constexpr int results_format_version = 1;
 
@@ -57,4 +57,4 @@ class ResultsReader : public ContentReader {
     [[nodiscard]] bool has_checksums() const;
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline output

@@ -13,7 +13,7 @@
 #include "output/results_file.hpp"
 #include "output/sealed_reader.hpp"
 
-namespace riffle {
+namespace riffle::inline output {
 namespace {
 
 template <class T>
@@ -88,4 +88,4 @@ std::unique_ptr<ContentReader::Impl> open_results(const std::filesystem::path& p
     return open;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline output

@@ -5,7 +5,7 @@
 
 #include "output/content_reader_impl.hpp"
 
-namespace riffle {
+namespace riffle::inline output {
 
 /// A results file, open for reading, sure of its format and version. Throws FileError: missing, unreadable,
 /// not HDF5, truncated, not a results file of Riffle, of another format version.
@@ -21,4 +21,4 @@ void require_readable(const std::filesystem::path& path);
 inline constexpr const char* after_damage =
     "Restore it from a copy, or run the case again; `riffle verify` lists what of it is lost.";
 
-}  // namespace riffle
+}  // namespace riffle::inline output

@@ -2,7 +2,7 @@
 
 #include "output/results_file.hpp"
 
-namespace riffle {
+namespace riffle::inline output {
 
 /// The arguments of ResultsFile::update.
 struct ResultsChange {
@@ -16,4 +16,4 @@ struct ResultsChange {
 void update_results(const std::filesystem::path& path, const ResultsChange& change,
                     std::uint64_t in_place_from);
 
-}  // namespace riffle
+}  // namespace riffle::inline output

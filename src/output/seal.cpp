@@ -9,7 +9,7 @@
 
 #include "output/checksum.hpp"
 
-namespace riffle {
+namespace riffle::inline output {
 namespace {
 
 template <class Number>
@@ -81,4 +81,4 @@ Seal read_seal(SealKind kind, std::span<const std::byte> start) {
     throw NotWhole("has been altered or damaged: its first line does not fit its content");
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline output

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace riffle {
+namespace riffle::inline output {
 
 // A sealed file is an HDF5 file by which each change that Riffle has not made is seen. Its first 512 bytes
 // (HDF5's user block, which every HDF5 program skips) are a line of text, the seal; behind the HDF5 file
@@ -88,4 +88,4 @@ class DamagedPage : public NotWhole {
     return (page + 1) * page_bytes < size ? (page + 1) * page_bytes : size;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline output

@@ -9,7 +9,7 @@
 #include "base/parallel.hpp"
 #include "output/checksum.hpp"
 
-namespace riffle {
+namespace riffle::inline output {
 
 SealedContent::SealedContent(FileDescriptor file, const std::filesystem::path& path, SealKind kind)
     : file_(std::move(file)) {
@@ -99,4 +99,4 @@ std::vector<std::uint64_t> SealedContent::damaged_pages() const {
     return pages;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline output

@@ -8,7 +8,7 @@
 #include "output/journal.hpp"
 #include "output/seal.hpp"
 
-namespace riffle {
+namespace riffle::inline output {
 
 /// The content of a sealed file on the disk: each page is checked before the first of its bytes is given
 /// away. A change that was interrupted is seen as complete where its journal is there, else as not begun;
@@ -54,4 +54,4 @@ class SealedContent {
     std::optional<std::uint64_t> page_number_;
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline output

@@ -6,7 +6,7 @@
 #include <array>
 #include <stdexcept>
 
-namespace riffle {
+namespace riffle::inline output {
 namespace {
 
 /// How long a reader waits for a change of the file, which takes milliseconds.
@@ -50,4 +50,4 @@ std::unique_ptr<ByteStore> open_for_reading(const std::filesystem::path& path, S
     return std::make_unique<SealedReader>(path, kind);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline output

@@ -5,7 +5,7 @@
 #include "output/byte_store.hpp"
 #include "output/sealed_content.hpp"
 
-namespace riffle {
+namespace riffle::inline output {
 
 /// A sealed file for reading. While it is open, a process that changes the file puts a new one in its place
 /// (flock), so that the content stays what it was. Throws NotWhole, and std::system_error.
@@ -42,4 +42,4 @@ class PlainReader final : public ByteStore {
 /// Open a sealed file, or an HDF5 file that has no seal. Throws NotWhole, and std::system_error.
 [[nodiscard]] std::unique_ptr<ByteStore> open_for_reading(const std::filesystem::path& path, SealKind kind);
 
-}  // namespace riffle
+}  // namespace riffle::inline output

@@ -12,7 +12,7 @@
 #include "output/atomic_file.hpp"
 #include "output/results_file.hpp"
 
-namespace riffle {
+namespace riffle::inline output {
 namespace {
 
 const char* element_type(ElementType type) {
@@ -131,4 +131,4 @@ void write_xdmf(const std::filesystem::path& path, const std::string& results_fi
     write_text_atomically(path, text);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline output

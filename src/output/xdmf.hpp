@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace riffle {
+namespace riffle::inline output {
 
 /// Type of the elements of a snapshot's dataset.
 enum class ElementType { float32, float64, int32, int64, uint8 };
@@ -68,4 +68,4 @@ struct GridSeries {
 void write_grid_xdmf(const std::filesystem::path& path, const std::string& results_file_name,
                      const GridSeries& grid);
 
-}  // namespace riffle
+}  // namespace riffle::inline output

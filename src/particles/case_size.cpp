@@ -13,7 +13,7 @@
 #include "case/units.hpp"
 #include "particles/lattice.hpp"
 
-namespace riffle {
+namespace riffle::inline particles {
 
 namespace {
 
@@ -169,4 +169,4 @@ void check_size(const Case& c, bool confirmed, std::optional<std::size_t> availa
     }
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline particles

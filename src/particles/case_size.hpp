@@ -6,7 +6,7 @@
 
 #include "case/case.hpp"
 
-namespace riffle {
+namespace riffle::inline particles {
 
 /// How large a case is, from its keys alone: before anything is built.
 struct CaseSize {
@@ -27,4 +27,4 @@ struct CaseSize {
 /// slip, and the option `--large` that confirms.
 void check_size(const Case& c, bool confirmed, std::optional<std::size_t> available);
 
-}  // namespace riffle
+}  // namespace riffle::inline particles

@@ -7,7 +7,7 @@
 
 #include "base/parallel.hpp"
 
-namespace riffle {
+namespace riffle::inline particles {
 
 namespace {
 
@@ -262,4 +262,4 @@ template Clusters<2> build_clusters<2>(const Domain<2>&, const FixedPoint<2>&, c
 template Clusters<3> build_clusters<3>(const Domain<3>&, const FixedPoint<3>&, const PositionView<3>&,
                                        double);
 
-}  // namespace riffle
+}  // namespace riffle::inline particles

@@ -8,7 +8,7 @@
 
 #include "particles/domain.hpp"
 
-namespace riffle {
+namespace riffle::inline particles {
 
 inline constexpr int cluster_size = 8;
 
@@ -91,4 +91,4 @@ template <int D>
 [[nodiscard]] Clusters<D> build_clusters(const Domain<D>& domain, const FixedPoint<D>& fixed_point,
                                          const PositionView<D>& position, double column_width);
 
-}  // namespace riffle
+}  // namespace riffle::inline particles

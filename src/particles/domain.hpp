@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace riffle {
+namespace riffle::inline particles {
 
 template <int D>
 using Vec = std::array<double, static_cast<std::size_t>(D)>;
@@ -95,4 +95,4 @@ class FixedPoint {
     return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) - static_cast<std::uint32_t>(b));
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline particles

@@ -2,7 +2,7 @@
 
 #include <array>
 
-namespace riffle {
+namespace riffle::inline particles {
 
 /// Rates at which the energy of the water changes, kinetic, potential and of the compression together, W; in
 /// two dimensions per width, W/m. Each is positive where the water gains.
@@ -39,4 +39,4 @@ inline EnergyRates operator+(EnergyRates sum, const EnergyRates& other) {
     return sum;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline particles

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace riffle {
+namespace riffle::inline particles {
 
 /// Letters of the axes of a set in D dimensions.
 template <int D>
@@ -30,4 +30,4 @@ struct FurtherField {
     std::vector<double> values;
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline particles

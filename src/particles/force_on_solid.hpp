@@ -3,7 +3,7 @@
 #include <array>
 #include <cstddef>
 
-namespace riffle {
+namespace riffle::inline particles {
 
 /// Force of the water on a solid along x, y and z, N, and its moment about a point of the solid, N m; in two
 /// dimensions per width, N/m and N.
@@ -27,4 +27,4 @@ inline ForceOnSolid& operator+=(ForceOnSolid& sum, const ForceOnSolid& other) {
     return sum;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline particles

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-namespace riffle {
+namespace riffle::inline particles {
 
 /// Two arrays seen as one: values of the particles, then those of their images behind walls. Both must
 /// outlive it.
@@ -25,4 +25,4 @@ class JoinedValues {
     std::span<const double> images_;
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline particles

@@ -14,7 +14,7 @@
 #include "case/solid_motion.hpp"
 #include "case/solid_volume.hpp"
 
-namespace riffle {
+namespace riffle::inline particles {
 
 Lattice lattice_of(const Case& c) {
     Lattice lattice;
@@ -256,4 +256,4 @@ template Domain<3> domain_of<3>(const Case&);
 template Particles<2> lattice_particles<2>(const Case&, const std::function<double(double)>&);
 template Particles<3> lattice_particles<3>(const Case&, const std::function<double(double)>&);
 
-}  // namespace riffle
+}  // namespace riffle::inline particles

@@ -6,7 +6,7 @@
 #include "particles/domain.hpp"
 #include "particles/particles.hpp"
 
-namespace riffle {
+namespace riffle::inline particles {
 
 /// The lattice that a case starts from: rows along the bed, evenly spaced normal to it.
 /// Square: spacing H/round(H/dx) between rows. Hexagonal: rows sqrt(3)/2 of the spacing along x apart, the
@@ -74,4 +74,4 @@ template <int D = 2>
 [[nodiscard]] Particles<D> lattice_particles(const Case& c,
                                              const std::function<double(double x)>& surface = {});
 
-}  // namespace riffle
+}  // namespace riffle::inline particles

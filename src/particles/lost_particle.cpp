@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace riffle {
+namespace riffle::inline particles {
 
 namespace {
 
@@ -75,4 +75,4 @@ std::string exits_text(const std::vector<LostParticle>& lost) {
     return text;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline particles

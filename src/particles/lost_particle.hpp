@@ -8,7 +8,7 @@
 
 #include "case/case.hpp"
 
-namespace riffle {
+namespace riffle::inline particles {
 
 /// The way on which a particle left the domain. Its number stands in results and checkpoints.
 enum class Exit : std::int8_t {
@@ -58,4 +58,4 @@ struct LostWater {
 /// "2 over the end wall at x = 1.61 m, 1 below the bed": how many left on which way.
 [[nodiscard]] std::string exits_text(const std::vector<LostParticle>& lost);
 
-}  // namespace riffle
+}  // namespace riffle::inline particles

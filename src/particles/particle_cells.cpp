@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace riffle {
+namespace riffle::inline particles {
 
 template <int D>
 ParticleCells<D>::ParticleCells(const Domain<D>& domain, const Positions& positions, double reach,
@@ -56,4 +56,4 @@ int ParticleCells<D>::index(std::size_t axis, double x) const {
 template class ParticleCells<2>;
 template class ParticleCells<3>;
 
-}  // namespace riffle
+}  // namespace riffle::inline particles

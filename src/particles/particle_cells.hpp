@@ -8,7 +8,7 @@
 #include "particles/domain.hpp"
 #include "particles/joined_values.hpp"
 
-namespace riffle {
+namespace riffle::inline particles {
 
 /// Particles sorted into cells at least as wide as a kernel reaches, so that those around a point are found
 /// without looking at all. Keeps views of the positions, which must outlive it and stay as they are.
@@ -103,4 +103,4 @@ class ParticleCells {
     std::vector<std::int32_t> members_;  ///< particles by cell
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline particles

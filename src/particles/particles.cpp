@@ -5,7 +5,7 @@
 
 #include "base/parallel.hpp"
 
-namespace riffle {
+namespace riffle::inline particles {
 
 namespace {
 template <class T>
@@ -103,4 +103,4 @@ template struct WallParticles<3>;
 template struct Particles<2>;
 template struct Particles<3>;
 
-}  // namespace riffle
+}  // namespace riffle::inline particles

@@ -10,7 +10,7 @@
 #include "particles/field.hpp"
 #include "particles/lost_particle.hpp"
 
-namespace riffle {
+namespace riffle::inline particles {
 
 /// Master state of the fluid particles, in double precision, one array per quantity. SI.
 template <int D>
@@ -128,4 +128,4 @@ struct WallParticles {
     [[nodiscard]] std::size_t bytes() const;
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline particles

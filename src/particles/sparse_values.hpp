@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace riffle {
+namespace riffle::inline particles {
 
 /// A value for each particle that is zero for most: memory is taken for short runs of particles only, of
 /// which one has another value. Values of different particles may be set by several threads at a time.
@@ -89,4 +89,4 @@ class SparseValues {
     std::size_t size_ = 0;
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline particles

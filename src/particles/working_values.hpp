@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace riffle {
+namespace riffle::inline particles {
 
 /// Values by particle in the precision that they were computed in, so that those of single precision take
 /// half of the memory; read as doubles, times a factor.
@@ -57,4 +57,4 @@ class WorkingValues {
     double factor_ = 1.0;
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline particles

@@ -13,7 +13,7 @@
 #include "preview/preview_views.hpp"
 #include "report/page_assets.hpp"
 
-namespace riffle {
+namespace riffle::inline preview {
 
 namespace {
 
@@ -332,4 +332,4 @@ std::string preview_page(const Case& c, const std::string& drawing, const Foreca
     return page;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline preview

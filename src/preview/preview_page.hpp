@@ -6,7 +6,7 @@
 #include "case/case.hpp"
 #include "solver/forecast.hpp"
 
-namespace riffle {
+namespace riffle::inline preview {
 
 /// The geometry of a case as one drawing (SVG): side view, in three dimensions plan and cross-sections, and
 /// the particles of a part of it.
@@ -17,4 +17,4 @@ namespace riffle {
 [[nodiscard]] std::string preview_page(const Case& c, const std::string& drawing, const Forecast* forecast,
                                        const std::vector<std::string>& warnings);
 
-}  // namespace riffle
+}  // namespace riffle::inline preview

@@ -24,7 +24,7 @@
 #include "roughness/sphere_lattice.hpp"
 #include "solver/start_packing.hpp"
 
-namespace riffle {
+namespace riffle::inline preview {
 
 namespace {
 
@@ -360,4 +360,4 @@ bool draw_particles(SvgSheet& sheet, const Case& c, const PreviewPlan& plan, con
     return true;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline preview

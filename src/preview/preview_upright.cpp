@@ -18,7 +18,7 @@
 #include "preview/solid_slices.hpp"
 #include "roughness/sphere_lattice.hpp"
 
-namespace riffle {
+namespace riffle::inline preview {
 
 namespace {
 
@@ -455,4 +455,4 @@ void draw_section(SvgSheet& sheet, const Case& c, const PreviewPlan& plan, const
     sheet.axes(view, plan.unit, "y", "z");
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline preview

@@ -11,7 +11,7 @@
 #include "case/solid_mesh.hpp"
 #include "case/solid_shapes.hpp"
 
-namespace riffle {
+namespace riffle::inline preview {
 
 PreviewPlan plan_preview(const Case& c) {
     PreviewPlan plan;
@@ -83,4 +83,4 @@ ScaledView scaled_view(double left, double top, double width, double least, doub
     return scaled;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline preview

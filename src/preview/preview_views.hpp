@@ -7,7 +7,7 @@
 #include "case/case.hpp"
 #include "preview/svg_sheet.hpp"
 
-namespace riffle {
+namespace riffle::inline preview {
 
 /// What the views of a case share: colours, unit, where it is cut.
 struct PreviewPlan {
@@ -51,4 +51,4 @@ bool draw_particles(SvgSheet& sheet, const Case& c, const PreviewPlan& plan, con
 /// the bed.
 [[nodiscard]] SheetPoint particle_window(const Case& c, double width, double height);
 
-}  // namespace riffle
+}  // namespace riffle::inline preview

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace riffle {
+namespace riffle::inline preview {
 
 std::vector<std::vector<SheetPoint>> slice_polygons(
     double from, double to, int count, const std::function<std::vector<SolidStretch>(double)>& at) {
@@ -46,4 +46,4 @@ std::vector<std::vector<SheetPoint>> slice_polygons(
     return polygons;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline preview

@@ -6,7 +6,7 @@
 #include "case/solid_stretches.hpp"
 #include "preview/svg_sheet.hpp"
 
-namespace riffle {
+namespace riffle::inline preview {
 
 /// The polygons that stretches of upright lines at places from `from` to `to` fill: what an upright plane
 /// cuts out of a solid. `at`: the stretches at a place along it; looked at `count` places, and where their
@@ -14,4 +14,4 @@ namespace riffle {
 [[nodiscard]] std::vector<std::vector<SheetPoint>> slice_polygons(
     double from, double to, int count, const std::function<std::vector<SolidStretch>(double)>& at);
 
-}  // namespace riffle
+}  // namespace riffle::inline preview

@@ -7,7 +7,7 @@
 
 #include "base/markup.hpp"
 
-namespace riffle {
+namespace riffle::inline preview {
 
 namespace {
 
@@ -139,4 +139,4 @@ std::string SvgSheet::document(double width, double height, const std::string& t
         width, height, escape_markup(title), body_);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline preview

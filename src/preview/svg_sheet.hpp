@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace riffle {
+namespace riffle::inline preview {
 
 /// A place in a drawing or in what it shows.
 struct SheetPoint {
@@ -65,4 +65,4 @@ class SvgSheet {
 /// A path of a polygon of a view, closed.
 [[nodiscard]] std::string polygon_path(const SheetView& view, const std::vector<SheetPoint>& corners);
 
-}  // namespace riffle
+}  // namespace riffle::inline preview

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace riffle {
+namespace riffle::inline record {
 
 /// Words that may differ between a run in two dimensions, where forces and volumes are per unit width, and
 /// one in three.
@@ -146,4 +146,4 @@ template <class Table>
     return rows_of<Field>(table);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline record

@@ -7,7 +7,7 @@
 #include "output/dataset.hpp"
 #include "record/field.hpp"
 
-namespace riffle {
+namespace riffle::inline record {
 
 /// A dataset of results with the path, unit and long name of its field. `rows`: they are added to those in
 /// the file, otherwise the dataset replaces.
@@ -32,4 +32,4 @@ inline void add_field(Content& content, const Field& field, AttributeValue value
     content.attributes.push_back({.path = field.group->path, .name = field.name, .value = std::move(value)});
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline record

@@ -10,7 +10,7 @@
 
 #include "record/field_tables.hpp"
 
-namespace riffle {
+namespace riffle::inline record {
 
 namespace {
 
@@ -213,4 +213,4 @@ std::string results_fields_json() {
     return text + "]}\n";
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline record

@@ -8,7 +8,7 @@
 #include "record/run_fields.hpp"
 #include "record/twin_fields.hpp"
 
-namespace riffle {
+namespace riffle::inline record {
 
 namespace {
 
@@ -65,4 +65,4 @@ const std::vector<FieldTable>& field_tables() {
     return tables;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline record

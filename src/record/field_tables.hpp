@@ -5,7 +5,7 @@
 
 #include "record/field.hpp"
 
-namespace riffle {
+namespace riffle::inline record {
 
 /// All fields of the results, by the groups that a reader of the documentation looks for.
 struct FieldTable {
@@ -20,4 +20,4 @@ struct FieldTable {
 /// The same for programs: `riffle schema --results`. The Python package has a copy.
 [[nodiscard]] std::string results_fields_json();
 
-}  // namespace riffle
+}  // namespace riffle::inline record

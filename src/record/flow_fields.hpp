@@ -6,7 +6,7 @@
 #include "record/field.hpp"
 #include "record/profiles.hpp"
 
-namespace riffle::fields {
+namespace riffle::inline record::fields {
 
 namespace groups {
 inline constexpr Group time_series{"/time_series", "Time series", every_run, "",
@@ -312,4 +312,4 @@ struct MeanField {
 };
 inline constexpr MeanField mean_field;
 
-}  // namespace riffle::fields
+}  // namespace riffle::inline record::fields

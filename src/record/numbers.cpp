@@ -5,7 +5,7 @@
 
 #include "base/not_a_number.hpp"
 
-namespace riffle {
+namespace riffle::inline record {
 
 std::optional<double> Numbers::find(const Field& field) const {
     const auto found = std::find_if(all_.begin(), all_.end(),
@@ -34,4 +34,4 @@ std::optional<double> find_value(const Numbers& numbers, const Field& field) {
     return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline record

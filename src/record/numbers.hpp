@@ -7,7 +7,7 @@
 
 #include "record/field.hpp"
 
-namespace riffle {
+namespace riffle::inline record {
 
 /// Numbers by field, SI: the attributes of a group such as `/summary`, in the order in which they were set.
 class Numbers {
@@ -28,4 +28,4 @@ class Numbers {
 /// The number of a field; nothing where it is missing or not finite.
 [[nodiscard]] std::optional<double> find_value(const Numbers& numbers, const Field& field);
 
-}  // namespace riffle
+}  // namespace riffle::inline record

@@ -4,14 +4,14 @@
 
 #include "record/field.hpp"
 
-namespace riffle {
+namespace riffle::inline record {
 
 /// The group of all snapshots.
 inline constexpr const char* snapshots_group = "/snapshots";
 
-}  // namespace riffle
+}  // namespace riffle::inline record
 
-namespace riffle::fields {
+namespace riffle::inline record::fields {
 
 namespace groups {
 inline constexpr Group snapshot{
@@ -220,4 +220,4 @@ struct Clock {
 };
 inline constexpr Clock clock;
 
-}  // namespace riffle::fields
+}  // namespace riffle::inline record::fields

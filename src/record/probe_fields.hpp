@@ -4,7 +4,7 @@
 
 #include "record/field.hpp"
 
-namespace riffle {
+namespace riffle::inline record {
 
 /// The group of all instruments, and of one.
 inline constexpr const char* probes_group = "/probes";
@@ -12,9 +12,9 @@ inline constexpr const char* probes_group = "/probes";
     return std::string(probes_group) + "/" + name;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline record
 
-namespace riffle::fields {
+namespace riffle::inline record::fields {
 
 namespace groups {
 inline constexpr const char* probes = "/probes/NAME";
@@ -285,4 +285,4 @@ struct BodyMotion {
 };
 inline constexpr BodyMotion body_motion;
 
-}  // namespace riffle::fields
+}  // namespace riffle::inline record::fields

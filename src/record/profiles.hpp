@@ -2,7 +2,7 @@
 
 #include <vector>
 
-namespace riffle {
+namespace riffle::inline record {
 
 /// Time averages of the layers over a window, with the stresses that follow from them. One value per layer.
 struct Profiles {
@@ -19,4 +19,4 @@ struct Profiles {
     [[nodiscard]] bool empty() const { return z.empty(); }
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline record

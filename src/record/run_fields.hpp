@@ -2,7 +2,7 @@
 
 #include "record/field.hpp"
 
-namespace riffle::fields {
+namespace riffle::inline record::fields {
 
 namespace groups {
 inline constexpr Group file{"/", "The file"};
@@ -164,4 +164,4 @@ struct Summary {
 };
 inline constexpr Summary summary;
 
-}  // namespace riffle::fields
+}  // namespace riffle::inline record::fields

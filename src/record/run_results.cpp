@@ -9,7 +9,7 @@
 #include "record/flow_fields.hpp"
 #include "record/run_fields.hpp"
 
-namespace riffle {
+namespace riffle::inline record {
 
 namespace {
 
@@ -128,4 +128,4 @@ std::vector<std::string> RunResults::children(const std::string& group) const {
     return reader_.has(group) ? reader_.children(group) : std::vector<std::string>();
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline record

@@ -13,7 +13,7 @@
 #include "record/numbers.hpp"
 #include "record/series_table.hpp"
 
-namespace riffle {
+namespace riffle::inline record {
 
 /// Where a field stands: in its own group, or in that of an instrument or a snapshot.
 struct FieldPlace {
@@ -72,4 +72,4 @@ class RunResults {
     mutable std::optional<Case> flow_;
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline record

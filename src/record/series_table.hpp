@@ -7,7 +7,7 @@
 
 #include "record/field.hpp"
 
-namespace riffle {
+namespace riffle::inline record {
 
 /// Time series by field, of equal length, SI.
 class SeriesTable {
@@ -26,4 +26,4 @@ class SeriesTable {
     std::map<std::string, std::vector<double>, std::less<>> columns_;
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline record

@@ -2,7 +2,7 @@
 
 #include "record/field.hpp"
 
-namespace riffle::fields {
+namespace riffle::inline record::fields {
 
 namespace groups {
 inline constexpr Group column{"/column", "Column twin", column_twin};
@@ -117,4 +117,4 @@ struct SectionNumbers {
 };
 inline constexpr SectionNumbers section_numbers;
 
-}  // namespace riffle::fields
+}  // namespace riffle::inline record::fields

@@ -5,7 +5,7 @@
 
 #include "record/particle_fields.hpp"
 
-namespace riffle {
+namespace riffle::inline record {
 
 bool snapshots_are_whole(const Case& c) {
     const Output& output = c.output;
@@ -25,4 +25,4 @@ std::vector<SnapshotPlace> snapshots_with_velocities(const RunResults& results) 
     return found;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline record

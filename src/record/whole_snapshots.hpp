@@ -6,7 +6,7 @@
 #include "case/case.hpp"
 #include "record/run_results.hpp"
 
-namespace riffle {
+namespace riffle::inline record {
 
 /// Whether the snapshots of a case hold all of its water, so that each particle has its neighbours.
 [[nodiscard]] bool snapshots_are_whole(const Case& c);
@@ -20,4 +20,4 @@ struct SnapshotPlace {
 /// The snapshots that hold the velocities of their particles, in the order of their groups.
 [[nodiscard]] std::vector<SnapshotPlace> snapshots_with_velocities(const RunResults& results);
 
-}  // namespace riffle
+}  // namespace riffle::inline record

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-namespace riffle {
+namespace riffle::inline report {
 
 std::string base64(std::span<const std::uint8_t> bytes) {
     constexpr const char* letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -21,4 +21,4 @@ std::string base64(std::span<const std::uint8_t> bytes) {
     return text;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline report

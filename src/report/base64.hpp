@@ -4,9 +4,9 @@
 #include <span>
 #include <string>
 
-namespace riffle {
+namespace riffle::inline report {
 
 /// The bytes as base64 (RFC 4648) with padding.
 [[nodiscard]] std::string base64(std::span<const std::uint8_t> bytes);
 
-}  // namespace riffle
+}  // namespace riffle::inline report

@@ -14,7 +14,7 @@
 #include "case/flow_conditions.hpp"
 #include "case/key_table.hpp"
 
-namespace riffle {
+namespace riffle::inline report {
 
 namespace {
 
@@ -134,4 +134,4 @@ std::vector<std::string> told_apart(const std::vector<std::string>& names,
     return result;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline report

@@ -5,7 +5,7 @@
 
 #include "case/case.hpp"
 
-namespace riffle {
+namespace riffle::inline report {
 
 /// A key of the case file in which the cases of a comparison differ.
 struct CaseDifference {
@@ -29,4 +29,4 @@ struct CaseDifference {
 [[nodiscard]] std::vector<std::string> told_apart(const std::vector<std::string>& names,
                                                   const std::vector<std::string>& otherwise);
 
-}  // namespace riffle
+}  // namespace riffle::inline report

@@ -13,7 +13,7 @@
 #include "statistics/confidence.hpp"
 #include "statistics/record.hpp"
 
-namespace riffle {
+namespace riffle::inline report {
 
 namespace {
 
@@ -368,4 +368,4 @@ std::vector<Diagnostic> diagnose_channel(const ReportData& data, const Analysis&
     return rows.take();
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline report

@@ -11,7 +11,7 @@
 
 #include "base/error.hpp"
 
-namespace riffle {
+namespace riffle::inline report {
 
 namespace {
 
@@ -119,4 +119,4 @@ Comparison compare(const std::vector<ReportSubject>& subjects) {
     return comparison;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline report

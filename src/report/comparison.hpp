@@ -10,7 +10,7 @@
 #include "report/case_names.hpp"
 #include "report/report_data.hpp"
 
-namespace riffle {
+namespace riffle::inline report {
 
 /// What a report is made from: a run and its analysis, or the analysis of a laboratory record alone.
 struct ReportSubject {
@@ -72,4 +72,4 @@ struct Comparison {
 /// docs/results-format.md.
 [[nodiscard]] std::string comparison_summary_json(const Comparison& comparison);
 
-}  // namespace riffle
+}  // namespace riffle::inline report

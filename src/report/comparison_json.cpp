@@ -3,7 +3,7 @@
 #include "report/cost.hpp"
 #include "report/summary_json.hpp"
 
-namespace riffle {
+namespace riffle::inline report {
 
 namespace {
 
@@ -103,4 +103,4 @@ std::string comparison_summary_json(const Comparison& comparison) {
            "\n";
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline report

@@ -11,7 +11,7 @@
 #include "record/run_fields.hpp"
 #include "report/run_facts.hpp"
 
-namespace riffle {
+namespace riffle::inline report {
 
 namespace {
 
@@ -125,4 +125,4 @@ std::vector<CostRow> cost_rows(const std::vector<ComparedRun>& runs) {
     return costs_known ? rows : std::vector<CostRow>{};
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline report

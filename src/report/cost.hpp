@@ -5,7 +5,7 @@
 
 #include "report/comparison.hpp"
 
-namespace riffle {
+namespace riffle::inline report {
 
 /// A row of the table of costs: texts, one for each run; "–" where a value is not known.
 struct CostRow {
@@ -19,4 +19,4 @@ struct CostRow {
 /// 6 s in three dimensions). Empty where no run is in three dimensions, or none says.
 [[nodiscard]] std::vector<CostRow> cost_rows(const std::vector<ComparedRun>& runs);
 
-}  // namespace riffle
+}  // namespace riffle::inline report

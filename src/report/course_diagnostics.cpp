@@ -10,7 +10,7 @@
 #include "record/flow_fields.hpp"
 #include "report/diagnostic_rows.hpp"
 
-namespace riffle {
+namespace riffle::inline report {
 
 namespace {
 
@@ -140,4 +140,4 @@ std::vector<Diagnostic> diagnose_course(const ReportData& data, const Analysis& 
     return rows.take();
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline report

@@ -9,7 +9,7 @@
 #include "report/diagnostics.hpp"
 #include "report/report_data.hpp"
 
-namespace riffle {
+namespace riffle::inline report {
 
 /// Mark of a size that should not exceed `bar`.
 [[nodiscard]] Health mark_of(double size, double bar);
@@ -57,4 +57,4 @@ class DiagnosticRows {
 [[nodiscard]] std::vector<Diagnostic> diagnose_channel(const ReportData& data, const Analysis& analysis);
 [[nodiscard]] std::vector<Diagnostic> diagnose_course(const ReportData& data, const Analysis& analysis);
 
-}  // namespace riffle
+}  // namespace riffle::inline report

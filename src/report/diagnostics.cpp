@@ -12,7 +12,7 @@
 #include "report/diagnostic_rows.hpp"
 #include "statistics/confidence.hpp"
 
-namespace riffle {
+namespace riffle::inline report {
 
 Health mark_of(double size, double bar) {
     if (!std::isfinite(size)) return Health::bad;
@@ -129,4 +129,4 @@ std::vector<Diagnostic> diagnose(const ReportData& data, const Analysis& analysi
                                             : diagnose_course(data, analysis);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline report

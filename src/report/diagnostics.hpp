@@ -6,7 +6,7 @@
 #include "analysis/figure.hpp"
 #include "report/report_data.hpp"
 
-namespace riffle {
+namespace riffle::inline report {
 
 /// Mark of a diagnostic: in its healthy range, not far out of it (up to twice), further out, or without a
 /// range.
@@ -26,4 +26,4 @@ struct Diagnostic {
 /// same file; what follows from its findings is left out without it.
 [[nodiscard]] std::vector<Diagnostic> diagnose(const ReportData& data, const Analysis& analysis = {});
 
-}  // namespace riffle
+}  // namespace riffle::inline report

@@ -17,7 +17,7 @@
 #include "report/solid_cuts.hpp"
 #include "roughness/sphere_lattice.hpp"
 
-namespace riffle {
+namespace riffle::inline report {
 
 namespace {
 
@@ -236,4 +236,4 @@ std::optional<FieldPicture> read_field(const RunResults& results, const Case& c,
     return picture;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline report

@@ -9,7 +9,7 @@
 #include "case/outline.hpp"
 #include "record/run_results.hpp"
 
-namespace riffle {
+namespace riffle::inline report {
 
 /// The particles of one snapshot, in three dimensions of a slice along the channel, with the surface and the
 /// bodies at its time.
@@ -58,4 +58,4 @@ enum class FieldFrames { none, last, all };
 [[nodiscard]] std::optional<FieldPicture> read_field(const RunResults& results, const Case& c,
                                                      FieldFrames frames);
 
-}  // namespace riffle
+}  // namespace riffle::inline report

@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-namespace riffle {
+namespace riffle::inline report {
 
 std::string escape_json_for_script(std::string_view json) {
     std::string result;
@@ -34,4 +34,4 @@ std::string fill_page(std::string_view page, const std::map<std::string, std::st
     }
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline report

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace riffle {
+namespace riffle::inline report {
 
 /// JSON for a script block: each < written as \u003c, so that no text in it can end the block.
 [[nodiscard]] std::string escape_json_for_script(std::string_view json);
@@ -14,4 +14,4 @@ namespace riffle {
 [[nodiscard]] std::string fill_page(std::string_view page,
                                     const std::map<std::string, std::string, std::less<>>& parts);
 
-}  // namespace riffle
+}  // namespace riffle::inline report

@@ -4,7 +4,7 @@
 
 #include "analysis/analysis_json.hpp"
 
-namespace riffle {
+namespace riffle::inline report {
 
 namespace {
 
@@ -108,4 +108,4 @@ std::string json_text(const Json& json, int indent) {
     return json.dump(indent, ' ', false, Json::error_handler_t::replace);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline report

@@ -11,7 +11,7 @@
 #include "report/references.hpp"
 #include "report/verdict.hpp"
 
-namespace riffle {
+namespace riffle::inline report {
 
 // Parts that the JSON of the pages and of the summaries share. SI; a value that is not finite is null.
 
@@ -48,4 +48,4 @@ using Json = nlohmann::ordered_json;
 /// As text; bytes that are no UTF-8 are replaced.
 [[nodiscard]] std::string json_text(const Json& json, int indent);
 
-}  // namespace riffle
+}  // namespace riffle::inline report

@@ -24,7 +24,7 @@ extern const char riffle_page_comparison_begin[];
 extern const char riffle_page_comparison_end[];
 }
 
-namespace riffle {
+namespace riffle::inline report {
 
 namespace {
 
@@ -51,4 +51,4 @@ PageAssets page_assets() {
             {riffle_page_field_begin, riffle_page_field_end}};
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline report

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-namespace riffle {
+namespace riffle::inline report {
 
 /// The parts of the report's pages, embedded in the binary from web/ (cmake/web.cmake).
 struct PageAssets {
@@ -19,4 +19,4 @@ struct PageAssets {
 
 [[nodiscard]] PageAssets page_assets();
 
-}  // namespace riffle
+}  // namespace riffle::inline report

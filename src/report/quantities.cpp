@@ -9,7 +9,7 @@
 #include "record/run_fields.hpp"
 #include "record/twin_fields.hpp"
 
-namespace riffle {
+namespace riffle::inline report {
 
 namespace {
 
@@ -353,4 +353,4 @@ const SummaryRow* find_quantity(const std::vector<SummaryRow>& quantities, const
     return found == quantities.end() ? nullptr : &*found;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline report

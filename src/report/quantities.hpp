@@ -7,7 +7,7 @@
 #include "analysis/figure.hpp"
 #include "report/report_data.hpp"
 
-namespace riffle {
+namespace riffle::inline report {
 
 /// A value of the summary table with the half-width of its 95 % interval, where one is known. SI.
 struct SummaryValue {
@@ -36,4 +36,4 @@ struct SummaryRow {
 [[nodiscard]] const SummaryRow* find_quantity(const std::vector<SummaryRow>& quantities,
                                               const std::string& key);
 
-}  // namespace riffle
+}  // namespace riffle::inline report

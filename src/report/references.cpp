@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-namespace riffle {
+namespace riffle::inline report {
 
 namespace {
 
@@ -90,4 +90,4 @@ std::vector<Reference> cited_references(const std::vector<Analysis>& analyses,
     return cited;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline report

@@ -5,7 +5,7 @@
 
 #include "analysis/figure.hpp"
 
-namespace riffle {
+namespace riffle::inline report {
 
 /// A publication that a page refers to by a short name.
 struct Reference {
@@ -17,4 +17,4 @@ struct Reference {
 [[nodiscard]] std::vector<Reference> cited_references(const std::vector<Analysis>& analyses,
                                                       const std::vector<std::string>& texts = {});
 
-}  // namespace riffle
+}  // namespace riffle::inline report

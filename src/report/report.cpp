@@ -15,7 +15,7 @@
 #include "report/report_json.hpp"
 #include "report/summary_json.hpp"
 
-namespace riffle {
+namespace riffle::inline report {
 
 namespace {
 
@@ -91,4 +91,4 @@ void write_comparison(const Comparison& comparison, const std::filesystem::path&
     if (!json.empty()) write_text_atomically(json, comparison_summary_json(comparison));
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline report

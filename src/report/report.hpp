@@ -6,7 +6,7 @@
 #include "analysis/figure.hpp"
 #include "report/comparison.hpp"
 
-namespace riffle {
+namespace riffle::inline report {
 
 /// The report of a run as one HTML page that needs nothing beside itself. `results` is the results file,
 /// `analysis` gives the page its chapters. Throws FileError if the file cannot be read.
@@ -36,4 +36,4 @@ void write_report(const std::filesystem::path& results, const std::filesystem::p
 void write_comparison(const Comparison& comparison, const std::filesystem::path& html,
                       const std::filesystem::path& json = {});
 
-}  // namespace riffle
+}  // namespace riffle::inline report

@@ -7,7 +7,7 @@
 #include "record/run_fields.hpp"
 #include "record/twin_fields.hpp"
 
-namespace riffle {
+namespace riffle::inline report {
 
 namespace {
 
@@ -78,4 +78,4 @@ ReportData collect_report_data(const RunResults& results, FieldFrames frames) {
     return data;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline report

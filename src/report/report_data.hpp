@@ -10,7 +10,7 @@
 #include "report/field_data.hpp"
 #include "report/surface_frames.hpp"
 
-namespace riffle {
+namespace riffle::inline report {
 
 /// What the report shows beside the figures and findings of the analysis, collected from one results file.
 /// What the file lacks is empty.
@@ -40,4 +40,4 @@ struct ReportData {
 /// Simulated time that the series reach, s; 0 without series.
 [[nodiscard]] double recorded_time(const ReportData& data);
 
-}  // namespace riffle
+}  // namespace riffle::inline report

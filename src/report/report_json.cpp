@@ -14,7 +14,7 @@
 #include "report/run_facts.hpp"
 #include "report/summary_json.hpp"
 
-namespace riffle {
+namespace riffle::inline report {
 
 namespace {
 
@@ -231,4 +231,4 @@ std::string page_json(const ReportData& data, const Analysis& analysis) {
     return json_text(object, -1);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline report

@@ -7,7 +7,7 @@
 #include "record/flow_fields.hpp"
 #include "record/run_fields.hpp"
 
-namespace riffle {
+namespace riffle::inline report {
 
 std::string grouped_number(double value) {
     std::string digits = fmt::format("{:.0f}", value);
@@ -56,4 +56,4 @@ std::vector<Fact> run_facts(const ReportData& data) {
     return facts;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline report

@@ -5,7 +5,7 @@
 
 #include "report/report_data.hpp"
 
-namespace riffle {
+namespace riffle::inline report {
 
 /// A line of the report's list of run facts.
 struct Fact {
@@ -22,4 +22,4 @@ struct Fact {
 /// Size, cost and origin of the run.
 [[nodiscard]] std::vector<Fact> run_facts(const ReportData& data);
 
-}  // namespace riffle
+}  // namespace riffle::inline report

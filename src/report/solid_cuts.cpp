@@ -8,7 +8,7 @@
 
 #include "record/particle_fields.hpp"
 
-namespace riffle {
+namespace riffle::inline report {
 
 namespace {
 
@@ -82,4 +82,4 @@ std::vector<Outline> solid_cuts(const RunResults& results, const std::string& sn
     return joined(std::move(segments));
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline report

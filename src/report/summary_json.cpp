@@ -5,7 +5,7 @@
 #include "case/flow_kind.hpp"
 #include "record/run_fields.hpp"
 
-namespace riffle {
+namespace riffle::inline report {
 
 Json summary_object(const ReportData& data, const Analysis& analysis) {
     const std::vector<SummaryRow> quantities = summarize(data, analysis);
@@ -40,4 +40,4 @@ std::string flow_line(const ReportData& data) {
                            : std::string{});
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline report

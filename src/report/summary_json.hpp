@@ -6,7 +6,7 @@
 #include "report/json_parts.hpp"
 #include "report/report_data.hpp"
 
-namespace riffle {
+namespace riffle::inline report {
 
 /// The summary for machines, SI: title, versions, window, quantities, diagnostics, verdict, and the findings
 /// and warnings of the analysis. Described in docs/results-format.md.
@@ -18,4 +18,4 @@ namespace riffle {
 /// The flow in one line: version, depth, slope, spheres.
 [[nodiscard]] std::string flow_line(const ReportData& data);
 
-}  // namespace riffle
+}  // namespace riffle::inline report

@@ -9,7 +9,7 @@
 #include "record/flow_fields.hpp"
 #include "statistics/record.hpp"
 
-namespace riffle {
+namespace riffle::inline report {
 
 namespace {
 
@@ -67,4 +67,4 @@ std::optional<SurfaceFrames> read_surface_frames(const RunResults& results, cons
     return surface;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline report

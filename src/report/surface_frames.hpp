@@ -7,7 +7,7 @@
 #include "case/case.hpp"
 #include "record/run_results.hpp"
 
-namespace riffle {
+namespace riffle::inline report {
 
 /// The free surface in plan, moment by moment: maps of its elevation, the last ones of a run.
 struct SurfaceFrames {
@@ -27,4 +27,4 @@ struct SurfaceFrames {
                                                                std::size_t most_values = 400'000,
                                                                std::size_t most_frames = 400);
 
-}  // namespace riffle
+}  // namespace riffle::inline report

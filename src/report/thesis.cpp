@@ -12,7 +12,7 @@
 #include "base/error.hpp"
 #include "case/flow_conditions.hpp"
 
-namespace riffle {
+namespace riffle::inline report {
 
 namespace {
 
@@ -372,4 +372,4 @@ Comparison thesis_figures(const std::vector<ReportSubject>& subjects, const std:
     return Thesis(std::move(comparison), parts).take();
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline report

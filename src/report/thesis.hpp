@@ -7,7 +7,7 @@
 
 #include "report/comparison.hpp"
 
-namespace riffle {
+namespace riffle::inline report {
 
 /// What a page of the thesis' figures holds: its chapters with simulations, and the paper of 2016.
 enum class ThesisPart { two_dimensions = 4, three_dimensions = 5, both = 6, paper = 0 };
@@ -25,4 +25,4 @@ enum class ThesisPart { two_dimensions = 4, three_dimensions = 5, both = 6, pape
 [[nodiscard]] Comparison thesis_figures(const std::vector<ReportSubject>& subjects,
                                         const std::set<ThesisPart>& parts = {});
 
-}  // namespace riffle
+}  // namespace riffle::inline report

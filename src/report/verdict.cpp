@@ -12,7 +12,7 @@
 #include "column/column.hpp"
 #include "record/run_fields.hpp"
 
-namespace riffle {
+namespace riffle::inline report {
 
 namespace {
 
@@ -284,4 +284,4 @@ Verdict judge(const ReportData& data, const std::vector<SummaryRow>& quantities,
     return verdict;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline report

@@ -7,7 +7,7 @@
 #include "report/quantities.hpp"
 #include "report/report_data.hpp"
 
-namespace riffle {
+namespace riffle::inline report {
 
 /// The report's opening paragraph: what came out, in plain words.
 struct Verdict {
@@ -21,4 +21,4 @@ struct Verdict {
 [[nodiscard]] Verdict judge(const ReportData& data, const std::vector<SummaryRow>& quantities,
                             const std::vector<Diagnostic>& diagnostics);
 
-}  // namespace riffle
+}  // namespace riffle::inline report

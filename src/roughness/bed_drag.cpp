@@ -11,7 +11,7 @@
 #include "roughness/sphere_lattice.hpp"
 #include "roughness/thesis_drag.hpp"
 
-namespace riffle {
+namespace riffle::inline roughness {
 
 namespace {
 
@@ -130,4 +130,4 @@ std::unique_ptr<const BedDrag> make_bed_drag(const Case& c) {
     return entry->make(c);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline roughness

@@ -7,7 +7,7 @@
 
 #include "case/case.hpp"
 
-namespace riffle {
+namespace riffle::inline roughness {
 
 /// Drag of the bed's roughness elements as a body force: acceleration -beta u |u|, in three dimensions also
 /// -beta v |v| across the channel.
@@ -58,4 +58,4 @@ class BedDrag {
 /// The drag law of the case's spheres; nullptr for a bed without.
 [[nodiscard]] std::unique_ptr<const BedDrag> make_bed_drag(const Case& c);
 
-}  // namespace riffle
+}  // namespace riffle::inline roughness

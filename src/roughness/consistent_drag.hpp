@@ -2,7 +2,7 @@
 
 #include "roughness/sphere_bed.hpp"
 
-namespace riffle {
+namespace riffle::inline roughness {
 
 /// Consistent bed drag (thesis 2.16, 4.3), 1/m: beta(z) = 1/2 C_d a(z), frontal area per volume
 /// a(z) = 2 n_s l_r(z), n_s spheres per plan area, l_r the half chord (thesis 4.3). From the drag force
@@ -14,4 +14,4 @@ template <class Real>
     return Real(0.5) * drag_coefficient * frontal_area;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline roughness

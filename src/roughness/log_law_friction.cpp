@@ -6,7 +6,7 @@
 #include "case/bed_friction.hpp"
 #include "turbulence/wall_law.hpp"
 
-namespace riffle {
+namespace riffle::inline roughness {
 
 LogLawFriction::LogLawFriction(const Case& c, double layer, double roughness)
     : kappa_(c.turbulence.kappa),
@@ -55,4 +55,4 @@ double LogLawFriction::slope(double square) const {
     return (coefficient((1.0 + step) * square) - coefficient((1.0 - step) * square)) / (2.0 * step * square);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline roughness

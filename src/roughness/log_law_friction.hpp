@@ -2,7 +2,7 @@
 
 #include "case/case.hpp"
 
-namespace riffle {
+namespace riffle::inline roughness {
 
 /// Friction of walls that are known by their roughness, where the particles do not resolve the flow beside
 /// them: by the log law u/u_* = ln((d + z0)/z0)/kappa, d from the wall (case/bed_friction.hpp), as a drag
@@ -32,4 +32,4 @@ class LogLawFriction {
 /// Of a solid with surface = "log-law": its layer is three spacings thick.
 [[nodiscard]] LogLawFriction solid_friction(const Case& c, const Solid& solid);
 
-}  // namespace riffle
+}  // namespace riffle::inline roughness

@@ -9,7 +9,7 @@
 #include "roughness/row_mean_drag.hpp"
 #include "roughness/wall_drag.hpp"
 
-namespace riffle {
+namespace riffle::inline roughness {
 
 namespace {
 
@@ -104,4 +104,4 @@ std::unique_ptr<const BedDrag> make_particle_bed_drag(const Case& c, double row_
     return drag->top() > 0.0 ? std::move(drag) : nullptr;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline roughness

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace riffle {
+namespace riffle::inline roughness {
 
 double PatchStretch::share(double place, double width) const {
     if (all) {
@@ -19,4 +19,4 @@ double PatchStretch::share(double place, double width) const {
     return length / width;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline roughness

@@ -5,7 +5,7 @@
 #include "case/case.hpp"
 #include "case/patch_range.hpp"
 
-namespace riffle {
+namespace riffle::inline roughness {
 
 /// A stretch along an axis, m.
 struct PatchStretch {
@@ -45,4 +45,4 @@ class PatchArea {
     PatchStretch across_;
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline roughness

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace riffle {
+namespace riffle::inline roughness {
 
 namespace {
 
@@ -130,4 +130,4 @@ double PorousMedia::limited(double length, double x, double y, double z) const {
     return inside > 0.0 || outside < 1.0 ? std::max(0.0, outside) * length + inside : length;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline roughness

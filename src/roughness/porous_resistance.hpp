@@ -7,7 +7,7 @@
 #include "case/case.hpp"
 #include "case/porous_zone.hpp"
 
-namespace riffle {
+namespace riffle::inline roughness {
 
 /// The resistance of a porous medium to water that passes with the discharge q of an area: a pressure
 /// gradient of rho (linear + quadratic |q|) q (Darcy 1856, Forchheimer 1901), linear = nu/K, quadratic =
@@ -98,4 +98,4 @@ class PorousMedia {
     double thinnest_edge_ = 0.0;  ///< m
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline roughness

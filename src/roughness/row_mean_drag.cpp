@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace riffle {
+namespace riffle::inline roughness {
 
 namespace {
 
@@ -83,4 +83,4 @@ std::unique_ptr<const BedDrag> row_mean_drag(std::unique_ptr<const BedDrag> drag
     return std::make_unique<RowMeanDrag>(std::move(drag), row_height);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline roughness

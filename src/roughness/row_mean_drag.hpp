@@ -4,7 +4,7 @@
 
 #include "roughness/bed_drag.hpp"
 
-namespace riffle {
+namespace riffle::inline roughness {
 
 /// A drag as particles meet it that stand for rows of a height: its mean over the row of each particle, from
 /// z - row_height/2 to z + row_height/2 (theory 8). The sum of it over the rows of a layered flow is that of
@@ -12,4 +12,4 @@ namespace riffle {
 [[nodiscard]] std::unique_ptr<const BedDrag> row_mean_drag(std::unique_ptr<const BedDrag> drag,
                                                            double row_height);
 
-}  // namespace riffle
+}  // namespace riffle::inline roughness

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace riffle {
+namespace riffle::inline roughness {
 
 SideWallPartition side_wall_partition(double depth, double width, double streamwise_gravity) {
     // Newton from above: the cubic is convex and increasing there, so the steps fall onto its one real root.
@@ -35,4 +35,4 @@ double printed_side_wall_coefficient(const Case& c) {
     return p.wall_area / (p.k * p.k * p.bed_area) * c.bed.drag_coefficient / (2.0 * c.numerics.spacing);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline roughness

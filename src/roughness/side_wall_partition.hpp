@@ -2,7 +2,7 @@
 
 #include "case/case.hpp"
 
-namespace riffle {
+namespace riffle::inline roughness {
 
 /// How the weight of the water divides between the bed and the side walls (Yang & Lim 1997; thesis 5.11):
 /// along the lines on which the flow areas A_b = W_b H - k H^2 of the bed and A_w = k H^2/2 of each wall
@@ -28,4 +28,4 @@ struct SideWallPartition {
 /// C_d/(2 dx): it counts k^2 twice and scales as 1/dx.
 [[nodiscard]] double printed_side_wall_coefficient(const Case& c);
 
-}  // namespace riffle
+}  // namespace riffle::inline roughness

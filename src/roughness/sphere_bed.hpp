@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace riffle {
+namespace riffle::inline roughness {
 
 /// Half chord of a bed sphere at height z (thesis 4.3), m: l_r = sqrt(R^2 - (z + R - d_h)^2) for
 /// 0 <= z <= d_h, zero elsewhere. R = D/2; the sphere's top stands at the roughness height d_h.
@@ -27,4 +27,4 @@ template <class Real>
     return Real(1) / (diameter * diameter);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline roughness

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace riffle {
+namespace riffle::inline roughness {
 
 // Drag of the bed's spheres on the water inside them, in three dimensions: acceleration -beta u|u| of each
 // horizontal component (thesis 5.8-5.10), beta = phi times one of these, 1/m.
@@ -35,4 +35,4 @@ template <class Real>
     return drag_coefficient / (Real(2) * spacing);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline roughness

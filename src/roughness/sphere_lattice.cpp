@@ -6,7 +6,7 @@
 
 #include "case/sphere_tiling.hpp"
 
-namespace riffle {
+namespace riffle::inline roughness {
 
 SphereLattice::SphereLattice(const Case& c)
     : hexagonal_(c.bed.packing == Packing::hexagonal),
@@ -87,4 +87,4 @@ double SphereLattice::plan_mean(double z) const {
     return spheres_per_area() * 2.0 * std::numbers::pi * integral;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline roughness

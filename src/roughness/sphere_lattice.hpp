@@ -5,7 +5,7 @@
 
 #include "case/case.hpp"
 
-namespace riffle {
+namespace riffle::inline roughness {
 
 /// The upper layer of the bed's spheres at their real positions (thesis 5.8). Hexagonal: rows along x,
 /// spheres D apart in a row, rows sqrt(3)/2 D apart and shifted by D/2 against each other; square: D apart
@@ -44,4 +44,4 @@ class SphereLattice {
     double origin_y_;             ///< of a row
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline roughness

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 
-namespace riffle {
+namespace riffle::inline roughness {
 
 double StemDrag::deceleration_slope(double u) const {
     const double speed = std::max(std::abs(u), least_speed);
@@ -64,4 +64,4 @@ double StemDrag::speed_at(double acceleration) const {
     return std::exp(0.5 * (low + high));
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline roughness

@@ -7,7 +7,7 @@
 
 #include "case/case.hpp"
 
-namespace riffle {
+namespace riffle::inline roughness {
 
 /// Vegetation-related hydraulic radius of stems, the volume of the water between them over their frontal
 /// area: r_v = (1 - phi)/(n d) = pi/4 (1 - phi)/phi d, m (Cheng & Nguyen 2011).
@@ -68,4 +68,4 @@ class StemDrag {
     double reference_;           ///< m/s
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline roughness

@@ -6,7 +6,7 @@
 #include "case/patch_range.hpp"
 #include "case/stem_feet.hpp"
 
-namespace riffle {
+namespace riffle::inline roughness {
 
 StemGround::StemGround(const Case& c, const Vegetation& stems) {
     if (stems.stands_on.empty()) {
@@ -40,4 +40,4 @@ StemGround::Place StemGround::place(double at, std::size_t axis) const {
     return {cell, std::min(cell + 1, a.count - 1), cells - static_cast<double>(cell)};
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline roughness

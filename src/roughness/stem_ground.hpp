@@ -6,7 +6,7 @@
 
 #include "case/case.hpp"
 
-namespace riffle {
+namespace riffle::inline roughness {
 
 /// Heights at which the stems of a patch stand (case/stem_feet.hpp), looked up once at places a spacing apart
 /// over the patch, linear between them.
@@ -47,4 +47,4 @@ class StemGround {
     std::vector<double> height_;  ///< [across, along], m
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline roughness

@@ -7,7 +7,7 @@
 #include "case/bed_friction.hpp"
 #include "case/flow_kind.hpp"
 
-namespace riffle {
+namespace riffle::inline roughness {
 
 namespace {
 
@@ -101,4 +101,4 @@ std::unique_ptr<const Closure> make_channel_closure(const Case& c) {
     return stems != nullptr ? make_canopy_closure(c, *stems, std::move(closure)) : std::move(closure);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline roughness

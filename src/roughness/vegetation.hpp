@@ -11,7 +11,7 @@
 #include "roughness/stem_ground.hpp"
 #include "turbulence/closure.hpp"
 
-namespace riffle {
+namespace riffle::inline roughness {
 
 /// Stems that stand in a part of the channel: where, and how they hold the water back.
 class VegetationPatch {
@@ -71,4 +71,4 @@ struct ReferenceDrag {
 /// The closure of make_closure(), in a channel with vegetation everywhere that of its canopy.
 [[nodiscard]] std::unique_ptr<const Closure> make_channel_closure(const Case& c);
 
-}  // namespace riffle
+}  // namespace riffle::inline roughness

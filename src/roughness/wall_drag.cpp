@@ -5,7 +5,7 @@
 #include "turbulence/wall_law.hpp"
 #include "turbulence/wall_layer.hpp"
 
-namespace riffle {
+namespace riffle::inline roughness {
 
 namespace {
 
@@ -30,4 +30,4 @@ std::unique_ptr<const BedDrag> make_wall_drag(const Case& c, double row_height) 
     return has_wall_law(c) ? std::make_unique<WallDrag>(WallLayer(c, row_height)) : nullptr;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline roughness

@@ -11,7 +11,7 @@
 #include "solver/start.hpp"
 #include "sph/pair_arithmetic.hpp"
 
-namespace riffle {
+namespace riffle::inline solver {
 
 Case workload_case(const Workload& workload) {
     Case c;
@@ -168,4 +168,4 @@ BenchmarkResult run_benchmark(const Workload& workload, int threads, int repetit
                                     : run_in<3>(workload, repetitions, seconds);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline solver

@@ -6,7 +6,7 @@
 
 #include "solver/simulation.hpp"
 
-namespace riffle {
+namespace riffle::inline solver {
 
 /// A standard workload of `riffle bench`.
 struct Workload {
@@ -67,4 +67,4 @@ template <int D>
 [[nodiscard]] BenchmarkResult run_benchmark(const Workload& workload, int threads, int repetitions,
                                             double seconds);
 
-}  // namespace riffle
+}  // namespace riffle::inline solver

@@ -12,7 +12,7 @@
 #include "record/particle_fields.hpp"
 #include "roughness/sphere_lattice.hpp"
 
-namespace riffle {
+namespace riffle::inline solver {
 
 namespace {
 
@@ -150,4 +150,4 @@ std::size_t BoundaryContent::add_moved(Content& content, const std::string& snap
     return sizeof(float) * (wall_.size() + vertex_.size());
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline solver

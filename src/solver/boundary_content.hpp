@@ -9,7 +9,7 @@
 #include "case/case.hpp"
 #include "output/dataset.hpp"
 
-namespace riffle {
+namespace riffle::inline solver {
 
 /// What bounds the water of a case, for the results file: the particles of walls and solids, the surfaces of
 /// the solids, the spheres of the bed (docs/results-format.md).
@@ -50,4 +50,4 @@ class BoundaryContent {
     double sphere_diameter_ = 0.0;
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline solver

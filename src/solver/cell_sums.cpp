@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace riffle {
+namespace riffle::inline solver {
 
 CellSums::CellSums(const CellPlace& count)
     : count_(count),
@@ -123,4 +123,4 @@ std::size_t CellSums::bytes() const {
     return values * sizeof(double) + dense_.capacity() * sizeof(float);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline solver

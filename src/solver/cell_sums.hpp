@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace riffle {
+namespace riffle::inline solver {
 
 /// What the mean field is made of, by cell: the number of samples, means, mean products of fluctuations, and
 /// sums of forces.
@@ -97,4 +97,4 @@ class CellSums {
     std::vector<Row> sides_;  ///< by x and y: for each z the force
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline solver

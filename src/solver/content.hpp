@@ -6,7 +6,7 @@
 
 #include "output/dataset.hpp"
 
-namespace riffle {
+namespace riffle::inline solver {
 
 /// Add a one-dimensional array to a file's content; it replaces one of the same path.
 inline void add_array(Content& content, std::string path, std::vector<double> values, std::string unit,
@@ -25,4 +25,4 @@ inline void add_attribute(Content& content, std::string path, std::string name, 
         {.path = std::move(path), .name = std::move(name), .value = std::move(value)});
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline solver

@@ -7,7 +7,7 @@
 #include <iterator>
 #include <vector>
 
-namespace riffle {
+namespace riffle::inline solver {
 
 namespace {
 
@@ -208,4 +208,4 @@ double expected_end(const Convergence& test, double time, double relaxation_time
     return std::min(end, latest);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline solver

@@ -6,7 +6,7 @@
 
 #include "statistics/confidence.hpp"
 
-namespace riffle {
+namespace riffle::inline solver {
 
 /// Outcome of the test whether a flow has become statistically steady.
 struct Convergence {
@@ -66,4 +66,4 @@ inline constexpr double usual_relaxation_times = 10.0;
 [[nodiscard]] double expected_end(const Convergence& test, double time, double relaxation_time,
                                   double tolerance, double latest);
 
-}  // namespace riffle
+}  // namespace riffle::inline solver

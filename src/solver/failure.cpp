@@ -17,7 +17,7 @@
 #include "record/run_fields.hpp"
 #include "solver/content.hpp"
 
-namespace riffle {
+namespace riffle::inline solver {
 
 namespace {
 
@@ -253,4 +253,4 @@ template std::string neighbourhood_table(const SimulationIn<3>&, const FailureSc
 template std::string advice(const SimulationIn<2>&, const FailureScene&);
 template std::string advice(const SimulationIn<3>&, const FailureScene&);
 
-}  // namespace riffle
+}  // namespace riffle::inline solver

@@ -7,7 +7,7 @@
 #include "solver/run.hpp"
 #include "solver/simulation.hpp"
 
-namespace riffle {
+namespace riffle::inline solver {
 
 // What a run that fails leaves of the moment, for whoever looks for the cause.
 
@@ -47,4 +47,4 @@ template <int D>
 template <int D>
 [[nodiscard]] std::string advice(const SimulationIn<D>& simulation, const FailureScene& scene);
 
-}  // namespace riffle
+}  // namespace riffle::inline solver

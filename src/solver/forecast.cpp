@@ -31,7 +31,7 @@
 #include "sph/pair_loops.hpp"
 #include "turbulence/wall_law.hpp"
 
-namespace riffle {
+namespace riffle::inline solver {
 
 namespace {
 
@@ -309,4 +309,4 @@ Forecast forecast_run(const Case& c, int threads) {
     return c.channel.dimensions == 2 ? forecast_in<2>(c) : forecast_in<3>(c);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline solver

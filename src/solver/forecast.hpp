@@ -9,7 +9,7 @@
 #include "column/canal_flow.hpp"
 #include "ends/flow_at_ends.hpp"
 
-namespace riffle {
+namespace riffle::inline solver {
 
 /// What an instrument of a run will cost.
 struct ProbeForecast {
@@ -92,4 +92,4 @@ struct Forecast {
 /// Forecast a run on this machine (takes a fraction of a second for small cases).
 [[nodiscard]] Forecast forecast_run(const Case& c, int threads);
 
-}  // namespace riffle
+}  // namespace riffle::inline solver

@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-namespace riffle {
+namespace riffle::inline solver {
 
 /// The furthest of values added one by one, and the third furthest: of places of particles along a way that
 /// is the front of the water, where two drops that fly ahead do not count.
@@ -39,4 +39,4 @@ class Furthest {
     std::array<double, 3> values_{nowhere, nowhere, nowhere};  ///< the furthest first
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline solver

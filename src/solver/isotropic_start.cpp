@@ -11,7 +11,7 @@
 #include "particles/lattice.hpp"
 #include "statistics/fourier.hpp"
 
-namespace riffle {
+namespace riffle::inline solver {
 
 namespace {
 
@@ -228,4 +228,4 @@ void start_isotropic(const Case& c, Particles<3>& particles, std::vector<double>
     });
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline solver

@@ -5,7 +5,7 @@
 #include "case/case.hpp"
 #include "particles/particles.hpp"
 
-namespace riffle {
+namespace riffle::inline solver {
 
 /// Give the particles of a periodic box the velocity of isotropic turbulence with the spectrum of
 /// `start.file`, and add to `pressure` (over the density, m2/s2, one of each particle) that which keeps it
@@ -14,4 +14,4 @@ namespace riffle {
 /// eddies, and smaller ones beside them. Modes reach to half of a wave per spacing.
 void start_isotropic(const Case& c, Particles<3>& particles, std::vector<double>& pressure);
 
-}  // namespace riffle
+}  // namespace riffle::inline solver

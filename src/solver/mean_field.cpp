@@ -15,7 +15,7 @@
 #include "solver/content.hpp"
 #include "solver/recorder.hpp"
 
-namespace riffle {
+namespace riffle::inline solver {
 
 namespace {
 
@@ -298,4 +298,4 @@ std::vector<std::string> MeanField::field_names() {
     return names;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline solver

@@ -14,7 +14,7 @@
 #include "solver/cell_sums.hpp"
 #include "solver/simulation.hpp"
 
-namespace riffle {
+namespace riffle::inline solver {
 
 /// Time means of a three-dimensional flow in cells, window by window: `/mean_field` of the results. Each
 /// particle counts in one cell, those above the highest or below the lowest cell in that one, so that none is
@@ -85,4 +85,4 @@ class MeanField {
     std::vector<std::uint32_t> order_;            ///< of the particles, by slices of cells across the channel
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline solver

@@ -12,7 +12,7 @@
 #include "particles/lattice.hpp"
 #include "statistics/confidence.hpp"
 
-namespace riffle {
+namespace riffle::inline solver {
 
 namespace {
 
@@ -284,4 +284,4 @@ Profiles ProfileSampler::average(double from, double to) const {
     return result;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline solver

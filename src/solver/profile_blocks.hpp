@@ -11,7 +11,7 @@
 #include "record/profiles.hpp"
 #include "solver/simulation.hpp"
 
-namespace riffle {
+namespace riffle::inline solver {
 
 /// Sums over the particles of a layer that the profiles are made of. Order of the last axis of
 /// `/profile_blocks/sums`; `profile_quantity_names` has the names.
@@ -93,4 +93,4 @@ class ProfileSampler {
     ProfileBlock current_;
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline solver

@@ -15,7 +15,7 @@
 #include "record/flow_fields.hpp"
 #include "solver/content.hpp"
 
-namespace riffle {
+namespace riffle::inline solver {
 
 namespace {
 
@@ -350,4 +350,4 @@ void Recorder::restore(const CheckpointReader& checkpoint, const ResultsReader& 
     profiles_.restore(std::move(blocks), std::move(current));
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline solver

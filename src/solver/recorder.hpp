@@ -17,7 +17,7 @@
 #include "solver/snapshots.hpp"
 #include "solver/twins.hpp"
 
-namespace riffle {
+namespace riffle::inline solver {
 
 /// Bytes of recorded data that may wait in memory before they are written out.
 inline constexpr std::size_t pending_limit = std::size_t{16} << 20U;
@@ -120,4 +120,4 @@ template <int D>
 /// Places of the map of the surface along an axis of the plan: two particle spacings apart, m.
 [[nodiscard]] std::vector<double> surface_map_places(const Case& c, double extent);
 
-}  // namespace riffle
+}  // namespace riffle::inline solver

@@ -12,7 +12,7 @@
 #include "instruments/fluid_view.hpp"
 #include "solver/start.hpp"
 
-namespace riffle {
+namespace riffle::inline solver {
 
 namespace {
 
@@ -125,4 +125,4 @@ template void stand_between_open_ends(const Case&, const Case&, Particles<3>&);
 template Particles<2> recycled_particles(const Case&, const Scheme&, const Case&, const Particles<2>&);
 template Particles<3> recycled_particles(const Case&, const Scheme&, const Case&, const Particles<3>&);
 
-}  // namespace riffle
+}  // namespace riffle::inline solver

@@ -6,7 +6,7 @@
 #include "engine/scheme.hpp"
 #include "particles/particles.hpp"
 
-namespace riffle {
+namespace riffle::inline solver {
 
 /// Whether the water of one case is made of that of another by interpolation: where spacing, length or width
 /// differ. Else its particles go on as they are.
@@ -31,4 +31,4 @@ template <int D>
 template <int D>
 void stand_between_open_ends(const Case& c, const Case& other, Particles<D>& water);
 
-}  // namespace riffle
+}  // namespace riffle::inline solver

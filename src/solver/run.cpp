@@ -15,7 +15,7 @@
 #include "solver/run_session.hpp"
 #include "solver/start.hpp"
 
-namespace riffle {
+namespace riffle::inline solver {
 
 namespace {
 
@@ -107,4 +107,4 @@ RunOutcome resume_run(const RunOptions& given, const fs::path& checkpoint,
     return in_dimensions(c, [&]<int D>() { return RunSession<D>(c, options).resume(from, warnings); });
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline solver

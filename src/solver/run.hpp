@@ -11,7 +11,7 @@
 #include "particles/lost_particle.hpp"
 #include "solver/summary.hpp"
 
-namespace riffle {
+namespace riffle::inline solver {
 
 /// Files of a run in its folder.
 struct RunFiles {
@@ -89,4 +89,4 @@ RunOutcome run_case(const Case& c, const RunOptions& options);
 RunOutcome resume_run(const RunOptions& options, const std::filesystem::path& checkpoint,
                       const std::vector<Override>& overrides);
 
-}  // namespace riffle
+}  // namespace riffle::inline solver

@@ -13,7 +13,7 @@
 #include "record/run_fields.hpp"
 #include "record/twin_fields.hpp"
 
-namespace riffle {
+namespace riffle::inline solver {
 
 namespace {
 
@@ -171,4 +171,4 @@ void write_indexes(const RunFiles& files, const Recorder& recorder) {
     }
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline solver

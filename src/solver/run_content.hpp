@@ -8,7 +8,7 @@
 #include "solver/summary.hpp"
 #include "solver/twins.hpp"
 
-namespace riffle {
+namespace riffle::inline solver {
 
 // What a run writes into its results file beside the recorded rows (docs/results-format.md).
 
@@ -29,4 +29,4 @@ void add_profiles_content(Content& content, const Twins& twins, const Recorder& 
 /// The XDMF indexes of the snapshots and of the mean field, as far as there are any.
 void write_indexes(const RunFiles& files, const Recorder& recorder);
 
-}  // namespace riffle
+}  // namespace riffle::inline solver

@@ -19,7 +19,7 @@
 #include "record/run_fields.hpp"
 #include "sph/pair_loops.hpp"
 
-namespace riffle {
+namespace riffle::inline solver {
 
 namespace {
 
@@ -172,4 +172,4 @@ std::vector<std::string> compare_identity(const CheckpointReader& checkpoint, co
     return warnings;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline solver

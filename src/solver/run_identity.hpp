@@ -10,7 +10,7 @@
 #include "output/dataset.hpp"
 #include "output/results_file.hpp"
 
-namespace riffle {
+namespace riffle::inline solver {
 
 // What ties the files of a run together: results and checkpoints carry the same run id, and tell of which
 // build, which instructions and which input files they are.
@@ -43,4 +43,4 @@ void require_same_run(const CheckpointReader& checkpoint, const ResultsReader& r
 /// file has changed that the run needs. Gives warnings of what else differs.
 [[nodiscard]] std::vector<std::string> compare_identity(const CheckpointReader& checkpoint, const Case& c);
 
-}  // namespace riffle
+}  // namespace riffle::inline solver

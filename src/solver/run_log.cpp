@@ -12,7 +12,7 @@
 #include "base/visible_text.hpp"
 #include "output/file_descriptor.hpp"
 
-namespace riffle {
+namespace riffle::inline solver {
 
 struct RunLog::Impl {
     explicit Impl(spdlog::logger opened) : logger(std::move(opened)) {}
@@ -52,4 +52,4 @@ void RunLog::info(const std::string& line) { impl_->logger.info("{}", visible_te
 void RunLog::warning(const std::string& line) { impl_->logger.warn("{}", visible_text(line, "\n\t")); }
 void RunLog::error(const std::string& line) { impl_->logger.error("{}", visible_text(line, "\n\t")); }
 
-}  // namespace riffle
+}  // namespace riffle::inline solver

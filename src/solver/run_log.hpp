@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-namespace riffle {
+namespace riffle::inline solver {
 
 /// The log file of a run: lines with date, time and level; appended to on resume.
 class RunLog {
@@ -25,4 +25,4 @@ class RunLog {
     std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline solver

@@ -30,7 +30,7 @@
 #include "solver/write_rule.hpp"
 #include "sph/pair_loops.hpp"
 
-namespace riffle {
+namespace riffle::inline solver {
 
 namespace {
 
@@ -432,4 +432,4 @@ void RunSession<D>::report_progress() {
 template class RunSession<2>;
 template class RunSession<3>;
 
-}  // namespace riffle
+}  // namespace riffle::inline solver

@@ -11,7 +11,7 @@
 #include "solver/run_log.hpp"
 #include "solver/twins.hpp"
 
-namespace riffle {
+namespace riffle::inline solver {
 
 /// One run in progress, in D dimensions: the simulation, what it records, and its files.
 template <int D>
@@ -89,4 +89,4 @@ class RunSession {
 extern template class RunSession<2>;
 extern template class RunSession<3>;
 
-}  // namespace riffle
+}  // namespace riffle::inline solver

@@ -19,7 +19,7 @@
 #include "solver/state_content.hpp"
 #include "sph/pair_loops.hpp"
 
-namespace riffle {
+namespace riffle::inline solver {
 
 namespace {
 
@@ -152,4 +152,4 @@ template void RunSession<3>::write_checkpoint();
 template void RunSession<2>::add_run_attributes(Content&, Moment) const;
 template void RunSession<3>::add_run_attributes(Content&, Moment) const;
 
-}  // namespace riffle
+}  // namespace riffle::inline solver

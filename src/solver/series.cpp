@@ -14,7 +14,7 @@
 #include "solver/furthest.hpp"
 #include "sph/elastic_energy.hpp"
 
-namespace riffle {
+namespace riffle::inline solver {
 
 namespace {
 
@@ -299,4 +299,4 @@ double centreline_half_strip(const Case& c) {
                                           : 0.05 * c.channel.width;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline solver

@@ -8,7 +8,7 @@
 #include "record/field.hpp"
 #include "solver/simulation.hpp"
 
-namespace riffle {
+namespace riffle::inline solver {
 
 /// One column of the time series of a run.
 struct SeriesColumn {
@@ -49,4 +49,4 @@ class TimeSeries {
 /// of the spheres' lattice across the channel; on smooth beds a twentieth of the width.
 [[nodiscard]] double centreline_half_strip(const Case& c);
 
-}  // namespace riffle
+}  // namespace riffle::inline solver

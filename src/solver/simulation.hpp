@@ -9,7 +9,7 @@
 #include "engine/flow.hpp"
 #include "engine/particle_fault.hpp"
 
-namespace riffle {
+namespace riffle::inline solver {
 
 /// Where the time of a step goes, s: summed over the steps since the last reset. The parts inside the passes
 /// are summed over the threads and divided by their number.
@@ -98,4 +98,4 @@ template <int D>
 [[nodiscard]] std::unique_ptr<SimulationIn<D>> make_simulation(const Case& c, const ColumnResult* column,
                                                                Particles<D> particles);
 
-}  // namespace riffle
+}  // namespace riffle::inline solver

@@ -10,7 +10,7 @@
 #include "solver/simulation_of.hpp"
 #include "sph/directed_pairs.hpp"
 
-namespace riffle {
+namespace riffle::inline solver {
 
 template <int D, class Real>
 void SimulationOf<D, Real>::build_lists(bool sort) {
@@ -286,4 +286,4 @@ template class SimulationOf<2, double>;
 template class SimulationOf<3, float>;
 template class SimulationOf<3, double>;
 
-}  // namespace riffle
+}  // namespace riffle::inline solver

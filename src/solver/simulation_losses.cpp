@@ -8,7 +8,7 @@
 #include "base/error.hpp"
 #include "solver/simulation_of.hpp"
 
-namespace riffle {
+namespace riffle::inline solver {
 
 template <int D, class Real>
 bool SimulationOf<D, Real>::can_be_packed(std::size_t begin, std::size_t end) const {
@@ -112,4 +112,4 @@ template class SimulationOf<2, double>;
 template class SimulationOf<3, float>;
 template class SimulationOf<3, double>;
 
-}  // namespace riffle
+}  // namespace riffle::inline solver

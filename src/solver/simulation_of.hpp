@@ -10,7 +10,7 @@
 #include "solver/simulation.hpp"
 #include "walls/walls.hpp"
 
-namespace riffle {
+namespace riffle::inline solver {
 
 /// The simulation in D dimensions with pair arithmetic in `Real`: a flow, its walls, the components of its
 /// model, the method that steps it, and the passes over blocks of clusters that an evaluation is made of.
@@ -131,4 +131,4 @@ class SimulationOf final : public SimulationIn<D> {
     std::vector<double> wall_seconds_;         ///< by block of walls
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline solver

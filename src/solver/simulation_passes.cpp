@@ -8,7 +8,7 @@
 #include "base/parallel.hpp"
 #include "solver/simulation_of.hpp"
 
-namespace riffle {
+namespace riffle::inline solver {
 
 namespace {
 
@@ -321,4 +321,4 @@ template class SimulationOf<2, double>;
 template class SimulationOf<3, float>;
 template class SimulationOf<3, double>;
 
-}  // namespace riffle
+}  // namespace riffle::inline solver

@@ -9,7 +9,7 @@
 #include "solver/simulation_of.hpp"
 #include "sph/pair_approach.hpp"
 
-namespace riffle {
+namespace riffle::inline solver {
 
 template <int D, class Real>
 SimulationOf<D, Real>::SimulationOf(const Case& c, const ColumnResult* column, Particles<D> particles)
@@ -144,4 +144,4 @@ std::unique_ptr<SimulationIn<D>> make_simulation(const Case& c, const ColumnResu
 template std::unique_ptr<SimulationIn<2>> make_simulation<2>(const Case&, const ColumnResult*, Particles<2>);
 template std::unique_ptr<SimulationIn<3>> make_simulation<3>(const Case&, const ColumnResult*, Particles<3>);
 
-}  // namespace riffle
+}  // namespace riffle::inline solver

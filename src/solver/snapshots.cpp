@@ -12,7 +12,7 @@
 #include "solver/content.hpp"
 #include "solver/recorder.hpp"
 
-namespace riffle {
+namespace riffle::inline solver {
 
 namespace {
 
@@ -216,4 +216,4 @@ void SnapshotRecorder::keep_last(const ResultsReader& results, double time) {
     has_last_ = true;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline solver

@@ -15,7 +15,7 @@
 #include "solver/boundary_content.hpp"
 #include "solver/simulation.hpp"
 
-namespace riffle {
+namespace riffle::inline solver {
 
 /// Snapshots of the particles: those fields, of that part of the water, that [output] asks for.
 class SnapshotRecorder {
@@ -72,4 +72,4 @@ class SnapshotRecorder {
     std::size_t new_bytes_ = 0;
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline solver

@@ -20,7 +20,7 @@
 #include "solver/start_packing.hpp"
 #include "solver/start_perturbation.hpp"
 
-namespace riffle {
+namespace riffle::inline solver {
 
 namespace {
 
@@ -246,4 +246,4 @@ template Particles<2> initial_particles<2>(const Case&, const Scheme&, const Col
 template Particles<3> initial_particles<3>(const Case&, const Scheme&, const ColumnResult*,
                                            const SectionVelocity&, bool);
 
-}  // namespace riffle
+}  // namespace riffle::inline solver

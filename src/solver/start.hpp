@@ -7,7 +7,7 @@
 #include "engine/scheme.hpp"
 #include "particles/particles.hpp"
 
-namespace riffle {
+namespace riffle::inline solver {
 
 /// Streamwise velocity over the cross-section, m/s, at (y, z), m.
 using SectionVelocity = std::function<double(double y, double z)>;
@@ -20,4 +20,4 @@ template <int D = 2>
 [[nodiscard]] Particles<D> initial_particles(const Case& c, const Scheme& scheme, const ColumnResult* column,
                                              const SectionVelocity& section = {}, bool pack = true);
 
-}  // namespace riffle
+}  // namespace riffle::inline solver

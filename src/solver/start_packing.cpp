@@ -17,7 +17,7 @@
 #include "sph/lattice_sum.hpp"
 #include "sph/scalar_kernel.hpp"
 
-namespace riffle {
+namespace riffle::inline solver {
 
 namespace {
 
@@ -328,4 +328,4 @@ PackedStart pack_start(const Case& c, const Scheme& scheme, Particles<D>& partic
 template PackedStart pack_start<2>(const Case&, const Scheme&, Particles<2>&);
 template PackedStart pack_start<3>(const Case&, const Scheme&, Particles<3>&);
 
-}  // namespace riffle
+}  // namespace riffle::inline solver

@@ -6,7 +6,7 @@
 #include "engine/scheme.hpp"
 #include "particles/particles.hpp"
 
-namespace riffle {
+namespace riffle::inline solver {
 
 /// What packing has made of the particles of a start.
 struct PackedStart {
@@ -26,4 +26,4 @@ struct PackedStart {
 template <int D>
 [[nodiscard]] PackedStart pack_start(const Case& c, const Scheme& scheme, Particles<D>& particles);
 
-}  // namespace riffle
+}  // namespace riffle::inline solver

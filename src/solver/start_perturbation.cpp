@@ -10,7 +10,7 @@
 
 #include "case/flow_kind.hpp"
 
-namespace riffle {
+namespace riffle::inline solver {
 
 namespace {
 
@@ -168,4 +168,4 @@ void perturb_velocity(const Case& c, Particles<D>& particles) {
 template void perturb_velocity<2>(const Case&, Particles<2>&);
 template void perturb_velocity<3>(const Case&, Particles<3>&);
 
-}  // namespace riffle
+}  // namespace riffle::inline solver

@@ -3,7 +3,7 @@
 #include "case/case.hpp"
 #include "particles/particles.hpp"
 
-namespace riffle {
+namespace riffle::inline solver {
 
 /// The perturbation of a case, m/s: what it gives, or a quarter of the friction velocity sqrt(g S0 h) of a
 /// flow over spheres in two dimensions, all of it where the eddies are resolved, 0 of others. Without it the
@@ -20,4 +20,4 @@ namespace riffle {
 template <int D>
 void perturb_velocity(const Case& c, Particles<D>& particles);
 
-}  // namespace riffle
+}  // namespace riffle::inline solver

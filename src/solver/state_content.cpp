@@ -19,7 +19,7 @@
 #include "solver/recorder.hpp"
 #include "solver/recycled_start.hpp"
 
-namespace riffle {
+namespace riffle::inline solver {
 
 namespace {
 
@@ -347,4 +347,4 @@ template Particles<2> particles_from_results(const Case&, const Scheme&, const R
 template Particles<3> particles_from_results(const Case&, const Scheme&, const ResultsReader&,
                                              const std::string&);
 
-}  // namespace riffle
+}  // namespace riffle::inline solver

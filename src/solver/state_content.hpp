@@ -7,7 +7,7 @@
 #include "output/results_file.hpp"
 #include "solver/simulation.hpp"
 
-namespace riffle {
+namespace riffle::inline solver {
 
 /// Add the state of a simulation under `group` ("/state"): particles in double precision in their present
 /// order, listed positions, walls. With the clock as attributes of the group. The arrays are read from the
@@ -32,4 +32,4 @@ template <int D>
 [[nodiscard]] Particles<D> particles_from_results(const Case& c, const Scheme& scheme,
                                                   const ResultsReader& results, const std::string& file_name);
 
-}  // namespace riffle
+}  // namespace riffle::inline solver

@@ -13,7 +13,7 @@
 #include "record/flow_fields.hpp"
 #include "record/run_fields.hpp"
 
-namespace riffle {
+namespace riffle::inline solver {
 
 namespace {
 
@@ -264,4 +264,4 @@ Numbers summarise(const Case& c, const Twins& twins, const TimeSeries& series, c
     return summary;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline solver

@@ -11,7 +11,7 @@
 #include "solver/series.hpp"
 #include "solver/twins.hpp"
 
-namespace riffle {
+namespace riffle::inline solver {
 
 /// Shear stress at the crest, Pa, from the straight line of uniform flow, tau_c (H - z)/(H - d_h)
 /// (thesis 4.6), fitted by least squares to the total stress above the crest without the four top layers,
@@ -35,4 +35,4 @@ struct StressLine {
 [[nodiscard]] Numbers summarise(const Case& c, const Twins& twins, const TimeSeries& series,
                                 const Profiles& profiles, const Convergence& convergence);
 
-}  // namespace riffle
+}  // namespace riffle::inline solver

@@ -11,7 +11,7 @@
 #include "ends/relaxation_between_ends.hpp"
 #include "solver/start.hpp"
 
-namespace riffle {
+namespace riffle::inline solver {
 
 /// The solutions of the mean flow that a run starts from and is compared with, as far as its case has them.
 struct Twins {
@@ -58,4 +58,4 @@ struct Twins {
     return twins;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline solver

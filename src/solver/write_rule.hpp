@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace riffle {
+namespace riffle::inline solver {
 
 /// Wall-clock time from one write of a run to the next, s, when it has run so long and
 /// `output.checkpoint_interval` is this: soon at first, so that those who watch see something within seconds;
@@ -12,4 +12,4 @@ namespace riffle {
     return std::min(checkpoint_interval, std::max(first_write, 0.5 * elapsed));
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline solver

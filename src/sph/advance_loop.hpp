@@ -9,7 +9,7 @@
 #include "sph/cluster_members.hpp"
 #include "sph/spray.hpp"
 
-namespace riffle::RIFFLE_ISA {
+namespace riffle::inline sph::RIFFLE_ISA {
 
 /// dt of the velocities.
 RIFFLE_INLINE double kick_of(const AdvanceOptions& options) {
@@ -147,4 +147,4 @@ template <int D, class Real>
     return result;
 }
 
-}  // namespace riffle::RIFFLE_ISA
+}  // namespace riffle::inline sph::RIFFLE_ISA

@@ -11,7 +11,7 @@
 #include "sph/listed_pairs.hpp"
 #include "sph/pair_sum.hpp"
 
-namespace riffle {
+namespace riffle::inline sph {
 
 namespace {
 
@@ -118,4 +118,4 @@ template std::unique_ptr<PairSum<2, double>> make_antuono_diffusion(const PairSu
 template std::unique_ptr<PairSum<3, float>> make_antuono_diffusion(const PairSumConstants<3>&, double);
 template std::unique_ptr<PairSum<3, double>> make_antuono_diffusion(const PairSumConstants<3>&, double);
 
-}  // namespace riffle
+}  // namespace riffle::inline sph

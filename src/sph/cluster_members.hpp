@@ -9,7 +9,7 @@
 #include "sph/particle_loops.hpp"
 #include "sph/record_lanes.hpp"
 
-namespace riffle::RIFFLE_ISA {
+namespace riffle::inline sph::RIFFLE_ISA {
 
 using Doubles = Lanes<double>;
 using Integers = Lanes<std::int32_t>;
@@ -203,4 +203,4 @@ RIFFLE_INLINE void put_motion(const Components<Integers, D>& x, const Components
     }
 }
 
-}  // namespace riffle::RIFFLE_ISA
+}  // namespace riffle::inline sph::RIFFLE_ISA

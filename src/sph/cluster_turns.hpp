@@ -12,7 +12,7 @@
 #include "sph/tabulated_kernel.hpp"
 #include "sph/wide.hpp"
 
-namespace riffle::RIFFLE_ISA {
+namespace riffle::inline sph::RIFFLE_ISA {
 
 /// The i side of a cluster and what its turns need.
 template <int D, class Real>
@@ -175,4 +175,4 @@ RIFFLE_INLINE const std::vector<Record>& stress_records(const PairData<D, Real>&
     }
 }
 
-}  // namespace riffle::RIFFLE_ISA
+}  // namespace riffle::inline sph::RIFFLE_ISA

@@ -4,7 +4,7 @@
 
 #include "sph/pair_terms.hpp"
 
-namespace riffle {
+namespace riffle::inline sph {
 
 // The kernel gradient correction of a particle: small matrices on scalars or lanes. Symmetric matrices are
 // stored as their upper triangle, row by row: (xx, xz, zz) in 2D, (xx, xy, xz, yy, yz, zz) in 3D.
@@ -121,4 +121,4 @@ RIFFLE_INLINE Components<T, D * D> pressure_correction(const Symmetric<T, D>& m_
     return b;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline sph

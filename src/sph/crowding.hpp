@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace riffle {
+namespace riffle::inline sph {
 
 /// From here on particles are crowded: by the sum of V W over a particle and its neighbours in the water,
 /// there is more water around it than there is room. The sum is 1 in the water and less at its surface and at
@@ -29,4 +29,4 @@ inline double crowding_rate_with_walls(double fill) {
     return 0.01 * std::clamp(fill - crowding_begin_with_walls, 0.0, 1.0);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline sph

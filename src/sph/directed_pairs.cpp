@@ -3,7 +3,7 @@
 #include "base/parallel.hpp"
 #include "sph/listed_pairs.hpp"
 
-namespace riffle {
+namespace riffle::inline sph {
 
 template <int D, class Real>
 double count_directed_pairs(const PairData<D, Real>& data, const Clusters<D>& clusters,
@@ -36,4 +36,4 @@ template double count_directed_pairs(const PairData<3, float>&, const Clusters<3
 template double count_directed_pairs(const PairData<3, double>&, const Clusters<3>&, const FixedPoint<3>&,
                                      double);
 
-}  // namespace riffle
+}  // namespace riffle::inline sph

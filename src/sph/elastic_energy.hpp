@@ -2,7 +2,7 @@
 
 #include "sph/equation_of_state.hpp"
 
-namespace riffle {
+namespace riffle::inline sph {
 
 /// Elastic energy of the compression per mass, the integral of p/rho^2 from rho0 to rho0 (1 + s), m2/s2. The
 /// series in s, to its fourth power, avoids the cancellation of the closed forms: s is a hundredth and less.
@@ -15,4 +15,4 @@ namespace riffle {
     return c2 * s * s * (0.5 + s * ((second - 2.0) / 3.0 + s * (third - 2.0 * second + 3.0) / 4.0));
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline sph

@@ -4,7 +4,7 @@
 
 #include "case/options.hpp"
 
-namespace riffle {
+namespace riffle::inline sph {
 
 /// Equation of state in terms of the density deviation s = rho/rho0 - 1. Pressures are divided by rho0
 /// (m2/s2).
@@ -34,4 +34,4 @@ struct StateEquation {
     }
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline sph

@@ -5,7 +5,7 @@
 #include "sph/cluster_turns.hpp"
 #include "sph/kernel.hpp"
 
-namespace riffle::RIFFLE_ISA {
+namespace riffle::inline sph::RIFFLE_ISA {
 
 /// The form of the viscosity with its constants.
 template <class Viscosity, int D, class Real>
@@ -165,4 +165,4 @@ template <int D, class Real, class Kernel, class Viscosity, class Record>
     }
 }
 
-}  // namespace riffle::RIFFLE_ISA
+}  // namespace riffle::inline sph::RIFFLE_ISA

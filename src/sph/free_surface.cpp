@@ -10,7 +10,7 @@
 #include "particles/particle_cells.hpp"
 #include "sph/kernel_registry.hpp"
 
-namespace riffle {
+namespace riffle::inline sph {
 
 namespace {
 
@@ -274,4 +274,4 @@ template std::vector<double> find_surface<2>(SurfaceDetection, double, const Flu
 template std::vector<double> find_surface<3>(SurfaceDetection, double, const FluidParticles<3>&,
                                              std::span<const Vec<2>>);
 
-}  // namespace riffle
+}  // namespace riffle::inline sph

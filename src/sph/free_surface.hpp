@@ -8,7 +8,7 @@
 #include "particles/domain.hpp"
 #include "particles/joined_values.hpp"
 
-namespace riffle {
+namespace riffle::inline sph {
 
 /// The fluid particles that a surface is looked for in, D = 2 or 3; the last axis is the vertical one.
 template <int D>
@@ -61,4 +61,4 @@ template <int D>
                                                const FluidParticles<D>& fluid,
                                                std::span<const Vec<D - 1>> at);
 
-}  // namespace riffle
+}  // namespace riffle::inline sph

@@ -6,7 +6,7 @@
 
 #include "sph/kernel.hpp"
 
-namespace riffle {
+namespace riffle::inline sph {
 
 // Kernels beside those of kernel.hpp, of the same interface. The pair loops take them from a table
 // (kernel_table.hpp); these formulas serve whatever is not in a hurry.
@@ -206,4 +206,4 @@ struct WendlandC6 {
     }
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline sph

@@ -6,7 +6,7 @@
 #include "sph/correction.hpp"
 #include "sph/kernel.hpp"
 
-namespace riffle::RIFFLE_ISA {
+namespace riffle::inline sph::RIFFLE_ISA {
 
 /// What a pair adds to the continuity sum, at the middle of the straight way that the last step moved it: its
 /// change of density over that step is then exact to the second order, where at the end of the way disorder
@@ -225,4 +225,4 @@ template <int D, class Real, class Kernel, bool Gradients, bool Midway>
     }
 }
 
-}  // namespace riffle::RIFFLE_ISA
+}  // namespace riffle::inline sph::RIFFLE_ISA

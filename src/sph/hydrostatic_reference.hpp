@@ -4,7 +4,7 @@
 
 #include "sph/lanes.hpp"
 
-namespace riffle {
+namespace riffle::inline sph {
 
 /// The hydrostatic part of the pressure that acts as a body force instead of through the pairs
 /// (docs/theory.md, section 5, "The reference pressure"): a function of the height alone,
@@ -39,4 +39,4 @@ struct HydrostaticReference {
     }
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline sph

@@ -9,7 +9,7 @@
 #include "sph/particle_loop_table.hpp"
 #include "sph/processor_instructions.hpp"
 
-namespace riffle {
+namespace riffle::inline sph {
 
 namespace {
 
@@ -194,4 +194,4 @@ template NeighbourSearchFunction<3> neighbour_search<3>();
 template NeighbourSearchFunction<2> neighbour_search<2>(InstructionSet);
 template NeighbourSearchFunction<3> neighbour_search<3>(InstructionSet);
 
-}  // namespace riffle
+}  // namespace riffle::inline sph

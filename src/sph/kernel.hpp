@@ -5,7 +5,7 @@
 
 #include "sph/lanes.hpp"
 
-namespace riffle {
+namespace riffle::inline sph {
 
 // Smoothing kernels W(r, h) = value(q) / h^D, q = r/h, of support 2h, and the factor F of the gradient
 // grad W = F r (r the vector from j to i), F = gradient_factor(q) / h^(D+2). Both vanish for q >= 2 without
@@ -87,4 +87,4 @@ struct CubicSpline {
     }
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline sph

@@ -6,7 +6,7 @@
 #include "sph/further_kernels.hpp"
 #include "sph/kernel.hpp"
 
-namespace riffle {
+namespace riffle::inline sph {
 
 /// Call `f` with the kernel of a case's choice in D dimensions: `f(WendlandC2<D>{})`, ... All calls must
 /// return the same type. The one place where a kernel is registered.
@@ -31,4 +31,4 @@ decltype(auto) visit_kernel(KernelKind kind, const F& f) {
     throw std::logic_error("a kernel that kernel_registry.hpp does not list");
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline sph

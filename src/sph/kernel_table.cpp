@@ -6,7 +6,7 @@
 #include "case/words.hpp"
 #include "sph/kernel_registry.hpp"
 
-namespace riffle {
+namespace riffle::inline sph {
 
 namespace {
 
@@ -90,4 +90,4 @@ template const KernelTable<double>& kernel_table<2, double>(KernelKind);
 template const KernelTable<float>& kernel_table<3, float>(KernelKind);
 template const KernelTable<double>& kernel_table<3, double>(KernelKind);
 
-}  // namespace riffle
+}  // namespace riffle::inline sph

@@ -6,7 +6,7 @@
 
 #include "case/options.hpp"
 
-namespace riffle {
+namespace riffle::inline sph {
 
 /// Whether the pair loops are compiled for a kernel; they take all others from a table.
 [[nodiscard]] constexpr bool has_own_loops(KernelKind kind) {
@@ -35,4 +35,4 @@ struct KernelTable {
 template <int D, class Real>
 [[nodiscard]] const KernelTable<Real>& kernel_table(KernelKind kind);
 
-}  // namespace riffle
+}  // namespace riffle::inline sph

@@ -11,7 +11,7 @@
 /// Functions of the inner loops: always inlined, so that each instruction set keeps its own code.
 #define RIFFLE_INLINE [[gnu::always_inline]] inline
 
-namespace riffle {
+namespace riffle::inline sph {
 
 /// The values of the particles of a cluster, one lane each: one register where the instruction set has one of
 /// that size.
@@ -52,4 +52,4 @@ RIFFLE_INLINE void store_lanes(const Lanes<Real>& v, Real* p) {
     v.copy_to(p, std::experimental::element_aligned);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline sph

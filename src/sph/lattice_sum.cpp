@@ -5,7 +5,7 @@
 #include "particles/lattice.hpp"
 #include "sph/scalar_kernel.hpp"
 
-namespace riffle {
+namespace riffle::inline sph {
 
 template <int D>
 double lattice_kernel_sum(const Case& c) {
@@ -33,4 +33,4 @@ double lattice_kernel_sum(const Case& c) {
 template double lattice_kernel_sum<2>(const Case&);
 template double lattice_kernel_sum<3>(const Case&);
 
-}  // namespace riffle
+}  // namespace riffle::inline sph

@@ -7,7 +7,7 @@
 #include "particles/clusters.hpp"
 #include "sph/neighbour_list.hpp"
 
-namespace riffle {
+namespace riffle::inline sph {
 
 /// All neighbours of a list.
 struct AllListed {
@@ -47,4 +47,4 @@ void for_listed_pairs(const NeighbourList& list, const Clusters<D>& clusters, co
     }
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline sph

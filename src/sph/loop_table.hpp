@@ -3,7 +3,7 @@
 #include "sph/pair_loops.hpp"
 #include "sph/peak_rate.hpp"
 
-namespace riffle {
+namespace riffle::inline sph {
 
 /// What each instruction set's objects of the pair loops offer.
 struct LoopTable {
@@ -27,4 +27,4 @@ namespace avx512 {
 LoopTable loop_table();
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline sph

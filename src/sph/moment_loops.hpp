@@ -6,7 +6,7 @@
 #include "sph/cluster_turns.hpp"
 #include "sph/kernel.hpp"
 
-namespace riffle::RIFFLE_ISA {
+namespace riffle::inline sph::RIFFLE_ISA {
 
 template <int D, class Real, class Kernel, class Record>
 [[gnu::flatten]] void wall_loop(PairData<D, Real>& data, std::size_t begin, std::size_t end,
@@ -112,4 +112,4 @@ template <int D, class Real, class Kernel>
     }
 }
 
-}  // namespace riffle::RIFFLE_ISA
+}  // namespace riffle::inline sph::RIFFLE_ISA

@@ -6,7 +6,7 @@
 #include "base/parallel.hpp"
 #include "sph/pair_loops.hpp"
 
-namespace riffle {
+namespace riffle::inline sph {
 
 namespace {
 
@@ -109,4 +109,4 @@ template NeighbourList build_neighbour_list<2>(const Clusters<2>&, const Cluster
 template NeighbourList build_neighbour_list<3>(const Clusters<3>&, const Clusters<3>&, const FixedPoint<3>&,
                                                double);
 
-}  // namespace riffle
+}  // namespace riffle::inline sph

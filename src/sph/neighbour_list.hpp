@@ -7,7 +7,7 @@
 
 #include "particles/clusters.hpp"
 
-namespace riffle {
+namespace riffle::inline sph {
 
 /// Clusters [first, first + count) of one column, in 32 bits; longer runs are cut into several.
 struct ClusterRun {
@@ -164,4 +164,4 @@ template <int D>
 [[nodiscard]] NeighbourList build_neighbour_list(const Clusters<D>& i_clusters, const Clusters<D>& j_clusters,
                                                  const FixedPoint<D>& fixed_point, double range);
 
-}  // namespace riffle
+}  // namespace riffle::inline sph

@@ -8,7 +8,7 @@
 #include "sph/neighbour_list.hpp"
 #include "sph/wide.hpp"
 
-namespace riffle::RIFFLE_ISA {
+namespace riffle::inline sph::RIFFLE_ISA {
 
 /// Columns of the j side that the interval [low, high] touches along one axis, each once.
 class ColumnRange {
@@ -311,4 +311,4 @@ template <int D>
     }
 }
 
-}  // namespace riffle::RIFFLE_ISA
+}  // namespace riffle::inline sph::RIFFLE_ISA

@@ -6,7 +6,7 @@
 #include "base/parallel.hpp"
 #include "sph/listed_pairs.hpp"
 
-namespace riffle {
+namespace riffle::inline sph {
 
 template <int D, class Real>
 double largest_pair_approach(const PairData<D, Real>& data, const Clusters<D>& clusters,
@@ -40,4 +40,4 @@ template double largest_pair_approach(const PairData<3, float>&, const Clusters<
 template double largest_pair_approach(const PairData<3, double>&, const Clusters<3>&, const FixedPoint<3>&,
                                       double);
 
-}  // namespace riffle
+}  // namespace riffle::inline sph

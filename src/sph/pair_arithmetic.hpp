@@ -1,6 +1,6 @@
 #pragma once
 
-namespace riffle {
+namespace riffle::inline sph {
 
 /// Floating-point operations of one directed pair within the support, by the formulas of pair_loops_impl.hpp
 /// for the Wendland kernel and Morris' viscosity; an addition, multiplication, square root or maximum counts
@@ -55,4 +55,4 @@ struct PairOperations {
 static_assert(pair_operations(2, false).sum() == 51 && pair_operations(2, true).sum() == 70);
 static_assert(pair_operations(3, false).sum() == 65 && pair_operations(3, true).sum() == 113);
 
-}  // namespace riffle
+}  // namespace riffle::inline sph

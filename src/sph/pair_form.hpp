@@ -6,7 +6,7 @@
 #include "case/options.hpp"
 #include "sph/pair_terms.hpp"
 
-namespace riffle {
+namespace riffle::inline sph {
 
 /// The terms of a pair that only some schemes have, chosen by numbers instead of types: one set of loops
 /// serves them all. The forms of the default scheme have loops of their own. Lengths are in smoothing
@@ -106,4 +106,4 @@ template <int D, class Real>
     return form;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline sph

@@ -12,7 +12,7 @@
 #include "sph/pair_form.hpp"
 #include "sph/pair_terms.hpp"
 
-namespace riffle {
+namespace riffle::inline sph {
 
 // The sums over neighbours. Each particle is packed into small records, the loops go over the clusters of the
 // i side with all 8 particles in lanes, and the results of a block of clusters leave in arrays by lane.
@@ -248,4 +248,4 @@ template <int D>
 template <int D>
 [[nodiscard]] NeighbourSearchFunction<D> neighbour_search(InstructionSet set);
 
-}  // namespace riffle
+}  // namespace riffle::inline sph

@@ -10,7 +10,7 @@
 #include "sph/gradient_loop.hpp"
 #include "sph/moment_loops.hpp"
 
-namespace riffle::RIFFLE_ISA {
+namespace riffle::inline sph::RIFFLE_ISA {
 
 template <int D, class Real, class Kernel, class Record>
 PairLoops<D, Real> loops_of(const LoopOptions& options) {
@@ -48,4 +48,4 @@ PairLoops<D, Real> loops(const LoopOptions& options) {
                                                         : loops_with<D, Real, TabulatedKernel<Real>>(options);
 }
 
-}  // namespace riffle::RIFFLE_ISA
+}  // namespace riffle::inline sph::RIFFLE_ISA

@@ -3,7 +3,7 @@
 #include "sph/loop_table.hpp"
 #include "sph/pair_loops_impl.hpp"
 
-namespace riffle::RIFFLE_ISA {
+namespace riffle::inline sph::RIFFLE_ISA {
 
 LoopTable loop_table() {
     return {.plane_single = &loops<2, float>,
@@ -13,4 +13,4 @@ LoopTable loop_table() {
             .peak = peak_loop()};
 }
 
-}  // namespace riffle::RIFFLE_ISA
+}  // namespace riffle::inline sph::RIFFLE_ISA

@@ -6,7 +6,7 @@
 #include "sph/pair_loops.hpp"
 #include "sph/scalar_kernel.hpp"
 
-namespace riffle {
+namespace riffle::inline sph {
 
 /// What the sums beside the pair loops need.
 template <int D>
@@ -65,4 +65,4 @@ template <int D, class Real>
 [[nodiscard]] std::unique_ptr<PairSum<D, Real>> make_shepard_correction(const PairSumConstants<D>& constants,
                                                                         bool pressure, bool gradient);
 
-}  // namespace riffle
+}  // namespace riffle::inline sph

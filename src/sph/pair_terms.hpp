@@ -4,7 +4,7 @@
 
 #include "sph/lanes.hpp"
 
-namespace riffle {
+namespace riffle::inline sph {
 
 // The terms of the equations of motion for one pair of particles i, j: small pure functions on scalars or
 // lanes. r = x_i - x_j, u = u_i - u_j; F is the kernel gradient factor, grad_i W_ij = F r (F < 0), V_j the
@@ -125,4 +125,4 @@ struct DirectionalViscosity {
     }
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline sph

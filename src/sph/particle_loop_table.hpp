@@ -3,7 +3,7 @@
 #include "sph/neighbour_list.hpp"
 #include "sph/particle_loops.hpp"
 
-namespace riffle {
+namespace riffle::inline sph {
 
 /// What each instruction set's objects beside the pair loops offer.
 struct ParticleLoopTable {
@@ -25,4 +25,4 @@ namespace avx512 {
 ParticleLoopTable particle_loop_table();
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline sph

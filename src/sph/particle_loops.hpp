@@ -11,7 +11,7 @@
 #include "sph/pair_loops.hpp"
 #include "sph/strain_measure.hpp"
 
-namespace riffle {
+namespace riffle::inline sph {
 
 // What happens to each particle between the sums: density, stress and packing after the gradient pass, motion
 // after the force pass. Compiled per instruction set like the sums, 8 particles in lanes.
@@ -142,4 +142,4 @@ template <int D, class Real>
 template <int D, class Real>
 [[nodiscard]] ParticleLoops<D, Real> particle_loops(InstructionSet set);
 
-}  // namespace riffle
+}  // namespace riffle::inline sph

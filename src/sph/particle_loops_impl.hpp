@@ -9,7 +9,7 @@
 #include "sph/advance_loop.hpp"
 #include "sph/stress_loop.hpp"
 
-namespace riffle::RIFFLE_ISA {
+namespace riffle::inline sph::RIFFLE_ISA {
 
 template <int D, class Real>
 [[gnu::flatten]] void pack_loop(const ParticleData<D>& particles, PairData<D, Real>& data,
@@ -107,4 +107,4 @@ ParticleLoops<D, Real> particle_loops_of() {
             .displaced = &displaced_loop<D, Real>};
 }
 
-}  // namespace riffle::RIFFLE_ISA
+}  // namespace riffle::inline sph::RIFFLE_ISA

@@ -4,7 +4,7 @@
 #include "sph/particle_loop_table.hpp"
 #include "sph/particle_loops_impl.hpp"
 
-namespace riffle::RIFFLE_ISA {
+namespace riffle::inline sph::RIFFLE_ISA {
 
 ParticleLoopTable particle_loop_table() {
     return {.plane_search = &search_neighbours<2>,
@@ -15,4 +15,4 @@ ParticleLoopTable particle_loop_table() {
             .space_double = particle_loops_of<3, double>()};
 }
 
-}  // namespace riffle::RIFFLE_ISA
+}  // namespace riffle::inline sph::RIFFLE_ISA

@@ -6,7 +6,7 @@
 
 #include "sph/loop_table.hpp"
 
-namespace riffle {
+namespace riffle::inline sph {
 
 double measure_peak_rate(InstructionSet set, double seconds, int repetitions) {
     using Clock = std::chrono::steady_clock;
@@ -32,4 +32,4 @@ double measure_peak_rate(InstructionSet set, double seconds, int repetitions) {
     return *middle;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline sph

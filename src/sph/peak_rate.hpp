@@ -4,7 +4,7 @@
 
 #include "sph/pair_loops.hpp"
 
-namespace riffle {
+namespace riffle::inline sph {
 
 /// Largest rate of single-precision multiply-adds that one core reaches with an instruction set, measured:
 /// GFLOP/s, each multiply-add counted as two operations. Independent multiply-adds on the widest registers of
@@ -31,4 +31,4 @@ namespace avx512 {
 PeakLoop peak_loop();
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline sph

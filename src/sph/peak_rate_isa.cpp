@@ -5,7 +5,7 @@
 
 #include "sph/peak_rate.hpp"
 
-namespace riffle::RIFFLE_ISA {
+namespace riffle::inline sph::RIFFLE_ISA {
 
 namespace {
 
@@ -42,4 +42,4 @@ PeakLoop peak_loop() {
             .operations_per_turn = 2.0 * static_cast<double>(chains * Register::size())};
 }
 
-}  // namespace riffle::RIFFLE_ISA
+}  // namespace riffle::inline sph::RIFFLE_ISA

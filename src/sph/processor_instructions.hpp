@@ -1,6 +1,6 @@
 #pragma once
 
-namespace riffle {
+namespace riffle::inline sph {
 
 // What the processor that runs this offers of what the objects of the instruction sets are compiled for.
 // Without other headers: cmake/machine_instruction_set.cpp asks the same when a build for one machine is
@@ -17,4 +17,4 @@ namespace riffle {
            __builtin_cpu_supports("avx512dq") != 0 && __builtin_cpu_supports("avx512bw") != 0;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline sph

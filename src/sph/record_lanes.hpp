@@ -7,7 +7,7 @@
 
 #include "sph/wide.hpp"
 
-namespace riffle::RIFFLE_ISA {
+namespace riffle::inline sph::RIFFLE_ISA {
 
 /// Numbers of the size of `Real` in a record, padding included.
 template <class Record, class Real>
@@ -132,4 +132,4 @@ RIFFLE_INLINE WideOf<Value, Real> both_halves(const Lanes<Value>& v) {
     }
 }
 
-}  // namespace riffle::RIFFLE_ISA
+}  // namespace riffle::inline sph::RIFFLE_ISA

@@ -2,7 +2,7 @@
 
 #include "sph/kernel_registry.hpp"
 
-namespace riffle {
+namespace riffle::inline sph {
 
 template <int D>
 ScalarKernel scalar_kernel(KernelKind kind) {
@@ -16,4 +16,4 @@ ScalarKernel scalar_kernel(KernelKind kind) {
 template ScalarKernel scalar_kernel<2>(KernelKind);
 template ScalarKernel scalar_kernel<3>(KernelKind);
 
-}  // namespace riffle
+}  // namespace riffle::inline sph

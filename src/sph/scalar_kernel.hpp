@@ -2,7 +2,7 @@
 
 #include "case/options.hpp"
 
-namespace riffle {
+namespace riffle::inline sph {
 
 /// A kernel in double precision for sums outside the pair loops: for q = r/h, h^D W and h^(D+2) F of
 /// kernel.hpp.
@@ -15,4 +15,4 @@ struct ScalarKernel {
 template <int D>
 [[nodiscard]] ScalarKernel scalar_kernel(KernelKind kind);
 
-}  // namespace riffle
+}  // namespace riffle::inline sph

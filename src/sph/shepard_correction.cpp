@@ -10,7 +10,7 @@
 #include "sph/listed_pairs.hpp"
 #include "sph/pair_sum.hpp"
 
-namespace riffle {
+namespace riffle::inline sph {
 
 namespace {
 
@@ -89,4 +89,4 @@ template std::unique_ptr<PairSum<2, double>> make_shepard_correction(const PairS
 template std::unique_ptr<PairSum<3, float>> make_shepard_correction(const PairSumConstants<3>&, bool, bool);
 template std::unique_ptr<PairSum<3, double>> make_shepard_correction(const PairSumConstants<3>&, bool, bool);
 
-}  // namespace riffle
+}  // namespace riffle::inline sph

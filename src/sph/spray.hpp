@@ -2,7 +2,7 @@
 
 #include "sph/correction.hpp"
 
-namespace riffle {
+namespace riffle::inline sph {
 
 /// Where spray ends, by the smallest eigenvalue of M: from here on a particle is one of the water. It is 1
 /// inside and 1/2 at a flat surface; the tip of a front that runs along a bed has 0.2 to 0.3 and must stay
@@ -18,4 +18,4 @@ RIFFLE_INLINE T share_of_water(const T& regularity) {
     return smoothstep<T>(R(0.12), R(spray_end), regularity);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline sph

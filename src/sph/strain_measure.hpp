@@ -6,7 +6,7 @@
 #include "sph/correction.hpp"
 #include "sph/pair_terms.hpp"
 
-namespace riffle {
+namespace riffle::inline sph {
 
 /// What a closure makes of the velocity gradient, 1/s: the eddy viscosity is its length squared times this.
 enum class StrainMeasure {
@@ -90,4 +90,4 @@ RIFFLE_INLINE T vreman_rate(const Components<T, 9>& g) {
     return sqrt(max(minors, T(0)) / (xx + yy + zz + T(R(1e-30))));
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline sph

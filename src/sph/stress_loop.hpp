@@ -7,7 +7,7 @@
 
 #include "sph/cluster_members.hpp"
 
-namespace riffle::RIFFLE_ISA {
+namespace riffle::inline sph::RIFFLE_ISA {
 
 template <int D, class Real>
 [[gnu::flatten]] void stress_loop(const ParticleData<D>& particles, PairData<D, Real>& data,
@@ -126,4 +126,4 @@ template <int D, class Real>
     }
 }
 
-}  // namespace riffle::RIFFLE_ISA
+}  // namespace riffle::inline sph::RIFFLE_ISA

@@ -5,7 +5,7 @@
 #include "sph/kernel_table.hpp"
 #include "sph/wide.hpp"
 
-namespace riffle::RIFFLE_ISA {
+namespace riffle::inline sph::RIFFLE_ISA {
 
 /// One coefficient per lane, that of the lane's piece. In single precision the pieces fit into a register,
 /// and one permutation picks them.
@@ -63,4 +63,4 @@ struct TabulatedKernel {
     }
 };
 
-}  // namespace riffle::RIFFLE_ISA
+}  // namespace riffle::inline sph::RIFFLE_ISA

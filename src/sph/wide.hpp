@@ -15,7 +15,7 @@
 #include "sph/lanes.hpp"
 #include "sph/neighbour_list.hpp"
 
-namespace riffle::RIFFLE_ISA {
+namespace riffle::inline sph::RIFFLE_ISA {
 
 namespace stdx = std::experimental;
 
@@ -119,4 +119,4 @@ RIFFLE_INLINE WideOf<Value, Real> gather(const Record* records, const Get& get) 
     return WideOf<Value, Real>(values.data(), stdx::vector_aligned);
 }
 
-}  // namespace riffle::RIFFLE_ISA
+}  // namespace riffle::inline sph::RIFFLE_ISA

@@ -8,7 +8,7 @@
 #include "statistics/lagged_products.hpp"
 #include "statistics/record.hpp"
 
-namespace riffle {
+namespace riffle::inline statistics {
 
 std::vector<double> autocovariance(std::span<const double> record, std::size_t largest_lag,
                                    LagDivisor divisor) {
@@ -66,4 +66,4 @@ IntegralScale integral_scale_of_window(std::span<const double> correlation) {
     return windowed_integral_scale([&](std::size_t lag) { return correlation[lag]; }, correlation.size() - 1);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline statistics

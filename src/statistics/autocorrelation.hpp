@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-namespace riffle {
+namespace riffle::inline statistics {
 
 /// Divisor of a sum of products over the pairs of samples at a lag. `unbiased`: the number of pairs; the
 /// estimate scatters ever more as the lag grows. `biased`: the number of samples; smaller by the factor
@@ -61,4 +61,4 @@ template <class CorrelationAt>
     return result;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline statistics

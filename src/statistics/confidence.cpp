@@ -11,7 +11,7 @@
 #include "statistics/autocorrelation.hpp"
 #include "statistics/record.hpp"
 
-namespace riffle {
+namespace riffle::inline statistics {
 
 namespace {
 
@@ -156,4 +156,4 @@ TrendEstimate trend_with_confidence(std::span<const double> samples) {
     return result;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline statistics

@@ -2,7 +2,7 @@
 
 #include <span>
 
-namespace riffle {
+namespace riffle::inline statistics {
 
 /// A mean with its uncertainty, the correlation of successive samples taken into account.
 struct MeanEstimate {
@@ -36,4 +36,4 @@ struct TrendEstimate {
 };
 [[nodiscard]] TrendEstimate trend_with_confidence(std::span<const double> samples);
 
-}  // namespace riffle
+}  // namespace riffle::inline statistics

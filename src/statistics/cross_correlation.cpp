@@ -12,7 +12,7 @@
 #include "statistics/peak.hpp"
 #include "statistics/record.hpp"
 
-namespace riffle {
+namespace riffle::inline statistics {
 
 namespace {
 
@@ -111,4 +111,4 @@ std::vector<CorrelationExtreme> correlation_extremes(const CrossCorrelation& cor
     return extremes;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline statistics

@@ -6,7 +6,7 @@
 
 #include "statistics/autocorrelation.hpp"
 
-namespace riffle {
+namespace riffle::inline statistics {
 
 /// Normalised cross-correlation of two records taken at the same times (the thesis' eq. 4.7),
 /// R(lag) = <a'(t) b'(t + lag)> / sqrt(<a'^2> <b'^2>): what appears in `a` appears in `b` a time `lag` later.
@@ -40,4 +40,4 @@ struct CorrelationExtreme {
 /// All local extremes in order of the lag; the first and the last lag are none.
 [[nodiscard]] std::vector<CorrelationExtreme> correlation_extremes(const CrossCorrelation& correlation);
 
-}  // namespace riffle
+}  // namespace riffle::inline statistics

@@ -8,7 +8,7 @@
 #include "base/error.hpp"
 #include "statistics/record.hpp"
 
-namespace riffle {
+namespace riffle::inline statistics {
 
 CrossSpectrum cross_spectrum(std::span<const double> a, std::span<const double> b, double interval,
                              const WelchOptions& options) {
@@ -62,4 +62,4 @@ CrossSpectrum cross_spectrum(std::span<const double> a, std::span<const double> 
     return result;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline statistics

@@ -6,7 +6,7 @@
 
 #include "statistics/welch.hpp"
 
-namespace riffle {
+namespace riffle::inline statistics {
 
 /// What two records taken at the same times share at each frequency, by Welch's method.
 struct CrossSpectrum {
@@ -30,4 +30,4 @@ struct CrossSpectrum {
 [[nodiscard]] CrossSpectrum cross_spectrum(std::span<const double> a, std::span<const double> b,
                                            double interval, const WelchOptions& options = {});
 
-}  // namespace riffle
+}  // namespace riffle::inline statistics

@@ -8,7 +8,7 @@
 #include "base/error.hpp"
 #include "statistics/least_squares.hpp"
 
-namespace riffle {
+namespace riffle::inline statistics {
 
 namespace {
 
@@ -94,4 +94,4 @@ std::optional<DampedOscillation> fit_damped_oscillation(std::span<const double> 
     return result;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline statistics

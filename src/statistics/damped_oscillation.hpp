@@ -5,7 +5,7 @@
 
 #include "statistics/linear_fit.hpp"
 
-namespace riffle {
+namespace riffle::inline statistics {
 
 /// A fitted offset + exp(-decay t) (cosine cos(frequency t) + sine sin(frequency t)).
 struct DampedOscillation {
@@ -27,4 +27,4 @@ struct DampedOscillation {
                                                                       std::span<const double> values,
                                                                       double frequency, double decay);
 
-}  // namespace riffle
+}  // namespace riffle::inline statistics

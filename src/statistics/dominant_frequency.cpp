@@ -8,7 +8,7 @@
 
 #include "statistics/fourier.hpp"
 
-namespace riffle {
+namespace riffle::inline statistics {
 
 std::optional<Oscillation> dominant_oscillation(std::span<const double> record, double interval,
                                                 double highest) {
@@ -69,4 +69,4 @@ std::optional<Oscillation> dominant_oscillation(std::span<const double> record, 
     return found;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline statistics

@@ -3,7 +3,7 @@
 #include <optional>
 #include <span>
 
-namespace riffle {
+namespace riffle::inline statistics {
 
 /// An oscillation that rules a record, up to a frequency.
 struct Oscillation {
@@ -21,4 +21,4 @@ struct Oscillation {
 [[nodiscard]] std::optional<Oscillation> dominant_oscillation(std::span<const double> record, double interval,
                                                               double highest);
 
-}  // namespace riffle
+}  // namespace riffle::inline statistics

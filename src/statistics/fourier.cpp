@@ -11,7 +11,7 @@
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 
-namespace riffle {
+namespace riffle::inline statistics {
 
 namespace {
 
@@ -339,4 +339,4 @@ std::size_t fast_length(std::size_t length) {
     }
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline statistics

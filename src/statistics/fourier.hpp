@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace riffle {
+namespace riffle::inline statistics {
 
 using Complex = std::complex<double>;
 
@@ -78,4 +78,4 @@ void inverse_fourier_transform_3d(std::span<Complex> values, std::size_t layers,
 /// The smallest length of at least `length` that is a product of 2, 3 and 5.
 [[nodiscard]] std::size_t fast_length(std::size_t length);
 
-}  // namespace riffle
+}  // namespace riffle::inline statistics

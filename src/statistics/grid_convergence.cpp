@@ -10,7 +10,7 @@
 #include "base/error.hpp"
 #include "statistics/linear_fit.hpp"
 
-namespace riffle {
+namespace riffle::inline statistics {
 
 namespace {
 
@@ -240,4 +240,4 @@ const char* word(Refinement refinement) {
     return "unchanged";
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline statistics

@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-namespace riffle {
+namespace riffle::inline statistics {
 
 /// A result at one resolution.
 struct RefinedValue {
@@ -75,4 +75,4 @@ struct PowerLaw {
 /// The word of it for files: "monotone", "within-noise".
 [[nodiscard]] const char* word(Refinement refinement);
 
-}  // namespace riffle
+}  // namespace riffle::inline statistics

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numeric>
 
-namespace riffle {
+namespace riffle::inline statistics {
 
 double jackknife_half_width(std::span<const double> without_one) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -32,4 +32,4 @@ std::vector<double> mean_without(std::span<const double> blocks, std::size_t wid
     return sum;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline statistics

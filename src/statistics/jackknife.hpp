@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-namespace riffle {
+namespace riffle::inline statistics {
 
 /// Half-width of the 95 % interval of an estimate from the estimates without one of its n blocks of data each
 /// (delete-one jackknife: Quenouille 1956, Tukey 1958): variance (n-1)/n sum (v_i - mean)^2, Student's t on
@@ -19,4 +19,4 @@ namespace riffle {
 [[nodiscard]] std::vector<double> mean_without(std::span<const double> blocks, std::size_t width,
                                                std::size_t left_out);
 
-}  // namespace riffle
+}  // namespace riffle::inline statistics

@@ -5,7 +5,7 @@
 
 #include "statistics/fourier.hpp"
 
-namespace riffle {
+namespace riffle::inline statistics {
 
 namespace {
 
@@ -39,4 +39,4 @@ std::vector<double> lagged_products(std::span<const double> a, std::size_t large
     return products;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline statistics

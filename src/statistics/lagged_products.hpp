@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-namespace riffle {
+namespace riffle::inline statistics {
 
 /// sum over t of a(t) b(t + lag) for lag = -largest_lag ... largest_lag, values outside of the records being
 /// zero; the value at lag zero stands at index largest_lag. Through zero-padded Fourier transforms.
@@ -14,4 +14,4 @@ namespace riffle {
 /// The same of a record with itself, for lag = 0 ... largest_lag.
 [[nodiscard]] std::vector<double> lagged_products(std::span<const double> a, std::size_t largest_lag);
 
-}  // namespace riffle
+}  // namespace riffle::inline statistics

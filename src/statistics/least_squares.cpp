@@ -9,7 +9,7 @@
 
 #include "base/error.hpp"
 
-namespace riffle {
+namespace riffle::inline statistics {
 
 namespace {
 
@@ -182,4 +182,4 @@ std::optional<Eigen::MatrixXd> parameter_covariance(const Eigen::MatrixXd& jacob
     return v * s.array().square().inverse().matrix().asDiagonal() * v.transpose();
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline statistics

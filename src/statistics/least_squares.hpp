@@ -4,7 +4,7 @@
 #include <functional>
 #include <optional>
 
-namespace riffle {
+namespace riffle::inline statistics {
 
 /// Residuals at a point of the parameters, always the same number of them; none where they are not defined.
 using ResidualFunction = std::function<std::optional<Eigen::VectorXd>(const Eigen::VectorXd& parameters)>;
@@ -47,4 +47,4 @@ struct LeastSquaresFit {
 /// parameters.
 [[nodiscard]] std::optional<Eigen::MatrixXd> parameter_covariance(const Eigen::MatrixXd& jacobian);
 
-}  // namespace riffle
+}  // namespace riffle::inline statistics

@@ -7,7 +7,7 @@
 
 #include "base/error.hpp"
 
-namespace riffle {
+namespace riffle::inline statistics {
 
 namespace {
 
@@ -109,4 +109,4 @@ Interval ratio_range(const LinearFit& fit, Eigen::Index numerator, Eigen::Index 
     return {(half - root) / square, (half + root) / square};
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline statistics

@@ -4,7 +4,7 @@
 #include <limits>
 #include <optional>
 
-namespace riffle {
+namespace riffle::inline statistics {
 
 /// A 95 % confidence interval; an infinite end where the data do not bound the value on that side.
 struct Interval {
@@ -62,4 +62,4 @@ struct LinearFit {
 [[nodiscard]] Interval ratio_range(const LinearFit& fit, Eigen::Index numerator, Eigen::Index denominator,
                                    double excess);
 
-}  // namespace riffle
+}  // namespace riffle::inline statistics

@@ -9,7 +9,7 @@
 #include "statistics/confidence.hpp"
 #include "statistics/record.hpp"
 
-namespace riffle {
+namespace riffle::inline statistics {
 
 namespace {
 
@@ -116,4 +116,4 @@ Covariance covariance(std::span<const double> a, std::span<const double> b) {
     return result;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline statistics

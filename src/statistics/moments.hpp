@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <span>
 
-namespace riffle {
+namespace riffle::inline statistics {
 
 /// A number with the half-width of its 95 % interval.
 struct Estimate {
@@ -43,4 +43,4 @@ struct Covariance {
 /// Throws InputError where the records differ in length.
 [[nodiscard]] Covariance covariance(std::span<const double> a, std::span<const double> b);
 
-}  // namespace riffle
+}  // namespace riffle::inline statistics

@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace riffle {
+namespace riffle::inline statistics {
 
 /// Smaller chances mean nothing: the tests' distributions are not known so far out, nor are numbers of the
 /// computer.
@@ -11,4 +11,4 @@ inline constexpr double least_p_value = 1e-16;
 /// A p-value with its relation: "= 0.012", or "< 1e-16".
 [[nodiscard]] std::string p_value_text(double p);
 
-}  // namespace riffle
+}  // namespace riffle::inline statistics

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace riffle {
+namespace riffle::inline statistics {
 
 /// Extreme of the parabola through three equally spaced values of which the middle one is the largest or
 /// smallest.
@@ -17,4 +17,4 @@ struct ParabolaExtreme {
     return {offset, middle - 0.25 * (before - after) * offset};
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline statistics

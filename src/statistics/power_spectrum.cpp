@@ -12,7 +12,7 @@
 #include "base/error.hpp"
 #include "statistics/record.hpp"
 
-namespace riffle {
+namespace riffle::inline statistics {
 
 namespace {
 
@@ -177,4 +177,4 @@ SpectralSlope spectral_slope(const PowerSpectrum& spectrum, double from, double 
     return result;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline statistics

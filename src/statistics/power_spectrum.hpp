@@ -7,7 +7,7 @@
 #include "statistics/moments.hpp"
 #include "statistics/welch.hpp"
 
-namespace riffle {
+namespace riffle::inline statistics {
 
 /// Power spectral density of a record, one-sided: its sum times the resolution, over all frequencies, is in
 /// the mean the variance of the record (exactly, for one segment without taper), the part slower than a
@@ -64,4 +64,4 @@ struct SpectralSlope {
 /// Throws InputError where fewer than three positive densities lie in the band.
 [[nodiscard]] SpectralSlope spectral_slope(const PowerSpectrum& spectrum, double from, double to);
 
-}  // namespace riffle
+}  // namespace riffle::inline statistics

@@ -10,7 +10,7 @@
 #include "statistics/autocorrelation.hpp"
 #include "statistics/confidence.hpp"
 
-namespace riffle {
+namespace riffle::inline statistics {
 
 namespace {
 
@@ -189,4 +189,4 @@ ProbabilityDensity probability_density(std::span<const double> record, double bi
     return result;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline statistics

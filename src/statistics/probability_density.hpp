@@ -6,7 +6,7 @@
 
 #include "statistics/moments.hpp"
 
-namespace riffle {
+namespace riffle::inline statistics {
 
 /// How far a record's distribution is from the Gaussian one of the same mean and standard deviation.
 struct GaussianTest {
@@ -41,4 +41,4 @@ struct ProbabilityDensity {
 /// deviation are fitted decorrelates as fast as the third power of the fluctuation.
 [[nodiscard]] GaussianTest test_of_gaussian(std::span<const double> record);
 
-}  // namespace riffle
+}  // namespace riffle::inline statistics

@@ -11,7 +11,7 @@
 #include "statistics/confidence.hpp"
 #include "statistics/record.hpp"
 
-namespace riffle {
+namespace riffle::inline statistics {
 
 namespace {
 
@@ -149,4 +149,4 @@ Quadrants quadrant_analysis(std::span<const double> u, std::span<const double> w
     return result;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline statistics

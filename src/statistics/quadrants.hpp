@@ -6,7 +6,7 @@
 
 #include "statistics/moments.hpp"
 
-namespace riffle {
+namespace riffle::inline statistics {
 
 /// What the hole size is measured in.
 enum class HoleScale {
@@ -38,4 +38,4 @@ struct Quadrants {
 [[nodiscard]] Quadrants quadrant_analysis(std::span<const double> u, std::span<const double> w,
                                           double hole = 0, HoleScale scale = HoleScale::deviations);
 
-}  // namespace riffle
+}  // namespace riffle::inline statistics

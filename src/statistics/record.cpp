@@ -7,7 +7,7 @@
 
 #include "base/error.hpp"
 
-namespace riffle {
+namespace riffle::inline statistics {
 
 namespace {
 
@@ -86,4 +86,4 @@ void require_same_length(std::span<const double> first, std::span<const double> 
                      " samples; they must be as long and taken at the same times");
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline statistics

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace riffle {
+namespace riffle::inline statistics {
 
 // Records are equally spaced in time or space. A gap of a record is a not-a-number in its place.
 
@@ -40,4 +40,4 @@ void require_no_gaps(std::span<const double> record, std::string_view what);
 void require_same_length(std::span<const double> first, std::span<const double> second,
                          std::string_view what);
 
-}  // namespace riffle
+}  // namespace riffle::inline statistics

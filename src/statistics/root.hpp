@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <utility>
 
-namespace riffle {
+namespace riffle::inline statistics {
 
 /// The root of a continuous function between two places, in any order, where it has opposite signs (Alefeld,
 /// Potra & Shi 1995), to so many bits; where it has not, the end at which it is nearer to zero.
@@ -24,4 +24,4 @@ template <class Function>
     return 0.5 * (low + high);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline statistics

@@ -11,7 +11,7 @@
 #include "base/error.hpp"
 #include "statistics/root.hpp"
 
-namespace riffle {
+namespace riffle::inline statistics {
 
 namespace {
 constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -188,4 +188,4 @@ FittedValue SeparableFit::coefficient_ratio(Eigen::Index numerator, Eigen::Index
             })};
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline statistics

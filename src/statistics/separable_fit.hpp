@@ -7,7 +7,7 @@
 
 #include "statistics/linear_fit.hpp"
 
-namespace riffle {
+namespace riffle::inline statistics {
 
 /// Least-squares fit of a model with one nonlinear parameter p and linear coefficients c,
 /// values = basis(p) c + noise, by elimination of the coefficients (Golub & Pereyra 1973, SIAM J. Numer.
@@ -69,4 +69,4 @@ class SeparableFit {
     Eigen::MatrixXd full_covariance_;  ///< of coefficients and parameter (last), for unit variance
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline statistics

@@ -7,7 +7,7 @@
 #include "statistics/confidence.hpp"
 #include "statistics/record.hpp"
 
-namespace riffle {
+namespace riffle::inline statistics {
 
 SettlingCurve settling_curve(std::span<const double> record, std::size_t points) {
     if (record.empty() || points == 0) {
@@ -44,4 +44,4 @@ std::size_t settled_after(std::span<const double> record, double band) {
     return std::min(settled + 1, record.size());
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline statistics

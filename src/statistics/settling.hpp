@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-namespace riffle {
+namespace riffle::inline statistics {
 
 /// How the mean of a record settles as the record grows (the thesis' Figs 4.4-4.5, 5.10): the mean of the
 /// first `samples` samples and its 95 % interval, correlation taken into account.
@@ -24,4 +24,4 @@ struct SettlingCurve {
 /// positive, or a record without samples.
 [[nodiscard]] std::size_t settled_after(std::span<const double> record, double band);
 
-}  // namespace riffle
+}  // namespace riffle::inline statistics

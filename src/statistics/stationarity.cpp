@@ -11,7 +11,7 @@
 #include "statistics/confidence.hpp"
 #include "statistics/record.hpp"
 
-namespace riffle {
+namespace riffle::inline statistics {
 
 namespace {
 
@@ -157,4 +157,4 @@ Stationarity stationarity(std::span<const double> record) {
     return result;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline statistics

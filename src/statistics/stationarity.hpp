@@ -6,7 +6,7 @@
 
 #include "statistics/moments.hpp"
 
-namespace riffle {
+namespace riffle::inline statistics {
 
 // Tests of whether independent numbers in order come from one distribution (J. S. Bendat & A. G. Piersol,
 // 2010, Random Data, section 4.5). Exact for numbers that all differ.
@@ -46,4 +46,4 @@ struct Stationarity {
 /// Throws InputError for gaps or fewer than ten samples.
 [[nodiscard]] Stationarity stationarity(std::span<const double> record);
 
-}  // namespace riffle
+}  // namespace riffle::inline statistics

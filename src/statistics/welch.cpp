@@ -9,7 +9,7 @@
 #include "base/error.hpp"
 #include "statistics/record.hpp"
 
-namespace riffle {
+namespace riffle::inline statistics {
 
 namespace {
 
@@ -127,4 +127,4 @@ double WelchSegments::correlation_of_neighbours(std::size_t first, std::size_t s
     return sum / std::sqrt(shared_within(first) * shared_within(second));
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline statistics

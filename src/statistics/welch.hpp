@@ -6,7 +6,7 @@
 
 #include "statistics/fourier.hpp"
 
-namespace riffle {
+namespace riffle::inline statistics {
 
 /// Taper of a segment before its transform.
 enum class Taper { hann, none };
@@ -63,4 +63,4 @@ class WelchSegments {
     std::vector<double> shared_;
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline statistics

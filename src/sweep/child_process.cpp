@@ -17,7 +17,7 @@
 
 #include "base/error.hpp"
 
-namespace riffle {
+namespace riffle::inline sweep {
 
 namespace {
 
@@ -128,4 +128,4 @@ void ChildProcess::send(int signal_number) {
     }
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline sweep

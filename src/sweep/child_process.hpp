@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-namespace riffle {
+namespace riffle::inline sweep {
 
 /// Work done in a process of its own, which tells the parent by lines of text how it gets on.
 ///
@@ -43,4 +43,4 @@ class ChildProcess {
     int status_ = 0;
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline sweep

@@ -11,7 +11,7 @@
 #include "column/velocity_measurements.hpp"
 #include "solver/run.hpp"
 
-namespace riffle {
+namespace riffle::inline sweep {
 
 namespace {
 
@@ -251,4 +251,4 @@ std::vector<SweepRun> read_matrix(const SweepInput& input) {
     return runs;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline sweep

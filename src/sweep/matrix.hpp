@@ -6,7 +6,7 @@
 
 #include "case/case.hpp"
 
-namespace riffle {
+namespace riffle::inline sweep {
 
 /// A key of the case and the values that it takes in a sweep, as on the command line.
 struct Variation {
@@ -50,4 +50,4 @@ struct SweepInput {
 /// all combinations that cannot, with the key and the reason; FileError where a file cannot be read.
 [[nodiscard]] std::vector<SweepRun> read_matrix(const SweepInput& input);
 
-}  // namespace riffle
+}  // namespace riffle::inline sweep

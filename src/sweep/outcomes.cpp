@@ -21,7 +21,7 @@
 #include "record/twin_fields.hpp"
 #include "statistics/confidence.hpp"
 
-namespace riffle {
+namespace riffle::inline sweep {
 
 namespace {
 
@@ -237,4 +237,4 @@ std::map<std::string, OutcomeValue> read_outcomes(const std::filesystem::path& r
     return outcomes;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline sweep

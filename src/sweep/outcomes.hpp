@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace riffle {
+namespace riffle::inline sweep {
 
 /// What kind of number an outcome is: it decides how it is plotted and extrapolated.
 enum class OutcomeKind {
@@ -46,4 +46,4 @@ struct OutcomeValue {
 /// taken into account. Throws FileError where the file cannot be read.
 [[nodiscard]] std::map<std::string, OutcomeValue> read_outcomes(const std::filesystem::path& results);
 
-}  // namespace riffle
+}  // namespace riffle::inline sweep

@@ -7,7 +7,7 @@
 #include "particles/lattice.hpp"
 #include "solver/twins.hpp"
 
-namespace riffle {
+namespace riffle::inline sweep {
 
 RunCost estimate_cost(const Case& c) {
     const Twins twins = solve_twins(c);
@@ -25,4 +25,4 @@ RunCost estimate_cost(const Case& c) {
     return cost;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline sweep

@@ -2,7 +2,7 @@
 
 #include "case/case.hpp"
 
-namespace riffle {
+namespace riffle::inline sweep {
 
 /// What a run will take, in a unit that only serves to compare runs on one machine.
 struct RunCost {
@@ -13,4 +13,4 @@ struct RunCost {
 /// Estimate it from the case alone, without particles.
 [[nodiscard]] RunCost estimate_cost(const Case& c);
 
-}  // namespace riffle
+}  // namespace riffle::inline sweep

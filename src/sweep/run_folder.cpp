@@ -13,7 +13,7 @@
 #include "record/run_results.hpp"
 #include "solver/run.hpp"
 
-namespace riffle {
+namespace riffle::inline sweep {
 
 namespace {
 
@@ -88,4 +88,4 @@ const char* word(FolderState state) {
     return "another case";
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline sweep

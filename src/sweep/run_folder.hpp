@@ -4,7 +4,7 @@
 
 #include "sweep/matrix.hpp"
 
-namespace riffle {
+namespace riffle::inline sweep {
 
 /// What the folder of a run of a sweep holds.
 enum class FolderState {
@@ -27,4 +27,4 @@ struct FolderStanding {
 /// The word of it for tables and files.
 [[nodiscard]] const char* word(FolderState state);
 
-}  // namespace riffle
+}  // namespace riffle::inline sweep

@@ -18,7 +18,7 @@
 #include "sweep/child_process.hpp"
 #include "sweep/run_cost.hpp"
 
-namespace riffle {
+namespace riffle::inline sweep {
 
 namespace {
 
@@ -279,4 +279,4 @@ std::vector<RunReport> carry_out(const std::vector<SweepRun>& runs,
     return Schedule(runs, standings, options).carry_out();
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline sweep

@@ -9,7 +9,7 @@
 #include "sweep/matrix.hpp"
 #include "sweep/run_folder.hpp"
 
-namespace riffle {
+namespace riffle::inline sweep {
 
 /// What has become of a run of a sweep.
 enum class RunFate {
@@ -68,4 +68,4 @@ struct Shares {
                                                const std::vector<FolderStanding>& standings,
                                                const ScheduleOptions& options);
 
-}  // namespace riffle
+}  // namespace riffle::inline sweep

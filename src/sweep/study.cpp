@@ -11,7 +11,7 @@
 #include "particles/lattice.hpp"
 #include "solver/run.hpp"
 
-namespace riffle {
+namespace riffle::inline sweep {
 
 namespace {
 
@@ -230,4 +230,4 @@ std::string value_text(const Outcome& outcome, double value, double half_width) 
     return fmt::format("{:.{}f} +- {:.{}f}", shown, place, half, place);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline sweep

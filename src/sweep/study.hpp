@@ -10,7 +10,7 @@
 #include "sweep/outcomes.hpp"
 #include "sweep/schedule.hpp"
 
-namespace riffle {
+namespace riffle::inline sweep {
 
 /// A key that a sweep varies.
 struct VariedKey {
@@ -77,4 +77,4 @@ struct SweepStudy {
 /// "0.4512 +- 0.0007" in the shown unit of an outcome; "-" where it is not known.
 [[nodiscard]] std::string value_text(const Outcome& outcome, double value, double half_width);
 
-}  // namespace riffle
+}  // namespace riffle::inline sweep

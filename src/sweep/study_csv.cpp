@@ -5,7 +5,7 @@
 #include "base/csv_text.hpp"
 #include "sweep/study_files.hpp"
 
-namespace riffle {
+namespace riffle::inline sweep {
 
 std::string sweep_csv(const SweepStudy& sweep) {
     std::string csv = "run,state";
@@ -38,4 +38,4 @@ std::string sweep_csv(const SweepStudy& sweep) {
     return csv;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline sweep

@@ -6,7 +6,7 @@
 #include "analysis/figure_tools.hpp"
 #include "sweep/study_files.hpp"
 
-namespace riffle {
+namespace riffle::inline sweep {
 
 namespace {
 
@@ -244,4 +244,4 @@ Analysis sweep_figures(const SweepStudy& sweep) {
     return analysis;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline sweep

@@ -6,7 +6,7 @@
 #include "analysis/figure.hpp"
 #include "sweep/study.hpp"
 
-namespace riffle {
+namespace riffle::inline sweep {
 
 /// The table of a sweep as CSV: a line for each run with its values and outcomes, SI.
 [[nodiscard]] std::string sweep_csv(const SweepStudy& sweep);
@@ -39,4 +39,4 @@ struct SweepFiles {
 /// Write them all. Throws FileError.
 void write_sweep(const SweepStudy& sweep, const SweepFiles& files);
 
-}  // namespace riffle
+}  // namespace riffle::inline sweep

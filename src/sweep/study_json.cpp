@@ -4,7 +4,7 @@
 #include "report/json_parts.hpp"
 #include "sweep/study_files.hpp"
 
-namespace riffle {
+namespace riffle::inline sweep {
 
 namespace {
 
@@ -124,4 +124,4 @@ std::string sweep_json(const SweepStudy& sweep) {
            "\n";
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline sweep

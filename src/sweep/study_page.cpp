@@ -17,7 +17,7 @@ extern const char riffle_sweep_script_begin[];
 extern const char riffle_sweep_script_end[];
 }
 
-namespace riffle {
+namespace riffle::inline sweep {
 
 std::string sweep_page(const SweepStudy& sweep) {
     const PageAssets assets = page_assets();
@@ -42,4 +42,4 @@ void write_sweep(const SweepStudy& sweep, const SweepFiles& files) {
     write_text_atomically(files.page(), sweep_page(sweep));
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline sweep

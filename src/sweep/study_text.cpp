@@ -5,7 +5,7 @@
 
 #include "sweep/study_files.hpp"
 
-namespace riffle {
+namespace riffle::inline sweep {
 
 namespace {
 
@@ -73,4 +73,4 @@ std::string sweep_text(const SweepStudy& sweep) {
     return text;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline sweep

@@ -15,7 +15,7 @@
 #include "turbulence/wall_law.hpp"
 #include "turbulence/wall_layer.hpp"
 
-namespace riffle {
+namespace riffle::inline turbulence {
 
 namespace {
 
@@ -211,4 +211,4 @@ std::unique_ptr<const Closure> make_particle_closure(const Case& c, double row_h
         });
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline turbulence

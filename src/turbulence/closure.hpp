@@ -8,7 +8,7 @@
 
 #include "case/case.hpp"
 
-namespace riffle {
+namespace riffle::inline turbulence {
 
 /// Eddy viscosity of a mixing length: nu_t = l_m^2 |S| (m2/s), |S| = sqrt(2 S_ij S_ij) (1/s). Prandtl (1925);
 /// with l_m = C_s Delta, Smagorinsky (thesis 4.1).
@@ -62,4 +62,4 @@ struct WallLaw;
 /// a wall law that of their layer (wall_layer.hpp).
 [[nodiscard]] std::unique_ptr<const Closure> make_particle_closure(const Case& c, double row_height);
 
-}  // namespace riffle
+}  // namespace riffle::inline turbulence

@@ -2,7 +2,7 @@
 
 #include "turbulence/nikuradse.hpp"
 
-namespace riffle {
+namespace riffle::inline turbulence {
 
 // The anisotropic mixing lengths of Czernuszenko & Rylov (2000; thesis 5.1-5.7). Over the height they follow
 // Nezu & Rodi (nezu_rodi.hpp), l_x = l_z = l, l_y = q l, and beside the side walls both shrink by the factor
@@ -45,4 +45,4 @@ template <class Real>
             .level_across = Real(1) - Real(0.5) * departure};
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline turbulence

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace riffle {
+namespace riffle::inline turbulence {
 
 /// Mixing length of the log-wake law (thesis 2.21; Nezu & Rodi 1986), m:
 /// l_m/h = kappa sqrt(1 - xi) / (1/xi + pi Pi sin(pi xi)), xi = (z - zero)/h, h = depth - zero,
@@ -18,4 +18,4 @@ template <class Real>
     return h * kappa * xi * std::sqrt(Real(1) - xi) / (Real(1) + pi * wake_strength * xi * std::sin(pi * xi));
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline turbulence

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace riffle {
+namespace riffle::inline turbulence {
 
 /// Nikuradse's mixing length (thesis 2.20), m:
 /// l_m/h = 0.14 - 0.08 (1 - xi)^2 - 0.06 (1 - xi)^4, xi = (z - zero)/h, h = depth - zero.
@@ -15,4 +15,4 @@ template <class Real>
     return h * (Real(0.14) - Real(0.08) * rest - Real(0.06) * rest * rest);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline turbulence

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace riffle {
+namespace riffle::inline turbulence {
 
 /// Ramp mixing length (thesis 4.2; Nezu & Nakagawa 1993, Stansby 2003), m:
 /// l_m = kappa z' for z'/h <= lambda/kappa, lambda h above, with z' = z - zero and h = depth - zero.
@@ -13,4 +13,4 @@ template <class Real>
     return length > Real(0) ? length : Real(0);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline turbulence

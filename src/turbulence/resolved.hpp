@@ -1,6 +1,6 @@
 #pragma once
 
-namespace riffle {
+namespace riffle::inline turbulence {
 
 // Lengths of closures for resolved eddies, so that one C_s means as much dissipation in isotropic turbulence
 // with each. Their measures of the velocity gradient: sph/strain_measure.hpp.
@@ -17,4 +17,4 @@ template <class Real>
     return Real(1.5811388300841897L) * smagorinsky_constant * filter_width;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline turbulence

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace riffle {
+namespace riffle::inline turbulence {
 
 /// Length of the constant-C_s sub-particle-scale closure (thesis 4.1; Gotoh et al. 2001), m:
 /// l = C_s Delta, so that nu_t = l^2 |S| with |S| = sqrt(2 S_ij S_ij). The same at every height.
@@ -15,4 +15,4 @@ template <class Real>
     return spacing * Real(0.70710678118654752440L);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline turbulence

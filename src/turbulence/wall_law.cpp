@@ -10,7 +10,7 @@
 #include "case/bed_patch.hpp"
 #include "turbulence/closure.hpp"
 
-namespace riffle {
+namespace riffle::inline turbulence {
 
 namespace {
 
@@ -184,4 +184,4 @@ double UniformProfile::at(const std::vector<double>& values, double z) const {
     return place_in(z_, z).in(values);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline turbulence

@@ -9,7 +9,7 @@
 #include "case/bed_friction.hpp"
 #include "case/case.hpp"
 
-namespace riffle {
+namespace riffle::inline turbulence {
 
 /// The friction of a plane bed as its mixing length: that of the closure grows from a height below the bed
 /// and is damped where viscosity carries the stress,
@@ -67,4 +67,4 @@ class UniformProfile {
     std::vector<double> z_, velocity_, flow_, gradient_;
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline turbulence

@@ -8,7 +8,7 @@
 #include "turbulence/closure.hpp"
 #include "turbulence/wall_law.hpp"
 
-namespace riffle {
+namespace riffle::inline turbulence {
 
 namespace {
 
@@ -161,4 +161,4 @@ double WallLayer::speed_factor(double z, double speed) const {
     return std::exp(place_in(log_speed_, place).in(log_factor_));
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline turbulence

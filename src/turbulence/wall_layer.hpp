@@ -4,7 +4,7 @@
 
 #include "case/case.hpp"
 
-namespace riffle {
+namespace riffle::inline turbulence {
 
 /// How particles meet a bed by a wall law, which they cannot resolve: in a layer of the height of some rows
 /// the velocity joins the profile of the law with value, slope and curvature, has no slope at the
@@ -41,4 +41,4 @@ class WallLayer {
     std::vector<double> log_speed_, log_factor_;  ///< over those of the reference
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline turbulence

@@ -2,7 +2,7 @@
 
 #include "walls/wall_treatment.hpp"
 
-namespace riffle {
+namespace riffle::inline walls {
 
 /// Dummy particles with the pressure that the water would have at their place (Adami et al. 2012).
 template <int D, class Real>
@@ -108,4 +108,4 @@ class DummyWalls final : public WallTreatment<D, Real> {
     }
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline walls

@@ -3,7 +3,7 @@
 #include "engine/pair_setup.hpp"
 #include "walls/wall_treatment.hpp"
 
-namespace riffle {
+namespace riffle::inline walls {
 
 /// Particles like those of the water that rest, with a density by the continuity equation (Dalrymple & Knio
 /// 2001).
@@ -29,4 +29,4 @@ class DynamicWalls final : public WallTreatment<D, Real> {
     }
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline walls

@@ -6,7 +6,7 @@
 #include "base/parallel.hpp"
 #include "sph/listed_pairs.hpp"
 
-namespace riffle {
+namespace riffle::inline walls {
 
 namespace {
 
@@ -172,4 +172,4 @@ template void GhostNodes<3>::interpolate(const PairData<3, float>&, const Cluste
 template void GhostNodes<3>::interpolate(const PairData<3, double>&, const Clusters<3>&,
                                          const std::vector<double>&);
 
-}  // namespace riffle
+}  // namespace riffle::inline walls

@@ -4,7 +4,7 @@
 #include "particles/particles.hpp"
 #include "sph/pair_sum.hpp"
 
-namespace riffle {
+namespace riffle::inline walls {
 
 /// What the water says at the ghost node of a wall particle.
 template <int D>
@@ -54,4 +54,4 @@ class GhostNodes {
     std::vector<GhostValue<D>> values_;  ///< by wall particle
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline walls

@@ -6,7 +6,7 @@
 #include "walls/ghost_nodes.hpp"
 #include "walls/wall_treatment.hpp"
 
-namespace riffle {
+namespace riffle::inline walls {
 
 /// Wall particles that carry the density found at their mirror images in the water (English et al. 2022).
 template <int D, class Real>
@@ -56,4 +56,4 @@ class GhostWalls final : public WallTreatment<D, Real> {
     std::optional<GhostNodes<D>> nodes_;
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline walls

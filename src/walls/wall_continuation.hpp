@@ -14,7 +14,7 @@
 #include "sph/correction.hpp"
 #include "sph/pair_loops.hpp"
 
-namespace riffle {
+namespace riffle::inline walls {
 
 /// How far each wall continues the water, 0 to 1. Water and end or side wall meet the surface at the same
 /// height: the wall is corrected like the water, so that nothing varies along the surface at rest. Under a
@@ -117,4 +117,4 @@ class Continuations {
     std::vector<std::size_t> solids_across_;  ///< of those with faces across the channel
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline walls

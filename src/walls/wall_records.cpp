@@ -5,7 +5,7 @@
 #include "sph/pair_terms.hpp"
 #include "walls/wall_continuation.hpp"
 
-namespace riffle {
+namespace riffle::inline walls {
 
 template <int D, class Real>
 void pack_wall_records(const Case& c, const Scheme& scheme, const WallParticles<D>& walls,
@@ -55,4 +55,4 @@ template void pack_wall_records(const Case&, const Scheme&, const WallParticles<
 template void pack_wall_records(const Case&, const Scheme&, const WallParticles<3>&, const Clusters<3>&,
                                 PairData<3, double>&);
 
-}  // namespace riffle
+}  // namespace riffle::inline walls

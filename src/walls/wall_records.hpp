@@ -6,11 +6,11 @@
 #include "particles/particles.hpp"
 #include "sph/pair_loops.hpp"
 
-namespace riffle {
+namespace riffle::inline walls {
 
 /// Records of the walls: position, projector and volume, one record more than slots.
 template <int D, class Real>
 void pack_wall_records(const Case& c, const Scheme& scheme, const WallParticles<D>& walls,
                        const Clusters<D>& clusters, PairData<D, Real>& data);
 
-}  // namespace riffle
+}  // namespace riffle::inline walls

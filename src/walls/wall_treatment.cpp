@@ -4,7 +4,7 @@
 #include "walls/dynamic_walls.hpp"
 #include "walls/ghost_walls.hpp"
 
-namespace riffle {
+namespace riffle::inline walls {
 
 template <int D, class Real>
 std::unique_ptr<WallTreatment<D, Real>> make_wall_treatment(const Case& c) {
@@ -25,4 +25,4 @@ template std::unique_ptr<WallTreatment<2, double>> make_wall_treatment(const Cas
 template std::unique_ptr<WallTreatment<3, float>> make_wall_treatment(const Case&);
 template std::unique_ptr<WallTreatment<3, double>> make_wall_treatment(const Case&);
 
-}  // namespace riffle
+}  // namespace riffle::inline walls

@@ -6,7 +6,7 @@
 #include "boundary/wall.hpp"
 #include "engine/flow.hpp"
 
-namespace riffle {
+namespace riffle::inline walls {
 
 /// How wall particles find the pressure and the velocity with which they act on the water: `numerics.wall`.
 template <int D, class Real>
@@ -79,4 +79,4 @@ class WallTreatment {
 template <int D, class Real>
 [[nodiscard]] std::unique_ptr<WallTreatment<D, Real>> make_wall_treatment(const Case& c);
 
-}  // namespace riffle
+}  // namespace riffle::inline walls

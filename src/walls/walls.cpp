@@ -6,7 +6,7 @@
 
 #include "walls/wall_records.hpp"
 
-namespace riffle {
+namespace riffle::inline walls {
 
 template <int D, class Real>
 Walls<D, Real>::Walls(Flow& flow) : treatment_(make_wall_treatment<D, Real>(flow.c)) {
@@ -223,4 +223,4 @@ template class Walls<2, double>;
 template class Walls<3, float>;
 template class Walls<3, double>;
 
-}  // namespace riffle
+}  // namespace riffle::inline walls

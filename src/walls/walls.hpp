@@ -5,7 +5,7 @@
 
 #include "walls/wall_treatment.hpp"
 
-namespace riffle {
+namespace riffle::inline walls {
 
 /// The walls and solids of a flow: where their particles stand, how they move, and how they are treated.
 template <int D, class Real>
@@ -64,4 +64,4 @@ class Walls {
     std::vector<double> reach_;        ///< of each body, m
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline walls

@@ -11,7 +11,7 @@
 #include <exception>
 #include <system_error>
 
-namespace riffle {
+namespace riffle::inline watch {
 
 namespace {
 
@@ -212,4 +212,4 @@ bool Connections::read_the_rest(Connection& connection) {
     return count > 0 && connection.ignored <= ignored_bytes;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline watch

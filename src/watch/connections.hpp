@@ -14,7 +14,7 @@
 
 #include "watch/http_request.hpp"
 
-namespace riffle {
+namespace riffle::inline watch {
 
 /// The connections of a web server, one request each. One thread looks after all of them, so that none can
 /// keep the others waiting; answers, which may take long, are made by others. A request must come whole
@@ -79,4 +79,4 @@ class Connections {
     std::vector<std::jthread> threads_;
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline watch

@@ -9,7 +9,7 @@
 #include <cctype>
 #include <optional>
 
-namespace riffle {
+namespace riffle::inline watch {
 
 namespace {
 
@@ -88,4 +88,4 @@ bool AllowedHosts::allow(std::string_view host) const {
     return is_numeric(*name) || std::find(names_.begin(), names_.end(), *name) != names_.end();
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline watch

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace riffle {
+namespace riffle::inline watch {
 
 /// Whether an address to listen on is reached from this machine alone: 127.0.0.0/8, ::1, or "localhost".
 [[nodiscard]] bool is_loopback(std::string_view address);
@@ -26,4 +26,4 @@ class AllowedHosts {
     std::vector<std::string> names_;
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline watch

@@ -6,7 +6,7 @@
 #include <cctype>
 #include <memory>
 
-namespace riffle {
+namespace riffle::inline watch {
 
 namespace {
 
@@ -149,4 +149,4 @@ std::string head_of(const PageAnswer& answer) {
     return head + "\r\n";
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline watch

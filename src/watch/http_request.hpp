@@ -6,7 +6,7 @@
 
 #include "watch/watch_site.hpp"
 
-namespace riffle {
+namespace riffle::inline watch {
 
 /// Most bytes of a request, its line with all headers and the empty line: browsers send some hundred.
 inline constexpr std::size_t largest_request = 8192;
@@ -35,4 +35,4 @@ struct RequestReading {
 /// Status line and headers of an answer, after which the connection is closed.
 [[nodiscard]] std::string head_of(const PageAnswer& answer);
 
-}  // namespace riffle
+}  // namespace riffle::inline watch

@@ -14,7 +14,7 @@
 #include "base/error.hpp"
 #include "watch/connections.hpp"
 
-namespace riffle {
+namespace riffle::inline watch {
 
 namespace {
 
@@ -112,4 +112,4 @@ void PageServer::serve(const std::function<bool()>& stop) {
     while (!stop()) connections.serve_once();
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline watch

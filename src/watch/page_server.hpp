@@ -6,7 +6,7 @@
 
 #include "watch/watch_site.hpp"
 
-namespace riffle {
+namespace riffle::inline watch {
 
 /// Port of `riffle watch` unless another is asked for.
 inline constexpr int default_watch_port = 8437;
@@ -39,4 +39,4 @@ class PageServer {
     int port_ = 0;
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline watch

@@ -8,7 +8,7 @@
 #include "record/run_fields.hpp"
 #include "record/twin_fields.hpp"
 
-namespace riffle {
+namespace riffle::inline watch {
 
 namespace {
 
@@ -113,4 +113,4 @@ std::string progress_json(const Progress& now, const std::optional<Progress>& ea
     return object.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline watch

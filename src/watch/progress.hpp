@@ -7,7 +7,7 @@
 #include "record/run_results.hpp"
 #include "report/report_data.hpp"
 
-namespace riffle {
+namespace riffle::inline watch {
 
 /// How far a run has come, from its results file. SI.
 struct Progress {
@@ -49,4 +49,4 @@ struct Speed {
 /// As JSON. Times left (s of wall clock, at the present speed) are counted from the last write.
 [[nodiscard]] std::string progress_json(const Progress& now, const std::optional<Progress>& earlier);
 
-}  // namespace riffle
+}  // namespace riffle::inline watch

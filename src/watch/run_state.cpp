@@ -9,7 +9,7 @@
 #include <sstream>
 #include <system_error>
 
-namespace riffle {
+namespace riffle::inline watch {
 
 namespace {
 
@@ -158,4 +158,4 @@ RunStanding judge_state(const RunSigns& signs) {
                                 "from its last checkpoint."};
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline watch

@@ -8,7 +8,7 @@
 
 #include "output/folder_lock.hpp"
 
-namespace riffle {
+namespace riffle::inline watch {
 
 /// How a run stands, as far as its files and the processes of this machine tell.
 enum class RunState {
@@ -64,4 +64,4 @@ struct RunStanding {
 /// three intervals (at least 10 s).
 [[nodiscard]] RunStanding judge_state(const RunSigns& signs);
 
-}  // namespace riffle
+}  // namespace riffle::inline watch

@@ -19,7 +19,7 @@
 #include "report/report_data.hpp"
 #include "report/report_json.hpp"
 
-namespace riffle {
+namespace riffle::inline watch {
 
 namespace {
 
@@ -157,4 +157,4 @@ WatchData RunWatcher::data() {
     return data_;
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline watch

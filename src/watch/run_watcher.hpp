@@ -11,7 +11,7 @@
 #include "watch/progress.hpp"
 #include "watch/run_state.hpp"
 
-namespace riffle {
+namespace riffle::inline watch {
 
 /// The results file that `path` means, whether it exists or not: itself if it names a .h5 file, else
 /// results.h5 in it.
@@ -60,4 +60,4 @@ class RunWatcher {
     Clock::time_point next_reading_ = Clock::now();
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline watch

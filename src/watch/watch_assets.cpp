@@ -10,7 +10,7 @@ extern const char riffle_watch_script_begin[];
 extern const char riffle_watch_script_end[];
 }
 
-namespace riffle {
+namespace riffle::inline watch {
 
 WatchAssets watch_assets() {
     return {{riffle_watch_html_begin, riffle_watch_html_end},
@@ -18,4 +18,4 @@ WatchAssets watch_assets() {
             {riffle_watch_script_begin, riffle_watch_script_end}};
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline watch

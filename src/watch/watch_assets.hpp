@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-namespace riffle {
+namespace riffle::inline watch {
 
 /// The parts of the watch page, embedded in the binary from web/ (cmake/web.cmake). Style and figure library
 /// are those embedded for the report (report/page_assets.hpp).
@@ -14,4 +14,4 @@ struct WatchAssets {
 
 [[nodiscard]] WatchAssets watch_assets();
 
-}  // namespace riffle
+}  // namespace riffle::inline watch

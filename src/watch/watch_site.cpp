@@ -8,7 +8,7 @@
 #include "report/page_assets.hpp"
 #include "watch/watch_assets.hpp"
 
-namespace riffle {
+namespace riffle::inline watch {
 
 namespace {
 
@@ -92,4 +92,4 @@ PageAnswer WatchSite::answer(const PageRequest& request) {
     return revised(std::move(answer), content, request.known_revision);
 }
 
-}  // namespace riffle
+}  // namespace riffle::inline watch

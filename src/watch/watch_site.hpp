@@ -9,7 +9,7 @@
 #include "watch/host_check.hpp"
 #include "watch/run_watcher.hpp"
 
-namespace riffle {
+namespace riffle::inline watch {
 
 /// A request, as far as the page needs to know it.
 struct PageRequest {
@@ -55,4 +55,4 @@ class WatchSite {
     AllowedHosts hosts_;
 };
 
-}  // namespace riffle
+}  // namespace riffle::inline watch

@@ -94,7 +94,7 @@ TEST(CrestTracking, WithoutCrestsThereIsNoCelerity) {
     const CrestCelerity found = track_crests(flat, {.expected_celerity = 0.3});
     EXPECT_TRUE(std::isnan(found.celerity.value));
     EXPECT_TRUE(std::isinf(found.celerity.half_width));
-    EXPECT_THROW((void)track_crests(rows_of(flat, 0, 20), {}), InputError);
+    EXPECT_THROW((void)track_crests(block_of_rows(flat, 0, 20), {}), InputError);
 }
 
 TEST(StationCelerity, OfATravellingSurface) {
@@ -148,7 +148,7 @@ TEST(StationCelerity, UpstreamIsNegativeAndNoiseHasNone) {
     const SpaceTime noise =
         travelling_surface({.columns = 40, .rows = 4000}, {.deviation = 0.0, .noise = 1e-3}, 0.3);
     EXPECT_TRUE(std::isnan(station_celerity(noise).celerity.value));
-    EXPECT_THROW((void)station_celerity(rows_of(noise, 0, 30)), InputError);
+    EXPECT_THROW((void)station_celerity(block_of_rows(noise, 0, 30)), InputError);
 }
 
 TEST(StationCelerity, APeriodicChannelIsFollowedToHalfItsLength) {
@@ -232,7 +232,7 @@ TEST(RidgeCelerity, OfNoiseIsNotDetermined) {
     const RidgeCelerity found = ridge_celerity(noise, 20);
     EXPECT_TRUE(std::isnan(found.celerity.value) ||
                 !(found.celerity.half_width < std::abs(found.celerity.value)));
-    EXPECT_THROW((void)ridge_celerity(rows_of(noise, 0, 30), 10), InputError);
+    EXPECT_THROW((void)ridge_celerity(block_of_rows(noise, 0, 30), 10), InputError);
 }
 
 }  // namespace
