@@ -103,8 +103,9 @@ std::string analysis_to_text(const Analysis& analysis) {
     if (analysis.findings.empty()) text += "\nNothing could be found in this record.\n";
     std::string missing;
     for (const Figure& figure : analysis.figures) {
-        if (!figure.missing.empty())
+        if (!figure.missing.empty()) {
             missing += wrapped_text("  " + figure.key + ": " + figure.missing, 4) + "\n";
+        }
     }
     if (!missing.empty()) text += "\nFigures without data\n" + missing;
     if (!analysis.warnings.empty()) text += "\nWarnings\n";

@@ -52,13 +52,9 @@ double silhouette(const SolidMesh& mesh, const Extent& across, const Extent& upr
 
 /// Nothing of a body that fills a part of the bed rather than stands in the stream.
 std::optional<Front> front_of(const Case& c, const Solid& solid) {
-    if (solid.motion != SolidMotion::fixed || is_bed_shape(solid.shape)) {
-        return std::nullopt;
-    }
+    if (solid.motion != SolidMotion::fixed || is_bed_shape(solid.shape)) return std::nullopt;
     const auto z = extent_of(c, solid, 2);
-    if (!z) {
-        return std::nullopt;
-    }
+    if (!z) return std::nullopt;
     const double level = c.total_depth();
     if (c.channel.dimensions == 2) {
         const bool stands_on_bed = z->low < 0.5 * c.numerics.spacing;

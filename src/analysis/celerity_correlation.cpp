@@ -270,8 +270,9 @@ StationCelerity station_celerity(const SpaceTime& fluctuation, const StationOpti
 
 StationCelerity station_celerity(std::span<const StationRecord> stations, double interval,
                                  const StationOptions& options) {
-    if (!(interval > 0.0))
+    if (!(interval > 0.0)) {
         throw InputError(fmt::format("{}: the interval {:.4g} s is not above 0", purpose, interval));
+    }
     const std::vector<StationRecord> scaled = normalised_stations(stations, purpose);
     Correlations c;
     c.pairs = pairs_of_stations(scaled, options.largest_distance);

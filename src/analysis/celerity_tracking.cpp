@@ -185,8 +185,9 @@ void link(const SpaceTime& data, std::vector<CrestTrack>& active, std::vector<Cr
         active[p.track].shifts.push_back(found[p.crest].shift);
     }
     std::vector<CrestTrack> next;
-    for (std::size_t a = 0; a < active.size(); ++a)
+    for (std::size_t a = 0; a < active.size(); ++a) {
         (followed[a] ? next : ended).push_back(std::move(active[a]));
+    }
     for (std::size_t c = 0; c < found.size(); ++c) {
         if (!taken[c]) next.push_back({{t}, {found[c].position}, {found[c].shift}, 0.0});
     }

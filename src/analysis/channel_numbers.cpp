@@ -73,8 +73,9 @@ void add_channel_numbers(const FlowRecord& record, Analysis& analysis) {
     const auto add = [&](const char* key, const char* label, const char* unit,
                          const std::function<double(double)>& law) {
         Finding finding = make_finding(chapters::fits, key, label, unit, law(velocity));
-        if (half_width < velocity)
+        if (half_width < velocity) {
             finding.half_width = 0.5 * std::abs(law(velocity + half_width) - law(velocity - half_width));
+        }
         if (c.measured.depth_mean_velocity && record.origin() == Origin::simulated) {
             finding =
                 against(std::move(finding), law(*c.measured.depth_mean_velocity), "from the measured U");

@@ -53,8 +53,10 @@ LongProfile long_profile(const SpaceTime& surface) {
 /// does.
 std::vector<double> discharge_of(const FlowRecord& record) {
     for (const ScalarProbe& probe : record.scalar_probes()) {
-        if (probe.kind == "flow_rate" && probe.quantity.rfind("flow_rate", 0) == 0 && probe.value.size() > 1)
+        if (probe.kind == "flow_rate" && probe.quantity.rfind("flow_rate", 0) == 0 &&
+            probe.value.size() > 1) {
             return probe.value;
+        }
     }
     return {};
 }
@@ -159,8 +161,9 @@ void compare_with_varied_flow(const FlowRecord& record, const LongProfile& profi
                               Analysis& analysis) {
     const Case& c = *record.flow();
     if (!c.solids.empty() || varies_beyond_beds(c) || !channel_or_walls_resist(c) || resolves_eddies(c) ||
-        !c.inflow_unit_discharge())
+        !c.inflow_unit_discharge()) {
         return;
+    }
     std::vector<double> depth;
     try {
         const auto varied = varied_depths(c, read_end_levels(c));

@@ -78,8 +78,9 @@ void add_drag(const FlowRecord& record, Analysis& analysis) {
     if (c.has_side_walls()) {
         mean =
             against(std::move(mean), c.fluid.density * side_wall_partition(c).bed_stress, partition_name(c));
-        if (const auto beside = twin.value(fields::section_numbers.bed_stress))
+        if (const auto beside = twin.value(fields::section_numbers.bed_stress)) {
             mean.remark = fmt::format("section twin: {:.4g} Pa", *beside);
+        }
     } else {
         mean = against(std::move(mean), uniform, "rho g S0 H");
     }
@@ -131,8 +132,9 @@ void add_walls(const FlowRecord& record, Analysis& analysis) {
     Finding finding = against(make_finding(chapters::bed, "wall_stress_mean", "mean stress on the side walls",
                                            "Pa", estimate.value, estimate.half_width),
                               c.fluid.density * partition.wall_stress, partition_name(c));
-    if (const auto beside = record.section_twin().value(fields::section_numbers.wall_stress))
+    if (const auto beside = record.section_twin().value(fields::section_numbers.wall_stress)) {
         finding.remark = fmt::format("section twin: {:.4g} Pa", *beside);
+    }
     analysis.findings.push_back(std::move(finding));
 }
 

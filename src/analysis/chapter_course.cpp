@@ -114,8 +114,9 @@ void add_level_map(const FlowRecord& record, const SpaceTime& surface, Analysis&
     for (std::size_t i = 0; i < surface.columns; i += stride) map.x.push_back(surface.x(i));
     for (std::size_t j = 0; j < surface.rows(); j += row_stride) {
         map.y.push_back(surface.times[j]);
-        for (std::size_t i = 0; i < surface.columns; i += stride)
+        for (std::size_t i = 0; i < surface.columns; i += stride) {
             map.values.push_back(static_cast<float>(surface.at(j, i)));
+        }
     }
     figure.maps.push_back(std::move(map));
     analysis.figures.push_back(std::move(figure));

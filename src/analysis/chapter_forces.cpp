@@ -77,9 +77,10 @@ void add_instruments(const FlowRecord& record, const char* kind, Figure figure, 
                                        probe.unit, mean.mean, trusted_half_width(mean));
         finding.remark = "instrument " + probe.name;
         // Below this it is rounding of a force that does not vary.
-        if (mean.standard_deviation > 1e-12 * std::abs(mean.mean))
+        if (mean.standard_deviation > 1e-12 * std::abs(mean.mean)) {
             finding.remark +=
                 fmt::format("; standard deviation {:.3g} {}", mean.standard_deviation, probe.unit);
+        }
         analysis.findings.push_back(std::move(finding));
     }
     if (!solids.curves.empty()) analysis.figures.push_back(std::move(solids));

@@ -25,8 +25,9 @@ void add_measured_points(Figure& figure, const FlowRecord::Measured& measured) {
     if (measured.profile.height.empty()) return;
     Curve curve = profile_curve(measured_curve_name(measured), Origin::measured, measured.profile.velocity,
                                 measured.profile.height, measured.from_law ? Mark::line : Mark::points);
-    for (const double uncertainty : measured.profile.uncertainty)
+    for (const double uncertainty : measured.profile.uncertainty) {
         curve.x_half_width.push_back(normal_95 * uncertainty);
+    }
     figure.curves.push_back(std::move(curve));
 }
 
@@ -105,9 +106,10 @@ bool between_side_walls(const FlowRecord& record) {
 void add_twin(const FlowRecord& record, const std::vector<double> ColumnProfile::*of_column,
               const std::vector<double> SectionTwin::*of_section, Figure& figure) {
     if (!between_side_walls(record)) {
-        if (record.column() != nullptr)
+        if (record.column() != nullptr) {
             figure.curves.push_back(
                 column_curve(record.column()->profile, record.column()->profile.*of_column));
+        }
         return;
     }
     const SectionTwin& twin = record.section_twin();

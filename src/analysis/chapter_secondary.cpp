@@ -56,8 +56,9 @@ void add_strength(const Setting& s, Analysis& analysis) {
 }
 
 std::string verdict_of(const Estimate& persistent, double left) {
-    if (!std::isfinite(persistent.half_width))
+    if (!std::isfinite(persistent.half_width)) {
         return "too few windows of the mean field to tell a cell from fluctuation";
+    }
     if (persistent.value > persistent.half_width) {
         return fmt::format(
             "a motion across the flow survives the averaging: its mean square is {:.2g} times "
@@ -175,8 +176,9 @@ void add_cells(const Setting& s, Analysis& analysis) {
     analysis.findings.push_back(std::move(count));
     if (cells.empty()) return;
     double width = 0.0;
-    for (const SecondaryCell& cell : cells)
+    for (const SecondaryCell& cell : cells) {
         width += (cell.to - cell.from) / static_cast<double>(cells.size());
+    }
     analysis.findings.push_back(
         against(make_finding(chapters::secondary, "secondary_cell_width", "mean width of the cells over H",
                              "1", width / s.c.total_depth()),
@@ -210,8 +212,9 @@ void add_vortices(const FieldSums& section, const Setting& s, Analysis& analysis
     double standing = 0.0;
     for (const bool positive : {true, false}) {
         std::vector<bool> marked(swirl.size());
-        for (std::size_t i = 0; i < swirl.size(); ++i)
+        for (std::size_t i = 0; i < swirl.size(); ++i) {
             marked[i] = least > 0.0 && (positive ? swirl[i] : -swirl[i]) > least;
+        }
         for (const std::vector<std::size_t>& region : connected_regions(plane, marked, 4)) {
             const double size = static_cast<double>(region.size()) * plane.spacing[0] * plane.spacing[1];
             const Estimate circulation = section_estimate(s.field, [&](const FieldSums& sums) {
@@ -289,8 +292,9 @@ void add_space_vortices(const Setting& s, Analysis& analysis) {
     map.unit = "1";
     map.diverging = true;
     const double scale = std::pow(s.velocity / s.c.total_depth(), 2);
-    for (std::size_t cell = 0; cell < field.x.size() * field.y.size(); ++cell)
+    for (std::size_t cell = 0; cell < field.x.size() * field.y.size(); ++cell) {
         map.values.push_back(static_cast<float>(q[iz * field.x.size() * field.y.size() + cell] / scale));
+    }
     figure.maps.push_back(std::move(map));
     analysis.figures.push_back(std::move(figure));
 }

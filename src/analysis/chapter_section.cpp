@@ -34,8 +34,9 @@ std::vector<double> twin_on_cells(const SectionTwin& twin, const std::vector<dou
                                   const MeanFlow& field) {
     std::vector<double> result(field.y.size() * field.z.size());
     for (std::size_t iy = 0; iy < field.y.size(); ++iy) {
-        for (std::size_t iz = 0; iz < field.z.size(); ++iz)
+        for (std::size_t iz = 0; iz < field.z.size(); ++iz) {
             result[field.at(iz, iy)] = twin_value(twin, values, field.y[iy], field.z[iz]);
+        }
     }
     return result;
 }

@@ -39,10 +39,12 @@ void add_history(const FlowRecord& record, Analysis& analysis) {
         figure.curves.push_back(make_curve(name, origin, Mark::line, ends, {value, value}));
     };
     const bool between_walls = record.flow()->has_side_walls();
-    if (record.column() != nullptr && !between_walls)
+    if (record.column() != nullptr && !between_walls) {
         level("column twin", Origin::column, record.column()->depth_mean_velocity);
-    if (const auto twin = record.section_twin().value(fields::section_numbers.depth_mean_velocity))
+    }
+    if (const auto twin = record.section_twin().value(fields::section_numbers.depth_mean_velocity)) {
         level("section twin", Origin::column, *twin);
+    }
     const std::vector<double>& centreline = series[fields::time_series.centreline_velocity];
     if (between_walls && !centreline.empty()) {
         Curve curve = make_curve("around the centreline", Origin::simulated, Mark::line, thinned(time),
@@ -53,8 +55,9 @@ void add_history(const FlowRecord& record, Analysis& analysis) {
             " Between side walls that of the whole width, and that around the centreline, "
             "where it was measured.";
     }
-    if (record.flow()->measured.depth_mean_velocity)
+    if (record.flow()->measured.depth_mean_velocity) {
         level("measured", Origin::measured, *record.flow()->measured.depth_mean_velocity);
+    }
     mark_window(record, figure);
     analysis.figures.push_back(std::move(figure));
 }
@@ -63,9 +66,7 @@ void add_level_history(const FlowRecord& record, Analysis& analysis) {
     const SeriesTable& series = record.series();
     const std::vector<double>& time = series[fields::time_series.time];
     const std::vector<double>& level = series[fields::time_series.mean_level];
-    if (level.empty() || time.size() < 2 || record.flow()->channel.top != Top::free_surface) {
-        return;
-    }
+    if (level.empty() || time.size() < 2 || record.flow()->channel.top != Top::free_surface) return;
     Figure figure = make_figure(chapters::statistics, "mean_level_history", "Mean water level against time",
                                 "Mean height of the surface above the bed level over the whole run.", "",
                                 make_axis("time t", "s"), make_axis("mean level", "m"));
@@ -127,16 +128,18 @@ void add_autocorrelation(const FlowRecord& record, const WindowRecord& window, A
         const std::vector<double> correlation =
             autocorrelation(window.values, std::max<std::size_t>(1, window.values.size() / 4));
         std::vector<double> lag;
-        for (std::size_t i = 0; i < correlation.size(); ++i)
+        for (std::size_t i = 0; i < correlation.size(); ++i) {
             lag.push_back(static_cast<double>(i) * window.interval);
+        }
         f.curves.push_back(
             make_curve(window.symbol, record.origin(), Mark::line, thinned(lag), thinned(correlation)));
         const IntegralScale scale = integral_scale_to_zero_crossing(correlation);
         Finding finding = make_finding(chapters::statistics, window.findings + "integral_time_to_zero",
                                        "integral time scale to the first zero crossing", "s",
                                        scale.scale * window.interval);
-        if (!scale.closed)
+        if (!scale.closed) {
             finding.remark = "the correlation does not reach zero within a quarter of the window";
+        }
         analysis.findings.push_back(std::move(finding));
     });
 }
@@ -220,8 +223,9 @@ void add_window_findings(const FlowRecord& record, const MeanEstimate& mean,
     }
     std::vector<double> fluctuation = within_window(record, fields::time_series.velocity_fluctuation);
     if (fluctuation.size() < 3 ||
-        std::any_of(fluctuation.begin(), fluctuation.end(), [](double value) { return !(value > 0.0); }))
+        std::any_of(fluctuation.begin(), fluctuation.end(), [](double value) { return !(value > 0.0); })) {
         return;  // particles that move exactly as one have none that could grow
+    }
     for (double& value : fluctuation) value = std::log(value);
     const TrendEstimate trend = trend_with_confidence(fluctuation);
     const auto steps = static_cast<double>(fluctuation.size() - 1);

@@ -21,9 +21,7 @@ namespace {
 
 /// Why a simulated surface is far flatter than the measured one.
 std::string flatness_remark(const Case& c) {
-    if (resolves_eddies(c)) {
-        return "of the eddies, those larger than some spacings are resolved";
-    }
+    if (resolves_eddies(c)) return "of the eddies, those larger than some spacings are resolved";
     if (c.channel.dimensions == 3 && c.turbulence.closure != ClosureKind::none) {
         return "the closure averages turbulence out and keeps its mean stress only, so that no eddies reach "
                "the surface, which stays almost flat (the thesis: 0.06 to 0.085 mm in 3D)";
@@ -68,8 +66,9 @@ void add_deviation(const FlowRecord& record, const SurfaceFluctuation& surface, 
         const Case& c = *record.flow();
         const auto& measured = c.measured.surface_standard_deviation;
         finding = against(std::move(finding), measured, measured_name(c));
-        if (measured && record.origin() == Origin::simulated && deviation.value < 0.5 * *measured)
+        if (measured && record.origin() == Origin::simulated && deviation.value < 0.5 * *measured) {
             finding.remark = flatness_remark(c);
+        }
     }
     if (record.flow() != nullptr && record.origin() == Origin::simulated) {
         if (const auto thesis = thesis_surface(*record.flow())) {
@@ -152,8 +151,9 @@ void add_map(const FlowRecord& record, const SurfaceFluctuation& surface, Analys
     for (std::size_t i = 0; i < line.columns; i += column_stride) map.x.push_back(line.x(i));
     for (std::size_t j = first; j < line.rows(); j += row_stride) {
         map.y.push_back(line.times[j]);
-        for (std::size_t i = 0; i < line.columns; i += column_stride)
+        for (std::size_t i = 0; i < line.columns; i += column_stride) {
             map.values.push_back(static_cast<float>(line.at(j, i)));
+        }
     }
     figure.maps.push_back(std::move(map));
     if (velocity > 0.0) figure.curves.push_back(advection_line(line, velocity, line.times[first], end));

@@ -18,8 +18,9 @@ namespace {
 /// Amplitude of cos(k x) in a row; not-a-number where a place is dry.
 double amplitude_of(const SpaceTime& surface, std::size_t row, double wavenumber) {
     double sum = 0.0;
-    for (std::size_t i = 0; i < surface.columns; ++i)
+    for (std::size_t i = 0; i < surface.columns; ++i) {
         sum += surface.at(row, i) * std::cos(wavenumber * surface.x(i));
+    }
     return 2.0 * sum / static_cast<double>(surface.columns);
 }
 
@@ -34,8 +35,9 @@ void add_surface_modes(const FlowRecord& record, const SpaceTime& surface, Analy
     if ((!wave && !full_tank) || c.channel.top != Top::free_surface) return;
     const double wavenumber = (wave ? 2.0 : 1.0) * std::numbers::pi / c.channel.length;
     std::vector<double> amplitude;
-    for (std::size_t row = 0; row < surface.rows(); ++row)
+    for (std::size_t row = 0; row < surface.rows(); ++row) {
         amplitude.push_back(amplitude_of(surface, row, wavenumber));
+    }
     const bool dry =
         std::any_of(amplitude.begin(), amplitude.end(), [](double a) { return !std::isfinite(a); });
     const auto [low, high] = std::minmax_element(amplitude.begin(), amplitude.end());

@@ -126,8 +126,9 @@ FieldEstimates form_induced(const MeanFlow& field, Velocity first, Velocity seco
             for (std::size_t j = 0; j < rows; ++j) own[j] += part[j];
         }
         std::vector<double> whole = dispersive(rows, a, b);
-        for (std::size_t j = 0; j < rows; ++j)
+        for (std::size_t j = 0; j < rows; ++j) {
             whole[j] = n > 1.0 ? (whole[j] - own[j]) / (n * (n - 1.0)) : whole[j];
+        }
         return whole;
     };
     FieldEstimates result{moment(blocks), std::vector<double>(rows, std::numeric_limits<double>::infinity())};
@@ -226,8 +227,9 @@ void add_mean_field(const FlowRecord& record, const FieldEstimates& form, Analys
     if (bed_stress > 0.0) {
         finding.remark += fmt::format(", {:.2g} % of tau_b", 100.0 * form.value[most] / bed_stress);
     }
-    if (c.has_side_walls())
+    if (c.has_side_walls()) {
         finding.remark += "; between side walls the departures hold those across the whole section";
+    }
     analysis.findings.push_back(std::move(finding));
 }
 

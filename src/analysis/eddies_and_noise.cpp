@@ -41,9 +41,7 @@ void NoiseSplit::add(const ParticleVelocities& particles) {
                 basis[static_cast<int>(k) + 1] = d;
                 squared += d * d;
             }
-            if (j == i || squared >= 1.0) {
-                return;
-            }
+            if (j == i || squared >= 1.0) return;
             const double q = std::sqrt(squared);
             const double weight = (1.0 - q) * (1.0 - q) * (1.0 - q) * (1.0 - q) * (1.0 + 4.0 * q);
             moments += weight * basis * basis.transpose();
@@ -52,9 +50,7 @@ void NoiseSplit::add(const ParticleVelocities& particles) {
             }
             ++neighbours;
         });
-        if (neighbours < fewest_neighbours) {
-            continue;
-        }
+        if (neighbours < fewest_neighbours) continue;
         const Eigen::LDLT<Eigen::Matrix4d> solver(moments);
         if (solver.rcond() < 1e-6) {
             continue;  // neighbours in one plane
@@ -81,9 +77,7 @@ EddiesAndNoise NoiseSplit::result(double fewest) const {
     split.snapshots = moments_;
     for (std::size_t l = 0; l < layers_.size(); ++l) {
         const Layer& layer = layers_[l];
-        if (moments_ == 0 || layer.count < fewest * static_cast<double>(moments_)) {
-            continue;
-        }
+        if (moments_ == 0 || layer.count < fewest * static_cast<double>(moments_)) continue;
         const auto mean = [&](double sum) { return sum / layer.count; };
         split.z.push_back((static_cast<double>(l) + 0.5) * spacing_);
         split.velocity.push_back(mean(layer.particle[0]));
@@ -110,9 +104,7 @@ double noise_viscosity(const EddiesAndNoise& split, double from, double to) {
             stress += split.stress[i] - split.stress_of_eddies[i];
         }
     }
-    if (layers.size() < 2) {
-        return 0.0;
-    }
+    if (layers.size() < 2) return 0.0;
     const double gradient = (split.velocity[layers.back()] - split.velocity[layers.front()]) /
                             (split.z[layers.back()] - split.z[layers.front()]);
     return gradient > 0.0 ? stress / static_cast<double>(layers.size()) / gradient : 0.0;

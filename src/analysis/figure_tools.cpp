@@ -89,8 +89,9 @@ void mark_window(const FlowRecord& record, Figure& figure) {
     const std::vector<double>& time = record.series()[fields::time_series.time];
     if (time.empty()) return;
     const double length = time.back() - time.front();
-    if (window.length() > 0.0 && window.length() < 0.99 * length)
+    if (window.length() > 0.0 && window.length() < 0.99 * length) {
         figure.guides.push_back({"averaging window", true, window.from, window.to});
+    }
 }
 
 void mark_levels(const FlowRecord& record, Figure& figure) {

@@ -62,8 +62,9 @@ void attempt(const FlowRecord& record, Analysis& analysis, Figure figure, const 
     try {
         fill(figure);
     } catch (const InputError& error) {
-        if (record.origin() != Origin::simulated)
+        if (record.origin() != Origin::simulated) {
             analysis.warnings.push_back(figure.title + ": " + error.what());
+        }
         figure.curves.clear();
         figure.maps.clear();
         add_missing(record, analysis, std::move(figure), error.what());

@@ -24,8 +24,9 @@ std::vector<double> law_heights(double from, double to) {
     constexpr int count = 80;
     std::vector<double> heights;
     heights.reserve(count);
-    for (int i = 0; i < count; ++i)
+    for (int i = 0; i < count; ++i) {
         heights.push_back(from * std::pow(to / from, static_cast<double>(i) / (count - 1)));
+    }
     return heights;
 }
 

@@ -157,8 +157,9 @@ struct LaboratoryRecord::Impl {
         std::vector<std::size_t> rows;
         for (std::size_t j = 0; j < plane.z.size(); ++j) {
             bool whole = true;
-            for (std::size_t k = 0; k < plane.time.size(); ++k)
+            for (std::size_t k = 0; k < plane.time.size(); ++k) {
                 whole = whole && std::isfinite(plane.u[(k * plane.z.size() + j) * plane.x.size() + middle]);
+            }
             if (whole) rows.push_back(j);
         }
         if (rows.size() < plane.z.size()) {

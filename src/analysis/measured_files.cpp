@@ -76,15 +76,17 @@ Profiles profiles_of(const ProfileRecord& record, double datum, double density) 
     Profiles p;
     p.velocity = keep(u);
     for (const double z : keep(record.z)) p.z.push_back(z + datum);
-    for (const double each : keep(record.find(ProfileQuantity::velocity)->uncertainty))
+    for (const double each : keep(record.find(ProfileQuantity::velocity)->uncertainty)) {
         p.velocity_half_width.push_back(normal_95 * each);
+    }
     p.velocity_rms = keep(values(ProfileQuantity::streamwise_rms));
     p.vertical_velocity = keep(values(ProfileQuantity::vertical_velocity));
     p.vertical_velocity_rms = keep(values(ProfileQuantity::vertical_rms));
     p.spanwise_velocity_rms = keep(values(ProfileQuantity::spanwise_rms));
     p.velocity_gradient = keep(values(ProfileQuantity::velocity_gradient));
-    for (const double stress : keep(values(ProfileQuantity::reynolds_stress)))
+    for (const double stress : keep(values(ProfileQuantity::reynolds_stress))) {
         p.reynolds_stress.push_back(density * stress);
+    }
     p.bin_upper = p.z;
     return p;
 }
@@ -139,8 +141,9 @@ Profiles profiles_of(const VelocityGrid& grid, double density) {
     for (std::size_t j = 0; j < grid.z.size(); ++j) {
         const auto along = [&](const std::vector<double>& values) {
             Mean mean;
-            for (std::size_t i = 0; i < grid.x.size() && !values.empty(); ++i)
+            for (std::size_t i = 0; i < grid.x.size() && !values.empty(); ++i) {
                 mean.add(values[j * grid.x.size() + i]);
+            }
             return mean;
         };
         const Mean u = along(grid.u);
@@ -170,8 +173,9 @@ void add_measured_file(const std::filesystem::path& path, const Case& c, FlowRec
     };
     const auto take_profile = [&](const Profiles& p) {
         measured.profile = {p.z, p.velocity, {}};
-        for (const double half_width : p.velocity_half_width)
+        for (const double half_width : p.velocity_half_width) {
             measured.profile.uncertainty.push_back(half_width / normal_95);
+        }
         measured.from_law = false;
         measured.note.clear();
         measured.turbulence = p;

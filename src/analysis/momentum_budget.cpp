@@ -142,8 +142,9 @@ void add_momentum_budget(const FlowRecord& record, Analysis& analysis) {
                                 grains ? "momentum budget: pressure on the grains, and what does not close"
                                        : "momentum budget: what does not close",
                                 unit, sum, std::nullopt);
-    if (size > 0.0 && !grains)
+    if (size > 0.0 && !grains) {
         rest.remark = fmt::format("{:.3g} of what passes from the ends to the forces", sum / size);
+    }
     findings.push_back(std::move(rest));
     if (size > 0.0 && !grains) {
         findings.push_back(against(make_finding(chapters::forces, "momentum_residual_share",

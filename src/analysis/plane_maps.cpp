@@ -26,8 +26,9 @@ VelocityGrid centreline_plane(const MeanFlow& field, const Case& c) {
     for (std::size_t iz = 0; iz < field.z.size(); ++iz) {
         for (std::size_t iy = 0; iy < field.y.size(); ++iy) {
             if (field.y[iy] < strip.from || field.y[iy] > strip.to) continue;
-            for (std::size_t ix = 0; ix < field.x.size(); ++ix)
+            for (std::size_t ix = 0; ix < field.x.size(); ++ix) {
                 sums.add(iz * field.x.size() + ix, field.box, field.at(iz, iy, ix));
+            }
         }
     }
     VelocityGrid grid;
@@ -89,8 +90,9 @@ class PlaneMaps {
         const double scale = bed > 0.0 ? bed : 1.0;
         const bool closure = grid_.shear_stress.size() == grid_.uw.size();
         std::vector<double> values(grid_.uw.size());
-        for (std::size_t i = 0; i < values.size(); ++i)
+        for (std::size_t i = 0; i < values.size(); ++i) {
             values[i] = ((closure ? grid_.shear_stress[i] : 0.0) - density * grid_.uw[i]) / scale;
+        }
         const std::string over =
             bed > 0.0 ? fmt::format(" Over tau_b = rho g S0 (H - d_h) = {:.4g} Pa.", bed) : "";
         add({.key = "mean_stress_map",

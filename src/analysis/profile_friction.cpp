@@ -70,8 +70,9 @@ std::vector<StressPart> stress_parts(const FlowRecord& record, const Profiles& p
     const std::vector<double> viscous = viscous_stress(p, c.fluid.density * c.fluid.kinematic_viscosity);
     StressPart form = form_induced(record, p, found);
     std::vector<StressPart> parts = {{"viscous", "viscosity of the water", viscous}};
-    if (c.turbulence.closure != ClosureKind::none)
+    if (c.turbulence.closure != ClosureKind::none) {
         parts.push_back({"closure", "closure", difference(p.viscous_stress, viscous)});
+    }
     if (form.stress.empty()) {
         parts.push_back({"turbulent", "resolved Reynolds stress", p.reynolds_stress});
     } else {
@@ -87,8 +88,9 @@ std::vector<StressPart> stress_parts(const FlowRecord& record, const Profiles& p
 double mean_velocity(const Profiles& p, double crests, double surface) {
     constexpr int steps = 2000;
     double sum = 0.0;
-    for (int i = 0; i < steps; ++i)
+    for (int i = 0; i < steps; ++i) {
         sum += place_in(p.z, crests + (surface - crests) * (i + 0.5) / steps).in(p.velocity);
+    }
     return sum / steps;
 }
 

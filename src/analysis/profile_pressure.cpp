@@ -80,8 +80,9 @@ void add_pressure(const FlowRecord& record, const Profiles& p, Analysis& analysi
                        "surface level, over that at the bed level.",
                        "", make_axis("pressure departure over bottom pressure", "1"));
     std::vector<double> share;
-    for (std::size_t i = 0; i < p.z.size(); ++i)
+    for (std::size_t i = 0; i < p.z.size(); ++i) {
         share.push_back((p.pressure[i] - hydrostatic[i]) / (weight * level));
+    }
     departure.curves.push_back(
         profile_curve("simulated", Origin::simulated, share, p.z, Mark::line_and_points));
     departure.curves.push_back(

@@ -66,11 +66,12 @@ void add_stresses(const FlowRecord& record, const Profiles& p, Analysis& analysi
     add("pressure forces of pairs", p.pair_stress, 3);
     const bool grown = !c.vegetation.empty() || !c.porous.empty();
     const bool elements = c.bed.kind == BedKind::spheres || grown;
-    if (elements && p.drag.size() == p.z.size() && p.bin_lower.size() == p.z.size())
+    if (elements && p.drag.size() == p.z.size() && p.bin_lower.size() == p.z.size()) {
         add(!c.porous.empty() ? "carried by porous zones and bed above z"
             : grown           ? "carried by vegetation and bed above z"
                               : "carried by the bed elements above z",
             drag_above(p), 4);
+    }
     if (!p.analytic_stress.empty()) {
         figure.curves.push_back(profile_curve(grown ? "balance with the drag" : "balance with the bed drag",
                                               Origin::column, p.analytic_stress, p.bin_upper));
@@ -116,8 +117,9 @@ void add_mixing_length(const FlowRecord& record, const Profiles& p, Analysis& an
         return;
     }
     std::vector<double> length;
-    for (std::size_t i = 0; i < p.z.size(); ++i)
+    for (std::size_t i = 0; i < p.z.size(); ++i) {
         length.push_back(std::sqrt(p.eddy_viscosity[i] / std::abs(p.velocity_gradient[i])));
+    }
     figure.curves.push_back(
         profile_curve("simulated", Origin::simulated, length, p.z, Mark::line_and_points));
     add_twin(record, &ColumnProfile::mixing_length, nullptr, figure);
@@ -155,8 +157,9 @@ void add_drag(const FlowRecord& record, const Profiles& p, Analysis& analysis) {
         !between_side_walls(record)) {
         const ColumnProfile& column = record.column()->profile;
         std::vector<double> of_column;
-        for (std::size_t i = 0; i < column.z.size(); ++i)
+        for (std::size_t i = 0; i < column.z.size(); ++i) {
             of_column.push_back(twin_drag(law.get(), canopy.get(), porous, column.z[i], column.velocity[i]));
+        }
         figure.curves.push_back(column_curve(column, of_column));
     }
     analysis.figures.push_back(std::move(figure));

@@ -30,8 +30,9 @@ void add_measured_turbulence(const FlowRecord& record, ProfileQuantity quantity,
         const double unit = quantity == ProfileQuantity::reynolds_stress ? record.flow()->fluid.density : 1.0;
         for (std::size_t i = 0; i < column->values.size(); ++i) {
             if (!add(unit * column->values[i], measured.file->z[i] + record.flow()->datum())) continue;
-            if (!column->uncertainty.empty())
+            if (!column->uncertainty.empty()) {
                 curve.x_half_width.push_back(std::abs(factor * unit) * normal_95 * column->uncertainty[i]);
+            }
         }
     } else {
         const std::vector<double>& of_field = measured.turbulence.*values;

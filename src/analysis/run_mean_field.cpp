@@ -27,8 +27,9 @@ std::vector<std::size_t> windows_within(const std::vector<double>& time, double 
     const double tolerance = 0.05 * interval;
     std::vector<std::size_t> rows;
     for (std::size_t row = 0; row < time.size(); ++row) {
-        if (time[row] - interval >= window.from - tolerance && time[row] <= window.to + tolerance)
+        if (time[row] - interval >= window.from - tolerance && time[row] <= window.to + tolerance) {
             rows.push_back(row);
+        }
     }
     return rows;
 }
@@ -60,8 +61,9 @@ FieldSums read_window(const RunResults& results, std::size_t row, std::size_t ce
     FieldSums sums(cells);
     for (std::size_t cell = 0; cell < cells; ++cell) {
         FieldValues here{};
-        for (std::size_t q = 0; q < field_quantities; ++q)
+        for (std::size_t q = 0; q < field_quantities; ++q) {
             here[q] = values[q].empty() ? not_a_number : values[q][cell];
+        }
         sums.add_window(cell, here, samples);
     }
     return sums;
@@ -163,8 +165,9 @@ SectionTwin read_section_twin(const RunResults& results) {
     twin.z = results.values(of.z);
     const auto read = [&](const Field& field) {
         std::vector<double> values = results.values(field);
-        if (!values.empty() && values.size() != twin.y.size() * twin.z.size())
+        if (!values.empty() && values.size() != twin.y.size() * twin.z.size()) {
             fail(field, "/section/y and z");
+        }
         return values;
     };
     twin.velocity = read(of.velocity);

@@ -175,8 +175,9 @@ void read_grid(const ProbeGroup& group, const TimeWindow& window, RunProbes& pro
     // What files of earlier versions, and runs without a closure, do not have.
     if (!rows[velocities].empty()) grid.pressure.assign(points, not_a_number);
     if (!rows[velocities + 1].empty()) grid.shear_stress.assign(points, not_a_number);
-    for (std::vector<double>* values : {&grid.u, &grid.w, &grid.uu, &grid.ww, &grid.uw})
+    for (std::vector<double>* values : {&grid.u, &grid.w, &grid.uu, &grid.ww, &grid.uw}) {
         values->assign(points, not_a_number);
+    }
     for (std::size_t i = 0; i < points; ++i) {
         double n = 0.0;
         std::array<double, 10> sum{};

@@ -105,8 +105,9 @@ struct RunRecord::Impl {
     [[nodiscard]] Measured read_measured() {
         Measured result;
         const std::filesystem::path& file = flow.measured.velocity_profile;
-        for (const std::filesystem::path& named : options.measured)
+        for (const std::filesystem::path& named : options.measured) {
             add_measured_file(named, flow, result, warnings);  // on the command line: it must be there
+        }
         if (!result.profile.height.empty()) return result;
         if (!file.empty()) {
             std::error_code error;
@@ -186,8 +187,9 @@ const std::vector<VelocityPlane>& RunRecord::velocity_planes() const { return im
 const std::vector<ScalarProbe>& RunRecord::scalar_probes() const { return impl_->instruments().scalars; }
 
 const MeanFlow& RunRecord::mean_field() const {
-    if (!impl_->mean_field)
+    if (!impl_->mean_field) {
         impl_->mean_field = read_mean_field(impl_->results, impl_->flow, impl_->window, impl_->warnings);
+    }
     return *impl_->mean_field;
 }
 

@@ -29,9 +29,7 @@ std::array<std::vector<double>, 3> components(const std::vector<double>& rows) {
     std::array<std::vector<double>, 3> result;
     for (std::size_t k = 0; k < 3; ++k) {
         result[k].resize(rows.size() / 3);
-        for (std::size_t i = 0; i < result[k].size(); ++i) {
-            result[k][i] = rows[3 * i + k];
-        }
+        for (std::size_t i = 0; i < result[k].size(); ++i) result[k][i] = rows[3 * i + k];
     }
     return result;
 }
@@ -45,9 +43,7 @@ EddiesAndNoise read_eddies_and_noise(const RunResults& results, const Case& c, c
     const auto& of = fields::snapshot;
     std::vector<std::string> groups;
     for (SnapshotPlace& snapshot : snapshots_with_velocities(results)) {
-        if (window.holds(snapshot.time)) {
-            groups.push_back(std::move(snapshot.group));
-        }
+        if (window.holds(snapshot.time)) groups.push_back(std::move(snapshot.group));
     }
     if (groups.empty()) {
         return {};

@@ -104,14 +104,16 @@ SecondarySurvival secondary_survival(const MeanFlow& field, double above, bool p
         group = std::min(2 * group, windows);
     }
     std::vector<SecondaryFlow> flows;
-    for (const FieldSums& section : field.sections)
+    for (const FieldSums& section : field.sections) {
         flows.push_back(secondary_flow(field, section, above, periodic));
+    }
     result.persistent = {persistent_square(flows, windows, windows), std::numeric_limits<double>::infinity()};
     const std::size_t blocks = std::min(windows, MeanFlow::most_blocks);
     if (blocks < 3) return result;  // without one of two there is no product left
     std::vector<double> without_one;
-    for (std::size_t b = 0; b < blocks; ++b)
+    for (std::size_t b = 0; b < blocks; ++b) {
         without_one.push_back(persistent_square(flows, b * windows / blocks, (b + 1) * windows / blocks));
+    }
     result.persistent.half_width = jackknife_half_width(without_one);
     return result;
 }

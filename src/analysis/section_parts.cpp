@@ -186,8 +186,9 @@ Curve section_vectors(const MeanFlow& field, const FieldSums& section, const Cas
         const double z0 = arrow.z / depth - 0.5 * dz;
         segment(y0, z0, y0 + dy, z0 + dz);
         constexpr double head = 0.35;
-        for (const double side : {-0.5, 0.5})
+        for (const double side : {-0.5, 0.5}) {
             segment(y0 + dy, z0 + dz, y0 + dy - head * (dy - side * dz), z0 + dz - head * (dz + side * dy));
+        }
     }
     return curve;
 }

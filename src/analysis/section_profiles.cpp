@@ -201,8 +201,9 @@ void add_lateral(const FlowRecord& record, Analysis& analysis) {
         const FieldSums section = field.section();
         for (std::size_t iy = 0; iy < field.y.size(); ++iy) {
             for (std::size_t iz = 0; iz < field.z.size(); ++iz) {
-                if (std::isfinite(section.mean(FieldQuantity::velocity, field.at(iz, iy))))
+                if (std::isfinite(section.mean(FieldQuantity::velocity, field.at(iz, iy)))) {
                     values[field.at(iz, iy)] = twin_value(twin, twin.velocity, field.y[iy], field.z[iz]);
+                }
             }
         }
         const std::vector<double> beside = depth_means(field, c, values);

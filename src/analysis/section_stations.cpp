@@ -58,8 +58,9 @@ std::vector<Station> stations_of(const Case& c, const SectionPoints& points) {
 
 std::vector<double> half_widths(const std::vector<double>& uncertainty) {
     std::vector<double> result;
-    if (std::none_of(uncertainty.begin(), uncertainty.end(), [](double u) { return std::isfinite(u); }))
+    if (std::none_of(uncertainty.begin(), uncertainty.end(), [](double u) { return std::isfinite(u); })) {
         return result;
+    }
     for (const double u : uncertainty) result.push_back(normal_95 * u);
     return result;
 }
@@ -274,8 +275,9 @@ void add_rows(const FlowRecord& record, Analysis& analysis) {
                 std::vector<double> values(field.y.size());
                 std::vector<double> profile(field.z.size());
                 for (std::size_t iy = 0; iy < field.y.size(); ++iy) {
-                    for (std::size_t iz = 0; iz < field.z.size(); ++iz)
+                    for (std::size_t iz = 0; iz < field.z.size(); ++iz) {
                         profile[iz] = section.mean(FieldQuantity::velocity, field.at(iz, iy));
+                    }
                     values[iy] = interpolated(field.z, profile, row.z);
                 }
                 return period_means(field.y, values, lattice_period_across(c).value_or(0.0));

@@ -95,8 +95,9 @@ void add_depth_correlation(const FlowRecord& record, const VelocityInstrument& i
         }
         f.curves.push_back(std::move(same));
         f.curves.push_back(std::move(extreme));
-        if (record.flow() != nullptr)
+        if (record.flow() != nullptr) {
             add_influence_depth(found, instrument.points.back().z, *record.flow(), analysis);
+        }
     });
     if (!lags.curves.empty()) analysis.figures.push_back(std::move(lags));
 }

@@ -19,8 +19,9 @@ std::array<Curve, 4> curves_of_quadrants(Origin origin) {
     constexpr std::array names = {"outward interactions (Q1)", "ejections (Q2)", "inward interactions (Q3)",
                                   "sweeps (Q4)"};
     std::array<Curve, names.size()> curves;
-    for (std::size_t q = 0; q < curves.size(); ++q)
+    for (std::size_t q = 0; q < curves.size(); ++q) {
         curves[q] = make_curve(names[q], origin, Mark::line_and_points, {}, {}, static_cast<int>(q));
+    }
     return curves;
 }
 

@@ -81,8 +81,10 @@ void require_sound(const SurfacePlan& plan, std::size_t segment_times) {
                         "are needed",
                         segment_times, plan.times(), fewest));
     }
-    if (!std::all_of(plan.elevation.begin(), plan.elevation.end(), [](double z) { return std::isfinite(z); }))
+    if (!std::all_of(plan.elevation.begin(), plan.elevation.end(),
+                     [](double z) { return std::isfinite(z); })) {
         throw InputError("families of the surface: a point of the maps has no water at some time");
+    }
 }
 
 }  // namespace
@@ -112,8 +114,9 @@ SurfaceMakeup surface_makeup(const SurfacePlan& plan, const GravityCapillaryWave
                                  plan.spacing_y * static_cast<double>(plan.rows));
     const double largest = pi / std::max(plan.spacing_x, plan.spacing_y);
     const auto bands = static_cast<std::size_t>(std::max(1.0, std::floor(largest / band)));
-    for (std::size_t i = 0; i < bands; ++i)
+    for (std::size_t i = 0; i < bands; ++i) {
         result.wavenumber.push_back((static_cast<double>(i) + 1.0) * band);
+    }
     for (auto& of_family : result.density) of_family.assign(bands, 0.0);
 
     const Families families(waves, slowest, fastest, 2.0 * pi / plan.interval, step);
@@ -141,8 +144,9 @@ SurfaceMakeup surface_makeup(const SurfacePlan& plan, const GravityCapillaryWave
             const double power = std::norm(box[at]);
             result.variance[static_cast<std::size_t>(family)] += power;
             const auto of_band = static_cast<std::size_t>(std::lround(std::hypot(kx[i], ky[j]) / band));
-            if (of_band >= 1 && of_band <= bands)
+            if (of_band >= 1 && of_band <= bands) {
                 result.density[static_cast<std::size_t>(family)][of_band - 1] += power / band;
+            }
         }
     }
     // Parseval: the sum of |X|^2 is the number of values times the sum of the squares.

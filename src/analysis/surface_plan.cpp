@@ -45,8 +45,9 @@ std::vector<double> means_of(const SurfaceMaps& maps) {
         sum[i % points] += maps.elevation[i];
         count[i % points] += 1.0;
     }
-    for (std::size_t i = 0; i < points; ++i)
+    for (std::size_t i = 0; i < points; ++i) {
         sum[i] = count[i] > 0.0 ? sum[i] / count[i] : std::numeric_limits<double>::quiet_NaN();
+    }
     return sum;
 }
 

@@ -44,8 +44,9 @@ void add_surface_space_time(const FlowRecord& record, const SpaceTime& line, Ana
         for (std::size_t k = 0; k < r.lag.size(); k += stride) map.x.push_back(r.lag[k]);
         map.y = r.distance;
         for (std::size_t d = 0; d < r.distance.size(); ++d) {
-            for (std::size_t k = 0; k < r.lag.size(); k += stride)
+            for (std::size_t k = 0; k < r.lag.size(); k += stride) {
                 map.values.push_back(static_cast<float>(r.of(d)[k]));
+            }
         }
         f.maps.push_back(std::move(map));
         if (velocity > 0.0) {

@@ -58,8 +58,9 @@ double lag_half_width(std::span<const double> a, std::span<const double> b, doub
         const std::vector<CorrelationExtreme> extremes = correlation_extremes(correlation);
         for (const CorrelationExtreme& extreme : extremes) {
             if (!extreme.maximum || std::abs(extreme.lag - lag) > 0.5 * lag) continue;
-            if (nearest == nullptr || std::abs(extreme.lag - lag) < std::abs(nearest->lag - lag))
+            if (nearest == nullptr || std::abs(extreme.lag - lag) < std::abs(nearest->lag - lag)) {
                 nearest = &extreme;
+            }
         }
         if (nearest != nullptr) found.push_back(nearest->lag);
     }
@@ -130,8 +131,9 @@ std::vector<SurfaceStation> stations_of_line(const SpaceTime& line,
     std::set<std::size_t> columns;  // ascending, each once
     for (const ElevationProbe& probe : probes) {
         const double place = std::round((probe.x - line.first_x) / line.spacing);
-        if (place >= 0.0 && place < static_cast<double>(line.columns))
+        if (place >= 0.0 && place < static_cast<double>(line.columns)) {
             columns.insert(static_cast<std::size_t>(place));
+        }
     }
     if (columns.size() < 2) {
         columns.clear();
@@ -236,8 +238,9 @@ void add_station_correlations(const FlowRecord& record, const std::vector<Surfac
             const double half_width =
                 lag_half_width(std::span(first.elevation).first(samples),
                                std::span(other.elevation).first(samples), first.interval, best->lag);
-            if (std::isfinite(half_width) && half_width < best->lag)
+            if (std::isfinite(half_width) && half_width < best->lag) {
                 finding.half_width = finding.value * half_width / best->lag;
+            }
             analysis.findings.push_back(std::move(finding));
         }
     });

@@ -83,12 +83,14 @@ void add_wave_spectrum(const FlowRecord& record, const SurfaceFluctuation& surfa
         map.label = "power spectral density";
         map.unit = "m3 s/rad2";
         map.logarithmic = true;
-        for (std::size_t i = 0; i < spectrum.wavenumber.size(); i += k_stride)
+        for (std::size_t i = 0; i < spectrum.wavenumber.size(); i += k_stride) {
             map.x.push_back(spectrum.wavenumber[i]);
+        }
         map.y = spectrum.frequency;
         for (std::size_t m = 0; m < spectrum.frequency.size(); ++m) {
-            for (std::size_t i = 0; i < spectrum.wavenumber.size(); i += k_stride)
+            for (std::size_t i = 0; i < spectrum.wavenumber.size(); i += k_stride) {
                 map.values.push_back(static_cast<float>(spectrum.at(m, i)));
+            }
         }
         f.maps.push_back(std::move(map));
         if (record.flow() != nullptr && bulk_velocity(record) > 0.0) add_dispersion(record, spectrum, f);

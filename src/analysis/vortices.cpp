@@ -79,8 +79,9 @@ std::vector<double> q_criterion(const CellBox& box, const std::array<std::vector
         for (std::size_t j = i; j < 3; ++j) {
             const std::vector<double> one = derivative(box, velocity[i], j);
             if (i == j) {
-                for (std::size_t cell = 0; cell < result.size(); ++cell)
+                for (std::size_t cell = 0; cell < result.size(); ++cell) {
                     result[cell] -= 0.5 * one[cell] * one[cell];
+                }
                 continue;
             }
             const std::vector<double> other = derivative(box, velocity[j], i);

@@ -33,9 +33,7 @@ std::vector<ControlGroupFolder> control_group_folders(const SystemFiles& files, 
         // hierarchy:controllers:path; the second version is hierarchy 0 without controllers.
         const std::size_t first = line.find(':');
         const std::size_t second = line.find(':', first + 1);
-        if (first == std::string::npos || second == std::string::npos) {
-            continue;
-        }
+        if (first == std::string::npos || second == std::string::npos) continue;
         const std::string controllers = line.substr(first + 1, second - first - 1);
         const std::string group = line.substr(second + 1);
         if (controllers.empty()) {

@@ -11,13 +11,9 @@ std::string csv_number(double value) { return std::isfinite(value) ? fmt::format
 std::string csv_number(const std::optional<double>& value) { return value ? csv_number(*value) : ""; }
 
 std::string csv_cell(const std::string& text) {
-    if (text.find_first_of(",\"\n\r") == std::string::npos) {
-        return text;
-    }
+    if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
     std::string quoted = "\"";
-    for (const char letter : text) {
-        quoted += letter == '"' ? std::string("\"\"") : std::string(1, letter);
-    }
+    for (const char letter : text) quoted += letter == '"' ? std::string("\"\"") : std::string(1, letter);
     return quoted + '"';
 }
 

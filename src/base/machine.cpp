@@ -45,9 +45,7 @@ std::size_t statistic(const std::string& file, const std::string& name) {
     std::ifstream stream(file);
     std::string word;
     for (std::size_t value = 0; stream >> word >> value;) {
-        if (word == name) {
-            return value;
-        }
+        if (word == name) return value;
     }
     return 0;
 }
@@ -59,9 +57,7 @@ std::optional<std::size_t> left_in(const ControlGroupFolder& folder) {
         bytes_of(first_line(folder.path + (second ? "/memory.max" : "/memory.limit_in_bytes")));
     const auto used =
         bytes_of(first_line(folder.path + (second ? "/memory.current" : "/memory.usage_in_bytes")));
-    if (!limit || !used) {
-        return std::nullopt;
-    }
+    if (!limit || !used) return std::nullopt;
     const std::size_t droppable =
         statistic(folder.path + "/memory.stat", second ? "inactive_file" : "total_inactive_file");
     const std::size_t held = *used - std::min(*used, droppable);
@@ -77,9 +73,7 @@ std::string processor_name() {
 
 std::optional<std::size_t> available_memory(const SystemFiles& files) {
     const auto kilobytes = bytes_of(entry_of(files.root + "/proc/meminfo", "MemAvailable"));  // "12345 kB"
-    if (!kilobytes) {
-        return std::nullopt;
-    }
+    if (!kilobytes) return std::nullopt;
     std::size_t bytes = 1024 * *kilobytes;
     rlimit limit{};
     if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY) {

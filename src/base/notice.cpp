@@ -18,9 +18,7 @@ void set_notices(std::function<void(const std::string&)> receiver) {
 }
 
 void notice(const std::string& what) {
-    if (receiver_of_notices()) {
-        receiver_of_notices()(what);
-    }
+    if (receiver_of_notices()) receiver_of_notices()(what);
 }
 
 }  // namespace riffle::inline base

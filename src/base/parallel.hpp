@@ -31,9 +31,7 @@ template <class F>
 void parallel_blocks(std::size_t n, std::size_t block, const F& f) {
     const std::size_t blocks = (n + block - 1) / block;
     if (blocks <= 1 || single_thread()) {
-        for (std::size_t b = 0; b < blocks; ++b) {
-            f(b * block, std::min(n, (b + 1) * block));
-        }
+        for (std::size_t b = 0; b < blocks; ++b) f(b * block, std::min(n, (b + 1) * block));
         return;
     }
     tbb::parallel_for(
@@ -54,9 +52,7 @@ template <class T, class Map, class Combine>
     parallel_blocks(n, block,
                     [&](std::size_t begin, std::size_t end) { partial[begin / block] = map(begin, end); });
     T result = identity;
-    for (const T& p : partial) {
-        result = combine(result, p);
-    }
+    for (const T& p : partial) result = combine(result, p);
     return result;
 }
 

@@ -62,9 +62,7 @@ std::vector<std::size_t> processors_of_process() {
     const long bytes = syscall(SYS_sched_getaffinity, 0, bits.size() * sizeof(bits[0]), bits.data());
     std::vector<std::size_t> processors;
     for (std::size_t p = 0; bytes > 0 && p < 8 * static_cast<std::size_t>(bytes); ++p) {
-        if (has_bit(bits, p)) {
-            processors.push_back(p);
-        }
+        if (has_bit(bits, p)) processors.push_back(p);
     }
     return processors;
 }
@@ -85,9 +83,7 @@ std::vector<std::size_t> numbers_of_list(const std::string& text) {
         if (read.ec != std::errc() || read.ptr != end) {
             return {};
         }
-        for (std::size_t n = first; n <= last; ++n) {
-            numbers.push_back(n);
-        }
+        for (std::size_t n = first; n <= last; ++n) numbers.push_back(n);
     }
     return numbers;
 }

@@ -16,9 +16,7 @@ std::string wrapped_text(std::string_view line, std::size_t indent, std::size_t 
     bool empty = true;  // the current line has no word yet
     for (std::size_t at = begin; at < line.size();) {
         const std::size_t space = line.find_first_not_of(' ', at);
-        if (space == std::string_view::npos) {
-            break;
-        }
+        if (space == std::string_view::npos) break;
         const std::size_t end = std::min(line.find(' ', space), line.size());
         const std::string_view word = line.substr(space, end - space);
         const std::string_view with_spaces = line.substr(at, end - at);

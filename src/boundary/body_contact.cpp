@@ -18,9 +18,7 @@ constexpr double pi = std::numbers::pi;
 constexpr double tangential_stiffness = 0.8;
 
 void add_scaled(Point3& sum, double factor, const Point3& v) {
-    for (std::size_t k = 0; k < 3; ++k) {
-        sum[k] += factor * v[k];
-    }
+    for (std::size_t k = 0; k < 3; ++k) sum[k] += factor * v[k];
 }
 
 /// Corners of an outline, and places of its edges so far apart at most.
@@ -77,9 +75,7 @@ double damping_ratio(double restitution) {
 
 BodyContact::BodyContact(const Case& c, const std::vector<FreeBody>& bodies, double duration)
     : dimensions_(c.channel.dimensions), surfaces_(c), free_count_(bodies.size()), duration_(duration) {
-    if (bodies.empty()) {
-        return;
-    }
+    if (bodies.empty()) return;
     planes_ = dimensions_ == 2 ? boundary_planes<2>(c) : boundary_planes<3>(c);
     const std::vector<BoundaryPlane> racks = body_racks(c);
     planes_.insert(planes_.end(), racks.begin(), racks.end());
@@ -112,9 +108,7 @@ void BodyContact::touch_plane(std::size_t solid, const BoundaryPlane& plane, con
     Point3 normal{};
     normal[axis] = plane.inward;
     const Point3 middle = body.placed(middle_[solid]);
-    if (plane.inward * (middle[axis] - plane.place) > radius_[solid]) {
-        return;
-    }
+    if (plane.inward * (middle[axis] - plane.place) > radius_[solid]) return;
     for (const Point3& start : points_[solid]) {
         const Point3 place = body.placed(start);
         const double depth = -plane.inward * (place[axis] - plane.place);
@@ -144,9 +138,7 @@ void BodyContact::touch_solid(std::size_t points_of, std::size_t in, const std::
         const auto foot = surfaces_.inside(in, other.place_at_start(beside));
         if (foot) {
             Point3 normal = other.turned(foot->normal);
-            for (double& component : normal) {
-                component *= sign;
-            }
+            for (double& component : normal) component *= sign;
             touches.push_back({place, normal, -foot->distance});
         }
     }
@@ -297,9 +289,7 @@ double BodyContact::deepest(const std::vector<FreeBody>& free, std::size_t n,
         }
     }
     double depth = 0.0;
-    for (const Touch& touch : touches) {
-        depth = std::max(depth, touch.depth);
-    }
+    for (const Touch& touch : touches) depth = std::max(depth, touch.depth);
     return depth;
 }
 

@@ -22,14 +22,10 @@ std::vector<BoundaryPlane> body_racks(const Case& c) {
 }
 
 RackWatch::RackWatch(const Case& c) : racks_(body_racks(c)), motion_(c) {
-    if (racks_.empty()) {
-        return;
-    }
+    if (racks_.empty()) return;
     for (std::size_t k = 0; k < c.solids.size(); ++k) {
         const Solid& solid = c.solids[k];
-        if (solid.motion != SolidMotion::free) {
-            continue;
-        }
+        if (solid.motion != SolidMotion::free) continue;
         Body body{solid.name, k, {}, std::vector<bool>(racks_.size(), false)};
         if (const SolidMesh* const mesh = mesh_of(c, solid)) {
             for (const Triangle& t : mesh->tree().triangles()) {
@@ -47,16 +43,12 @@ RackWatch::RackWatch(const Case& c) : racks_(body_racks(c)), motion_(c) {
 
 std::vector<std::string> RackWatch::news(double time, std::span<const FreeBodyState> free) {
     std::vector<std::string> sentences;
-    if (bodies_.empty()) {
-        return sentences;
-    }
+    if (bodies_.empty()) return sentences;
     const std::vector<BodyState> states = motion_.at(time, free);
     for (Body& body : bodies_) {
         const BodyState& state = states[first_solid + body.solid];
         for (std::size_t r = 0; r < racks_.size(); ++r) {
-            if (body.told[r]) {
-                continue;
-            }
+            if (body.told[r]) continue;
             const BoundaryPlane& rack = racks_[r];
             const bool touches =
                 std::any_of(body.corners.begin(), body.corners.end(), [&](const Point3& corner) {

@@ -26,12 +26,8 @@ Quaternion turned_on(const Quaternion& orientation, const Point3& angular_veloci
                                  share * angular_velocity[2]},
                                 orientation);
     double squared = 0.0;
-    for (const double q : result) {
-        squared += q * q;
-    }
-    for (double& q : result) {
-        q /= std::sqrt(squared);
-    }
+    for (const double q : result) squared += q * q;
+    for (double& q : result) q /= std::sqrt(squared);
     return result;
 }
 
@@ -113,9 +109,7 @@ FreeBody::FreeBody(const Case& c, std::size_t number) : solid_(number) {
     centre_ = rotation_point(c, solid);
     if (solid.inertia.empty()) {
         inertia_ = shape.inertia();
-        for (double& moment : inertia_) {
-            moment *= mass_ / shape.volume;
-        }
+        for (double& moment : inertia_) moment *= mass_ / shape.volume;
     } else {
         for (std::size_t k = 0; k < 3; ++k) {
             inertia_[4 * k] = solid.inertia.size() == 3 ? solid.inertia[k] : solid.inertia[0];
@@ -164,23 +158,17 @@ Point3 FreeBody::angular_velocity_of(const Point3& angular_momentum, const Quate
 
 FreeBody::Rates FreeBody::rates(const FreeBodyState& state, const BodyLoad& load) const {
     Rates rates;
-    for (std::size_t k = 0; k < 3; ++k) {
-        rates.acceleration[k] = moves_[k] ? load.force[k] / mass_ : 0.0;
-    }
+    for (std::size_t k = 0; k < 3; ++k) rates.acceleration[k] = moves_[k] ? load.force[k] / mass_ : 0.0;
     const Point3 gyration = cross(state.angular_velocity, state.angular_momentum);
     Point3 moment = load.moment;
-    for (std::size_t k = 0; k < 3; ++k) {
-        moment[k] -= gyration[k];
-    }
+    for (std::size_t k = 0; k < 3; ++k) moment[k] -= gyration[k];
     rates.angular_acceleration = angular_velocity_of(moment, state.orientation);
     return rates;
 }
 
 double FreeBody::mobility(const FreeBodyState& state, const Point3& arm, const Point3& direction) const {
     double result = 0.0;
-    for (std::size_t k = 0; k < 3; ++k) {
-        result += moves_[k] ? direction[k] * direction[k] / mass_ : 0.0;
-    }
+    for (std::size_t k = 0; k < 3; ++k) result += moves_[k] ? direction[k] * direction[k] / mass_ : 0.0;
     const Point3 turn = cross(arm, direction);
     return result + dot(turn, angular_velocity_of(turn, state.orientation));
 }
@@ -216,17 +204,13 @@ void FreeBody::advance(FreeBodyState& state, const BodyLoad& load, double kick, 
     const Quaternion middle = turned_on(state.orientation, begin, 0.5 * motion);
     const Point3 turning = angular_velocity_of(state.angular_momentum, middle);
     state.orientation = turned_on(state.orientation, turning, motion);
-    for (std::size_t k = 0; k < 3; ++k) {
-        state.angle[k] += motion * turning[k];
-    }
+    for (std::size_t k = 0; k < 3; ++k) state.angle[k] += motion * turning[k];
     state.angular_velocity = angular_velocity_of(state.angular_momentum, state.orientation);
     state.angular_momentum = kept(state.angular_velocity, state.orientation);
 }
 
 void FreeBody::predict(FreeBodyState& state, double kick, double motion) const {
-    if (state.released == 0.0) {
-        return;
-    }
+    if (state.released == 0.0) return;
     for (std::size_t k = 0; k < 3; ++k) {
         state.velocity[k] += kick * state.acceleration[k];
         state.displacement[k] += motion * state.velocity[k];
@@ -238,9 +222,7 @@ void FreeBody::predict(FreeBodyState& state, double kick, double motion) const {
 std::vector<FreeBody> free_bodies(const Case& c) {
     std::vector<FreeBody> bodies;
     for (std::size_t k = 0; k < c.solids.size(); ++k) {
-        if (c.solids[k].motion == SolidMotion::free) {
-            bodies.emplace_back(c, k);
-        }
+        if (c.solids[k].motion == SolidMotion::free) bodies.emplace_back(c, k);
     }
     return bodies;
 }

@@ -15,16 +15,10 @@ MeshContact::MeshContact(const Case& c, const WallParticles<3>& walls)
       period_{c.channel.ends == Ends::periodic ? c.channel.length : 0.0,
               c.channel.sides == Sides::periodic ? c.channel.simulated_width() : 0.0, 0.0},
       planes_(boundary_planes<3>(c)) {
-    for (const Solid& solid : c.solids) {
-        moves_.push_back(solid.motion != SolidMotion::fixed);
-    }
-    if (walls_end_at_surface(c)) {
-        return;
-    }
+    for (const Solid& solid : c.solids) moves_.push_back(solid.motion != SolidMotion::fixed);
+    if (walls_end_at_surface(c)) return;
     for (std::size_t i = 0; i < walls.size(); ++i) {
-        if (!is_solid(walls, i)) {
-            continue;
-        }
+        if (!is_solid(walls, i)) continue;
         const Vec<3> place{walls.position[0][i], walls.position[1][i], walls.position[2][i]};
         auto& layer = layers_[static_cast<std::size_t>(walls.body[i] - first_solid)];
         const auto [cell, added] = layer.try_emplace(cell_of(place, {}), walls.depth[i]);
@@ -48,16 +42,12 @@ double MeshContact::room_at(std::size_t solid, const Vec<3>& place) const {
         for (int j = -1; j <= 1; ++j) {
             for (int k = -1; k <= 1; ++k) {
                 const auto found = layers_[solid].find(cell_of(place, {i, j, k}));
-                if (found != layers_[solid].end()) {
-                    first_layer = std::min(first_layer, found->second);
-                }
+                if (found != layers_[solid].end()) first_layer = std::min(first_layer, found->second);
             }
         }
     }
     const double half = 0.5 * spacing_;
-    if (!std::isfinite(first_layer)) {
-        return 0.0;
-    }
+    if (!std::isfinite(first_layer)) return 0.0;
     return std::clamp(first_layer - half, moves_[solid] ? -half : 0.0, half);
 }
 
@@ -82,9 +72,7 @@ double MeshContact::depth(std::size_t solid, const std::vector<BodyState>& now,
                           const Vec<3>& position) const {
     const SolidMesh& mesh = (*meshes_)[solid];
     const Vec<3> place = in_body(solid, now[first_solid + solid], position);
-    if (!mesh.contains(place)) {
-        return 0.0;
-    }
+    if (!mesh.contains(place)) return 0.0;
     const auto foot = mesh.nearest(place);
     return foot ? foot->distance : 0.0;
 }
@@ -104,39 +92,29 @@ double MeshContact::resolve(const std::vector<BodyState>& now, Vec<3>& position,
         }
         Vec<3> place = in_body(solid, state, before);
         const bool inside = mesh.contains(place);
-        if (!inside && !moves_[solid]) {
-            continue;
-        }
+        if (!inside && !moves_[solid]) continue;
         const auto near = mesh.nearest(place, spacing_, [&](const Vec<3>& foot) {
             const Vec<3> from = state.turned(place);
             const Vec<3> to = state.turned(foot);
             Vec<3> now_at{};
-            for (std::size_t k = 0; k < 3; ++k) {
-                now_at[k] = before[k] + to[k] - from[k];
-            }
+            for (std::size_t k = 0; k < 3; ++k) now_at[k] = before[k] + to[k] - from[k];
             return std::all_of(planes_.begin(), planes_.end(), [&](const BoundaryPlane& plane) {
                 return plane.distance<3>(now_at) > 0.5 * hair;
             });
         });
-        if (!near) {
-            continue;
-        }
+        if (!near) continue;
         SolidMesh::Foot foot = *near;
         for (std::size_t k = 0; k < 3; ++k) {
             place[k] += foot.distance * foot.direction[k];
             foot.direction[k] *= inside ? 1.0 : -1.0;
         }
         const double way = (inside ? foot.distance : -foot.distance) - room_at(solid, place);
-        if (way <= 0.0) {
-            continue;
-        }
+        if (way <= 0.0) continue;
         foot.direction = state.turned(foot.direction);
         const Vec<3> at = state.placed(place);
         const Vec<3> solid_velocity = state.velocity_at(at);
         double outward = 0.0;
-        for (std::size_t k = 0; k < 3; ++k) {
-            outward += (velocity[k] - solid_velocity[k]) * foot.direction[k];
-        }
+        for (std::size_t k = 0; k < 3; ++k) outward += (velocity[k] - solid_velocity[k]) * foot.direction[k];
         for (std::size_t k = 0; k < 3; ++k) {
             position[k] += (way + 1e-6 * spacing_) * foot.direction[k];
             velocity[k] -= std::min(outward, 0.0) * foot.direction[k];

@@ -39,9 +39,7 @@ class MeshFill {
     void add_resting(int rows) {
         for (int column = 0; column < lattice_.columns && !meshes_->empty(); ++column) {
             for (int file = 0; file < lattice_.files; ++file) {
-                for (int row = 0; row < rows; ++row) {
-                    add_at(place_of(column, file, row));
-                }
+                for (int row = 0; row < rows; ++row) add_at(place_of(column, file, row));
             }
         }
     }
@@ -78,9 +76,7 @@ class MeshFill {
                 part.volume = std::min(part.volume, lattice_.volume<3>() - taken);
                 taken += part.volume;
                 add(k, part);
-                if (part.volume > 0.0) {
-                    earlier.push_back(k);
-                }
+                if (part.volume > 0.0) earlier.push_back(k);
             }
         }
     }
@@ -88,18 +84,14 @@ class MeshFill {
     /// What a solid takes of the cell around a place: its part, or on the lattice all or nothing.
     [[nodiscard]] Part part_at(std::size_t solid, const Vec<3>& middle) const {
         const SolidMesh& mesh = (*meshes_)[solid];
-        if (to_surface_) {
-            return part_in_cell(mesh, middle);
-        }
+        if (to_surface_) return part_in_cell(mesh, middle);
         return mesh.contains(middle) ? Part{lattice_.volume<3>(), middle} : Part{};
     }
 
     /// Whether a cell around a place lies beyond the box around a solid.
     [[nodiscard]] bool is_beyond(const SolidMesh& mesh, const Vec<3>& middle) const {
         for (std::size_t k = 0; k < 3; ++k) {
-            if (middle[k] < mesh.lower()[k] - cell_[k] || middle[k] > mesh.upper()[k] + cell_[k]) {
-                return true;
-            }
+            if (middle[k] < mesh.lower()[k] - cell_[k] || middle[k] > mesh.upper()[k] + cell_[k]) return true;
         }
         return false;
     }
@@ -128,9 +120,7 @@ class MeshFill {
         return sum_of_small(middle, [&](const Vec<3>& place, const Vec<3>& size) {
             Part part = part_in_small(mesh, place, size);
             for (const std::size_t other : earlier) {
-                if (part.volume <= 0.0) {
-                    break;
-                }
+                if (part.volume <= 0.0) break;
                 const double share = part_in_small((*meshes_)[other], place, size).volume;
                 // Two faces through the small cell: on each other where one part lies in the other solid,
                 // else side by side.
@@ -162,9 +152,7 @@ class MeshFill {
         if (part.volume < least_share * parts_along * parts_along * parts_along) {
             return {};
         }
-        for (std::size_t k = 0; k < 3; ++k) {
-            part.centroid[k] = middle[k] + part.centroid[k] / part.volume;
-        }
+        for (std::size_t k = 0; k < 3; ++k) part.centroid[k] = middle[k] + part.centroid[k] / part.volume;
         part.volume = part.volume * small[0] * small[1] * small[2];
         return part;
     }
@@ -193,23 +181,17 @@ class MeshFill {
 
     /// A wall particle in a part, where it is not deeper than the layers.
     void add(std::size_t solid, const Part& part) {
-        if (part.volume <= 0.0) {
-            return;
-        }
+        if (part.volume <= 0.0) return;
         const SolidMesh& mesh = (*meshes_)[solid];
         const Vec<3>& p = part.centroid;
         const auto foot = mesh.nearest(p, reach_);
-        if (!foot) {
-            return;
-        }
+        if (!foot) return;
         // The centroid of the part at an edge that the solid surrounds may stand before the surface.
         const bool before = to_surface_ && foot->distance < half_diagonal_ && !mesh.contains(p);
         for (std::size_t k = 0; k < 3; ++k) {
             walls_.position[k].push_back(p[k]);
             walls_.normal[k].push_back(before ? -foot->direction[k] : foot->direction[k]);
-            for (std::size_t l = 0; l < 3; ++l) {
-                walls_.projector[3 * k + l].push_back(k == l ? 1.0 : 0.0);
-            }
+            for (std::size_t l = 0; l < 3; ++l) walls_.projector[3 * k + l].push_back(k == l ? 1.0 : 0.0);
         }
         walls_.volume.push_back(part.volume);
         walls_.depth.push_back(before ? 0.0 : foot->distance);
@@ -243,20 +225,14 @@ double share_below_plane(const Vec<3>& size, const Vec<3>& n, double d) {
         component = std::max(component / sum, least);
         total += component;
     }
-    for (double& component : m) {
-        component /= total;
-    }
+    for (double& component : m) component /= total;
     const double a = d / sum + 0.5;
-    if (a <= 0.0 || a >= 1.0) {
-        return a <= 0.0 ? 0.0 : 1.0;
-    }
+    if (a <= 0.0 || a >= 1.0) return a <= 0.0 ? 0.0 : 1.0;
     const auto cube = [](double x) { return x > 0.0 ? x * x * x : 0.0; };
     // By symmetry of the smaller side.
     const double b = std::min(a, 1.0 - a);
     double share = cube(b);
-    for (std::size_t k = 0; k < 3; ++k) {
-        share += cube(b - m[k] - m[(k + 1) % 3]) - cube(b - m[k]);
-    }
+    for (std::size_t k = 0; k < 3; ++k) share += cube(b - m[k] - m[(k + 1) % 3]) - cube(b - m[k]);
     share = std::clamp(share / (6.0 * m[0] * m[1] * m[2]), 0.0, 1.0);
     return a == b ? share : 1.0 - share;
 }
@@ -265,9 +241,7 @@ void add_meshes(const Case& c, const Lattice& lattice, int rows, WallParticles<3
     MeshFill fill(c, lattice, walls);
     fill.add_resting(rows);
     for (std::size_t k = 0; k < c.solids.size(); ++k) {
-        if (c.solids[k].motion != SolidMotion::fixed) {
-            fill.add_moving(k);
-        }
+        if (c.solids[k].motion != SolidMotion::fixed) fill.add_moving(k);
     }
 }
 

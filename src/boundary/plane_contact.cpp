@@ -6,9 +6,7 @@ namespace riffle::inline boundary {
 
 template <int D>
 PlaneContact<D>::PlaneContact(const Case& c) : spacing_(c.numerics.spacing) {
-    if (c.numerics.wall != WallKind::repulsive) {
-        planes_ = boundary_planes<D>(c);
-    }
+    if (c.numerics.wall != WallKind::repulsive) planes_ = boundary_planes<D>(c);
 }
 
 template <int D>

@@ -7,9 +7,7 @@ namespace riffle::inline boundary {
 
 template <int D>
 RepulsiveWalls<D>::RepulsiveWalls(const Case& c, double sound_speed) {
-    if (c.numerics.wall != WallKind::repulsive) {
-        return;
-    }
+    if (c.numerics.wall != WallKind::repulsive) return;
     const Numerics& n = c.numerics;
     reach_ = 2.0 * n.spacing;
     depth_ = c.total_depth();
@@ -24,9 +22,7 @@ Vec<D> RepulsiveWalls<D>::acceleration(const Vec<D>& x, const Vec<D>& u) const {
     Vec<D> a{};
     for (const BoundaryPlane& plane : planes_) {
         const double q = std::max(plane.distance<D>(x) / reach_, nearest);
-        if (q >= 1.0) {
-            continue;
-        }
+        if (q >= 1.0) continue;
         const double below = std::clamp((depth_ - x[D - 1]) / depth_ + 0.02, 0.02, 1.0);
         const double approach = std::clamp(-20.0 * plane.inward * u[plane.axis] / sound_speed_, 0.0, 1.0);
         a[plane.axis] += plane.inward * strength_ * (1.0 - q) / std::sqrt(q) * (below + approach);

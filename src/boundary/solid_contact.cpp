@@ -32,12 +32,8 @@ std::optional<Vec<2>> SolidContact::inside(const Body& body, const BodyState& st
     double x = start[0];
     double z = start[2];
     // A drop that has hit the bed and is squeezed into it must not slip under what stands on it.
-    if (body.stands_on_bed) {
-        z = std::max(z, 1e-6 * spacing_);
-    }
-    if (period_ > 0.0 && !state.turns) {
-        x -= period_ * std::floor((x - body.left) / period_);
-    }
+    if (body.stands_on_bed) z = std::max(z, 1e-6 * spacing_);
+    if (period_ > 0.0 && !state.turns) x -= period_ * std::floor((x - body.left) / period_);
     return x < body.left || x > body.right || !contains(body.outline, x, z) ? std::nullopt
                                                                             : std::optional(Vec<2>{x, z});
 }
@@ -56,9 +52,7 @@ double SolidContact::resolve(const std::vector<BodyState>& now, Vec<2>& position
         const Body& body = bodies_[k];
         const BodyState& state = now[first_solid + k];
         const auto place = inside(body, state, position);
-        if (!place) {
-            continue;
-        }
+        if (!place) continue;
         double depth = std::numeric_limits<double>::infinity();
         std::size_t edge = 0;
         for (std::size_t i = 0; i < body.outline.size(); ++i) {
@@ -69,9 +63,7 @@ double SolidContact::resolve(const std::vector<BodyState>& now, Vec<2>& position
             }
         }
         deepest = std::max(deepest, depth);
-        if (depth > spacing_) {
-            continue;
-        }
+        if (depth > spacing_) continue;
         const std::size_t end = body.outline.next(edge);
         const double dx = body.outline.x[end] - body.outline.x[edge];
         const double dz = body.outline.z[end] - body.outline.z[edge];

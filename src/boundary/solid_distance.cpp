@@ -16,9 +16,7 @@ template <int D, class Distance>
 void measure(const Vec<D>& lower, const std::array<std::size_t, static_cast<std::size_t>(D)>& count,
              double step, std::vector<double>& values, const Distance& distance) {
     std::size_t points = 1;
-    for (const std::size_t n : count) {
-        points *= n;
-    }
+    for (const std::size_t n : count) points *= n;
     for (std::size_t i = 0; i < points; ++i) {
         Vec<D> place{};
         std::size_t rest = i;
@@ -62,9 +60,7 @@ class Shapes {
     /// Distance of a place from the surface of solid k, 0 inside; `limit` at least beyond it, and where what
     /// is nearest stands in another solid: of solids at rest that overlap no water touches that.
     [[nodiscard]] double distance(std::size_t k, const Vec<D>& place, double limit) const {
-        if (contains(k, place)) {
-            return 0.0;
-        }
+        if (contains(k, place)) return 0.0;
         Vec<D> way{};
         double distance = limit;
         if constexpr (D == 2) {
@@ -74,19 +70,13 @@ class Shapes {
         } else if (const auto foot = (*meshes_)[k].nearest(place, limit)) {
             distance = foot->distance;
             way = foot->direction;
-            for (double& component : way) {
-                component *= distance;
-            }
+            for (double& component : way) component *= distance;
         }
-        if (distance >= limit || !rests(k)) {
-            return distance;
-        }
+        if (distance >= limit || !rests(k)) return distance;
         // Just before the surface, so that solids which only touch are beside each other.
         const double share = std::max(0.0, 1.0 - 1e-3 * c_.numerics.spacing / distance);
         Vec<D> before = place;
-        for (std::size_t axis = 0; axis < D; ++axis) {
-            before[axis] += share * way[axis];
-        }
+        for (std::size_t axis = 0; axis < D; ++axis) before[axis] += share * way[axis];
         for (std::size_t other = 0; other < outlines_.size(); ++other) {
             if (other != k && rests(other) && contains(other, before) && !contains(other, place)) {
                 return limit;
@@ -114,12 +104,8 @@ class Shapes {
 
 template <int D>
 SolidDistance<D>::SolidDistance(const Case& c, double limit) : limit_(limit), step_(c.numerics.spacing) {
-    if (c.channel.ends == Ends::periodic) {
-        period_[0] = c.channel.length;
-    }
-    if (D == 3 && c.channel.sides == Sides::periodic) {
-        period_[1] = c.channel.width;
-    }
+    if (c.channel.ends == Ends::periodic) period_[0] = c.channel.length;
+    if (D == 3 && c.channel.sides == Sides::periodic) period_[1] = c.channel.width;
     const Shapes<D> shapes(c);
     for (std::size_t k = 0; k < c.solids.size(); ++k) {
         const Vec<D> high = shapes.upper(k);
@@ -138,9 +124,7 @@ SolidDistance<D>::SolidDistance(const Case& c, double limit) : limit_(limit), st
 template <int D>
 double SolidDistance<D>::at(const std::vector<BodyState>& now, const Vec<D>& position) const {
     double nearest = limit_;
-    for (std::size_t k = 0; k < grids_.size(); ++k) {
-        nearest = std::min(nearest, from(k, now, position));
-    }
+    for (std::size_t k = 0; k < grids_.size(); ++k) nearest = std::min(nearest, from(k, now, position));
     return nearest;
 }
 
@@ -178,9 +162,7 @@ double SolidDistance<D>::in_grid(const Grid& grid, const Vec<D>& place) const {
     std::size_t points = 1;
     for (std::size_t k = 0; k < D; ++k) {
         const double steps = (place[k] - grid.lower[k]) / step_;
-        if (!(steps >= 0.0 && steps < static_cast<double>(grid.count[k] - 1))) {
-            return limit_;
-        }
+        if (!(steps >= 0.0 && steps < static_cast<double>(grid.count[k] - 1))) return limit_;
         const auto index = static_cast<std::size_t>(steps);
         share[k] = steps - static_cast<double>(index);
         stride[k] = points;

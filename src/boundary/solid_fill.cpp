@@ -49,9 +49,7 @@ std::vector<Interval> intervals_where(double begin, double end, double step, con
         inside = now;
         before = t;
     }
-    if (inside) {
-        found.back().end = f(end - 1e-9 * step) ? end : edge(end, before);
-    }
+    if (inside) found.back().end = f(end - 1e-9 * step) ? end : edge(end, before);
     return found;
 }
 
@@ -70,9 +68,7 @@ class Fill {
         moves_ = solid.motion != SolidMotion::fixed;
         passes_ = passes_through(c, solid);
         for (std::size_t k = 0; !moves_ && first_solid + static_cast<std::int32_t>(k) < body; ++k) {
-            if (c.solids[k].motion == SolidMotion::fixed) {
-                earlier_.push_back(outline_of(c.solids[k]));
-            }
+            if (c.solids[k].motion == SolidMotion::fixed) earlier_.push_back(outline_of(c.solids[k]));
         }
     }
 
@@ -80,13 +76,9 @@ class Fill {
         for (int layer = 0; layer < c_.numerics.wall_layers; ++layer) {
             const double depth = (layer + 0.5) * spacing_;
             for (std::size_t i = 0; i < outline_.size(); ++i) {
-                if (wetted_[i]) {
-                    add_edge(i, depth);
-                }
+                if (wetted_[i]) add_edge(i, depth);
                 // The corner at the beginning of edge i.
-                if (wetted_[i] || wetted_[before(i)]) {
-                    add_corner(i, depth);
-                }
+                if (wetted_[i] || wetted_[before(i)]) add_corner(i, depth);
             }
         }
     }
@@ -156,13 +148,9 @@ class Fill {
 
     /// The bed, the end walls and the lid have particles of their own.
     [[nodiscard]] bool in_channel(const Vec<2>& p) const {
-        if (moves_ || c_.channel.top == Top::periodic) {
-            return true;
-        }
+        if (moves_ || c_.channel.top == Top::periodic) return true;
         const bool closed = c_.channel.ends == Ends::walls;
-        if (c_.channel.ends == Ends::open && is_beyond_walls(c_, p[0])) {
-            return false;
-        }
+        if (c_.channel.ends == Ends::open && is_beyond_walls(c_, p[0])) return false;
         if (passes_ && (p[0] < 0.0 || p[0] >= c_.channel.length)) {
             return false;  // the other end of the channel has it
         }
@@ -224,9 +212,7 @@ class Fill {
     template <class Place>
     void add_row(const Interval& part, const Place& place, double scale) {
         const double length = (part.end - part.begin) * scale;
-        if (length < 0.05 * spacing_) {
-            return;
-        }
+        if (length < 0.05 * spacing_) return;
         const int count = std::max(1, static_cast<int>(std::lround(length / spacing_)));
         for (int k = 0; k < count; ++k) {
             Vec<2> p = place(part.begin + (k + 0.5) / count * (part.end - part.begin));
@@ -269,9 +255,7 @@ Outline outline_of(const Solid& solid) {
 }
 
 bool is_wetted(const Case& c, const Solid& solid, const Outline& outline, std::size_t i) {
-    if (solid.motion != SolidMotion::fixed || c.channel.top == Top::periodic) {
-        return true;
-    }
+    if (solid.motion != SolidMotion::fixed || c.channel.top == Top::periodic) return true;
     const double near = 1e-6 * c.numerics.spacing;
     const std::size_t j = outline.next(i);
     const auto [left, right] = std::minmax(outline.x[i], outline.x[j]);

@@ -44,17 +44,13 @@ SolidSurfaces::SolidSurfaces(const Case& c) {
         meshes_ = meshes_of(c);
         for (const SolidMesh& mesh : *meshes_) {
             middle_.emplace_back();
-            for (std::size_t k = 0; k < 3; ++k) {
-                middle_.back()[k] = 0.5 * (mesh.lower()[k] + mesh.upper()[k]);
-            }
+            for (std::size_t k = 0; k < 3; ++k) middle_.back()[k] = 0.5 * (mesh.lower()[k] + mesh.upper()[k]);
         }
     }
 }
 
 Vec<3> SolidSurfaces::image_near(const Vec<3>& other, Vec<3> place) const {
-    for (std::size_t k = 0; k < 3; ++k) {
-        place[k] = riffle::image_near(other[k], place[k], period_[k]);
-    }
+    for (std::size_t k = 0; k < 3; ++k) place[k] = riffle::image_near(other[k], place[k], period_[k]);
     return place;
 }
 
@@ -78,9 +74,7 @@ std::optional<SolidSurfaces::Foot> SolidSurfaces::nearest(std::size_t solid, con
     }
     const SolidMesh& mesh = (*meshes_)[solid];
     const auto near = mesh.nearest(beside, limit);
-    if (!near) {
-        return std::nullopt;
-    }
+    if (!near) return std::nullopt;
     const bool inside = mesh.contains(beside);
     Foot foot{.distance = inside ? -near->distance : near->distance};
     for (std::size_t k = 0; k < 3; ++k) {

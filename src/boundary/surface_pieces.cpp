@@ -25,16 +25,10 @@ class Before {
     [[nodiscard]] bool operator()(const SurfacePiece& piece) const {
         const double area = std::hypot(piece.area[0], piece.area[1], piece.area[2]);
         Vec<3> place{};
-        for (std::size_t k = 0; k < 3; ++k) {
-            place[k] = piece.place[k] + distance_ * piece.area[k] / area;
-        }
-        if (place[2] < distance_ || !within(place[0], length_) || !within(place[1], width_)) {
-            return false;
-        }
+        for (std::size_t k = 0; k < 3; ++k) place[k] = piece.place[k] + distance_ * piece.area[k] / area;
+        if (place[2] < distance_ || !within(place[0], length_) || !within(place[1], width_)) return false;
         for (std::size_t solid = 0; solid < surfaces_.size(); ++solid) {
-            if (surfaces_.contains(solid, place)) {
-                return false;
-            }
+            if (surfaces_.contains(solid, place)) return false;
         }
         return true;
     }
@@ -79,17 +73,13 @@ void cut_triangle(const Triangle& t, double size, std::vector<SurfacePiece>& pie
             length = edge;
         }
     }
-    if (length <= 0.0) {
-        return;
-    }
+    if (length <= 0.0) return;
     const Point3& a = t[longest];
     const Point3& b = t[(longest + 1) % 3];
     const Point3& c = t[(longest + 2) % 3];
     if (length > size) {
         Point3 middle{};
-        for (std::size_t k = 0; k < 3; ++k) {
-            middle[k] = 0.5 * (a[k] + b[k]);
-        }
+        for (std::size_t k = 0; k < 3; ++k) middle[k] = 0.5 * (a[k] + b[k]);
         cut_triangle({a, middle, c}, size, pieces);
         cut_triangle({middle, b, c}, size, pieces);
         return;
@@ -111,9 +101,7 @@ std::vector<SurfacePiece> surface_pieces(const Case& c, std::size_t solid, doubl
         cut_outline(outline_of(c.solids[solid]), size, pieces);
     } else {
         const auto meshes = meshes_of(c);
-        for (const Triangle& t : (*meshes)[solid].tree().triangles()) {
-            cut_triangle(t, size, pieces);
-        }
+        for (const Triangle& t : (*meshes)[solid].tree().triangles()) cut_triangle(t, size, pieces);
     }
     const Before water(c, size);
     std::erase_if(pieces, [&](const SurfacePiece& piece) { return piece.area == Vec<3>{} || !water(piece); });

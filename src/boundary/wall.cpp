@@ -30,15 +30,11 @@ namespace {
 /// End walls stand half a depth above the still water, for waves, or as high as the case says; with a lid
 /// they end at it.
 int end_wall_rows(const Case& c, const Lattice& lattice) {
-    if (c.channel.top == Top::wall) {
-        return lattice.rows;
-    }
+    if (c.channel.top == Top::wall) return lattice.rows;
     const auto rows_up_to = [&](double height) {
         return static_cast<int>(std::ceil(height / lattice.dz - 1e-9));
     };
-    if (c.channel.wall_height) {
-        return rows_up_to(*c.channel.wall_height);
-    }
+    if (c.channel.wall_height) return rows_up_to(*c.channel.wall_height);
     const int usual = lattice.rows + lattice.rows / 2;
     // Half as high again as what stands there; tables at open ends may ask for more than the case shows.
     const double highest = has_end_tables(c) ? level_with_room(c) : 1.5 * highest_end_level(c);
@@ -73,9 +69,7 @@ double end_wall_height(const Case& c) {
 template <>
 WallParticles<2> wall_particles<2>(const Case& c) {
     WallParticles<2> wall;
-    if (c.channel.top == Top::periodic || c.numerics.wall == WallKind::repulsive) {
-        return wall;
-    }
+    if (c.channel.top == Top::periodic || c.numerics.wall == WallKind::repulsive) return wall;
     const Lattice lattice = lattice_of(c);
     const bool dynamic = c.numerics.wall == WallKind::dynamic;
     const int layers = c.numerics.wall_layers;
@@ -127,18 +121,14 @@ WallParticles<2> wall_particles<2>(const Case& c) {
     for (std::size_t k = 0; k < c.solids.size(); ++k) {
         add_solid(c, c.solids[k], first_solid + static_cast<std::int32_t>(k), wall);
     }
-    if (c.solids.empty() && c.channel.lid_velocity == 0.0) {
-        wall.body.clear();
-    }
+    if (c.solids.empty() && c.channel.lid_velocity == 0.0) wall.body.clear();
     return wall;
 }
 
 template <>
 WallParticles<3> wall_particles<3>(const Case& c) {
     WallParticles<3> wall;
-    if (c.channel.top == Top::periodic || c.numerics.wall == WallKind::repulsive) {
-        return wall;
-    }
+    if (c.channel.top == Top::periodic || c.numerics.wall == WallKind::repulsive) return wall;
     const Lattice lattice = lattice_of(c);
     const int layers = c.numerics.wall_layers;
     // Rows of the body-centred lattice stand closer than the spacing.
@@ -177,9 +167,7 @@ WallParticles<3> wall_particles<3>(const Case& c) {
     // two walls a shifted layer has one place less than the others, and is its own mirror image.
     const auto along = [](int i, int places, double spacing, double extent, bool walled,
                           bool shifted) -> std::optional<double> {
-        if (walled && shifted && i == places - 1) {
-            return std::nullopt;
-        }
+        if (walled && shifted && i == places - 1) return std::nullopt;
         const double at = (i + (shifted ? 1.0 : 0.5)) * spacing;
         return walled ? at : std::fmod(at, extent);
     };
@@ -241,9 +229,7 @@ WallParticles<3> wall_particles<3>(const Case& c) {
         }
     }
     add_meshes(c, lattice, top, wall);
-    if (c.solids.empty() && c.channel.lid_velocity == 0.0) {
-        wall.body.clear();
-    }
+    if (c.solids.empty() && c.channel.lid_velocity == 0.0) wall.body.clear();
     return wall;
 }
 

@@ -13,9 +13,7 @@ WallMotion::WallMotion(const Case& c)
       solids_move_(std::any_of(c.solids.begin(), c.solids.end(),
                                [](const Solid& s) { return s.motion != SolidMotion::fixed; })) {
     // Those of the case itself, which knows their surfaces.
-    for (const Solid& solid : c.solids) {
-        turning_.push_back(solid_turning(c, solid));
-    }
+    for (const Solid& solid : c.solids) turning_.push_back(solid_turning(c, solid));
 }
 
 std::vector<BodyState> WallMotion::at(double time, std::span<const FreeBodyState> free) const {
@@ -25,9 +23,7 @@ std::vector<BodyState> WallMotion::at(double time, std::span<const FreeBodyState
     for (std::size_t k = 0; k < solids_.size(); ++k) {
         BodyState body = body_state(solid_motion(solids_[k], time), turning_[k]);
         const bool is_free = solids_[k].motion == SolidMotion::free;
-        if (is_free && freed < free.size()) {
-            free[freed].put_into(body);
-        }
+        if (is_free && freed < free.size()) free[freed].put_into(body);
         freed += is_free ? 1 : 0;
         bodies.push_back(body);
     }
@@ -36,9 +32,7 @@ std::vector<BodyState> WallMotion::at(double time, std::span<const FreeBodyState
 
 double largest_wall_speed(const Case& c) {
     double largest = std::abs(c.channel.lid_velocity);
-    for (const Solid& solid : c.solids) {
-        largest = std::max(largest, largest_speed(c, solid));
-    }
+    for (const Solid& solid : c.solids) largest = std::max(largest, largest_speed(c, solid));
     return largest;
 }
 

@@ -75,9 +75,7 @@ inline constexpr double rows_of_wall_layer = 5.0;
 /// slope a twentieth of the velocity of the start, or 0.01 sqrt(g H).
 [[nodiscard]] inline double reference_friction_velocity(const Case& c) {
     const double depth = c.total_depth();
-    if (c.streamwise_gravity() > 0.0) {
-        return std::sqrt(c.streamwise_gravity() * depth);
-    }
+    if (c.streamwise_gravity() > 0.0) return std::sqrt(c.streamwise_gravity() * depth);
     constexpr double share_of_velocity = 0.05;
     constexpr double share_of_waves = 0.01;
     return std::max(share_of_velocity * std::abs(c.start.velocity.value_or(0.0)),

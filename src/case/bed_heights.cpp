@@ -32,9 +32,7 @@ struct HeightSpread {
         const auto [least, most] = std::minmax_element(z.begin(), z.end());
         low = *least;
         high = *most;
-        for (const double value : z) {
-            mean += value / static_cast<double>(z.size());
-        }
+        for (const double value : z) mean += value / static_cast<double>(z.size());
         double squares = 0.0;
         for (const double value : z) {
             squares += (value - mean) * (value - mean) / static_cast<double>(z.size());
@@ -49,9 +47,7 @@ constexpr std::array<std::pair<double, const char*>, 3> file_units{{{1.0, "m"}, 
 /// Which other unit would make a length of the file fit, as a sentence; empty where none does or the present
 /// one fits.
 std::string other_unit(const char* key, double extent, double unit, double least, double most) {
-    if (extent >= least && extent <= most) {
-        return "";
-    }
+    if (extent >= least && extent <= most) return "";
     for (const auto& [other, name] : file_units) {
         const double with_it = extent / unit * other;
         if (other != unit && with_it >= least && with_it <= most) {
@@ -81,9 +77,7 @@ class BedMaker {
         for (std::size_t axis = 0; axis < (space_ ? 2U : 1U); ++axis) {
             const bool periodic =
                 axis == 0 ? c_.channel.ends == Ends::periodic : c_.channel.sides == Sides::periodic;
-            if (periodic) {
-                join_ends(axis);
-            }
+            if (periodic) join_ends(axis);
         }
         check_level();
         const HeightSpread spread(bed_.z);
@@ -135,9 +129,7 @@ class BedMaker {
     /// where they do not cover the channel.
     void check_cover(std::size_t axis, double low, double high) const {
         const double slack = 1e-6 * extent_[axis];
-        if (low <= slack && high >= extent_[axis] - slack) {
-            return;
-        }
+        if (low <= slack && high >= extent_[axis] - slack) return;
         const char* const name = axis == 0 ? "x" : "y";
         const double size = high - low;
         std::string cure = other_unit("unit", size, solid_.unit, 0.99 * extent_[axis], 4.0 * extent_[axis]);
@@ -155,9 +147,7 @@ class BedMaker {
     }
 
     void check_holes(const FilledHoles& filled, std::size_t points, bool in_plane) {
-        if (filled.heights == 0) {
-            return;
-        }
+        if (filled.heights == 0) return;
         const std::string place = in_plane
                                       ? fmt::format("({}, {})", length_text(filled.x), length_text(filled.y))
                                       : fmt::format("x = {}", length_text(filled.x));
@@ -232,9 +222,7 @@ class BedMaker {
         };
         placed(grid.x, grid.step_x, 0);
         placed(grid.y, grid.step_y, 1);
-        for (double& z : grid.z) {
-            z = height(z);
-        }
+        for (double& z : grid.z) z = height(z);
         check_cover(0, grid.x - 0.5 * grid.step_x,
                     grid.x + (static_cast<double>(grid.columns) - 0.5) * grid.step_x);
         check_cover(1, grid.y - 0.5 * grid.step_y,
@@ -266,9 +254,7 @@ class BedMaker {
                         .step_y = grid.step_y,
                         .z = {}};
         for (std::size_t row = near; row <= far; ++row) {
-            for (std::size_t column = left; column <= right; ++column) {
-                part.z.push_back(grid.at(column, row));
-            }
+            for (std::size_t column = left; column <= right; ++column) part.z.push_back(grid.at(column, row));
         }
         return part;
     }
@@ -281,13 +267,9 @@ class BedMaker {
         for (std::size_t i = 0; i < line.x.size(); ++i) {
             line.x[i] = solid_.unit * (line.x[i] - origin(0));
             line.z[i] = height(line.z[i]);
-            if (i > 0) {
-                gaps.push_back(line.x[i] - line.x[i - 1]);
-            }
+            if (i > 0) gaps.push_back(line.x[i] - line.x[i - 1]);
         }
-        if (gaps.empty()) {
-            refuse_bed("holds one height: expected two or more");
-        }
+        if (gaps.empty()) refuse_bed("holds one height: expected two or more");
         check_cover(0, line.x.front() - 0.5 * gaps.front(), line.x.back() + 0.5 * gaps.back());
         for (std::size_t i = 0; i < line.x.size(); ++i) {
             const bool before = i + 1 < line.x.size() && line.x[i + 1] <= 0.0;

@@ -26,9 +26,7 @@ Bed bed_of(const Case& c, const BedPatch& patch) {
     bed.drag_coefficient = patch.drag_coefficient;
     bed.roughness_height = patch.kind == BedKind::spheres ? patch.roughness_height.value_or(0.0) : 0.0;
     bed.datum_below_crest = bed.roughness_height - c.datum();
-    if (c.bed.kind != BedKind::spheres) {
-        bed.drag_form = DragForm::consistent;
-    }
+    if (c.bed.kind != BedKind::spheres) bed.drag_form = DragForm::consistent;
     return bed;
 }
 
@@ -41,9 +39,7 @@ Case with_bed_of(const Case& c, const BedPatch& patch) {
 
 Case with_bed_at(const Case& c, double x) {
     for (const BedPatch& patch : c.bed_patches) {
-        if (lies_at(c, patch, x) && covers_width(c, patch)) {
-            return with_bed_of(c, patch);
-        }
+        if (lies_at(c, patch, x) && covers_width(c, patch)) return with_bed_of(c, patch);
     }
     Case everywhere = c;
     std::erase_if(everywhere.bed_patches, [&](const BedPatch& patch) { return !lies_at(c, patch, x); });

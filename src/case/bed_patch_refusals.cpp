@@ -25,9 +25,7 @@ Findings refused_as_bed(const Case& c, const BedPatch& patch) {
     Findings found;
     const auto look = [&](const CheckList& list) {
         for_each_finding(list, everywhere, [&](const CaseCheck& check, const CaseFinding& finding) {
-            if (finds(list, check, c)) {
-                return;
-            }
+            if (finds(list, check, c)) return;
             std::string detail = finding.detail.empty() ? std::string(check.what) : finding.detail;
             std::erase(detail, '`');
             found.push_back({.detail = std::move(detail), .cure = finding_text("", check, finding)});

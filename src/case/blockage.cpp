@@ -43,9 +43,7 @@ class Cells {
         for (int row = count_[2] - 1; row >= 0; --row) {
             for (int file = 0; file < count_[1]; ++file) {
                 furthest = std::max(furthest, reach_from({0, file, row}));
-                if (furthest == count_[0]) {
-                    return size_[0];
-                }
+                if (furthest == count_[0]) return size_[0];
             }
         }
         return furthest * size_[0] / count_[0];
@@ -59,18 +57,14 @@ class Cells {
         int furthest = 0;
         std::vector<Cell> pending;
         const auto take = [&](const Cell& cell) {
-            if (is_new(cell)) {
-                pending.push_back(cell);
-            }
+            if (is_new(cell)) pending.push_back(cell);
         };
         take(start);
         while (!pending.empty()) {
             const auto [i, j, k] = pending.back();
             pending.pop_back();
             furthest = std::max(furthest, i + 1);
-            if (furthest == count_[0]) {
-                break;
-            }
+            if (furthest == count_[0]) break;
             // The last one is looked at first: straight on.
             for (const int along : {-1, 0, 1}) {
                 for (const int across : {-1, 1, 0}) {
@@ -88,15 +82,11 @@ class Cells {
         std::size_t number = 0;
         Point3 place{};
         for (std::size_t k = 0; k < 3; ++k) {
-            if (cell[k] < 0 || cell[k] >= count_[k]) {
-                return false;
-            }
+            if (cell[k] < 0 || cell[k] >= count_[k]) return false;
             number = number * static_cast<std::size_t>(count_[k]) + static_cast<std::size_t>(cell[k]);
             place[k] = (cell[k] + 0.5) / count_[k] * size_[k];
         }
-        if (seen_[number]) {
-            return false;
-        }
+        if (seen_[number]) return false;
         seen_[number] = true;
         return open_(place);
     }
@@ -111,9 +101,7 @@ class Cells {
 
 double highest_way(const Case& c) {
     const double depth = c.total_depth();
-    if (c.channel.top == Top::wall) {
-        return depth;
-    }
+    if (c.channel.top == Top::wall) return depth;
     if (c.channel.ends == Ends::open) {
         // Where a discharge comes in, the water rises until it finds a way; beside side walls as far as they
         // stand.
@@ -127,17 +115,13 @@ double highest_way(const Case& c) {
 }
 
 std::optional<Blockage> blockage(const Case& c) {
-    if (!must_pass(c)) {
-        return std::nullopt;
-    }
+    if (!must_pass(c)) return std::nullopt;
     const double level = highest_way(c);
     const bool tall = std::any_of(c.solids.begin(), c.solids.end(), [&](const Solid& solid) {
         const auto upright = extent_of(c, solid, 2);
         return solid.motion == SolidMotion::fixed && upright && upright->high > level - c.numerics.spacing;
     });
-    if (!tall) {
-        return std::nullopt;
-    }
+    if (!tall) return std::nullopt;
     const SolidPlaces solids(c);
     // Among the first solids alone.
     const auto reach_among = [&](std::size_t count) {
@@ -149,13 +133,9 @@ std::optional<Blockage> blockage(const Case& c) {
             .reach();
     };
     const double reach = reach_among(c.solids.size());
-    if (reach >= c.channel.length) {
-        return std::nullopt;
-    }
+    if (reach >= c.channel.length) return std::nullopt;
     std::size_t last = c.solids.size() - 1;
-    while (last > 0 && reach_among(last) < c.channel.length) {
-        --last;
-    }
+    while (last > 0 && reach_among(last) < c.channel.length) --last;
     return Blockage{last, reach, level};
 }
 

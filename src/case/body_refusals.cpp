@@ -47,9 +47,7 @@ Findings wrong_table(const Case&, const Solid& solid) {
                              std::pair("shifts_z", &solid.shifts_z), std::pair("angles", &solid.angles)};
     bool moves = false;
     for (const auto& [name, values] : columns) {
-        if (values->empty()) {
-            continue;
-        }
+        if (values->empty()) continue;
         if (values->size() != times.size()) {
             return found_if(true, "{} holds {} values, and times {}", name, values->size(), times.size());
         }

@@ -90,17 +90,13 @@ inline Point3 BodyState::place_at_start(const Point3& point) const {
 }
 
 inline Point3 BodyState::velocity_at(const Point3& point) const {
-    if (!turns) {
-        return velocity;
-    }
+    if (!turns) return velocity;
     const Point3 spin = cross(angular_velocity, arm(point));
     return {velocity[0] + spin[0], velocity[1] + spin[1], velocity[2] + spin[2]};
 }
 
 inline Point3 BodyState::acceleration_at(const Point3& point) const {
-    if (!turns) {
-        return acceleration;
-    }
+    if (!turns) return acceleration;
     const Point3 r = arm(point);
     const Point3 around = cross(angular_velocity, cross(angular_velocity, r));
     const Point3 along = cross(angular_acceleration, r);

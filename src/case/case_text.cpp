@@ -9,13 +9,9 @@ std::string case_text(const Case& c) {
     std::string text;
     for (const SectionKeys& section : key_table()) {
         for (std::size_t item = 0; item < section.count(c); ++item) {
-            if (!section.name.empty()) {
-                text += "\n" + section.heading() + "\n";
-            }
+            if (!section.name.empty()) text += "\n" + section.heading() + "\n";
             for (const Key& key : section.keys) {
-                if (key.applies.strictly && !key_applies(key, c, item)) {
-                    continue;
-                }
+                if (key.applies.strictly && !key_applies(key, c, item)) continue;
                 text += key.name + " = " + value_text(key, key.get(c, item)) + "\n";
             }
         }

@@ -39,9 +39,7 @@ class Corners {
 
     Number number_of(const Point3& p) {
         const Cell own = cell_of(p);
-        if (const auto found = in_cell(own, p)) {
-            return *found;
-        }
+        if (const auto found = in_cell(own, p)) return *found;
         Cell low{};
         Cell high{};
         for (std::size_t k = 0; k < 3; ++k) {
@@ -53,9 +51,7 @@ class Corners {
                 for (std::int32_t z = low[2]; z <= high[2]; ++z) {
                     const Cell cell{x, y, z};
                     const auto found = cell == own ? std::nullopt : in_cell(cell, p);
-                    if (found) {
-                        return *found;
-                    }
+                    if (found) return *found;
                 }
             }
         }
@@ -94,9 +90,7 @@ class Corners {
         const auto first = first_.find(cell);
         for (Number i = first == first_.end() ? none : first->second; i != none; i = next_[i]) {
             const Point3 way = minus(place_[i], p);
-            if (dot(way, way) <= tolerance_ * tolerance_) {
-                return i;
-            }
+            if (dot(way, way) <= tolerance_ * tolerance_) return i;
         }
         return std::nullopt;
     }
@@ -126,9 +120,7 @@ class Shells {
         std::iota(parent_.begin(), parent_.end(), Number{0});
     }
     Number of(Number i) {
-        while (parent_[i] != i) {
-            i = parent_[i] = parent_[parent_[i]];
-        }
+        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
         return i;
     }
     void join(Number a, Number b) {
@@ -190,15 +182,9 @@ class Surface {
         std::size_t kept = 0;
         for (std::size_t i = 0; i < triangles_.size(); ++i) {
             std::array<Number, 3> numbers{};
-            for (std::size_t k = 0; k < 3; ++k) {
-                numbers[k] = corners.number_of(triangles_[i][k]);
-            }
-            if (numbers[0] == numbers[1] || numbers[1] == numbers[2] || numbers[2] == numbers[0]) {
-                continue;
-            }
-            for (std::size_t k = 0; k < 3; ++k) {
-                triangles_[kept][k] = corners.place(numbers[k]);
-            }
+            for (std::size_t k = 0; k < 3; ++k) numbers[k] = corners.number_of(triangles_[i][k]);
+            if (numbers[0] == numbers[1] || numbers[1] == numbers[2] || numbers[2] == numbers[0]) continue;
+            for (std::size_t k = 0; k < 3; ++k) triangles_[kept][k] = corners.place(numbers[k]);
             numbers_.push_back(numbers);
             in_file_.push_back(static_cast<Number>(i));
             ++kept;
@@ -251,9 +237,7 @@ class Surface {
         const Edge& first = passes.front();
         const auto corner = [&](Number number) {
             for (std::size_t k = 0; k < 3; ++k) {
-                if (numbers_[first.triangle][k] == number) {
-                    return text_of(triangles_[first.triangle][k]);
-                }
+                if (numbers_[first.triangle][k] == number) return text_of(triangles_[first.triangle][k]);
             }
             return std::string();
         };
@@ -297,9 +281,7 @@ class Surface {
 
     void turn(const std::vector<char>& which, const std::vector<Number>& shell) {
         for (std::size_t i = 0; i < triangles_.size(); ++i) {
-            if (which[shell[i]] != 0) {
-                std::swap(triangles_[i][1], triangles_[i][2]);
-            }
+            if (which[shell[i]] != 0) std::swap(triangles_[i][1], triangles_[i][2]);
         }
     }
 
@@ -334,9 +316,7 @@ class Surface {
             const TriangleTree tree(triangles_);
             std::vector<char> inside_out(shells);
             for (std::size_t i = 0; i < triangles_.size(); ++i) {
-                if (volume[shell[i]] >= 0.0 || inside_out[shell[i]] != 0) {
-                    continue;
-                }
+                if (volume[shell[i]] >= 0.0 || inside_out[shell[i]] != 0) continue;
                 const auto around = [&](std::size_t other) { return volume[shell[other]] > 0.0; };
                 inside_out[shell[i]] =
                     std::any_of(triangles_[i].begin(), triangles_[i].end(),

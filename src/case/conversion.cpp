@@ -41,9 +41,7 @@ std::string how_to_write(const Key& key) {
     if (key.type == ValueType::number && key.dimension != Dimension::none) {
         std::string text = fmt::format("write a number in {} or a text with one of the units {}",
                                        si_unit(key.dimension), unit_list(key.dimension));
-        if (key.accepts_diameters) {
-            text += ", or a multiple of the sphere diameter such as \"0.4 D\"";
-        }
+        if (key.accepts_diameters) text += ", or a multiple of the sphere diameter such as \"0.4 D\"";
         return text;
     }
     switch (key.type) {
@@ -70,12 +68,8 @@ std::string limit_text(double value, Dimension dimension) {
 }
 
 std::variant<Value, std::string> checked_number(const Key& key, const RawValue& raw, double number) {
-    if (!std::isfinite(number)) {
-        return wrong(key, raw, "a finite number is needed");
-    }
-    if (!key.range.contains(number)) {
-        return wrong(key, raw, "correct the value");
-    }
+    if (!std::isfinite(number)) return wrong(key, raw, "a finite number is needed");
+    if (!key.range.contains(number)) return wrong(key, raw, "correct the value");
     const auto limits = key.limits();
     const double size = std::abs(number);
     if (limits && number != 0.0 && (size < limits->least || size > limits->most)) {
@@ -91,9 +85,7 @@ std::variant<Value, std::string> checked_number(const Key& key, const RawValue& 
 std::variant<Value, std::string> convert_word(const Key& key, const RawValue& raw, const std::string& text) {
     std::vector<std::string> names;
     for (const Word& option : key.words) {
-        if (option.name == text) {
-            return Value(text);
-        }
+        if (option.name == text) return Value(text);
         names.emplace_back(option.name);
     }
     const auto meant = nearest_name(text, names);
@@ -113,9 +105,7 @@ std::variant<Value, std::string> convert_quantity(const Key& key, const RawValue
         return wrong(key, raw, how_to_write(key));
     }
     if (key.accepts_diameters && quantity->unit == "D") {
-        if (quantity->value < 0) {
-            return wrong(key, raw, "correct the value");
-        }
+        if (quantity->value < 0) return wrong(key, raw, "correct the value");
         return Value(Diameters{quantity->value + 0.0});
     }
     if (quantity->unit.empty()) {
@@ -125,9 +115,7 @@ std::variant<Value, std::string> convert_quantity(const Key& key, const RawValue
                          : fmt::format("a text needs a unit ({}); a number without quotes is in {}",
                                        unit_list(key.dimension), si_unit(key.dimension)));
     }
-    if (const auto number = to_si(*quantity, key.dimension)) {
-        return checked_number(key, raw, *number);
-    }
+    if (const auto number = to_si(*quantity, key.dimension)) return checked_number(key, raw, *number);
     const auto other = dimension_of_unit(quantity->unit);
     return wrong(key, raw,
                  fmt::format("`{}` is {}; {}", shortened(quantity->unit),
@@ -139,12 +127,8 @@ std::variant<Value, std::string> convert_number(const Key& key, const RawValue& 
     if (const auto* const integer = std::get_if<long long>(&raw)) {
         return checked_number(key, raw, static_cast<double>(*integer));
     }
-    if (const auto* const number = std::get_if<double>(&raw)) {
-        return checked_number(key, raw, *number);
-    }
-    if (const auto* const text = std::get_if<std::string>(&raw)) {
-        return convert_quantity(key, raw, *text);
-    }
+    if (const auto* const number = std::get_if<double>(&raw)) return checked_number(key, raw, *number);
+    if (const auto* const text = std::get_if<std::string>(&raw)) return convert_quantity(key, raw, *text);
     return wrong(key, raw, how_to_write(key));
 }
 
@@ -192,9 +176,7 @@ std::variant<Value, std::string> convert_list(const Key& key, const RawValue& ra
     for (const RawScalar& item : items) {
         auto converted =
             convert_number(key, std::visit([](const auto& scalar) { return RawValue(scalar); }, item));
-        if (auto* const message = std::get_if<std::string>(&converted)) {
-            return std::move(*message);
-        }
+        if (auto* const message = std::get_if<std::string>(&converted)) return std::move(*message);
         numbers.push_back(std::get<double>(std::get<Value>(converted)));
     }
     return Value(std::move(numbers));
@@ -202,22 +184,16 @@ std::variant<Value, std::string> convert_list(const Key& key, const RawValue& ra
 
 template <class F>
 std::string list_text(const std::vector<double>& numbers, const F& text) {
-    if (numbers.size() == 1) {
-        return text(numbers.front());
-    }
+    if (numbers.size() == 1) return text(numbers.front());
     std::string list;
-    for (const double number : numbers) {
-        list += (list.empty() ? "" : ", ") + text(number);
-    }
+    for (const double number : numbers) list += (list.empty() ? "" : ", ") + text(number);
     return "[" + list + "]";
 }
 
 }  // namespace
 
 std::string shown_name(const Key& key) {
-    if (key.section.empty()) {
-        return key.name;
-    }
+    if (key.section.empty()) return key.name;
     return key.repeated ? fmt::format("[[{}]] {}", key.section, key.name)
                         : fmt::format("[{}] {}", key.section, key.name);
 }
@@ -279,20 +255,14 @@ std::string expectation(const Key& key) {
 
 std::variant<Value, std::string> convert(const Key& key, const RawValue& raw) {
     const auto* const text = std::get_if<std::string>(&raw);
-    if (text != nullptr && !key.unset_word.empty() && *text == key.unset_word) {
-        return Value();
-    }
-    if (key.list) {
-        return convert_list(key, raw);
-    }
+    if (text != nullptr && !key.unset_word.empty() && *text == key.unset_word) return Value();
+    if (key.list) return convert_list(key, raw);
     switch (key.type) {
         case ValueType::number:
             return convert_number(key, raw);
         case ValueType::integer: {
             const auto* const integer = std::get_if<long long>(&raw);
-            if (integer == nullptr) {
-                return wrong(key, raw, how_to_write(key));
-            }
+            if (integer == nullptr) return wrong(key, raw, how_to_write(key));
             const bool allowed = key.range.contains(static_cast<double>(*integer));
             return allowed ? std::variant<Value, std::string>(Value(*integer))
                            : wrong(key, raw, "correct the value");

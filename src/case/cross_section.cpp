@@ -181,9 +181,7 @@ WettedSection wetted_section(const CrossSection& section, double level) {
     for (std::size_t i = 1; i < section.y.size(); ++i) {
         const double a = depth(i - 1);
         const double b = depth(i);
-        if (a <= 0.0 && b <= 0.0) {
-            continue;
-        }
+        if (a <= 0.0 && b <= 0.0) continue;
         // The part of the edge under the level.
         const double share = a >= 0.0 && b >= 0.0 ? 1.0 : std::max(a, b) / std::abs(a - b);
         const double width = share * (section.y[i] - section.y[i - 1]);

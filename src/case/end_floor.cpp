@@ -18,14 +18,10 @@ constexpr double just_above = 1e-9;
 
 double floor_at(const Case& c, double x) {
     double floor = 0.0;
-    if (c.channel.dimensions == 3) {
-        return floor;
-    }
+    if (c.channel.dimensions == 3) return floor;
     for (const Solid& solid : c.solids) {
         const Outline outline{solid.x, solid.z};
-        if (contains(outline, x, just_above)) {
-            floor = std::max(floor, ceiling_above(outline, x, just_above));
-        }
+        if (contains(outline, x, just_above)) floor = std::max(floor, ceiling_above(outline, x, just_above));
     }
     return floor;
 }
@@ -40,9 +36,7 @@ EndFloors end_floors(const Case& c) {
 
 bool carries_through(const Solid& solid, double from, double to) {
     const Outline outline{solid.x, solid.z};
-    if (!contains(outline, 0.5 * (from + to), just_above)) {
-        return false;
-    }
+    if (!contains(outline, 0.5 * (from + to), just_above)) return false;
     // The faces of its top over the stretch: level, at one height, from end to end.
     std::optional<double> height;
     double left_end = to;
@@ -51,12 +45,8 @@ bool carries_through(const Solid& solid, double from, double to) {
         const std::size_t j = outline.next(i);
         const auto [left, right] = std::minmax(outline.x[i], outline.x[j]);
         const bool above = std::max(outline.z[i], outline.z[j]) > just_above;
-        if (!above || right <= from || left >= to) {
-            continue;
-        }
-        if (outline.z[i] != outline.z[j] || outline.z[i] != height.value_or(outline.z[i])) {
-            return false;
-        }
+        if (!above || right <= from || left >= to) continue;
+        if (outline.z[i] != outline.z[j] || outline.z[i] != height.value_or(outline.z[i])) return false;
         height = outline.z[i];
         left_end = std::min(left_end, left);
         right_end = std::max(right_end, right);
@@ -72,9 +62,7 @@ bool passes_through(const Case& c, const Solid& solid) {
     const double length = c.channel.length;
     const double reach = c.numerics.wall_layers * c.numerics.spacing;
     const auto [low, high] = std::minmax_element(solid.x.begin(), solid.x.end());
-    if (*low > -reach || *high < length + reach) {
-        return false;
-    }
+    if (*low > -reach || *high < length + reach) return false;
     const Outline outline{solid.x, solid.z};
     const auto top = [&](double x) {
         return contains(outline, x, just_above) ? ceiling_above(outline, x, just_above) : 0.0;

@@ -20,13 +20,9 @@ double weir_head(double gravity, double discharge_coefficient, double unit_disch
 }
 
 double highest_end_level(const Case& c) {
-    if (c.channel.ends != Ends::open || is_duct(c)) {
-        return 0.0;
-    }
+    if (c.channel.ends != Ends::open || is_duct(c)) return 0.0;
     double level = 0.0;
-    if (c.inflow.depth) {
-        level = std::max(level, *c.inflow.depth + c.datum());
-    }
+    if (c.inflow.depth) level = std::max(level, *c.inflow.depth + c.datum());
     if (c.outflow.kind == OutflowKind::depth && c.outflow.depth) {
         level = std::max(level, *c.outflow.depth + c.datum());
     }
@@ -45,9 +41,7 @@ double highest_end_level(const Case& c) {
 
 LeastDepth least_named_depth(const Case& c) {
     LeastDepth least{.depth = c.total_depth()};
-    if (c.channel.ends != Ends::open || is_duct(c)) {
-        return least;
-    }
+    if (c.channel.ends != Ends::open || is_duct(c)) return least;
     const EndFloors floors = end_floors(c);
     const auto consider = [&](const std::optional<double>& level, double floor, const char* of) {
         if (level && *level + c.datum() - floor < least.depth) {
@@ -55,9 +49,7 @@ LeastDepth least_named_depth(const Case& c) {
         }
     };
     consider(c.inflow.depth, floors.upstream, "the inflow");
-    if (c.outflow.kind == OutflowKind::depth) {
-        consider(c.outflow.depth, floors.downstream, "the outflow");
-    }
+    if (c.outflow.kind == OutflowKind::depth) consider(c.outflow.depth, floors.downstream, "the outflow");
     return least;
 }
 

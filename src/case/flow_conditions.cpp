@@ -66,9 +66,7 @@ Case flow_condition(std::size_t number) {
     c.measured.friction_velocity = row.friction_velocity;
     c.measured.equivalent_roughness = row.equivalent_roughness;
     c.measured.discharge = row.discharge;
-    if (row.surface_deviation > 0) {
-        c.measured.surface_standard_deviation = row.surface_deviation;
-    }
+    if (row.surface_deviation > 0) c.measured.surface_standard_deviation = row.surface_deviation;
     c.measured.uniform = number != not_uniform;
     c.measured.source = "thesis, Table 3.1";
     return c;

@@ -13,9 +13,7 @@ namespace {
 
 /// Why patches of the bed leave no flow that is the same at all places of a height.
 std::optional<std::string> patchy_bed(const Case& c) {
-    if (c.bed_patches.empty()) {
-        return std::nullopt;
-    }
+    if (c.bed_patches.empty()) return std::nullopt;
     const bool strips = std::all_of(c.bed_patches.begin(), c.bed_patches.end(),
                                     [&c](const BedPatch& patch) { return covers_length(c, patch); });
     return fmt::format(

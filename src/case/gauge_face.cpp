@@ -30,9 +30,7 @@ std::array<Point3, 2> directions_across(const Point3& normal) {
     axis[least] = 1.0;
     Point3 first = cross(normal, axis);
     const double length = std::sqrt(dot(first, first));
-    for (double& component : first) {
-        component /= length;
-    }
+    for (double& component : first) component /= length;
     return {first, cross(normal, first)};
 }
 
@@ -61,9 +59,7 @@ std::vector<Point3> points_of_face(const Case& c, const SurfacePlace& middle, do
         const double u = radius * std::cos(golden_angle * static_cast<double>(n));
         const double v = radius * std::sin(golden_angle * static_cast<double>(n));
         Point3 point = middle.place;
-        for (std::size_t k = 0; k < 3; ++k) {
-            point[k] += u * first[k] + v * second[k];
-        }
+        for (std::size_t k = 0; k < 3; ++k) point[k] += u * first[k] + v * second[k];
         points.push_back(point);
     }
     return points;
@@ -73,20 +69,14 @@ std::vector<Point3> points_of_face(const Case& c, const SurfacePlace& middle, do
 
 std::optional<SurfacePlace> nearest_on_solid(const Case& c, const Solid& solid, const Point3& point) {
     if (c.channel.dimensions == 2) {
-        if (solid.x.size() < 3 || solid.x.size() != solid.z.size()) {
-            return std::nullopt;
-        }
+        if (solid.x.size() < 3 || solid.x.size() != solid.z.size()) return std::nullopt;
         return place_on_outline({solid.x, solid.z}, point);
     }
     const SolidMesh* const mesh = mesh_of(c, solid);
     const auto foot = mesh == nullptr ? std::nullopt : mesh->nearest(point);
-    if (!foot) {
-        return std::nullopt;
-    }
+    if (!foot) return std::nullopt;
     SurfacePlace found{point, foot->direction, foot->distance};
-    for (std::size_t k = 0; k < 3; ++k) {
-        found.place[k] += foot->distance * foot->direction[k];
-    }
+    for (std::size_t k = 0; k < 3; ++k) found.place[k] += foot->distance * foot->direction[k];
     return found;
 }
 
@@ -114,9 +104,7 @@ std::optional<SurfacePlace> place_on_walls(const Case& c, const Point3& point) {
 std::optional<std::size_t> solid_named(const Case& c, const std::string& name) {
     const auto found = std::find_if(c.solids.begin(), c.solids.end(),
                                     [&](const Solid& solid) { return solid.name == name; });
-    if (found == c.solids.end()) {
-        return std::nullopt;
-    }
+    if (found == c.solids.end()) return std::nullopt;
     return static_cast<std::size_t>(found - c.solids.begin());
 }
 
@@ -141,9 +129,7 @@ std::optional<GaugeFace> gauge_face(const Case& c, const Probe& probe, const Poi
     } else if (const auto solid = solid_named(c, probe.solid)) {
         surface = nearest_on_solid(c, c.solids[*solid], point);
     }
-    if (!surface) {
-        return std::nullopt;
-    }
+    if (!surface) return std::nullopt;
     return GaugeFace{surface->place, probe.diameter == 0.0 ? std::vector{surface->place}
                                                            : points_of_face(c, *surface, probe.diameter)};
 }

@@ -180,9 +180,7 @@ std::vector<HeightPoint> read_points(std::string_view content, const std::string
     while (lines.next()) {
         const auto& words = lines.words();
         double number = 0.0;
-        if (words[0].starts_with('#')) {
-            continue;
-        }
+        if (words[0].starts_with('#')) continue;
         if (std::exchange(first, false) && !read_number(words[0], number)) {  // names of the columns
             count = words.size();
             for (std::size_t k = 0; k < names.size(); ++k) {
@@ -238,17 +236,13 @@ std::optional<RegularPlaces> regular_places(std::vector<double> values) {
     double least = range;
     for (std::size_t i = 1; i < values.size(); ++i) {
         const double gap = values[i] - values[i - 1];
-        if (gap > 1e-6 * range) {
-            least = std::min(least, gap);
-        }
+        if (gap > 1e-6 * range) least = std::min(least, gap);
     }
     const double steps = std::round(range / least);
     const RegularPlaces places{values.front(), range / steps, static_cast<std::size_t>(steps) + 1};
     for (const double value : values) {
         const double at = (value - places.first) / places.step;
-        if (std::abs(at - std::round(at)) > 0.05) {
-            return std::nullopt;
-        }
+        if (std::abs(at - std::round(at)) > 0.05) return std::nullopt;
     }
     return places;
 }
@@ -258,9 +252,7 @@ HeightGrid grid_of_points(const std::vector<HeightPoint>& points, const std::str
     for (std::size_t axis = 0; axis < 2; ++axis) {
         std::vector<double> values;
         values.reserve(points.size());
-        for (const HeightPoint& point : points) {
-            values.push_back(point.place[axis]);
-        }
+        for (const HeightPoint& point : points) values.push_back(point.place[axis]);
         const auto regular = regular_places(std::move(values));
         if (!regular) {
             throw FileError(
@@ -313,12 +305,8 @@ HeightGrid grid_of_points(const std::vector<HeightPoint>& points, const std::str
 /// The grid of a file of a kind that always holds one; nothing of lines of points.
 std::optional<HeightGrid> whole_grid(std::string_view content, const std::string& name) {
     const std::string lower = lower_case(name);
-    if (lower.ends_with(".asc")) {
-        return AscReader(content, name).read();
-    }
-    if (lower.ends_with(".tif") || lower.ends_with(".tiff")) {
-        return parse_height_raster(content, name);
-    }
+    if (lower.ends_with(".asc")) return AscReader(content, name).read();
+    if (lower.ends_with(".tif") || lower.ends_with(".tiff")) return parse_height_raster(content, name);
     return std::nullopt;
 }
 

@@ -50,9 +50,7 @@ std::size_t count_holes(const HeightGrid& grid, const std::vector<std::size_t>& 
     std::vector<char> seen(grid.z.size(), 0);
     std::size_t holes = 0;
     for (const std::size_t first : missing) {
-        if (seen[first] != 0) {
-            continue;
-        }
+        if (seen[first] != 0) continue;
         ++holes;
         seen[first] = 1;
         std::vector<std::size_t> open{first};
@@ -75,14 +73,10 @@ std::size_t count_holes(const HeightGrid& grid, const std::vector<std::size_t>& 
 FilledHoles fill_holes(HeightGrid& grid) {
     std::vector<std::size_t> missing;
     for (std::size_t i = 0; i < grid.z.size(); ++i) {
-        if (std::isnan(grid.z[i])) {
-            missing.push_back(i);
-        }
+        if (std::isnan(grid.z[i])) missing.push_back(i);
     }
     FilledHoles filled{.heights = missing.size()};
-    if (missing.empty() || missing.size() == grid.z.size()) {
-        return filled;
-    }
+    if (missing.empty() || missing.size() == grid.z.size()) return filled;
     filled.holes = count_holes(grid, missing);
     const std::vector<std::uint32_t> steps = steps_to_known(grid);
     const std::size_t middle = *std::max_element(missing.begin(), missing.end(),
@@ -112,9 +106,7 @@ FilledHoles fill_holes(HeightGrid& grid) {
         low = std::isnan(z) ? low : std::min(low, z);
         high = std::isnan(z) ? high : std::max(high, z);
     }
-    for (const std::size_t i : missing) {
-        grid.z[i] = mean_around(i);
-    }
+    for (const std::size_t i : missing) grid.z[i] = mean_around(i);
     constexpr int most_sweeps = 20000;
     for (int sweep = 0; sweep < most_sweeps; ++sweep) {
         double change = 0.0;
@@ -123,9 +115,7 @@ FilledHoles fill_holes(HeightGrid& grid) {
             grid.z[i] += step;
             change = std::max(change, std::abs(step));
         }
-        if (change <= 1e-7 * (high - low)) {
-            break;
-        }
+        if (change <= 1e-7 * (high - low)) break;
     }
     return filled;
 }
@@ -139,15 +129,11 @@ FilledHoles fill_holes(HeightLine& line) {
             continue;
         }
         std::size_t end = begin;
-        while (end < points && std::isnan(line.z[end])) {
-            ++end;
-        }
+        while (end < points && std::isnan(line.z[end])) ++end;
         filled.heights += end - begin;
         const std::size_t left = begin == 0 ? no_index : begin - 1;
         const std::size_t right = end == points ? no_index : end;
-        if (left == no_index && right == no_index) {
-            return filled;
-        }
+        if (left == no_index && right == no_index) return filled;
         ++filled.holes;
         const double from = line.x[left == no_index ? begin : left];
         const double to = line.x[right == no_index ? end - 1 : right];
@@ -186,9 +172,7 @@ double height_between(const HeightGrid& grid, double x, double y) {
 
 double height_between(const HeightLine& line, double x) {
     const std::size_t points = line.x.size();
-    if (points == 1) {
-        return line.z.front();
-    }
+    if (points == 1) return line.z.front();
     const double before = 0.5 * (line.x[1] - line.x[0]);
     const double behind = 0.5 * (line.x[points - 1] - line.x[points - 2]);
     const double at = std::clamp(x, line.x.front() - before, line.x.back() + behind);

@@ -114,9 +114,7 @@ class RasterReader {
         // m: not mapped into memory, which the content is already.
         tiff_.reset(TIFFClientOpenExt(name.c_str(), "rm", &source_, read_source, write_source, seek_source,
                                       close_source, size_of_source, nullptr, nullptr, options.get()));
-        if (!tiff_) {
-            refuse_raster("is not a TIFF file");
-        }
+        if (!tiff_) refuse_raster("is not a TIFF file");
     }
 
     HeightGrid read() {
@@ -171,9 +169,7 @@ class RasterReader {
     [[nodiscard]] std::optional<int> geo_key(std::uint16_t key) const {
         const auto entries = numbers<std::uint16_t>(key_directory_tag);
         for (std::size_t i = 4; i + 3 < entries.size(); i += 4) {
-            if (entries[i] == key && entries[i + 1] == 0) {
-                return entries[i + 3];
-            }
+            if (entries[i] == key && entries[i + 1] == 0) return entries[i + 3];
         }
         return std::nullopt;
     }
@@ -186,9 +182,7 @@ class RasterReader {
         TIFFGetFieldDefaulted(tiff, TIFFTAG_SAMPLESPERPIXEL, &bands);
         TIFFGetFieldDefaulted(tiff, TIFFTAG_BITSPERSAMPLE, &bits_);
         TIFFGetFieldDefaulted(tiff, TIFFTAG_SAMPLEFORMAT, &format_);
-        if (width_ == 0 || height_ == 0) {
-            refuse_raster("holds an image without width or height");
-        }
+        if (width_ == 0 || height_ == 0) refuse_raster("holds an image without width or height");
         if (static_cast<double>(width_) * height_ > most_heights) {
             refuse_raster(
                 fmt::format("holds {} x {} heights, expected at most {:.0e}: cut out what the channel needs",
@@ -211,9 +205,7 @@ class RasterReader {
             const std::string text(none.begin(), std::find(none.begin(), none.end(), '\0'));
             char* end = nullptr;
             none_ = std::strtod(text.c_str(), &end);
-            if (end == text.c_str()) {
-                refuse_raster("its GDAL_NODATA is not a number");
-            }
+            if (end == text.c_str()) refuse_raster("its GDAL_NODATA is not a number");
         }
         const auto metadata = numbers<char>(metadata_tag);
         const std::string_view text(metadata.data(), metadata.size());
@@ -304,16 +296,12 @@ class RasterReader {
     void read_rows(HeightGrid& grid) {
         std::vector<std::uint8_t> row = buffer_of(TIFFScanlineSize(tiff_.get()));
         const std::size_t bytes = bits_ / 8U;
-        if (row.size() < bytes * width_) {
-            refuse_raster("is damaged: a row is shorter than the image is wide");
-        }
+        if (row.size() < bytes * width_) refuse_raster("is damaged: a row is shorter than the image is wide");
         for (std::uint32_t j = 0; j < height_; ++j) {
             if (TIFFReadScanline(tiff_.get(), row.data(), j, 0) != 1) {
                 refuse_raster(fmt::format("row {} from the north is damaged", j + 1));
             }
-            for (std::size_t i = 0; i < width_; ++i) {
-                set(grid, i, j, row.data() + i * bytes);
-            }
+            for (std::size_t i = 0; i < width_; ++i) set(grid, i, j, row.data() + i * bytes);
         }
     }
 

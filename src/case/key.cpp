@@ -22,12 +22,8 @@ std::string Key::id(std::size_t item) const {
 }
 
 std::optional<double> Key::number_of(const Value& value) {
-    if (const auto* const number = std::get_if<double>(&value)) {
-        return *number;
-    }
-    if (const auto* const integer = std::get_if<long long>(&value)) {
-        return static_cast<double>(*integer);
-    }
+    if (const auto* const number = std::get_if<double>(&value)) return *number;
+    if (const auto* const integer = std::get_if<long long>(&value)) return static_cast<double>(*integer);
     return std::nullopt;
 }
 
@@ -59,9 +55,7 @@ Key&& Key::because(std::string reason) && {
 
 std::optional<QuantityLimits> Key::limits() const {
     auto limits = quantity_limits(dimension);
-    if (limits && !(range.minimum >= 0.0)) {
-        limits->least = 0.0;
-    }
+    if (limits && !(range.minimum >= 0.0)) limits->least = 0.0;
     return limits;
 }
 

@@ -187,9 +187,7 @@ struct Binding<Enum> {
     static Enum from_value(const Value& value) {
         const auto& list = Words<Enum>::list;
         for (std::size_t i = 0; i < list.size(); ++i) {
-            if (list[i].name == std::get<std::string>(value)) {
-                return static_cast<Enum>(i);
-            }
+            if (list[i].name == std::get<std::string>(value)) return static_cast<Enum>(i);
         }
         throw std::bad_variant_access();  // not reached: the reader has checked the word
     }
@@ -202,12 +200,8 @@ Key make_key(std::string section, std::string name, std::string meaning) {
     key.name = std::move(name);
     key.meaning = std::move(meaning);
     key.type = Binding<T>::type;
-    if constexpr (std::is_enum_v<T>) {
-        key.words.assign(Words<T>::list.begin(), Words<T>::list.end());
-    }
-    if constexpr (std::is_same_v<T, std::optional<double>>) {
-        key.unset_word = "auto";
-    }
+    if constexpr (std::is_enum_v<T>) key.words.assign(Words<T>::list.begin(), Words<T>::list.end());
+    if constexpr (std::is_same_v<T, std::optional<double>>) key.unset_word = "auto";
     key.list = std::is_same_v<T, std::vector<double>>;
     return key;
 }

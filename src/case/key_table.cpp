@@ -188,9 +188,7 @@ std::vector<SectionKeys> make_table() {
 }  // namespace
 
 std::string SectionKeys::heading() const {
-    if (name.empty()) {
-        return "";
-    }
+    if (name.empty()) return "";
     return repeated() ? "[[" + name + "]]" : "[" + name + "]";
 }
 
@@ -208,9 +206,7 @@ const SectionKeys* find_section(std::string_view name) {
 
 const Key* find_key(std::string_view section, std::string_view name) {
     const SectionKeys* const keys = find_section(section);
-    if (keys == nullptr) {
-        return nullptr;
-    }
+    if (keys == nullptr) return nullptr;
     const auto found =
         std::find_if(keys->keys.begin(), keys->keys.end(), [&](const Key& key) { return key.name == name; });
     return found == keys->keys.end() ? nullptr : &*found;
@@ -224,9 +220,7 @@ const Key* find_key(std::string_view id) {
 namespace {
 
 bool condition_holds(const Applies& applies, const Case& c, std::size_t item) {
-    if (applies.id.empty()) {
-        return true;
-    }
+    if (applies.id.empty()) return true;
     const Key& other = *find_key(applies.id);
     const Value value = other.get(c, item);
     std::string now;
@@ -245,9 +239,7 @@ bool condition_holds(const Applies& applies, const Case& c, std::size_t item) {
 
 const Applies* unmet_condition(const Key& key, const Case& c, std::size_t item) {
     for (const Applies* const applies : {&key.applies, &key.applies_also}) {
-        if (!condition_holds(*applies, c, item)) {
-            return applies;
-        }
+        if (!condition_holds(*applies, c, item)) return applies;
     }
     return nullptr;
 }

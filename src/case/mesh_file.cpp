@@ -25,18 +25,12 @@ Triangles read_mesh(const std::filesystem::path& file) {
                                                   : ending == ".ply" ? "PLY file"
                                                                      : "STL file",
                                                   shared ? 25.0 : 7.0);
-    if (ending == ".obj") {
-        return parse_obj(content, name);
-    }
-    if (ending == ".ply") {
-        return parse_ply(content, name);
-    }
+    if (ending == ".obj") return parse_obj(content, name);
+    if (ending == ".ply") return parse_ply(content, name);
     try {
         return parse_stl(content, name);
     } catch (const FileError& e) {
-        if (ending == ".stl") {
-            throw;
-        }
+        if (ending == ".stl") throw;
         throw FileError(std::string(e.what()) +
                         " (a file is read by its ending: .stl, .obj or .ply; this one was taken for STL)");
     }

@@ -47,9 +47,7 @@ struct Range {
 std::vector<std::array<double, 3>> corners_of(const Case& c, const Solid& solid) {
     std::vector<std::array<double, 3>> corners;
     if (const SolidMesh* const mesh = in_space(c) ? mesh_of(c, solid) : nullptr) {
-        for (const Triangle& t : mesh->tree().triangles()) {
-            corners.insert(corners.end(), t.begin(), t.end());
-        }
+        for (const Triangle& t : mesh->tree().triangles()) corners.insert(corners.end(), t.begin(), t.end());
         return corners;
     }
     for (std::size_t i = 0; i < solid.x.size(); ++i) {
@@ -82,9 +80,7 @@ Range along_its_way(const Case& c, const Solid& solid, std::size_t axis) {
 
 /// What a solid takes up along axis x, y or z, with its way.
 Range in_motion(const Case& c, const Solid& solid, std::size_t axis) {
-    if (turns(c, solid) || solid.motion == SolidMotion::table) {
-        return along_its_way(c, solid, axis);
-    }
+    if (turns(c, solid) || solid.motion == SolidMotion::table) return along_its_way(c, solid, axis);
     const double way = moves_on(solid) ? time_of_motion(c, solid) * velocity_of(solid)[axis] : 0.0;
     const double swing = swings(solid) ? std::abs(amplitude_of(solid)[axis]) : 0.0;
     const Extent start = *extent_of(c, solid, axis);

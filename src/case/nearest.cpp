@@ -10,9 +10,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
     std::vector<std::size_t> before_last(b.size() + 1);
     std::vector<std::size_t> last(b.size() + 1);
     std::vector<std::size_t> row(b.size() + 1);
-    for (std::size_t j = 0; j <= b.size(); ++j) {
-        last[j] = j;
-    }
+    for (std::size_t j = 0; j <= b.size(); ++j) last[j] = j;
     for (std::size_t i = 1; i <= a.size(); ++i) {
         row[0] = i;
         for (std::size_t j = 1; j <= b.size(); ++j) {
@@ -47,16 +45,12 @@ std::optional<std::string> nearest_name(std::string_view text, std::span<const s
             best_distance = distance;
         }
     }
-    if (best) {
-        return best;
-    }
+    if (best) return best;
     constexpr std::size_t shortest_part = 4;
     for (const std::string& name : known) {
         const std::string& part = asked.size() < name.size() ? asked : name;
         const std::string& whole = asked.size() < name.size() ? name : asked;
-        if (part.size() >= shortest_part && whole.find(part) != std::string::npos) {
-            return name;
-        }
+        if (part.size() >= shortest_part && whole.find(part) != std::string::npos) return name;
     }
     return std::nullopt;
 }

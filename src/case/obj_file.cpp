@@ -32,9 +32,7 @@ class ObjReader {
             statement();
             words_.clear();
         }
-        if (!words_.empty()) {
-            lines_.fault("cut short: a line that ends with \\ must be followed by another");
-        }
+        if (!words_.empty()) lines_.fault("cut short: a line that ends with \\ must be followed by another");
         if (triangles_.empty()) {
             throw FileError(
                 fmt::format("{}: holds no face (lines `f ...`): give the closed surface of a body", name_));
@@ -47,9 +45,7 @@ class ObjReader {
         static constexpr std::array<std::string_view, 18> passed_over{
             "vt", "vn", "vp",     "g",      "o",   "s",     "mg",       "usemtl",   "mtllib",
             "l",  "p",  "usemap", "maplib", "lod", "bevel", "c_interp", "d_interp", "shadow_obj"};
-        if (words_.empty()) {
-            return;
-        }
+        if (words_.empty()) return;
         const std::string_view keyword = words_.front();
         if (keyword == "v") {
             add_corner();
@@ -69,9 +65,7 @@ class ObjReader {
             lines_.fault(fmt::format("expected `v` and three numbers, found {}", words_.size() - 1));
         }
         Point3 corner{};
-        for (std::size_t k = 0; k < 3; ++k) {
-            corner[k] = lines_.number(words_[k + 1], "`v` and three numbers");
-        }
+        for (std::size_t k = 0; k < 3; ++k) corner[k] = lines_.number(words_[k + 1], "`v` and three numbers");
         corners_.push_back(corner);
     }
 
@@ -87,17 +81,13 @@ class ObjReader {
                             words_.size() - 1, most));
         }
         std::vector<Point3> face;
-        for (auto word = words_.begin() + 1; word != words_.end(); ++word) {
-            face.push_back(corner_of(*word));
-        }
+        for (auto word = words_.begin() + 1; word != words_.end(); ++word) face.push_back(corner_of(*word));
         if (face.size() == 3) {
             triangles_.push_back({face[0], face[1], face[2]});
             return;
         }
         const auto parts = polygon_triangles(face);
-        if (parts.empty()) {
-            lines_.fault("a face crosses itself or has no area: mend it, or write triangles");
-        }
+        if (parts.empty()) lines_.fault("a face crosses itself or has no area: mend it, or write triangles");
         for (const auto& part : parts) {
             triangles_.push_back({face[part[0]], face[part[1]], face[part[2]]});
         }

@@ -55,9 +55,7 @@ bool contains(const Outline& outline, double x, double z) {
     for (std::size_t i = 0; i < outline.size(); ++i) {
         const Point a = corner(outline, i);
         const Point b = corner(outline, outline.next(i));
-        if ((a.z > z) != (b.z > z) && x < a.x + (z - a.z) / (b.z - a.z) * (b.x - a.x)) {
-            inside = !inside;
-        }
+        if ((a.z > z) != (b.z > z) && x < a.x + (z - a.z) / (b.z - a.z) * (b.x - a.x)) inside = !inside;
     }
     return inside;
 }
@@ -86,9 +84,7 @@ OutlinePlace nearest_on_outline(const Outline& outline, double x, double z) {
     best.distance = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < outline.size(); ++i) {
         const OutlinePlace place = nearest_on_edge(outline, i, x, z);
-        if (place.distance < best.distance) {
-            best = place;
-        }
+        if (place.distance < best.distance) best = place;
     }
     return best;
 }
@@ -102,9 +98,7 @@ std::optional<std::pair<std::size_t, std::size_t>> crossing_edges(const Outline&
     for (std::size_t i = 0; i < n; ++i) {
         const Point a = corner(outline, i);
         const Point b = corner(outline, outline.next(i));
-        if (a.x == b.x && a.z == b.z) {
-            return std::pair(i, i);
-        }
+        if (a.x == b.x && a.z == b.z) return std::pair(i, i);
         for (std::size_t j = i + 1; j < n; ++j) {
             const Point c = corner(outline, j);
             const Point d = corner(outline, outline.next(j));
@@ -116,9 +110,7 @@ std::optional<std::pair<std::size_t, std::size_t>> crossing_edges(const Outline&
             } else {
                 crossed = meet(a, b, c, d);
             }
-            if (crossed) {
-                return std::pair(i, j);
-            }
+            if (crossed) return std::pair(i, j);
         }
     }
     return std::nullopt;
@@ -136,9 +128,7 @@ double ceiling_above(const Outline& outline, double x, double z) {
         const Point b = corner(outline, outline.next(i));
         if ((a.x > x) != (b.x > x)) {
             const double crossing = a.z + (x - a.x) / (b.x - a.x) * (b.z - a.z);
-            if (crossing > z) {
-                lowest = std::min(lowest, crossing);
-            }
+            if (crossing > z) lowest = std::min(lowest, crossing);
         }
     }
     return std::isfinite(lowest) ? lowest : z;
@@ -153,22 +143,16 @@ double thickness_at(const Outline& outline, std::size_t i) {
     const Point middle{0.5 * (a.x + b.x), 0.5 * (a.z + b.z)};
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t j = 0; j < outline.size(); ++j) {
-        if (j == i) {
-            continue;
-        }
+        if (j == i) continue;
         // middle + s inward = c + t (d - c)
         const Point c = corner(outline, j);
         const Point d = corner(outline, outline.next(j));
         const double determinant = inward.x * (c.z - d.z) - inward.z * (c.x - d.x);
-        if (determinant == 0.0) {
-            continue;
-        }
+        if (determinant == 0.0) continue;
         const Point to_c{c.x - middle.x, c.z - middle.z};
         const double s = (to_c.x * (c.z - d.z) - to_c.z * (c.x - d.x)) / determinant;
         const double t = (inward.x * to_c.z - inward.z * to_c.x) / determinant;
-        if (s > 0.0 && t >= 0.0 && t <= 1.0) {
-            least = std::min(least, s);
-        }
+        if (s > 0.0 && t >= 0.0 && t <= 1.0) least = std::min(least, s);
     }
     return least;
 }

@@ -15,9 +15,7 @@ constexpr std::size_t fewest_corners = 3;
 
 std::string crossing_text(const Outline& outline) {
     const auto edges = crossing_edges(outline);
-    if (!edges) {
-        return "";
-    }
+    if (!edges) return "";
     const auto [i, j] = *edges;
     if (i == j) {
         return fmt::format("the corner {} is given twice in a row", corner_text(outline, i));
@@ -70,16 +68,12 @@ std::string corner_text(const Outline& outline, std::size_t i) {
 
 std::size_t corners_of_outlines(const Case& c) {
     std::size_t corners = c.start.water_x.size();
-    for (const Solid& solid : c.solids) {
-        corners += solid.x.size();
-    }
+    for (const Solid& solid : c.solids) corners += solid.x.size();
     return corners;
 }
 
 bool have_shapes(const Case& c) {
-    if (c.channel.dimensions == 3) {
-        return c.meshes && c.meshes->size() == c.solids.size();
-    }
+    if (c.channel.dimensions == 3) return c.meshes && c.meshes->size() == c.solids.size();
     return corners_of_outlines(c) <= most_corners &&
            std::all_of(c.solids.begin(), c.solids.end(), [](const Solid& solid) {
                return is_simple({solid.x, solid.z});

@@ -57,9 +57,7 @@ std::vector<std::pair<std::size_t, std::string>> named_items(const Document& doc
 /// Which of the sections of a kind has this name; none without one.
 std::optional<std::size_t> item_of(const Document& document, const OptionName& option) {
     for (const auto& [item, name] : named_items(document, option.section)) {
-        if (name == option.item) {
-            return item;
-        }
+        if (name == option.item) return item;
     }
     return std::nullopt;
 }
@@ -71,9 +69,7 @@ std::string unknown_item(const Document& document, const OptionName& option) {
                            section);
     }
     std::vector<std::string> names;
-    for (const auto& named : named_items(document, section)) {
-        names.push_back("\"" + named.second + "\"");
-    }
+    for (const auto& named : named_items(document, section)) names.push_back("\"" + named.second + "\"");
     if (names.empty()) {
         return fmt::format("no [[{0}]] of the case has a name: give it one, then --set {0}.NAME.{1}=...",
                            section, option.key);

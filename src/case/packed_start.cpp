@@ -28,12 +28,8 @@ bool packing_lacks_wall_layers(const Case& c) {
 }
 
 bool starts_packed(const Case& c) {
-    if (c.start.kind == StartKind::results || !key_applies(*find_key("start.packed"), c)) {
-        return false;
-    }
-    if (c.start.packed) {
-        return *c.start.packed;
-    }
+    if (c.start.kind == StartKind::results || !key_applies(*find_key("start.packed"), c)) return false;
+    if (c.start.packed) return *c.start.packed;
     return c.channel.dimensions == 2 && !c.solids.empty() && c.start.jitter == 0.0 &&
            !packing_lacks_wall_layers(c) && !packing_meets_entering_rows(c) &&
            !packing_reaches_an_open_end(c);

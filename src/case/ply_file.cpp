@@ -125,14 +125,10 @@ class PlyBinaryRows {
 
     double number(PlyType type) {
         const std::size_t count = bytes_of(type);
-        if (rest_.size() < count) {
-            fault("cut short: expected another number");
-        }
+        if (rest_.size() < count) fault("cut short: expected another number");
         std::array<char, 8> bytes{};
         std::copy_n(rest_.begin(), count, bytes.begin());
-        if (swap_) {
-            std::reverse(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(count));
-        }
+        if (swap_) std::reverse(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(count));
         rest_.remove_prefix(count);
         switch (type) {
             case PlyType::int8:

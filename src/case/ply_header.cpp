@@ -47,16 +47,10 @@ class PlyHeaderReader {
         }
         bool has_format = false;
         for (;;) {
-            if (!lines_.next()) {
-                lines_.fault("cut short: `end_header` is missing");
-            }
+            if (!lines_.next()) lines_.fault("cut short: `end_header` is missing");
             const auto& words = lines_.words();
-            if (words[0] == "end_header") {
-                break;
-            }
-            if (words[0] == "comment" || words[0] == "obj_info") {
-                continue;
-            }
+            if (words[0] == "end_header") break;
+            if (words[0] == "comment" || words[0] == "obj_info") continue;
             if (words[0] == "format") {
                 read_format();
                 has_format = true;

@@ -32,9 +32,7 @@ std::vector<std::array<std::size_t, 3>> polygon_triangles(const std::vector<Plan
     std::vector<std::size_t> left(corners.size());
     std::iota(left.begin(), left.end(), std::size_t{0});
     const bool against_clock = twice_area(corners) > 0.0;
-    if (!against_clock) {
-        std::reverse(left.begin(), left.end());
-    }
+    if (!against_clock) std::reverse(left.begin(), left.end());
     const auto is_ear = [&](std::size_t k, double least) {
         const std::size_t a = left[(k + left.size() - 1) % left.size()];
         const std::size_t b = left[k];
@@ -47,23 +45,17 @@ std::vector<std::array<std::size_t, 3>> polygon_triangles(const std::vector<Plan
     };
     while (left.size() > 2) {
         std::size_t ear = 0;
-        while (ear < left.size() && !is_ear(ear, 0.0)) {
-            ++ear;
-        }
+        while (ear < left.size() && !is_ear(ear, 0.0)) ++ear;
         if (ear == left.size()) {  // what is left may lie on a line
             ear = 0;
-            while (ear < left.size() && !is_ear(ear, -1e-300)) {
-                ++ear;
-            }
+            while (ear < left.size() && !is_ear(ear, -1e-300)) ++ear;
             if (ear == left.size()) {
                 return {};
             }
         }
         std::array<std::size_t, 3> triangle{left[(ear + left.size() - 1) % left.size()], left[ear],
                                             left[(ear + 1) % left.size()]};
-        if (!against_clock) {
-            std::swap(triangle[1], triangle[2]);
-        }
+        if (!against_clock) std::swap(triangle[1], triangle[2]);
         triangles.push_back(triangle);
         left.erase(left.begin() + static_cast<std::ptrdiff_t>(ear));
     }
@@ -74,15 +66,11 @@ std::vector<std::array<std::size_t, 3>> polygon_triangles(const std::vector<Poin
     Point3 normal{};
     for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
         const Point3 part = normal_of({corners[0], corners[i], corners[i + 1]});
-        for (std::size_t k = 0; k < 3; ++k) {
-            normal[k] += part[k];
-        }
+        for (std::size_t k = 0; k < 3; ++k) normal[k] += part[k];
     }
     // Seen along the axis that its normal is nearest to, from the side that it points to.
     std::size_t along = 0;
-    for (std::size_t k = 1; k < 3; ++k) {
-        along = std::abs(normal[k]) > std::abs(normal[along]) ? k : along;
-    }
+    for (std::size_t k = 1; k < 3; ++k) along = std::abs(normal[k]) > std::abs(normal[along]) ? k : along;
     if (normal[along] == 0.0) {
         return {};
     }

@@ -30,9 +30,7 @@ struct ZoneRange {
 /// Height up to which a zone without a top is looked at, m.
 double height_of_case(const Case& c) {
     double height = std::max(c.total_depth(), c.channel.wall_height.value_or(0.0));
-    for (const double z : c.start.water_z) {
-        height = std::max(height, z);
-    }
+    for (const double z : c.start.water_z) height = std::max(height, z);
     return height;
 }
 
@@ -88,9 +86,7 @@ Findings beyond_channel(const Case& c, const Porous& zone) {
                  .key = "porous.z_from"}};
     }
     for (std::size_t k = 0; k < axes.size(); ++k) {
-        if (k == 1 && !in_space(c)) {
-            continue;
-        }
+        if (k == 1 && !in_space(c)) continue;
         if (ranges[k].to > extent[k] * (1 + small) || ranges[k].from < -small * c.channel.length ||
             ranges[k].from >= ranges[k].to) {
             return {{.detail = fmt::format("reaches from {} = {} to {}: expected a stretch {}", axes[k],

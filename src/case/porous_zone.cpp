@@ -18,21 +18,15 @@ SoftRange range_of(std::optional<double> from, std::optional<double> to, double 
     const double rounding = 1e-9 * extent;
     SoftRange range;
     const bool all = from.value_or(0.0) <= rounding && to.value_or(extent) >= extent - rounding;
-    if (all) {
-        return range;
-    }
+    if (all) return range;
     if (periodic) {
         range.from = from.value_or(0.0);
         range.to = to.value_or(extent);
         range.period = extent;
         return range;
     }
-    if (from && *from > rounding) {
-        range.from = *from;
-    }
-    if (to && *to < extent - rounding) {
-        range.to = *to;
-    }
+    if (from && *from > rounding) range.from = *from;
+    if (to && *to < extent - rounding) range.to = *to;
     return range;
 }
 
@@ -45,9 +39,7 @@ double share_within(double distance, double edge) {
 
 double SoftRange::share(double place, double edge) const {
     const auto passed = [&](double end, bool hard) {
-        if (hard || std::isinf(end)) {
-            return place >= end ? 1.0 : 0.0;
-        }
+        if (hard || std::isinf(end)) return place >= end ? 1.0 : 0.0;
         return share_within(place - end, edge);
     };
     const auto once = [&](double shift) {
@@ -65,9 +57,7 @@ bool SoftRange::holds(double place) const {
 class SolidsBehind {
   public:
     explicit SolidsBehind(const Case& c) : c_(c), space_(c.channel.dimensions == 3) {
-        if (space_ && !c.solids.empty()) {
-            meshes_ = c.meshes;
-        }
+        if (space_ && !c.solids.empty()) meshes_ = c.meshes;
     }
     [[nodiscard]] bool holds(double x, double y, double z) const {
         if (space_) {
@@ -88,9 +78,7 @@ class SolidsBehind {
             for (int j = 0; j < across; ++j) {
                 const auto p = place(first.from + (i + 0.5) / most * (first.to - first.from),
                                      second.from + (j + 0.5) / across * (second.to - second.from));
-                if (!holds(p[0], p[1], p[2])) {
-                    return false;
-                }
+                if (!holds(p[0], p[1], p[2])) return false;
             }
         }
         return true;
@@ -119,13 +107,9 @@ PorousZone::PorousZone(const Case& c, const Porous& porous)
       length_(c.channel.ends == Ends::periodic ? c.channel.length : 0.0) {
     const double rounding = 1e-9 * c.channel.length;
     const bool box = c.channel.top == Top::periodic;
-    if (porous.z_from && (*porous.z_from > rounding || box)) {
-        upright_.from = *porous.z_from;
-    }
+    if (porous.z_from && (*porous.z_from > rounding || box)) upright_.from = *porous.z_from;
     const bool below_lid = c.channel.top != Top::free_surface && !box;
-    if (porous.z_to && !(below_lid && *porous.z_to >= c.total_depth() - rounding)) {
-        upright_.to = *porous.z_to;
-    }
+    if (porous.z_to && !(below_lid && *porous.z_to >= c.total_depth() - rounding)) upright_.to = *porous.z_to;
     end_at_solids(c);
     const SolidsBehind solids(c);
     const double turn = outline_.size() > 0 && signed_area(outline_) < 0.0 ? -1.0 : 1.0;
@@ -152,18 +136,14 @@ PorousZone::PorousZone(const Case& c, const Porous& porous)
 }
 
 void PorousZone::end_at_solids(const Case& c) {
-    if (c.solids.empty() || outline_.size() > 0) {
-        return;
-    }
+    if (c.solids.empty() || outline_.size() > 0) return;
     const SolidsBehind solids(c);
     const double beyond = 0.1 * c.numerics.spacing;
     const auto within = [](const SoftRange& range, double extent) {
         return SoftRange{std::max(range.from, 0.0), std::min(range.to, extent)};
     };
     double height = c.total_depth();
-    for (const double z : c.start.water_z) {
-        height = std::max(height, z);
-    }
+    for (const double z : c.start.water_z) height = std::max(height, z);
     const SoftRange x = within(along_, c.channel.length);
     const SoftRange y = within(across_, c.channel.simulated_width());
     const SoftRange z =
@@ -196,21 +176,15 @@ void PorousZone::end_at_solids(const Case& c) {
 double PorousZone::within_outline(double x, double z) const {
     double distance = infinity;
     for (std::size_t i = 0; i < outline_.size(); ++i) {
-        if (inner_edge_[i]) {
-            distance = std::min(distance, distance_from_edge(outline_, i, x, z));
-        }
+        if (inner_edge_[i]) distance = std::min(distance, distance_from_edge(outline_, i, x, z));
     }
     return contains(outline_, x, z) ? distance : -distance;
 }
 
 double PorousZone::top(double x) const {
     const auto above = std::upper_bound(top_x_.begin(), top_x_.end(), x);
-    if (above == top_x_.begin()) {
-        return top_z_.front();
-    }
-    if (above == top_x_.end()) {
-        return top_z_.back();
-    }
+    if (above == top_x_.begin()) return top_z_.front();
+    if (above == top_x_.end()) return top_z_.back();
     const auto i = static_cast<std::size_t>(above - top_x_.begin());
     const double part = (x - top_x_[i - 1]) / (top_x_[i] - top_x_[i - 1]);
     return top_z_[i - 1] + part * (top_z_[i] - top_z_[i - 1]);
@@ -230,17 +204,13 @@ double PorousZone::top_at(double x) const {
         }
         return highest;
     }
-    if (!along_.holds(x)) {
-        return -infinity;
-    }
+    if (!along_.holds(x)) return -infinity;
     return top_x_.empty() ? upright_.to : top(x);
 }
 
 double PorousZone::share(double x, double y, double z) const {
     const double beside = across_.share(y, edge_);
-    if (beside <= 0.0) {
-        return 0.0;
-    }
+    if (beside <= 0.0) return 0.0;
     if (outline_.size() > 0) {
         double within = share_within(within_outline(x, z), edge_);
         if (length_ > 0.0) {
@@ -250,9 +220,7 @@ double PorousZone::share(double x, double y, double z) const {
         return beside * std::min(within, 1.0);
     }
     const double along = along_.share(x, edge_);
-    if (along <= 0.0) {
-        return 0.0;
-    }
+    if (along <= 0.0) return 0.0;
     SoftRange upright = upright_;
     double edge = edge_;
     if (!top_x_.empty()) {
@@ -265,9 +233,7 @@ double PorousZone::share(double x, double y, double z) const {
 }
 
 bool PorousZone::holds(double x, double y, double z) const {
-    if (!across_.holds(y)) {
-        return false;
-    }
+    if (!across_.holds(y)) return false;
     if (outline_.size() > 0) {
         return at_any_image(x, length_, [&](double at) { return contains(outline_, at, z); });
     }
@@ -304,9 +270,7 @@ PorosityField::PorosityField(const Case& c) {
 
 double PorosityField::porosity(double x, double y, double z) const {
     double solid = 0.0;
-    for (std::size_t k = 0; k < zones_.size(); ++k) {
-        solid += zones_[k].share(x, y, z) * solid_[k];
-    }
+    for (std::size_t k = 0; k < zones_.size(); ++k) solid += zones_[k].share(x, y, z) * solid_[k];
     return 1.0 - solid;
 }
 

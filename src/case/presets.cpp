@@ -83,9 +83,7 @@ int layers_of_kernel(double smoothing_ratio) {
 
 void choose_resolution(Case& c, const GivenNumerics& given) {
     Numerics& n = c.numerics;
-    if (n.preset != Preset::riffle && n.preset != Preset::violent) {
-        return;
-    }
+    if (n.preset != Preset::riffle && n.preset != Preset::violent) return;
     const bool space = c.channel.dimensions == 3;
     if (c.bed.kind == BedKind::spheres && n.preset == Preset::riffle) {
         // Five rows below the crests and thirty over the depth at least; in space, where each halving costs
@@ -94,12 +92,8 @@ void choose_resolution(Case& c, const GivenNumerics& given) {
         const double finest =
             std::min({0.06 * c.bed.sphere_diameter, 0.2 * c.bed.roughness_height, c.total_depth() / 30.0}) /
             rows;
-        if (!given.spacing && finest > 0.0) {
-            n.spacing = rounded_down(finest);
-        }
-        if (!given.smoothing_ratio && !space) {
-            n.smoothing_ratio = 2.0;
-        }
+        if (!given.spacing && finest > 0.0) n.spacing = rounded_down(finest);
+        if (!given.smoothing_ratio && !space) n.smoothing_ratio = 2.0;
     }
     // The friction of a plane bed holds at any spacing: the one that the flow over it needs.
     constexpr double rows_over_plane_bed = 20.0;
@@ -108,16 +102,10 @@ void choose_resolution(Case& c, const GivenNumerics& given) {
     }
     // Among stems and over patches as over rough beds: with fewer neighbours the rows leave their order.
     const bool rough = (!c.vegetation.empty() || !c.bed_patches.empty()) && n.preset == Preset::riffle;
-    if ((has_wall_law(c) || rough) && !given.smoothing_ratio && !space) {
-        n.smoothing_ratio = 2.0;
-    }
+    if ((has_wall_law(c) || rough) && !given.smoothing_ratio && !space) n.smoothing_ratio = 2.0;
     // The particles of water that flows into a medium stand farther apart there, along its way.
-    if (!c.porous.empty() && !given.smoothing_ratio) {
-        n.smoothing_ratio = space ? 2.0 : 2.5;
-    }
-    if (!given.wall_layers) {
-        n.wall_layers = layers_of_kernel(n.smoothing_ratio);
-    }
+    if (!c.porous.empty() && !given.smoothing_ratio) n.smoothing_ratio = space ? 2.0 : 2.5;
+    if (!given.wall_layers) n.wall_layers = layers_of_kernel(n.smoothing_ratio);
 }
 
 }  // namespace riffle::inline case_file

@@ -46,9 +46,7 @@ bool is_group_name(const std::string& name) {
 /// Greatest height that an instrument may have: waves may rise above the depth, and a gauge may sit high on a
 /// wall.
 double highest(const Case& c, const Probe& p) {
-    if (!has_free_surface(c)) {
-        return c.total_depth();
-    }
+    if (!has_free_surface(c)) return c.total_depth();
     return p.kind == ProbeKind::pressure ? std::max(wave_height(c), c.channel.wall_height.value_or(0.0))
                                          : wave_height(c);
 }
@@ -156,9 +154,7 @@ bool has_surface_place(const Case& c, const Probe& p) { return !p.solid.empty() 
 /// Gauges farther than a spacing from the surface of their solid.
 Findings beside_their_solid(const Case& c, const Probe& p) {
     Findings found;
-    if (!has_surface_place(c, p) || !has_as_many_points(p)) {
-        return found;
-    }
+    if (!has_surface_place(c, p) || !has_as_many_points(p)) return found;
     for (const Point3& point : probe_points(c, p)) {
         const auto near = nearest_on_solid(c, c.solids[*solid_named(c, p.solid)], point);
         if (near && near->distance > c.numerics.spacing) {

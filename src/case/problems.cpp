@@ -24,9 +24,7 @@ void Problems::raise() const {
         text += text.empty() ? "" : "\n";
         text += sorted[i].place.text() + ": " + sorted[i].message;
     }
-    if (sorted.size() > most) {
-        text += "\nand " + std::to_string(sorted.size() - most) + " more of the kind";
-    }
+    if (sorted.size() > most) text += "\nand " + std::to_string(sorted.size() - most) + " more of the kind";
     throw InputError(text);
 }
 

@@ -22,9 +22,7 @@ constexpr double straight = 1e-6;
 template <std::size_t N>
 bool is_inclined(const std::array<double, N>& v) {
     double most = 0.0;
-    for (const double component : v) {
-        most = std::max(most, std::abs(component));
-    }
+    for (const double component : v) most = std::max(most, std::abs(component));
     return std::count_if(v.begin(), v.end(),
                          [most](double component) { return std::abs(component) > straight * most; }) > 1;
 }
@@ -45,9 +43,7 @@ double quiet_correction_time(const Case& c) {
 
 /// Whether a solid at rest stands above all of the water, where it cuts none of its rows.
 bool stays_dry(const Case& c, const Solid& solid) {
-    if (solid.motion != SolidMotion::fixed || !c.start.water_x.empty()) {
-        return false;
-    }
+    if (solid.motion != SolidMotion::fixed || !c.start.water_x.empty()) return false;
     const SolidMesh* const mesh = c.channel.dimensions == 3 ? mesh_of(c, solid) : nullptr;
     const double lowest = mesh != nullptr   ? mesh->lower()[2]
                           : solid.z.empty() ? 0.0
@@ -73,9 +69,7 @@ bool has_inclined_faces(const Case& c, const Solid& solid) {
         return false;
     }
     const SolidMesh* const mesh = mesh_of(c, solid);
-    if (mesh == nullptr) {
-        return false;
-    }
+    if (mesh == nullptr) return false;
     const auto& triangles = mesh->tree().triangles();
     return std::any_of(triangles.begin(), triangles.end(),
                        [](const Triangle& t) { return is_inclined<3>(normal_of(t)); });
@@ -92,20 +86,14 @@ bool is_quiet_beside_inclined_faces(const Case& c) {
 
 void choose_for_quiet_water(Case& c, const GivenNumerics& given) {
     Numerics& n = c.numerics;
-    if (n.preset != Preset::riffle || n.wall != WallKind::dummy || !is_quiet_beside_inclined_faces(c)) {
-        return;
-    }
+    if (n.preset != Preset::riffle || n.wall != WallKind::dummy || !is_quiet_beside_inclined_faces(c)) return;
     const bool space = c.channel.dimensions == 3;
-    if (!given.lattice) {
-        c.start.lattice = quiet_lattice(c);
-    }
+    if (!given.lattice) c.start.lattice = quiet_lattice(c);
     // The smoothing length goes with that lattice alone.
     if (!given.smoothing_ratio && c.start.lattice == quiet_lattice(c)) {
         n.smoothing_ratio = quiet_smoothing_ratio(c);
     }
-    if (!given.wall_layers) {
-        n.wall_layers = layers_of_kernel(n.smoothing_ratio);
-    }
+    if (!given.wall_layers) n.wall_layers = layers_of_kernel(n.smoothing_ratio);
     if (!given.pressure_correction_time && n.pressure_form == PressureForm::corrected) {
         n.pressure_correction_time = quiet_correction_time(c);
     }
@@ -118,9 +106,7 @@ void choose_for_quiet_water(Case& c, const GivenNumerics& given) {
 }
 
 std::optional<std::string> quiet_water_note(const Case& c) {
-    if (!is_quiet_beside_inclined_faces(c)) {
-        return std::nullopt;
-    }
+    if (!is_quiet_beside_inclined_faces(c)) return std::nullopt;
     const Numerics& n = c.numerics;
     std::vector<std::string> chosen;
     if (c.start.lattice == quiet_lattice(c)) {
@@ -137,9 +123,7 @@ std::optional<std::string> quiet_water_note(const Case& c) {
     if (c.start.settling_time == quiet_settling_time) {
         chosen.push_back(fmt::format("{:.3g} s to settle before the run", c.start.settling_time));
     }
-    if (chosen.empty()) {
-        return std::nullopt;
-    }
+    if (chosen.empty()) return std::nullopt;
     return fmt::format("{}: the defaults beside inclined faces", fmt::join(chosen, ", "));
 }
 

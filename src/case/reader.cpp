@@ -112,24 +112,18 @@ void require_keys(const Case& c, const Document& document, const Places& places,
     for (const SectionKeys& section : key_table()) {
         for (std::size_t item = 0; item < items_of(document, section); ++item) {
             for (const Key& key : section.keys) {
-                if (key.required) {
-                    require_key(key, item, places, problems);
-                }
+                if (key.required) require_key(key, item, places, problems);
             }
         }
     }
-    if (c.bed.kind == BedKind::spheres) {
-        require_key(*find_key("bed.roughness_height"), 0, places, problems);
-    }
+    if (c.bed.kind == BedKind::spheres) require_key(*find_key("bed.roughness_height"), 0, places, problems);
 }
 
 /// Defaults that follow from other keys.
 void set_dependent_defaults(Case& c, const Values& values) {
     for (const char* id : {"channel.dimensions", "channel.sides", "numerics.preset", "bed.kind"}) {
         const auto given = values.find({find_key(id), 0});
-        if (given != values.end()) {
-            given->first.first->set(c, given->second);
-        }
+        if (given != values.end()) given->first.first->set(c, given->second);
     }
     c.numerics = preset_numerics(c.numerics.preset, c.channel.dimensions);
     if (c.bed.kind != BedKind::spheres) {
@@ -182,9 +176,7 @@ Case assemble(const Values& values, const Document& document, const Places& plac
 }
 
 std::filesystem::path resolved(const std::filesystem::path& file, const std::filesystem::path& case_file) {
-    if (file.empty() || case_file.empty()) {
-        return file;
-    }
+    if (file.empty() || case_file.empty()) return file;
     return (std::filesystem::absolute(case_file).parent_path() / file).lexically_normal();
 }
 
@@ -219,15 +211,11 @@ void make_shapes(Case& c, const Places& places, Problems& problems) {
     const bool from_files = std::any_of(c.solids.begin(), c.solids.end(), [](const Solid& solid) {
         return !solid.file.empty() || !solid.heights.empty();
     });
-    if (c.solids.empty() || (space && from_files && c.path.empty())) {
-        return;
-    }
+    if (c.solids.empty() || (space && from_files && c.path.empty())) return;
     auto meshes = std::make_shared<std::vector<SolidMesh>>();
     for (std::size_t item = 0; item < c.solids.size(); ++item) {
         Solid& solid = c.solids[item];
-        if (!shape_is_complete(c, solid) || (!space && solid.shape == SolidShape::free_form)) {
-            continue;
-        }
+        if (!shape_is_complete(c, solid) || (!space && solid.shape == SolidShape::free_form)) continue;
         try {
             if (space) {
                 meshes->emplace_back(c, solid, &c.solid_notes);
@@ -241,19 +229,13 @@ void make_shapes(Case& c, const Places& places, Problems& problems) {
                 fmt::format("[[solid]] {}: {}", solid.name, e.what()));
         }
     }
-    if (space && meshes->size() == c.solids.size()) {
-        c.meshes = std::move(meshes);
-    }
+    if (space && meshes->size() == c.solids.size()) c.meshes = std::move(meshes);
 }
 
 /// The crests of a bed of solids are its highest points, unless the case says otherwise.
 void set_crests_of_solids(Case& c, const Places& places) {
-    if (places.given("bed.roughness_height") || c.bed.kind == BedKind::spheres) {
-        return;
-    }
-    if (const auto highest = highest_of_solid_bed(c)) {
-        c.bed.roughness_height = std::max(0.0, *highest);
-    }
+    if (places.given("bed.roughness_height") || c.bed.kind == BedKind::spheres) return;
+    if (const auto highest = highest_of_solid_bed(c)) c.bed.roughness_height = std::max(0.0, *highest);
 }
 
 }  // namespace
@@ -295,9 +277,7 @@ Case parse_case(const std::string& text, const std::string& name, const std::fil
         set_crests_of_solids(c, places);
         refuse(c, places, problems);
     }
-    if (!problems.empty()) {
-        problems.raise();
-    }
+    if (!problems.empty()) problems.raise();
     c.text = case_text(c);
     return c;
 }

@@ -18,9 +18,7 @@ namespace {
 std::string cell(const std::string& text) {
     std::string escaped;
     for (const char letter : text) {
-        if (letter == '|') {
-            escaped += '\\';
-        }
+        if (letter == '|') escaped += '\\';
         escaped += letter;
     }
     static const std::regex document("docs/([a-z-]+)\\.md");
@@ -50,9 +48,7 @@ std::string type_text(const Key& key) {
 }
 
 std::string default_text(const Key& key) {
-    if (key.required) {
-        return "required";
-    }
+    if (key.required) return "required";
     return key.default_note.empty() ? fmt::format("`{}`", handy_value_text(key, key.get(Case{})))
                                     : key.default_note;
 }
@@ -104,9 +100,7 @@ std::string preset_page() {
     }
     page += rule + "\n";
     for (const Key& key : find_section("numerics")->keys) {
-        if (key.name == "preset") {
-            continue;
-        }
+        if (key.name == "preset") continue;
         page += fmt::format("| `{}` |", key.name);
         for (std::size_t i = 0; i < Words<Preset>::list.size(); ++i) {
             Case c;
@@ -188,9 +182,7 @@ std::string unit_page() {
 std::string case_reference_markdown() {
     std::string page =
         "# Case file reference\n\n<!-- Made by `riffle schema --markdown -o docs/case-reference.md` from the key table in src/case. -->\n\nA case file is [TOML](https://toml.io) and defines a run completely. Every key has a default unless it says `required`. Axes: x down the bed, z normal to it and upward from the bed level z = 0.\n\nOptions of the command line change single keys: `--set channel.depth=\"60 mm\"`. `riffle new case.toml` writes a commented case, `riffle schema -o case.schema.json` a JSON schema with which an editor completes and checks case files, and `riffle check case.toml` says what a case will cost.\n";
-    for (const SectionKeys& section : key_table()) {
-        page += section_page(section);
-    }
+    for (const SectionKeys& section : key_table()) page += section_page(section);
     return page + options_page() + preset_page() + unit_page() + check_page();
 }
 

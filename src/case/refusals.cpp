@@ -28,12 +28,8 @@ std::string values_in_case(const CaseCheck& check, const CaseFinding& finding, c
 const Place& place_of(const CaseCheck& check, const CaseFinding& finding, const Places& places) {
     std::vector<std::string> ids;
     const auto add = [&](const std::string& id) { ids.push_back(find_key(id)->id(finding.item)); };
-    if (!finding.key.empty()) {
-        add(finding.key);
-    }
-    for (const std::string& id : check.keys) {
-        add(id);
-    }
+    if (!finding.key.empty()) add(finding.key);
+    for (const std::string& id : check.keys) add(id);
     const Key& first = *find_key(check.keys.front());
     if (first.repeated) {
         ids.push_back(fmt::format("{}[{}]", first.section, finding.item));

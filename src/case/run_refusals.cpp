@@ -22,9 +22,7 @@ constexpr std::array<const char*, 4> known_fields = {"velocity", "pressure", "de
 std::vector<std::string> fields_of_snapshots(const Case& c) {
     std::istringstream text(c.output.snapshot_fields);
     std::vector<std::string> fields;
-    for (std::string field; text >> field;) {
-        fields.push_back(field);
-    }
+    for (std::string field; text >> field;) fields.push_back(field);
     return fields;
 }
 

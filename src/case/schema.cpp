@@ -34,9 +34,7 @@ std::string quantity_pattern(const Key& key) {
             }
         }
     }
-    if (key.accepts_diameters) {
-        units += "|D";
-    }
+    if (key.accepts_diameters) units += "|D";
     return R"(^\s*[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?\s*()" + units + R"()\s*$)";
 }
 
@@ -45,12 +43,8 @@ Json number_schema(const Key& key) {
     const double most = key.limits() ? key.limits()->most : std::numeric_limits<double>::infinity();
     const double minimum = std::max(key.range.minimum, -most);
     const double maximum = std::min(key.range.maximum, most);
-    if (std::isfinite(minimum)) {
-        schema[key.range.open_minimum ? "exclusiveMinimum" : "minimum"] = minimum;
-    }
-    if (std::isfinite(maximum)) {
-        schema["maximum"] = maximum;
-    }
+    if (std::isfinite(minimum)) schema[key.range.open_minimum ? "exclusiveMinimum" : "minimum"] = minimum;
+    if (std::isfinite(maximum)) schema["maximum"] = maximum;
     return schema;
 }
 
@@ -110,13 +104,9 @@ Json section_schema(const SectionKeys& section) {
     Json required = Json::array();
     for (const Key& key : section.keys) {
         schema["properties"][key.name] = key_schema(key);
-        if (key.required) {
-            required.push_back(key.name);
-        }
+        if (key.required) required.push_back(key.name);
     }
-    if (!required.empty()) {
-        schema["required"] = required;
-    }
+    if (!required.empty()) schema["required"] = required;
     return schema;
 }
 
@@ -133,9 +123,7 @@ std::string case_schema_json() {
     schema["properties"] = section_schema(key_table().front())["properties"];
     Json required = Json::array();
     for (const SectionKeys& section : key_table()) {
-        if (section.name.empty()) {
-            continue;
-        }
+        if (section.name.empty()) continue;
         Json inner = section_schema(section);
         if (section.repeated()) {
             inner = {{"type", "array"}, {"items", inner}};

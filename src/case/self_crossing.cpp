@@ -10,17 +10,13 @@ namespace {
 
 int common_corners(const Triangle& a, const Triangle& b) {
     int common = 0;
-    for (const Point3& corner : a) {
-        common += std::find(b.begin(), b.end(), corner) != b.end() ? 1 : 0;
-    }
+    for (const Point3& corner : a) common += std::find(b.begin(), b.end(), corner) != b.end() ? 1 : 0;
     return common;
 }
 
 Point3 between(const Point3& a, const Point3& b, double share) {
     Point3 p{};
-    for (std::size_t k = 0; k < 3; ++k) {
-        p[k] = a[k] + share * (b[k] - a[k]);
-    }
+    for (std::size_t k = 0; k < 3; ++k) p[k] = a[k] + share * (b[k] - a[k]);
     return p;
 }
 
@@ -30,18 +26,14 @@ std::optional<std::pair<Point3, Point3>> cut_by_plane(const Triangle& t, const T
                                                       double tolerance) {
     const Point3 normal = normal_of(other);
     const double length = std::sqrt(dot(normal, normal));
-    if (length <= 0.0) {
-        return std::nullopt;
-    }
+    if (length <= 0.0) return std::nullopt;
     Point3 height{};
     for (std::size_t k = 0; k < 3; ++k) {
         const double above = dot(minus(t[k], other[0]), normal) / length;
         height[k] = std::abs(above) <= tolerance ? 0.0 : above;
     }
     const auto [least, most] = std::minmax({height[0], height[1], height[2]});
-    if (least >= 0.0 || most <= 0.0) {
-        return std::nullopt;
-    }
+    if (least >= 0.0 || most <= 0.0) return std::nullopt;
     std::array<Point3, 2> ends{};
     std::size_t found = 0;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -58,28 +50,20 @@ std::optional<std::pair<Point3, Point3>> cut_by_plane(const Triangle& t, const T
 /// The middle of what two triangles have in common where they cross.
 std::optional<Point3> crossing_place(const Triangle& a, const Triangle& b, double tolerance) {
     const auto of_b = cut_by_plane(b, a, tolerance);
-    if (!of_b) {
-        return std::nullopt;
-    }
+    if (!of_b) return std::nullopt;
     const auto of_a = cut_by_plane(a, b, tolerance);
-    if (!of_a) {
-        return std::nullopt;
-    }
+    if (!of_a) return std::nullopt;
     // Both lie on the line of the two planes.
     const Point3 way = minus(of_a->second, of_a->first);
     const double length = std::sqrt(dot(way, way));
-    if (length <= tolerance) {
-        return std::nullopt;
-    }
+    if (length <= tolerance) return std::nullopt;
     const auto share_of = [&](const Point3& p) {
         return dot(minus(p, of_a->first), way) / (length * length);
     };
     const auto [low, high] = std::minmax({share_of(of_b->first), share_of(of_b->second)});
     const double begin = std::max(low, 0.0);
     const double end = std::min(high, 1.0);
-    if ((end - begin) * length <= tolerance) {
-        return std::nullopt;
-    }
+    if ((end - begin) * length <= tolerance) return std::nullopt;
     return between(of_a->first, of_a->second, 0.5 * (begin + end));
 }
 

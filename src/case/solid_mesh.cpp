@@ -31,9 +31,7 @@ ClosedSurface surface_of_solid(const Case& c, const Solid& solid, std::vector<st
             return placed_free_form(solid);
         case SolidShape::bed: {
             const BedHeights bed = bed_heights(c, solid);
-            if (notes != nullptr) {
-                notes->insert(notes->end(), bed.notes.begin(), bed.notes.end());
-            }
+            if (notes != nullptr) notes->insert(notes->end(), bed.notes.begin(), bed.notes.end());
             return closed_surface(bed_triangles(c, bed), solid.heights.string());
         }
         case SolidShape::section:
@@ -61,13 +59,9 @@ const SolidMesh* mesh_of(const Case& c, const Solid& solid) {
 }
 
 std::shared_ptr<const std::vector<SolidMesh>> meshes_of(const Case& c) {
-    if (c.meshes) {
-        return c.meshes;
-    }
+    if (c.meshes) return c.meshes;
     auto meshes = std::make_shared<std::vector<SolidMesh>>();
-    for (const Solid& solid : c.solids) {
-        meshes->emplace_back(c, solid);
-    }
+    for (const Solid& solid : c.solids) meshes->emplace_back(c, solid);
     return meshes;
 }
 
@@ -75,17 +69,13 @@ bool walls_end_at_surface(const Case& c) { return c.start.packed.value_or(false)
 
 double SolidMesh::volume() const {
     double sum = 0.0;
-    for (const Triangle& t : tree_.triangles()) {
-        sum += dot(t[0], cross(t[1], t[2])) / 6.0;
-    }
+    for (const Triangle& t : tree_.triangles()) sum += dot(t[0], cross(t[1], t[2])) / 6.0;
     return sum;
 }
 
 bool SolidMesh::contains(const Point3& p) const {
     for (std::size_t k = 0; k < 3; ++k) {
-        if (p[k] < lower()[k] || p[k] > upper()[k]) {
-            return false;
-        }
+        if (p[k] < lower()[k] || p[k] > upper()[k]) return false;
     }
     return winding_number(tree_, p, [](std::size_t) { return true; }) != 0;
 }
@@ -109,17 +99,11 @@ std::optional<SolidMesh::Foot> SolidMesh::nearest(const Point3& p, double limit,
     const auto near = tree_.nearest(p, limit, [&](std::size_t i, const Point3& foot) {
         return takes(foot) && (!several_shells_ || is_exposed(i, foot));
     });
-    if (!near) {
-        return std::nullopt;
-    }
+    if (!near) return std::nullopt;
     Foot result{std::sqrt(near->squared), minus(near->foot, p)};
-    if (near->squared == 0.0) {
-        result.direction = normal_of(tree_.triangles()[near->triangle]);
-    }
+    if (near->squared == 0.0) result.direction = normal_of(tree_.triangles()[near->triangle]);
     const double length = std::sqrt(dot(result.direction, result.direction));
-    for (double& component : result.direction) {
-        component /= length;
-    }
+    for (double& component : result.direction) component /= length;
     return result;
 }
 

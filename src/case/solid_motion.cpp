@@ -24,9 +24,7 @@ struct TableValue {
 /// Slope of a table at a row: of the parabola through it and its neighbours; none at its ends, before and
 /// behind which it rests.
 double slope_at(const std::vector<double>& times, const std::vector<double>& values, std::size_t i) {
-    if (i == 0 || i + 1 == times.size()) {
-        return 0.0;
-    }
+    if (i == 0 || i + 1 == times.size()) return 0.0;
     const double before = times[i] - times[i - 1];
     const double after = times[i + 1] - times[i];
     const double rise_before = (values[i] - values[i - 1]) / before;
@@ -60,9 +58,7 @@ TableValue in_table(const std::vector<double>& times, const std::vector<double>&
 
 void move_at_constant_velocity(const Solid& solid, double moving, SolidMotionState& state) {
     state.velocity = {solid.velocity_x, solid.velocity_y, solid.velocity_z};
-    for (std::size_t k = 0; k < 3; ++k) {
-        state.displacement[k] = moving * state.velocity[k];
-    }
+    for (std::size_t k = 0; k < 3; ++k) state.displacement[k] = moving * state.velocity[k];
     state.angular_velocity = solid.angular_velocity;
     state.angle = moving * state.angular_velocity;
 }
@@ -103,9 +99,7 @@ std::array<double, 3> point_of(const std::vector<double>& values) {
 
 /// Largest speeds of a table: by its Hermite pieces, looked at often enough.
 double largest_table_speed(const Solid& solid, double reach) {
-    if (solid.times.size() < 2) {
-        return 0.0;
-    }
+    if (solid.times.size() < 2) return 0.0;
     constexpr int parts = 16;
     double largest = 0.0;
     for (std::size_t i = 0; i + 1 < solid.times.size(); ++i) {
@@ -130,9 +124,7 @@ SolidMotionState solid_motion(const Solid& solid, double time) {
         follow_table(solid, moving, state);
         return state;
     }
-    if (moving <= 0.0) {
-        return state;
-    }
+    if (moving <= 0.0) return state;
     if (solid.motion == SolidMotion::constant) {
         move_at_constant_velocity(solid, moving, state);
     } else if (solid.motion == SolidMotion::oscillating) {
@@ -200,9 +192,7 @@ BodyState body_state(const SolidMotionState& state, const SolidTurning& turning)
 }
 
 double largest_speed(const Case& c, const Solid& solid) {
-    if (solid.motion == SolidMotion::fixed) {
-        return 0.0;
-    }
+    if (solid.motion == SolidMotion::fixed) return 0.0;
     const double reach = turns(c, solid) ? reach_from(c, solid, rotation_point(c, solid)) : 0.0;
     switch (solid.motion) {
         case SolidMotion::fixed:

@@ -48,16 +48,12 @@ std::vector<double> crossings(const Outline& a, std::size_t i, const Outline& b)
         const double ex = b.x[b.next(j)] - b.x[j];
         const double ez = b.z[b.next(j)] - b.z[j];
         const double cross = dx * ez - dz * ex;
-        if (cross == 0.0) {
-            continue;
-        }
+        if (cross == 0.0) continue;
         const double rx = b.x[j] - a.x[i];
         const double rz = b.z[j] - a.z[i];
         const double along = (rx * ez - rz * ex) / cross;
         const double along_other = (rx * dz - rz * dx) / cross;
-        if (along > 0.0 && along < 1.0 && along_other >= 0.0 && along_other <= 1.0) {
-            at.push_back(along);
-        }
+        if (along > 0.0 && along < 1.0 && along_other >= 0.0 && along_other <= 1.0) at.push_back(along);
     }
     std::sort(at.begin(), at.end());
     return at;
@@ -99,9 +95,7 @@ class Outlines {
         const Outline first = moved(first_, a, {});
         const Outline second = moved(second_, b, shift);
         auto place = place_inside(second, first, tolerance);
-        if (!place) {
-            place = place_inside(first, second, tolerance);
-        }
+        if (!place) place = place_inside(first, second, tolerance);
         return {place, gap(first, second)};
     }
 
@@ -133,9 +127,7 @@ class Surfaces {
         if (!found.place) {
             const Meeting other = look(on_first_, a, back, second_, b, tolerance);
             found.distance = std::min(found.distance, other.distance);
-            if (other.place) {
-                found.place = plus(*other.place, shift);
-            }
+            if (other.place) found.place = plus(*other.place, shift);
         }
         // Between two places the surface may be nearer.
         found.distance = std::max(0.0, found.distance - between_);
@@ -180,14 +172,10 @@ class Surfaces {
                                              first_.lower()[k] - second_.upper()[k] - way, 0.0});
             squared += between * between;
         }
-        if (!turn) {
-            return std::sqrt(squared);
-        }
+        if (!turn) return std::sqrt(squared);
         const auto middle = [](const SolidMesh& mesh, const BodyState& body) {
             Point3 m{};
-            for (std::size_t k = 0; k < 3; ++k) {
-                m[k] = 0.5 * (mesh.lower()[k] + mesh.upper()[k]);
-            }
+            for (std::size_t k = 0; k < 3; ++k) m[k] = 0.5 * (mesh.lower()[k] + mesh.upper()[k]);
             return body.placed(m);
         };
         const Point3 between = minus(plus(middle(second_, b), shift), middle(first_, a));
@@ -279,9 +267,7 @@ std::optional<SolidOverlap> overlap_of(const Case& c, std::size_t i, std::size_t
             }
             distance = std::min(distance, meeting.distance);
         }
-        if (time >= end) {
-            return std::nullopt;
-        }
+        if (time >= end) return std::nullopt;
         time = std::min(end, time + std::max(distance, tolerance) / speed);
     }
 }
@@ -297,9 +283,7 @@ std::optional<SolidOverlap> first_overlap(const Case& c) {
             }
             const auto overlap =
                 c.channel.dimensions == 3 ? overlap_of<Surfaces>(c, i, j) : overlap_of<Outlines>(c, i, j);
-            if (overlap && (!first || overlap->time < first->time)) {
-                first = overlap;
-            }
+            if (overlap && (!first || overlap->time < first->time)) first = overlap;
         }
     }
     return first;

@@ -6,9 +6,7 @@ namespace riffle::inline case_file {
 
 SolidPlaces::SolidPlaces(const Case& c)
     : c_(c), period_(c.channel.ends == Ends::periodic ? c.channel.length : 0.0) {
-    if (c.channel.dimensions != 2) {
-        return;
-    }
+    if (c.channel.dimensions != 2) return;
     for (const Solid& solid : c.solids) {
         const bool known = solid.x.size() == solid.z.size();
         outlines_.push_back(known ? Outline{solid.x, solid.z} : Outline{});
@@ -26,9 +24,7 @@ bool SolidPlaces::holds(std::size_t solid, const Point3& p) const {
 std::optional<std::size_t> SolidPlaces::resting_at(const Point3& p,
                                                    std::optional<std::size_t> left_out) const {
     for (std::size_t k = 0; k < c_.solids.size(); ++k) {
-        if (k != left_out && c_.solids[k].motion == SolidMotion::fixed && holds(k, p)) {
-            return k;
-        }
+        if (k != left_out && c_.solids[k].motion == SolidMotion::fixed && holds(k, p)) return k;
     }
     return std::nullopt;
 }

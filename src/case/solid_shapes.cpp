@@ -106,9 +106,7 @@ Triangles icosahedron() {
 
 double volume_of(const Triangles& triangles) {
     double sum = 0.0;
-    for (const Triangle& t : triangles) {
-        sum += dot(t[0], cross(t[1], t[2])) / 6.0;
-    }
+    for (const Triangle& t : triangles) sum += dot(t[0], cross(t[1], t[2])) / 6.0;
     return sum;
 }
 
@@ -139,9 +137,7 @@ Outline shape_outline(const Case& c, const Solid& solid) {
             add(corner);
         }
     } else {
-        for (const auto& corner : turned_rectangle(solid.size[0], solid.size[1], solid.angle)) {
-            add(corner);
-        }
+        for (const auto& corner : turned_rectangle(solid.size[0], solid.size[1], solid.angle)) add(corner);
     }
     return outline;
 }
@@ -183,9 +179,7 @@ Triangles sphere_triangles(const Point3& centre, double diameter, double error) 
                 p[k] = face[0][k] + s * (face[1][k] - face[0][k]) + t * (face[2][k] - face[0][k]);
             }
             const double size = std::sqrt(dot(p, p));
-            for (double& x : p) {
-                x *= radius / size;
-            }
+            for (double& x : p) x *= radius / size;
             return p;
         };
         for (std::size_t i = 0; i < parts; ++i) {
@@ -201,9 +195,7 @@ Triangles sphere_triangles(const Point3& centre, double diameter, double error) 
     const double stretch = std::cbrt(exact / std::abs(volume_of(triangles)));
     for (Triangle& t : triangles) {
         for (Point3& corner : t) {
-            for (std::size_t k = 0; k < 3; ++k) {
-                corner[k] = centre[k] + stretch * corner[k];
-            }
+            for (std::size_t k = 0; k < 3; ++k) corner[k] = centre[k] + stretch * corner[k];
         }
     }
     return triangles;
@@ -237,9 +229,7 @@ bool is_bed_shape(SolidShape shape) {
 bool shape_is_complete(const Case& c, const Solid& solid) {
     const auto dimensions = static_cast<std::size_t>(c.channel.dimensions);
     const int own = dimensions_of(solid.shape);
-    if (own != 0 && own != c.channel.dimensions) {
-        return false;
-    }
+    if (own != 0 && own != c.channel.dimensions) return false;
     const bool centred = solid.centre.size() == dimensions;
     switch (solid.shape) {
         case SolidShape::box:

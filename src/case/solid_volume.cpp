@@ -25,18 +25,14 @@ struct Integrals {
         constexpr double n = N;
         Point3 sum{};
         for (const Point3& corner : corners) {
-            for (std::size_t k = 0; k < 3; ++k) {
-                sum[k] += corner[k];
-            }
+            for (std::size_t k = 0; k < 3; ++k) sum[k] += corner[k];
         }
         volume += simplex;
         for (std::size_t k = 0; k < 3; ++k) {
             first[k] += simplex * sum[k] / (n + 1.0);
             for (std::size_t l = 0; l < 3; ++l) {
                 double products = sum[k] * sum[l];
-                for (const Point3& corner : corners) {
-                    products += corner[k] * corner[l];
-                }
+                for (const Point3& corner : corners) products += corner[k] * corner[l];
                 second[3 * k + l] += simplex * products / ((n + 1.0) * (n + 2.0));
             }
         }
@@ -88,16 +84,12 @@ SolidVolume of_mesh(const SolidMesh& mesh) {
 std::array<double, 9> SolidVolume::inertia() const {
     const double trace = spread[0] + spread[4] + spread[8];
     std::array<double, 9> result{};
-    for (std::size_t k = 0; k < 9; ++k) {
-        result[k] = (k % 4 == 0 ? trace : 0.0) - spread[k];
-    }
+    for (std::size_t k = 0; k < 9; ++k) result[k] = (k % 4 == 0 ? trace : 0.0) - spread[k];
     return result;
 }
 
 SolidVolume solid_volume(const Case& c, const Solid& solid) {
-    if (c.channel.dimensions == 2) {
-        return of_outline(solid);
-    }
+    if (c.channel.dimensions == 2) return of_outline(solid);
     const SolidMesh* const mesh = mesh_of(c, solid);
     return mesh != nullptr ? of_mesh(*mesh) : of_mesh(SolidMesh(c, solid));
 }
@@ -113,9 +105,7 @@ double reach_from(const Case& c, const Solid& solid, const std::array<double, 3>
     }
     if (c.channel.dimensions == 3) {
         const auto look_at = [&](const SolidMesh& mesh) {
-            for (const Triangle& t : mesh.tree().triangles()) {
-                std::for_each(t.begin(), t.end(), look);
-            }
+            for (const Triangle& t : mesh.tree().triangles()) std::for_each(t.begin(), t.end(), look);
         };
         const SolidMesh* const read = mesh_of(c, solid);
         read != nullptr ? look_at(*read) : look_at(SolidMesh(c, solid));
@@ -124,9 +114,7 @@ double reach_from(const Case& c, const Solid& solid, const std::array<double, 3>
 }
 
 std::array<double, 3> moment_point(const Case& c, const Solid& solid) {
-    if (solid.moment_about.empty()) {
-        return solid_volume(c, solid).centroid;
-    }
+    if (solid.moment_about.empty()) return solid_volume(c, solid).centroid;
     return {solid.moment_about[0], solid.moment_about.size() == 3 ? solid.moment_about[1] : 0.0,
             solid.moment_about.back()};
 }

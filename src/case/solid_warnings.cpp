@@ -77,9 +77,7 @@ Findings buried(const Case& c, const Solid& solid) {
     const auto own = static_cast<std::size_t>(&solid - c.solids.data());
     std::optional<std::size_t> around;
     for (const Point3& p : places_behind_surface(c, solid, 0.1 * c.numerics.spacing)) {
-        if (!is_in_channel(c, p)) {
-            continue;
-        }
+        if (!is_in_channel(c, p)) continue;
         around = solids.resting_at(p, own);
         if (!around) {
             return {};
@@ -98,9 +96,7 @@ std::optional<Point3> spheres_meet(const Case& c, const Solid& a, const Solid& b
         for (auto other = std::lower_bound(second.begin(), second.end(), Point3{centre[0] - least, 0.0, 0.0});
              other != second.end() && (*other)[0] < centre[0] + least; ++other) {
             const Point3 way = minus(*other, centre);
-            if (dot(way, way) < least * least) {
-                return centre;
-            }
+            if (dot(way, way) < least * least) return centre;
         }
     }
     return std::nullopt;

@@ -83,9 +83,7 @@ class SphereLayer {
                                   way_along(place[1], other[1], width_, across_)) < d_;
             });
             misses = taken ? misses + 1 : 0;
-            if (!taken) {
-                places.push_back(place);
-            }
+            if (!taken) places.push_back(place);
         }
         // Beyond periodic ends and sides they repeat.
         const std::size_t count = places.size();

@@ -18,9 +18,7 @@ std::optional<double> top_of_outline(const Outline& outline, double x) {
     for (std::size_t i = 0; i < outline.size(); ++i) {
         const std::size_t j = outline.next(i);
         const double along = outline.x[j] - outline.x[i];
-        if (x < std::min(outline.x[i], outline.x[j]) || x > std::max(outline.x[i], outline.x[j])) {
-            continue;
-        }
+        if (x < std::min(outline.x[i], outline.x[j]) || x > std::max(outline.x[i], outline.x[j])) continue;
         if (along == 0.0) {
             raise(top, std::max(outline.z[i], outline.z[j]));
         } else {
@@ -49,9 +47,7 @@ std::optional<double> solid_top(const Case& c, const Solid& solid, double x, dou
 }
 
 double stem_foot(const Case& c, const Vegetation& stems, double x, double y) {
-    if (stems.stands_on.empty()) {
-        return 0.0;
-    }
+    if (stems.stands_on.empty()) return 0.0;
     const auto solid = solid_named(c, stems.stands_on);
     return solid ? std::max(0.0, solid_top(c, c.solids[*solid], x, y).value_or(0.0)) : 0.0;
 }

@@ -37,9 +37,7 @@ class WordReader {
             line_ += rest_[begin] == '\n' ? 1U : 0U;
         }
         std::size_t end = begin;
-        while (end < rest_.size() && !is_blank(rest_[end])) {
-            ++end;
-        }
+        while (end < rest_.size() && !is_blank(rest_[end])) ++end;
         const std::string_view word = rest_.substr(begin, end - begin);
         rest_.remove_prefix(end);
         return word;
@@ -77,9 +75,7 @@ class TextReader {
                 fault(fmt::format("expected `facet` or `endsolid`, found `{}`", shown_word(word)));
             }
         }
-        if (in_solid) {
-            fault("cut short: `endsolid` is missing");
-        }
+        if (in_solid) fault("cut short: `endsolid` is missing");
         return std::move(triangles_);
     }
 
@@ -95,21 +91,15 @@ class TextReader {
         Triangle t{};
         std::size_t corners = 0;
         for (std::string_view word = words_.next(); word != "endfacet"; word = words_.next()) {
-            if (word.empty()) {
-                facet_fault("cut short: `endfacet` is missing");
-            }
+            if (word.empty()) facet_fault("cut short: `endfacet` is missing");
             if (word == "facet" || word == "endsolid") {
                 facet_fault(fmt::format("expected `endfacet`, found `{}`", word));
             }
             if (word != "vertex") {
                 continue;  // "normal", its numbers, "outer loop", "endloop"
             }
-            if (corners == 3) {
-                facet_fault("expected three lines `vertex x y z`, found more");
-            }
-            for (double& x : t[corners]) {
-                x = number(words_.next());
-            }
+            if (corners == 3) facet_fault("expected three lines `vertex x y z`, found more");
+            for (double& x : t[corners]) x = number(words_.next());
             ++corners;
         }
         if (corners != 3) {
@@ -141,9 +131,7 @@ Triangles read_binary(std::string_view content, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
         std::array<float, 9> numbers{};
         std::memcpy(numbers.data(), content.data() + header + record * i + 12, sizeof numbers);
-        for (std::size_t k = 0; k < 9; ++k) {
-            triangles[i][k / 3][k % 3] = static_cast<double>(numbers[k]);
-        }
+        for (std::size_t k = 0; k < 9; ++k) triangles[i][k / 3][k % 3] = static_cast<double>(numbers[k]);
     }
     return triangles;
 }
@@ -157,9 +145,7 @@ bool is_text(std::string_view content) {
 
 Triangles parse_stl(std::string_view content, const std::string& name) {
     std::uint32_t count = 0;
-    if (content.size() >= header) {
-        std::memcpy(&count, content.data() + 80, sizeof count);
-    }
+    if (content.size() >= header) std::memcpy(&count, content.data() + 80, sizeof count);
     const std::size_t announced = header + record * static_cast<std::size_t>(count);
     const bool binary = content.size() == announced;
     if (!binary && is_text(content)) {

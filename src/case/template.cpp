@@ -40,15 +40,11 @@ std::string without_ticks(std::string text) {
 
 std::string key_comment(const Key& key) {
     std::vector<std::string> rules;
-    if (key.required) {
-        rules.emplace_back("required");
-    }
+    if (key.required) rules.emplace_back("required");
     if (!si_unit(key.dimension).empty()) {
         rules.push_back(fmt::format("in {}", si_unit(key.dimension)));
     }
-    if (const std::string range = range_text(key); !range.empty()) {
-        rules.push_back(range);
-    }
+    if (const std::string range = range_text(key); !range.empty()) rules.push_back(range);
     std::string about = without_ticks(key.meaning);
     if (!rules.empty()) {
         about += fmt::format(" [{}]", fmt::join(rules, ", "));
@@ -93,9 +89,7 @@ Case defaults_of(const Case& c) {
     defaults.start.lattice = chosen.start.lattice;
     defaults.start.settling_time = chosen.start.settling_time;
     defaults.bed.kind = c.bed.kind;
-    if (c.bed.kind != BedKind::spheres) {
-        defaults.bed.datum_below_crest = 0.0;
-    }
+    if (c.bed.kind != BedKind::spheres) defaults.bed.datum_below_crest = 0.0;
     return defaults;
 }
 
@@ -115,9 +109,7 @@ std::string condition_text(const Key& key) {
 std::string further_keys(const SectionKeys& section, const Case& c) {
     std::map<std::string, std::vector<std::string>> keys;
     for (const Key& key : section.keys) {
-        if (key.applies.strictly && !key_applies(key, c)) {
-            keys[condition_text(key)].push_back(key.name);
-        }
+        if (key.applies.strictly && !key_applies(key, c)) keys[condition_text(key)].push_back(key.name);
     }
     std::string text;
     for (const auto& [condition, names] : keys) {
@@ -132,9 +124,7 @@ std::string section_example(const SectionKeys& section) {
         "\n" + comment(section.meaning + " What one may hold:") + fmt::format("#   {}\n", section.heading());
     for (const Key& key : section.keys) {
         std::istringstream about(key_comment(key));
-        for (std::string line; std::getline(about, line);) {
-            text += "#   " + line + "\n";
-        }
+        for (std::string line; std::getline(about, line);) text += "#   " + line + "\n";
         if (!key.applies.id.empty()) {
             text += comment(fmt::format("only with {}", condition_text(key)), "  # ");
         }
@@ -177,9 +167,7 @@ std::string case_template(const Case& c) {
             text += fmt::format("\n{}\n", section.heading()) + comment(without_ticks(section.meaning)) + "\n";
         }
         for (const Key& key : section.keys) {
-            if (key.applies.strictly && !key_applies(key, c)) {
-                continue;
-            }
+            if (key.applies.strictly && !key_applies(key, c)) continue;
             const Value value = key.get(c);
             // Preset and kind of bed are defaults of `defaults`, not of the file.
             const bool differs =

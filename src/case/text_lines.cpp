@@ -18,9 +18,7 @@
 namespace riffle::inline case_file {
 
 std::string_view without_plus(std::string_view word) {
-    if (word.size() > 1 && word.front() == '+' && word[1] != '-') {
-        word.remove_prefix(1);
-    }
+    if (word.size() > 1 && word.front() == '+' && word[1] != '-') word.remove_prefix(1);
     return word;
 }
 
@@ -42,12 +40,8 @@ bool TextLines::next() {
         ++line_;
         for (std::size_t begin = 0; begin < line.size();) {
             std::size_t end = begin;
-            while (end < line.size() && !parts(line[end])) {
-                ++end;
-            }
-            if (end > begin) {
-                words_.push_back(line.substr(begin, end - begin));
-            }
+            while (end < line.size() && !parts(line[end])) ++end;
+            if (end > begin) words_.push_back(line.substr(begin, end - begin));
             begin = end + 1;
         }
     }

@@ -22,18 +22,10 @@ Place place_of(const toml::source_region& source, const std::string& name) {
 }
 
 RawScalar raw_scalar(const toml::node& node) {
-    if (const auto boolean = node.as_boolean()) {
-        return boolean->get();
-    }
-    if (const auto integer = node.as_integer()) {
-        return static_cast<long long>(integer->get());
-    }
-    if (const auto number = node.as_floating_point()) {
-        return number->get();
-    }
-    if (const auto text = node.as_string()) {
-        return text->get();
-    }
+    if (const auto boolean = node.as_boolean()) return boolean->get();
+    if (const auto integer = node.as_integer()) return static_cast<long long>(integer->get());
+    if (const auto number = node.as_floating_point()) return number->get();
+    if (const auto text = node.as_string()) return text->get();
     if (node.is_table()) {
         return OtherValue{"a table"};
     }
@@ -46,9 +38,7 @@ RawScalar raw_scalar(const toml::node& node) {
 RawValue raw_value(const toml::node& node) {
     if (const toml::array* const array = node.as_array()) {
         RawList list;
-        for (const toml::node& item : *array) {
-            list.items.push_back(raw_scalar(item));
-        }
+        for (const toml::node& item : *array) list.items.push_back(raw_scalar(item));
         return list;
     }
     return std::visit([](const auto& scalar) { return RawValue(scalar); }, raw_scalar(node));
@@ -151,15 +141,11 @@ RawValue read_option_value(const std::string& text) {
     try {
         refuse_deep_nesting(text, "");
         const toml::table table = toml::parse("value = " + text);
-        if (table.size() == 1 && table.contains("value")) {
-            return raw_value(*table.get("value"));
-        }
+        if (table.size() == 1 && table.contains("value")) return raw_value(*table.get("value"));
     } catch (const toml::parse_error&) {  // not TOML: a bare word or quantity
     } catch (const InputError&) {         // nested too deep for any value
     }
-    if (const auto number = bare_number(text)) {
-        return *number;
-    }
+    if (const auto number = bare_number(text)) return *number;
     return read_option_text(text);
 }
 

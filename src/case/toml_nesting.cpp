@@ -49,9 +49,7 @@ class Nesting {
                                deepest_nesting));
         }
         depth_ -= closes && depth_ > 0 ? 1 : 0;
-        if (opens || closes || c == '=' || c == ',' || c == '\n') {
-            dots_ = 0;
-        }
+        if (opens || closes || c == '=' || c == ',' || c == '\n') dots_ = 0;
     }
 
     /// A string of one line, or of several in three quotes; what is wrong with it the parser says.

@@ -25,9 +25,7 @@ TriangleTree::TriangleTree(Triangles triangles)
     : triangles_(std::move(triangles)), order_(triangles_.size()) {
     bounds_.lower.fill(std::numeric_limits<double>::infinity());
     bounds_.upper.fill(-std::numeric_limits<double>::infinity());
-    if (triangles_.empty()) {
-        return;
-    }
+    if (triangles_.empty()) return;
     std::iota(order_.begin(), order_.end(), std::uint32_t{0});
     std::vector<Point3> centres(triangles_.size());
     for (std::size_t i = 0; i < triangles_.size(); ++i) {
@@ -71,9 +69,7 @@ void TriangleTree::divide(std::size_t begin, std::size_t end, const std::vector<
     }
     std::size_t axis = 0;
     for (std::size_t k = 1; k < 3; ++k) {
-        if (middle.upper[k] - middle.lower[k] > middle.upper[axis] - middle.lower[axis]) {
-            axis = k;
-        }
+        if (middle.upper[k] - middle.lower[k] > middle.upper[axis] - middle.lower[axis]) axis = k;
     }
     const std::size_t half = begin + (end - begin) / 2;
     const auto place = [&](std::size_t i) { return order_.begin() + static_cast<std::ptrdiff_t>(i); };
@@ -100,9 +96,7 @@ std::optional<TriangleTree::Crossing> TriangleTree::first_crossing(const Point3&
         const Point3 normal = normal_of(t);
         const double before = dot(minus(from, t[0]), normal);
         const double after = dot(minus(to, t[0]), normal);
-        if ((before > 0.0) == (after > 0.0)) {
-            return;
-        }
+        if ((before > 0.0) == (after > 0.0)) return;
         // The way passes the triangle where it turns the same way around all three edges.
         int left = 0;
         int right = 0;

@@ -115,9 +115,7 @@ std::optional<TriangleTree::Near> TriangleTree::nearest(const Point3& p, double 
     }
     while (waiting > 0) {
         const Pending next = stack[--waiting];
-        if (next.squared > least) {
-            continue;
-        }
+        if (next.squared > least) continue;
         const Node& node = nodes_[next.node];
         if (node.count == 0) {
             const Pending a{next.node + 1, nodes_[next.node + 1].box.squared_distance(p)};
@@ -128,9 +126,7 @@ std::optional<TriangleTree::Near> TriangleTree::nearest(const Point3& p, double 
         }
         for (std::uint32_t k = node.first; k < node.first + node.count; ++k) {
             const std::size_t i = order_[k];
-            if (box_of(triangles_[i]).squared_distance(p) > least) {
-                continue;
-            }
+            if (box_of(triangles_[i]).squared_distance(p) > least) continue;
             const Point3 foot = nearest_on(triangles_[i], p);
             const Point3 way = minus(foot, p);
             const double squared = dot(way, way);
@@ -148,24 +144,18 @@ template <class Visit>
 void TriangleTree::in_box(const Point3& low, const Point3& high, const Visit& visit) const {
     std::array<std::uint32_t, 2 * deepest> stack;
     std::size_t waiting = 0;
-    if (!nodes_.empty()) {
-        stack[waiting++] = 0;
-    }
+    if (!nodes_.empty()) stack[waiting++] = 0;
     while (waiting > 0) {
         const std::uint32_t at = stack[--waiting];
         const Node& node = nodes_[at];
-        if (!node.box.meets(low, high)) {
-            continue;
-        }
+        if (!node.box.meets(low, high)) continue;
         if (node.count == 0) {
             stack[waiting++] = node.first;
             stack[waiting++] = at + 1;
             continue;
         }
         for (std::uint32_t k = node.first; k < node.first + node.count; ++k) {
-            if (box_of(triangles_[order_[k]]).meets(low, high)) {
-                visit(static_cast<std::size_t>(order_[k]));
-            }
+            if (box_of(triangles_[order_[k]]).meets(low, high)) visit(static_cast<std::size_t>(order_[k]));
         }
     }
 }
@@ -174,9 +164,7 @@ template <class Visit>
 void TriangleTree::for_meeting_boxes(const Visit& visit) const {
     // Pairs of nodes whose triangles are still to be compared: of a node with itself, those in it.
     std::vector<std::pair<std::uint32_t, std::uint32_t>> pending;
-    if (!nodes_.empty()) {
-        pending.emplace_back(0, 0);
-    }
+    if (!nodes_.empty()) pending.emplace_back(0, 0);
     const auto compare = [&](const Node& a, const Node& b) {
         for (std::uint32_t k = a.first; k < a.first + a.count; ++k) {
             const Box box = box_of(triangles_[order_[k]]);
@@ -193,9 +181,7 @@ void TriangleTree::for_meeting_boxes(const Visit& visit) const {
         pending.pop_back();
         const Node& a = nodes_[first];
         const Node& b = nodes_[second];
-        if (first != second && !a.box.meets(b.box)) {
-            continue;
-        }
+        if (first != second && !a.box.meets(b.box)) continue;
         if (a.count > 0 && b.count > 0) {
             compare(a, b);
         } else if (first == second) {

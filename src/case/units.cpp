@@ -148,9 +148,7 @@ std::optional<QuantityLimits> quantity_limits(Dimension dimension) {
 std::optional<Dimension> dimension_of_unit(std::string_view symbol) {
     for (const Dimension dimension : dimensions) {
         for (const Unit& unit : units_of(dimension)) {
-            if (unit.symbol == symbol) {
-                return dimension;
-            }
+            if (unit.symbol == symbol) return dimension;
         }
     }
     return std::nullopt;
@@ -158,9 +156,7 @@ std::optional<Dimension> dimension_of_unit(std::string_view symbol) {
 
 std::optional<Quantity> split_quantity(std::string_view text) {
     text = trimmed(text);
-    if (!text.empty() && text.front() == '+') {
-        text.remove_prefix(1);
-    }
+    if (!text.empty() && text.front() == '+') text.remove_prefix(1);
     Quantity quantity;
     const char* const last = text.data() + text.size();
     const auto [end, status] = std::from_chars(text.data(), last, quantity.value);
@@ -176,13 +172,9 @@ std::optional<Quantity> split_quantity(std::string_view text) {
 }
 
 std::optional<double> to_si(const Quantity& quantity, Dimension dimension) {
-    if (quantity.unit.empty()) {
-        return quantity.value;
-    }
+    if (quantity.unit.empty()) return quantity.value;
     for (const Unit& unit : units_of(dimension)) {
-        if (unit.symbol == quantity.unit) {
-            return quantity.value * unit.multiplier / unit.divisor;
-        }
+        if (unit.symbol == quantity.unit) return quantity.value * unit.multiplier / unit.divisor;
     }
     return std::nullopt;
 }
@@ -203,9 +195,7 @@ std::string quantity_in(double value, std::string_view unit, Dimension dimension
         if (known.symbol == unit && known.divisor != known.multiplier) {
             // Round away the noise of the multiplication, but only when the exact value survives.
             scaled = std::round(value * known.divisor / known.multiplier * 1e6) / 1e6;
-            if (scaled * known.multiplier / known.divisor != value) {
-                return "";
-            }
+            if (scaled * known.multiplier / known.divisor != value) return "";
         }
     }
     std::array<char, 40> buffer{};

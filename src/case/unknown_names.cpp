@@ -15,18 +15,14 @@ namespace {
 std::vector<std::string> section_names() {
     std::vector<std::string> names;
     for (const SectionKeys& section : key_table()) {
-        if (!section.name.empty()) {
-            names.push_back(section.name);
-        }
+        if (!section.name.empty()) names.push_back(section.name);
     }
     return names;
 }
 
 std::string joined(const std::vector<std::string>& names) {
     std::string list;
-    for (const std::string& name : names) {
-        list += list.empty() ? name : ", " + name;
-    }
+    for (const std::string& name : names) list += list.empty() ? name : ", " + name;
     return list;
 }
 
@@ -77,9 +73,7 @@ const char* key_hint(const std::string& section, const std::string& name) {
         {"run", "time", "it is `until`, for example until = \"60 s\""},
     };
     for (const Hint& hint : hints) {
-        if (section == hint.section && name == hint.name) {
-            return hint.text;
-        }
+        if (section == hint.section && name == hint.name) return hint.text;
     }
     return nullptr;
 }
@@ -100,9 +94,7 @@ std::string UnknownKeys::message(const std::string& section, const std::string& 
         return fmt::format("unknown key `{}` in {}: {}", shown, here.heading(), hint);
     }
     std::vector<std::string> names;
-    for (const Key& key : here.keys) {
-        names.push_back(key.name);
-    }
+    for (const Key& key : here.keys) names.push_back(key.name);
     const std::string where = section.empty() ? "before the first section" : "in " + here.heading();
     const auto meant = nearest_name(name, names);
     const std::vector<std::string> homes = sections_with(name);

@@ -88,9 +88,7 @@ bool is_held(const Case& c, double edge, double height) {
 
 /// Whether the water falls, or meets a wall of a tank that it does not fill.
 bool breaks(const Case& c) {
-    if (c.start.water_x.empty() || c.channel.ends != Ends::walls) {
-        return false;
-    }
+    if (c.start.water_x.empty() || c.channel.ends != Ends::walls) return false;
     const Extent x(c.start.water_x);
     const Extent z(c.start.water_z);
     // The front of a breaking dam without friction runs at twice sqrt(g h) (Ritter 1892).

@@ -16,9 +16,7 @@ namespace riffle::inline case_file {
         const Point3& a = t[k];
         const Point3& b = t[(k + 1) % 3];
         const bool up = b[1] > y;
-        if ((a[1] > y) == up) {
-            continue;
-        }
+        if ((a[1] > y) == up) continue;
         const Point3& low = up ? a : b;
         const Point3& high = up ? b : a;
         const bool left = (high[0] - low[0]) * (y - low[1]) - (high[1] - low[1]) * (x - low[0]) > 0.0;
@@ -50,9 +48,7 @@ template <class Accept>
     const double y = p[1] + 2.718282e-9 * (tree.upper()[1] - tree.lower()[1]);
     int sum = 0;
     tree.in_box({x, y, p[2]}, {x, y, std::numeric_limits<double>::infinity()}, [&](std::size_t i) {
-        if (!accept(i)) {
-            return;
-        }
+        if (!accept(i)) return;
         const Triangle& t = tree.triangles()[i];
         const int turns = turns_around(t, x, y);
         sum += turns != 0 && height_at(t, x, y) > p[2] ? turns : 0;

@@ -193,8 +193,9 @@ nlohmann::ordered_json backwater_json(const Case& c, const Backwater& b,
     result["events"] = b.flow.events;
     result["notes"] = b.notes;
     for (const Quantity1D& quantity : quantities) {
-        for (const BackwaterStation& s : stations)
+        for (const BackwaterStation& s : stations) {
             result["stations"][quantity.key].push_back(s.*quantity.value);
+        }
     }
     for (const BackwaterStation& s : stations) result["stations"]["profile"].push_back(s.profile);
     return result;

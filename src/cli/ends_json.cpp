@@ -46,14 +46,10 @@ ordered_json end_json(const FlowAtEnd& end) {
 }  // namespace
 
 ordered_json ends_json(const Forecast& f) {
-    if (!f.ends) {
-        return nullptr;
-    }
+    if (!f.ends) return nullptr;
     const FlowAtEnds& states = *f.ends;
     ordered_json facts = ordered_json::array();
-    for (const EndFact& fact : f.end_facts) {
-        facts.push_back(fact.label + ": " + fact.text);
-    }
+    for (const EndFact& fact : f.end_facts) facts.push_back(fact.label + ": " + fact.text);
     return {{"unit_discharge", range_json(states.unit_discharge)},
             {"gives_discharge", states.gives_discharge},
             {"inflow", end_json(states.inflow)},

@@ -84,9 +84,7 @@ int parse_and_run(int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& e) {
-        if (e.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
-            return app.exit(e);
-        }
+        if (e.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) return app.exit(e);
         print_usage_error(app, e, argc, argv);
         return static_cast<int>(ExitCode::bad_input);
     }
@@ -123,9 +121,7 @@ int main(int argc, char** argv) {
             "out of memory: this takes more than the system gives. `riffle check CASE` says what a run "
             "needs; take a larger spacing or fewer records, or a computer with more memory.");
     } catch (const std::system_error& e) {
-        if (std::ferror(stdout) != 0) {
-            return fail(ExitCode::file_error, output_fault(e.code().value()));
-        }
+        if (std::ferror(stdout) != 0) return fail(ExitCode::file_error, output_fault(e.code().value()));
         return fail(ExitCode::file_error, fmt::format("the system refuses: {}", e.what()));
     } catch (const std::exception& e) {
         return fail(ExitCode::run_failed, std::string("unexpected fault: ") + e.what() +

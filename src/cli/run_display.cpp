@@ -42,9 +42,7 @@ std::vector<std::string> progress_parts(const RunProgress& p) {
 }
 
 void print_value(const char* label, double value, double half_width, std::optional<double> measured) {
-    if (!std::isfinite(value)) {
-        return;
-    }
+    if (!std::isfinite(value)) return;
     std::string line = fmt::format("  {:<34} {:>9.4g}", label, value);
     if (std::isfinite(half_width)) {
         line += fmt::format(" +- {:.2g}", half_width);
@@ -60,9 +58,7 @@ void print_value(const char* label, double value, double half_width, std::option
 RunDisplay::RunDisplay(bool quiet) : quiet_(quiet) {}
 
 void RunDisplay::show(const RunProgress& progress) {
-    if (quiet_) {
-        return;
-    }
+    if (quiet_) return;
     try {
         line_.show(progress_parts(progress));
     } catch (const std::system_error&) {
@@ -71,9 +67,7 @@ void RunDisplay::show(const RunProgress& progress) {
 }
 
 void RunDisplay::warn(const std::string& warning) {
-    if (quiet_) {
-        return;
-    }
+    if (quiet_) return;
     try {
         line_.clear();
         print_warning(warning);
@@ -104,12 +98,8 @@ const std::atomic<int>& catch_stop_signals() {
 }
 
 void print_outcome(const RunOutcome& outcome, const Case& c, const RunFiles& files, bool quiet) {
-    if (outcome.end == RunEnd::stopped) {
-        verb_exit_status() = 128 + stop_signal.load();
-    }
-    if (quiet) {
-        return;
-    }
+    if (outcome.end == RunEnd::stopped) verb_exit_status() = 128 + stop_signal.load();
+    if (quiet) return;
     const char* end = outcome.end == RunEnd::converged
                           ? "converged"
                           : (outcome.end == RunEnd::stopped ? "stopped" : "ended");

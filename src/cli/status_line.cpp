@@ -19,9 +19,7 @@ std::string cut(const std::string& text, std::size_t columns) {
     std::size_t end = 0;
     for (std::size_t count = 0; end < text.size(); ++end) {
         count += (static_cast<unsigned char>(text[end]) & 0xc0U) != 0x80U ? 1U : 0U;
-        if (count > columns) {
-            break;
-        }
+        if (count > columns) break;
     }
     return text.substr(0, end);
 }
@@ -29,16 +27,12 @@ std::string cut(const std::string& text, std::size_t columns) {
 }  // namespace
 
 std::string fitted_line(const std::vector<std::string>& parts, std::size_t columns) {
-    if (parts.empty()) {
-        return "";
-    }
+    if (parts.empty()) return "";
     std::string line = cut(parts.front(), columns);
     std::size_t used = columns_of(line);
     for (std::size_t i = 1; i < parts.size(); ++i) {
         used += separator.size() + columns_of(parts[i]);
-        if (used > columns) {
-            break;
-        }
+        if (used > columns) break;
         line.append(separator).append(parts[i]);
     }
     return line;
@@ -63,9 +57,7 @@ void StatusLine::show(const std::vector<std::string>& parts) {
         return;
     }
     const auto now = Clock::now();
-    if (now < next_) {
-        return;
-    }
+    if (now < next_) return;
     next_ = now + std::max<Clock::duration>(std::chrono::seconds(10), (now - begin_) / 50);
     fmt::print(stderr, "{}\n", fmt::join(parts, separator));
 }

@@ -61,9 +61,7 @@ void SweepDisplay::clear() { line_.clear(); }
 void print_matrix(const std::vector<SweepRun>& runs, const std::vector<FolderStanding>& standings,
                   const std::vector<std::optional<Forecast>>& forecasts, const Shares& shares) {
     std::size_t width = 3;
-    for (const SweepRun& run : runs) {
-        width = std::max(width, run.combination.name.size());
-    }
+    for (const SweepRun& run : runs) width = std::max(width, run.combination.name.size());
     fmt::print("{:<{}}  {:<12}  {:>9}  {:>9}  {:>9}  {:>9}  {:>9}  {:>9}\n", "run", width, "state",
                "particles", "step, ms", "until, s", "time", "memory", "disk");
     double seconds = 0.0;

@@ -18,9 +18,7 @@ void refuse_to_replace_any(const std::vector<std::string>& files, bool force) {
         }
     }
     for (const std::string& file : files) {
-        if (!file.empty() && file != "-" && !force) {
-            refuse_to_replace(file);
-        }
+        if (!file.empty() && file != "-" && !force) refuse_to_replace(file);
     }
 }
 

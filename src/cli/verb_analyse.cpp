@@ -31,9 +31,7 @@ void tell_apart(std::vector<Analysis>& analyses) {
     for (const Analysis& analysis : analyses) names.push_back(analysis.name);
     for (std::size_t i = 0; i < names.size(); ++i) {
         for (std::size_t j = 0; j < names.size(); ++j) {
-            if (i != j && names[i] == names[j]) {
-                analyses[i].name = names[i] + " (" + analyses[i].source + ")";
-            }
+            if (i != j && names[i] == names[j]) analyses[i].name = names[i] + " (" + analyses[i].source + ")";
         }
     }
 }

@@ -109,8 +109,9 @@ double unit_discharge(const std::string& given, const GivenFriction& friction, c
 
 SteadyChannel channel_of(const GivenFriction& friction, const Case& c, double q) {
     if (friction.manning) return manning_channel(c.channel.slope, c.fluid.gravity, q, *friction.manning);
-    if (const auto& k = friction.equivalent_roughness)
+    if (const auto& k = friction.equivalent_roughness) {
         return rough_channel(c.channel.slope, c.fluid.gravity, q, *k);
+    }
     return twin_channel(with_bed_at(c, c.channel.length), q);
 }
 
@@ -122,8 +123,9 @@ std::vector<Reach> reaches_of(const GivenFriction& friction, const Case& c, cons
 
 std::string friction_text(const GivenFriction& friction, const Case& c) {
     if (friction.manning) return fmt::format("Manning n {} s/m^(1/3)", printed_number(*friction.manning));
-    if (const auto& k = friction.equivalent_roughness)
+    if (const auto& k = friction.equivalent_roughness) {
         return fmt::format("rough log law, k_s {} m", printed_number(*k));
+    }
     return has_section_reach(c) ? "section twin, between side walls" : "column twin";
 }
 
@@ -145,8 +147,9 @@ std::optional<double> control(const std::string& option, const std::string& text
     if (text == "critical") return critical_depth(channel);
     if (text == "normal") {
         const std::optional<double> depth = normal_depth(channel);
-        if (!depth)
+        if (!depth) {
             throw InputError(option + " normal: a bed that does not fall has no normal depth; give a length");
+        }
         return depth;
     }
     const double depth = quantity_argument(option, text, Dimension::length);
@@ -200,9 +203,10 @@ Backwater solve(const BackwaterArguments& a, Case c) {
     if (c.channel.ends == Ends::open) ends = read_end_levels(c);
     const bool by_the_case = ends && ends->unit_discharge && a.discharge.empty();
     const double q = by_the_case ? ends->unit_discharge->at(0.0) : unit_discharge(a.discharge, friction, c);
-    if (by_the_case && !(q > 0.0))
+    if (by_the_case && !(q > 0.0)) {
         throw InputError(
             "[inflow] brings nothing at t = 0, and still water has no such flow: give --discharge");
+    }
     if (by_the_case) b.notes.emplace_back("The discharge is that of the case, [inflow], at t = 0.");
     if (a.slope) c.channel.slope = *a.slope;
     b.channel = channel_of(friction, c, q);
@@ -246,8 +250,9 @@ void run_backwater(const BackwaterArguments& a) {
     const Case c = a.argument.read();
     const Backwater b = solve(a, c);
     const bool to_terminal = a.json != "-" && a.csv != "-" && a.figure != "-";
-    if (to_terminal)
+    if (to_terminal) {
         print_backwater(c, b, backwater_stations(b, a.stations > 0 ? a.stations : stations_on_screen));
+    }
     const auto stations = backwater_stations(b, a.stations > 0 ? a.stations : stations_in_files);
     if (!a.json.empty()) write_text(a.json, backwater_json(c, b, stations).dump(1) + "\n");
     if (!a.csv.empty()) write_text(a.csv, backwater_csv(stations));

@@ -49,9 +49,7 @@ std::vector<Workload> chosen_workloads(const BenchVerb& verb) {
             return name == w.name || name == known.back();
         });
         const bool quick = verb.names.empty() && quick_workloads.count(w.name) > 0 && w.scheme != "spheres";
-        if (verb.all || named || quick) {
-            chosen.push_back(w);
-        }
+        if (verb.all || named || quick) chosen.push_back(w);
         unknown.erase(w.name);
         unknown.erase(known.back());
     }
@@ -66,9 +64,7 @@ std::vector<Workload> chosen_workloads(const BenchVerb& verb) {
 bool fits(const Workload& w) {
     const auto available = available_memory();
     const double needed = workload_memory(w);
-    if (!available || needed <= static_cast<double>(*available)) {
-        return true;
-    }
+    if (!available || needed <= static_cast<double>(*available)) return true;
     print_warning(fmt::format("{} is left out: it needs about {} of memory, {} are available", full_name(w),
                               size_text(needed), size_text(static_cast<double>(*available))));
     return false;
@@ -143,13 +139,9 @@ void bench(const BenchVerb& verb) {
     }
     std::vector<BenchmarkResult> results;
     for (const Workload& w : chosen) {
-        if (!fits(w)) {
-            continue;
-        }
+        if (!fits(w)) continue;
         results.push_back(run_benchmark(w, verb.threads, verb.repetitions, verb.seconds));
-        if (!verb.json) {
-            print_row(results.back(), peak);
-        }
+        if (!verb.json) print_row(results.back(), peak);
     }
     if (results.empty()) {
         throw RunError("this machine has not enough memory for any of the workloads; choose smaller ones");
@@ -159,9 +151,7 @@ void bench(const BenchVerb& verb) {
         return;
     }
     nlohmann::ordered_json array = nlohmann::ordered_json::array();
-    for (const BenchmarkResult& r : results) {
-        array.push_back(json_of(r, peak));
-    }
+    for (const BenchmarkResult& r : results) array.push_back(json_of(r, peak));
     const nlohmann::ordered_json json = {
         {"version", version()},   {"build", build_description()},        {"processor", processor},
         {"instruction_set", set}, {"fma_peak_gigaflops_per_core", peak}, {"workloads", array}};

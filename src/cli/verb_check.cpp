@@ -52,9 +52,7 @@ void print_probes(const Forecast& f) {
                         p.sampling_frequency, p.samples, p.points, size_text(p.bytes), 100.0 * p.time_share),
             6);
     }
-    for (const std::string& note : f.probe_notes) {
-        print_wrapped("    " + note, 6);
-    }
+    for (const std::string& note : f.probe_notes) print_wrapped("    " + note, 6);
 }
 
 void print_bed_patches(const Forecast& f) {
@@ -106,9 +104,7 @@ void print_canal(const Forecast& f) {
 }
 
 nlohmann::ordered_json canal_json(const Forecast& f) {
-    if (!f.canal) {
-        return nullptr;
-    }
+    if (!f.canal) return nullptr;
     return {{"area", f.canal->wet.area},
             {"wetted_perimeter", f.canal->wet.perimeter},
             {"hydraulic_radius", f.canal->hydraulic_radius},
@@ -184,9 +180,7 @@ void print_forecast(const Case& c, const Forecast& f) {
     print_row("particles", fmt::format("{} fluid, {} wall", f.particles, f.wall_particles));
     print_row("spacing, h",
               fmt::format("{:.4g} mm, {:.4g} mm", 1e3 * c.numerics.spacing, 1e3 * f.smoothing_length));
-    if (const auto note = quiet_water_note(c)) {
-        print_row("still water", *note);
-    }
+    if (const auto note = quiet_water_note(c)) print_row("still water", *note);
     print_row("sound speed",
               fmt::format("{:.4g} m/s{}", f.sound_speed,
                           f.maximum_velocity > 0.0 ? fmt::format(" ({:.3g} times the largest velocity)",
@@ -196,9 +190,7 @@ void print_forecast(const Case& c, const Forecast& f) {
     if (f.relaxation_time) {
         print_row("relaxation time", fmt::format("{:.3g} s", *f.relaxation_time));
     }
-    for (const EndFact& fact : f.end_facts) {
-        print_row(fact.label.c_str(), fact.text);
-    }
+    for (const EndFact& fact : f.end_facts) print_row(fact.label.c_str(), fact.text);
     if (!f.racks.empty()) {
         print_row("racks", fmt::format("free bodies are held back at x = {} and {}; the water passes",
                                        shown_length(f.racks.front()), shown_length(f.racks.back())));
@@ -259,9 +251,7 @@ void check(const CheckVerb& verb) {
     const Case c = verb.argument.read();
     verb.argument.check_size_of(c);
     const std::vector<std::string> warnings = case_warnings(c);
-    for (const std::string& warning : warnings) {
-        print_warning(warning);
-    }
+    for (const std::string& warning : warnings) print_warning(warning);
     const Forecast f = forecast_run(c, verb.threads);
     if (verb.json) {
         print_json(c, f, warnings);

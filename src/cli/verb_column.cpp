@@ -67,12 +67,8 @@ void print_summary(const Case& c, const ColumnResult& r) {
     }
     print_row("weight carried by the bed drag", "%", 100.0 * r.drag_share);
     print_row("weight carried by the wall at z = 0", "%", 100.0 * r.wall_share);
-    if (!c.vegetation.empty()) {
-        print_row("weight carried by the vegetation", "%", 100.0 * r.vegetation_share);
-    }
-    if (!c.porous.empty()) {
-        print_row("weight carried by porous layers", "%", 100.0 * r.porous_share);
-    }
+    if (!c.vegetation.empty()) print_row("weight carried by the vegetation", "%", 100.0 * r.vegetation_share);
+    if (!c.porous.empty()) print_row("weight carried by porous layers", "%", 100.0 * r.porous_share);
     if (r.depth_mean_velocity > 0.0) {
         print_row("friction factor f", "", r.friction_factor,
                   from_measured_velocity(c, [&](double u) { return friction_factor(weight, depth, u); }));

@@ -27,9 +27,7 @@ struct NewOptions {
 
 void write_new_case(const NewOptions& options) {
     const std::filesystem::path file(options.file);
-    if (!options.force) {
-        refuse_to_replace(file);
-    }
+    if (!options.force) refuse_to_replace(file);
     const std::string from = options.violent    ? "dam-break"
                              : options.resolved ? "resolved-eddies"
                                                 : options.from;

@@ -46,17 +46,13 @@ void preview(const PreviewVerb& verb) {
     refuse_to_replace_another(page, begin_of_page, "page of Riffle");
     refuse_to_replace_another(drawing, "<svg", "drawing (SVG)");
     const std::vector<std::string> warnings = case_warnings(c);
-    for (const std::string& warning : warnings) {
-        print_warning(warning);
-    }
+    for (const std::string& warning : warnings) print_warning(warning);
     for (const std::string& note : c.solid_notes) {
         fmt::print("{}\n", note);
     }
     const std::string svg = preview_drawing(c);
     std::optional<Forecast> forecast;
-    if (!verb.geometry) {
-        forecast = forecast_run(c, verb.threads);
-    }
+    if (!verb.geometry) forecast = forecast_run(c, verb.threads);
     write_text_atomically(drawing, svg);
     write_text_atomically(page, preview_page(c, svg, forecast ? &*forecast : nullptr, warnings));
     fmt::print("{}\n{}\n", page.string(), drawing.string());

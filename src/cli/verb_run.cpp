@@ -24,9 +24,7 @@ struct RunVerb {
 };
 
 void run(const RunVerb& verb) {
-    if (!verb.options.quiet) {
-        show_notices();
-    }
+    if (!verb.options.quiet) show_notices();
     if (verb.folder && verb.folder->empty()) {
         throw InputError("-o: the name of the folder is empty; give one, or leave -o out");
     }
@@ -40,9 +38,7 @@ void run(const RunVerb& verb) {
     options.overwrite = verb.force;
     options.notes = case_warnings(c);
     if (!verb.options.quiet) {  // the log has them in any case
-        for (const std::string& warning : options.notes) {
-            print_warning(warning);
-        }
+        for (const std::string& warning : options.notes) print_warning(warning);
     }
     RunDisplay display(verb.options.quiet);
     options.progress = [&](const RunProgress& progress) { display.show(progress); };

@@ -91,9 +91,7 @@ void print_steady(const Case& c, const SectionResult& r) {
     if (r.vegetation_share > 0.0) {
         print_row("weight carried by the vegetation", "%", 100.0 * r.vegetation_share);
     }
-    if (r.porous_share > 0.0) {
-        print_row("weight carried by porous zones", "%", 100.0 * r.porous_share);
-    }
+    if (r.porous_share > 0.0) print_row("weight carried by porous zones", "%", 100.0 * r.porous_share);
     print_row("mean stress on the bed", "Pa", r.bed_stress, theory(density * p.bed_stress), source);
     print_row("mean stress on the side walls", "Pa", r.wall_stress, theory(density * p.wall_stress), source);
     print_row("e-folding time of the approach to it", "s", r.relaxation_time);

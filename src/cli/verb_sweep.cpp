@@ -35,9 +35,7 @@ SweepInput input_of(const SweepVerb& verb) {
     SweepInput input;
     input.case_file = verb.argument.file;
     input.settings = verb.argument.overrides();
-    for (const std::string& text : verb.variations) {
-        input.variations.push_back(read_variation(text));
-    }
+    for (const std::string& text : verb.variations) input.variations.push_back(read_variation(text));
     input.folder = verb.folder.empty()
                        ? std::filesystem::path("results") / (input.case_file.stem().string() + "-sweep")
                        : std::filesystem::path(verb.folder);
@@ -84,9 +82,7 @@ void conclude(const SweepVerb& verb, const std::vector<SweepRun>& runs, const st
     int status = 0;
     for (std::size_t i = 0; i < runs.size(); ++i) {
         const RunReport& report = reports[i];
-        if (report.fate != RunFate::failed && report.fate != RunFate::failed_before) {
-            continue;
-        }
+        if (report.fate != RunFate::failed && report.fate != RunFate::failed_before) continue;
         ++failed;
         status =
             status == 0 || report.status == static_cast<int>(ExitCode::run_failed) ? report.status : status;
@@ -95,9 +91,7 @@ void conclude(const SweepVerb& verb, const std::vector<SweepRun>& runs, const st
         }
     }
     verb_exit_status() = stop != 0 ? 128 + stop : status;
-    if (verb.options.quiet) {
-        return;
-    }
+    if (verb.options.quiet) return;
     fmt::print("{}\n{}\n{}\n", files.page().string(), files.json().string(), files.csv().string());
     if (stop != 0) {
         fmt::print(
@@ -115,9 +109,7 @@ void sweep(const SweepVerb& verb) {
     const std::vector<Outcome> outcomes = chosen_outcomes(verb.outcomes);
     const SweepInput input = input_of(verb);
     const std::vector<SweepRun> runs = read_matrix(input);
-    for (const SweepRun& run : runs) {
-        verb.argument.check_size_of(run.flow);
-    }
+    for (const SweepRun& run : runs) verb.argument.check_size_of(run.flow);
     ScheduleOptions options;
     options.jobs = verb.jobs;
     options.threads = verb.options.threads;
@@ -131,9 +123,7 @@ void sweep(const SweepVerb& verb) {
         dry_run(runs, look(), options);
         return;
     }
-    if (!verb.options.quiet) {
-        print_warnings(runs);
-    }
+    if (!verb.options.quiet) print_warnings(runs);
     const FolderLock lock(input.folder, FolderLock::Work::sweep);
     SweepDisplay display(verb.options.quiet);
     options.stop_signal = &catch_stop_signals();

@@ -39,8 +39,9 @@ void watch(const WatchOptions& options) {
     }
     fmt::print("{}\n", server.url());
     std::fflush(stdout);
-    if (error_stream_is_terminal())
+    if (error_stream_is_terminal()) {
         fmt::print(stderr, "Open this address in a browser. Ctrl-C ends the watching, not the run.\n");
+    }
     server.serve([&] { return signal.load() != 0; });
 }
 

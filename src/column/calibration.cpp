@@ -44,9 +44,10 @@ std::string name_of(const Case& c, std::size_t i) {
 }
 
 void check_parameter(const CalibrationParameter& p, const Case& c) {
-    if (!p.applies(c))
+    if (!p.applies(c)) {
         throw InputError(
             fmt::format("{} cannot be fitted: it has an effect only with {}", p.name, p.applies_to));
+    }
     const double start = p.value(c);
     if (start < p.lower(c) || start > p.upper(c)) {
         throw InputError(fmt::format("{} starts at {:.6g}, outside of its range {:.6g} to {:.6g}: change {}",
@@ -76,14 +77,16 @@ Unknown make_unknown(const CalibrationParameter& p, std::span<const Case> cases,
 }
 
 std::vector<Unknown> unknowns_of(std::span<const Case> cases, const CalibrationOptions& options) {
-    if (options.parameters.empty() && options.each.empty())
+    if (options.parameters.empty() && options.each.empty()) {
         throw InputError("no parameter to fit: name at least one, for example drag_coefficient");
+    }
     std::vector<Unknown> unknowns;
     const auto add = [&](const std::string& name, std::optional<std::size_t> condition) {
         const CalibrationParameter& p = find_calibration_parameter(name);
         for (const Unknown& other : unknowns) {
-            if (other.parameter != &p || (condition && other.condition && other.condition != condition))
+            if (other.parameter != &p || (condition && other.condition && other.condition != condition)) {
                 continue;
+            }
             throw InputError(fmt::format("parameter \"{}\" is named twice to be fitted: name it once", name));
         }
         unknowns.push_back(make_unknown(p, cases, condition));
@@ -107,8 +110,9 @@ class Misfit {
         Case c = cases_[condition];
         for (std::size_t k = 0; k < unknowns_.size(); ++k) {
             const Unknown& unknown = unknowns_[k];
-            if (unknown.concerns(condition))
+            if (unknown.concerns(condition)) {
                 unknown.parameter->member(c) = unknown.value(values(static_cast<Eigen::Index>(k)));
+            }
         }
         return c;
     }
@@ -247,8 +251,9 @@ bool CalibrationResult::worsened() const {
 
 std::vector<std::string> calibration_parameters() {
     std::vector<std::string> names;
-    for (const CalibrationParameter& p : calibration_parameter_table())
+    for (const CalibrationParameter& p : calibration_parameter_table()) {
         names.push_back(fmt::format("{} ({})", p.name, p.key));
+    }
     return names;
 }
 

@@ -90,8 +90,9 @@ const CalibrationParameter& find_calibration_parameter(const std::string& name) 
                                            [&](const CalibrationParameter& p) { return p.name == name; });
     if (found == table.end()) {
         std::string known;
-        for (const CalibrationParameter& p : table)
+        for (const CalibrationParameter& p : table) {
             known += fmt::format("{}{}", known.empty() ? "" : ", ", p.name);
+        }
         throw InputError(fmt::format("unknown parameter \"{}\" to fit: choose among {}", name, known));
     }
     return *found;

@@ -84,8 +84,9 @@ CalibrationTarget::CalibrationTarget(const Case& c, const CalibrationOptions& op
     }
     for (double& z : profile_.height) z -= c.datum();
     if (profile_.uncertainty.empty()) {
-        for (const double u : profile_.velocity)
+        for (const double u : profile_.velocity) {
             profile_.uncertainty.push_back(options.profile_uncertainty * std::abs(u));
+        }
     }
     if (!section.empty()) {
         if (!has_section(c)) {
@@ -175,8 +176,9 @@ std::vector<double> CalibrationTarget::residuals(const Case& c, const Centreline
         result.push_back(profile_weight_ * (u - profile_.velocity[i]) / profile_.uncertainty[i]);
     }
     if (uses_section_ && computed.section) {
-        for (const SectionValue& value : section_values(c, *computed.section))
+        for (const SectionValue& value : section_values(c, *computed.section)) {
             result.push_back((value.computed - value.measured) / value.uncertainty);
+        }
     }
     return result;
 }

@@ -9,9 +9,7 @@ namespace riffle::inline column {
 
 std::optional<CanalFlow> canal_flow(const Case& c) {
     const Solid* const canal = canal_of(c);
-    if (canal == nullptr) {
-        return std::nullopt;
-    }
+    if (canal == nullptr) return std::nullopt;
     CanalFlow flow;
     const CrossSection section = cross_section(c, *canal);
     const double level = c.total_depth();
@@ -26,19 +24,13 @@ std::optional<CanalFlow> canal_flow(const Case& c) {
     } else {
         sides += std::max(0.0, level - section.levels.back());
     }
-    if (c.has_side_wall_drag()) {
-        flow.wet.perimeter += sides;
-    }
-    if (flow.wet.area <= 0.0) {
-        return std::nullopt;
-    }
+    if (c.has_side_wall_drag()) flow.wet.perimeter += sides;
+    if (flow.wet.area <= 0.0) return std::nullopt;
     flow.hydraulic_radius = flow.wet.area / flow.wet.perimeter;
     // A smooth canal without viscosity holds nothing back.
     flow.velocity = colebrook_white_velocity(c.streamwise_gravity(), canal->equivalent_roughness,
                                              flow.hydraulic_radius, c.fluid.kinematic_viscosity, full_pipe);
-    if (!(flow.velocity > 0.0 && std::isfinite(flow.velocity))) {
-        return std::nullopt;
-    }
+    if (!(flow.velocity > 0.0 && std::isfinite(flow.velocity))) return std::nullopt;
     flow.discharge = flow.velocity * flow.wet.area;
     return flow;
 }

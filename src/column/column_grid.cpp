@@ -37,15 +37,14 @@ std::vector<double> column_breakpoints(const Case& c) {
         heights.push_back(c.crest() - 0.5 * c.sphere_ramp());
         heights.push_back(c.crest() + 0.5 * c.sphere_ramp());
     }
-    for (const Vegetation& stems : c.vegetation) {
-        heights.push_back(stems.height);
-    }
+    for (const Vegetation& stems : c.vegetation) heights.push_back(stems.height);
     for (const Porous& layer : c.porous) {
         const double half = 0.5 * porous_edge(c, layer);
         for (const auto& surface : {layer.z_from, layer.z_to}) {
             if (!surface) continue;
-            for (const double height : {*surface - half, *surface, *surface + half})
+            for (const double height : {*surface - half, *surface, *surface + half}) {
                 heights.push_back(height);
+            }
         }
         if (!layer.top_z.empty()) {
             for (const double part : {-half, 0.0, half}) heights.push_back(layer.top_z.front() + part);

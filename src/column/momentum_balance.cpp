@@ -108,9 +108,7 @@ Tridiagonal MomentumBalance::jacobian(const std::vector<double>& u) const {
     for (std::size_t i = 0; i < n; ++i) {
         matrix.diagonal[i] = 2.0 * thickness_[i] * drag_coefficient_[i] * std::abs(u[i]);
         if (stems_) matrix.diagonal[i] += thickness_[i] * stem_share_[i] * stems_->deceleration_slope(u[i]);
-        if (!media_.empty()) {
-            matrix.diagonal[i] += thickness_[i] * media_[i].along(2.0 * std::abs(u[i]));
-        }
+        if (!media_.empty()) matrix.diagonal[i] += thickness_[i] * media_[i].along(2.0 * std::abs(u[i]));
     }
     for (std::size_t i = 0; i <= n; ++i) {
         const double stiffness =

@@ -212,9 +212,7 @@ SectionResult solve_section(const Case& c, const SectionOptions& options) {
     const SectionBalance balance(c, grid);
     const Eigen::VectorXd u = solve_balance(c, grid, balance);
     SectionResult result = section_result(c, grid, balance, u);
-    if (options.with_relaxation_time) {
-        result.relaxation_time = slowest_decay_time(balance, u);
-    }
+    if (options.with_relaxation_time) result.relaxation_time = slowest_decay_time(balance, u);
     return result;
 }
 

@@ -310,9 +310,7 @@ double SectionBalance::wall_force(const Eigen::VectorXd& u) const {
 double SectionBalance::vegetation_force(const Eigen::VectorXd& u) const {
     double force = 0.0;
     for (Eigen::Index i = 0; !patches_.empty() && i < u.size(); ++i) {
-        if (stem_area_(i) > 0.0) {
-            force += stem_area_(i) * stems_in(i).deceleration(u(i));
-        }
+        if (stem_area_(i) > 0.0) force += stem_area_(i) * stems_in(i).deceleration(u(i));
     }
     return force;
 }
@@ -326,9 +324,7 @@ Eigen::VectorXd SectionBalance::residual(const Eigen::VectorXd& u) const {
         weight_ * area_.array() -
         (bed_drag_.array() + wall_coefficient(u) * layer_area_.array()) * u.array() * u.array().abs();
     for (Eigen::Index i = 0; !patches_.empty() && i < u.size(); ++i) {
-        if (stem_area_(i) > 0.0) {
-            force(i) -= stem_area_(i) * stems_in(i).deceleration(u(i));
-        }
+        if (stem_area_(i) > 0.0) force(i) -= stem_area_(i) * stems_in(i).deceleration(u(i));
     }
     for (Eigen::Index i = 0; !media_.empty() && i < u.size(); ++i) {
         const PorousMedia::At& at = media_[static_cast<std::size_t>(i)];

@@ -39,8 +39,9 @@ SectionPoints section_points_of(const SectionRecord& record, const Case& c) {
         return found == nullptr ? std::vector<double>{} : found->values;
     };
     points.velocity = values(ProfileQuantity::velocity);
-    if (const ProfileColumn* const u = record.find(ProfileQuantity::velocity))
+    if (const ProfileColumn* const u = record.find(ProfileQuantity::velocity)) {
         points.uncertainty = u->uncertainty;
+    }
     points.spanwise_velocity = values(ProfileQuantity::spanwise_velocity);
     points.vertical_velocity = values(ProfileQuantity::vertical_velocity);
     points.reynolds_stress = values(ProfileQuantity::reynolds_stress);

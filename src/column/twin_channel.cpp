@@ -124,9 +124,7 @@ double least_known_depth(const Case& c) {
 
 Case uniform_reach(const Case& c) {
     Case reach = c;
-    if (c.channel.ends != Ends::open) {
-        return reach;
-    }
+    if (c.channel.ends != Ends::open) return reach;
     reach.channel.ends = Ends::periodic;
     reach.inflow = {};
     reach.outflow = {};
@@ -219,9 +217,7 @@ double uniform_discharge_at(const Case& c, double depth) {
 }
 
 std::optional<double> twin_normal_depth(const Case& c, double unit_discharge) {
-    if (!has_section_reach(c)) {
-        return normal_depth(twin_channel(c, unit_discharge));
-    }
+    if (!has_section_reach(c)) return normal_depth(twin_channel(c, unit_discharge));
     double depth = c.channel.depth;
     const double least_depth = least_known_depth(c);
     double exponent = 1.5;
@@ -230,9 +226,7 @@ std::optional<double> twin_normal_depth(const Case& c, double unit_discharge) {
     constexpr int most_iterations = 50;
     for (int i = 0; i < most_iterations; ++i) {
         const double discharge = uniform_discharge_at(c, depth);
-        if (std::abs(discharge / unit_discharge - 1.0) < 1e-7) {
-            return depth;
-        }
+        if (std::abs(discharge / unit_discharge - 1.0) < 1e-7) return depth;
         if (i > 0) {
             constexpr double least = 0.7;
             constexpr double most = 4.0;
@@ -242,9 +236,7 @@ std::optional<double> twin_normal_depth(const Case& c, double unit_discharge) {
         last_depth = depth;
         last_discharge = discharge;
         depth *= std::pow(unit_discharge / discharge, 1.0 / exponent);
-        if (depth < least_depth) {
-            break;
-        }
+        if (depth < least_depth) break;
     }
     throw InputError(fmt::format(
         "the normal depth of {:.4g} m2/s between the side walls was not found at or above {:.3g} m, below which the "

@@ -15,9 +15,7 @@ namespace riffle::inline column {
 std::vector<Reach> twin_reaches(const Case& c, double unit_discharge, double length) {
     std::vector<const BedPatch*> across;
     for (const BedPatch& patch : c.bed_patches) {
-        if (covers_width(c, patch) && ranges_of(c, patch)[0].from < length) {
-            across.push_back(&patch);
-        }
+        if (covers_width(c, patch) && ranges_of(c, patch)[0].from < length) across.push_back(&patch);
     }
     std::sort(across.begin(), across.end(), [&c](const BedPatch* a, const BedPatch* b) {
         return ranges_of(c, *a)[0].from < ranges_of(c, *b)[0].from;
@@ -35,9 +33,7 @@ std::vector<Reach> twin_reaches(const Case& c, double unit_discharge, double len
     std::vector<Reach> reaches;
     double done = 0.0;
     const auto add = [&](const std::string& name, double to, const Case& of) {
-        if (!(to > done)) {
-            return;
-        }
+        if (!(to > done)) return;
         if (!channel_or_walls_resist(of)) {
             throw InputError(fmt::format(
                 "nothing resists the flow over {}: the varied flow is found with the friction of each bed; give it a "

@@ -20,26 +20,18 @@ UniformRating::UniformRating(Case c)
 
 double UniformRating::log_discharge(int k) {
     const auto found = log_discharges_.find(k);
-    if (found != log_discharges_.end()) {
-        return found->second;
-    }
+    if (found != log_discharges_.end()) return found->second;
     const double discharge = uniform_discharge_at(case_, case_.channel.depth * std::exp(step * k));
     return log_discharges_.emplace(k, std::log(discharge)).first->second;
 }
 
 double UniformRating::depth(double unit_discharge) {
-    if (!(unit_discharge > 0.0)) {
-        return 0.0;
-    }
+    if (!(unit_discharge > 0.0)) return 0.0;
     const double wanted = std::log(unit_discharge);
     // The node below; the depth of the case is where to look first.
     int below = std::max(lowest_, 0);
-    while (below > lowest_ && log_discharge(below) > wanted) {
-        --below;
-    }
-    while (log_discharge(below + 1) < wanted) {
-        ++below;
-    }
+    while (below > lowest_ && log_discharge(below) > wanted) --below;
+    while (log_discharge(below + 1) < wanted) ++below;
     double place = 0.0;
     if (log_discharge(below) > wanted) {
         const double low = log_discharge(lowest_);

@@ -47,9 +47,7 @@ VelocityMeasurements read_velocity_measurements(const Case& c) {
 }
 
 void check_velocity_measurements(const Case& c) {
-    if (!c.measured.velocity_profile.empty()) {
-        static_cast<void>(read_velocity_measurements(c));
-    }
+    if (!c.measured.velocity_profile.empty()) static_cast<void>(read_velocity_measurements(c));
 }
 
 VelocityMeasurements measured_log_law(const Case& c, int points) {

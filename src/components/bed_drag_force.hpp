@@ -24,9 +24,7 @@ class BedDragForce final : public Component<D, Real> {
 
     BedDragForce(Flow& flow, std::unique_ptr<const BedDrag> drag) : drag_(std::move(drag)) {
         flow.inputs.drag = drag_ != nullptr;
-        if (D == 3 && drag_ && drag_->varies_with_speed()) {
-            flow.inputs.acceleration = true;
-        }
+        if (D == 3 && drag_ && drag_->varies_with_speed()) flow.inputs.acceleration = true;
         if (D == 3 && flow.c.has_side_wall_drag()) {
             flow.with_side_drag = true;
             if (flow.c.side_walls.drag_form == SideDragForm::thesis) {
@@ -49,9 +47,7 @@ class BedDragForce final : public Component<D, Real> {
     }
 
     void add_forces(Flow& flow, Task& task, std::size_t begin, std::size_t end) override {
-        if (!drag_) {
-            return;
-        }
+        if (!drag_) return;
         // Few clusters reach into the roughness.
         const std::uint32_t reaching =
             flow.particle_loops.standing_below(flow.particle_data, drag_->top(), begin, end);
@@ -65,9 +61,7 @@ class BedDragForce final : public Component<D, Real> {
             const auto count = static_cast<std::size_t>(flow.clusters.count(cluster));
             double* const drag = &task.particles.drag[first - block_first];
             if (in_plan) {
-                for (std::size_t n = 0; n < count; ++n) {
-                    drag[n] = coefficient_at_rest(flow, first + n);
-                }
+                for (std::size_t n = 0; n < count; ++n) drag[n] = coefficient_at_rest(flow, first + n);
             } else {
                 drag_->coefficients({&height[first], count}, {drag, count});
             }
@@ -78,9 +72,7 @@ class BedDragForce final : public Component<D, Real> {
     }
 
     void end_evaluation(Flow& flow) override {
-        if (!side_drag_follows_flow()) {
-            return;
-        }
+        if (!side_drag_follows_flow()) return;
         if (!flow.motion_summed) {
             set_side_drag(flow, measured(flow));
             return;
@@ -113,9 +105,7 @@ class BedDragForce final : public Component<D, Real> {
 
     /// At its speed.
     [[nodiscard]] double coefficient(const Flow& flow, std::size_t particle) const {
-        if (!drag_) {
-            return 0.0;
-        }
+        if (!drag_) return 0.0;
         double beta = coefficient_at_rest(flow, particle);
         if (drag_->varies_with_speed()) {
             const auto& velocity = flow.particles.velocity;

@@ -30,9 +30,7 @@ namespace {
 /// Adds a component of a kind where the case asks for it: one that is not asked for is null.
 template <int D, class Real>
 void add(ComponentList<D, Real>& components, std::unique_ptr<Component<D, Real>> component) {
-    if (component) {
-        components.push_back(std::move(component));
-    }
+    if (component) components.push_back(std::move(component));
 }
 
 }  // namespace

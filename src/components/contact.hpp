@@ -24,9 +24,7 @@ class Contact final : public Component<D, Real> {
     using typename Component<D, Real>::Task;
 
     explicit Contact(const Flow& flow) : planes_(flow.c) {
-        for (const Solid& solid : flow.c.solids) {
-            points_.push_back(moment_point(flow.c, solid));
-        }
+        for (const Solid& solid : flow.c.solids) points_.push_back(moment_point(flow.c, solid));
         if constexpr (D == 2) {
             solids_ = SolidContact(flow.c);
         } else {
@@ -61,9 +59,7 @@ class Contact final : public Component<D, Real> {
         std::size_t particle = 0;
         const Push push = impulses_.empty() ? Push{} : impulse_on(flow, particle, begin / block_clusters);
         for (std::size_t cluster = begin; cluster < end; ++cluster) {
-            if (flow.fluid_wall.run_begin[cluster] == flow.fluid_wall.run_begin[cluster + 1]) {
-                continue;
-            }
+            if (flow.fluid_wall.run_begin[cluster] == flow.fluid_wall.run_begin[cluster + 1]) continue;
             flow.for_particles(cluster, cluster + 1, [&](std::size_t i, std::size_t) {
                 particle = i;
                 deepest = std::max(deepest, put_back(flow, i, push));
@@ -96,9 +92,7 @@ class Contact final : public Component<D, Real> {
         Vec<D> u = vector_of(particles.velocity, i);
         const Vec<D> before = u;
         double depth = planes_.resolve(x, u);
-        if (!solids_.empty()) {
-            depth = std::max(depth, solids_.resolve(flow.bodies_after, x, u, push));
-        }
+        if (!solids_.empty()) depth = std::max(depth, solids_.resolve(flow.bodies_after, x, u, push));
         if (depth > 0.0 && flow.keep_fields) {
             // What the wall takes from the velocity is a force of the wall, beside that of its pressure.
             auto& along = flow.fields.wall_acceleration_x;

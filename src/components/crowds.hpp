@@ -21,14 +21,10 @@ class Crowds final : public Component<D, Real> {
     Crowds(bool counts_walls, int interval) : counts_walls_(counts_walls), interval_(interval) {}
 
     void begin_step(Flow& flow, double dt) override {
-        if (flow.clock.steps % interval_ != 0) {
-            return;
-        }
+        if (flow.clock.steps % interval_ != 0) return;
         const Scheme& scheme = flow.scheme;
         const double turns = interval_ * dt * scheme.state.sound_speed / scheme.smoothing_length;
-        if (counts_walls_) {
-            sum_walls(flow);
-        }
+        if (counts_walls_) sum_walls(flow);
         flow.for_moments([&](const FilterResult<D, Real>& sums, std::size_t particle, std::size_t lane) {
             const auto water = static_cast<double>(sums.zeroth[lane]);
             const double rate =
@@ -62,9 +58,7 @@ class Crowds final : public Component<D, Real> {
     /// V W of the wall particle in a slot at a particle.
     static double share(const Flow& flow, std::size_t i, std::size_t slot) {
         const std::int32_t particle = flow.wall_clusters.particle_of(slot);
-        if (particle < 0) {
-            return 0.0;
-        }
+        if (particle < 0) return 0.0;
         const auto j = static_cast<std::size_t>(particle);
         const double h = flow.scheme.smoothing_length;
         double squared = 0.0;
@@ -102,9 +96,7 @@ std::unique_ptr<Component<D, Real>> make_crowds_of_impacts(FlowOf<D, Real>& flow
 /// disordered water flows along them.
 template <int D, class Real>
 std::unique_ptr<Component<D, Real>> make_crowds_at_edges(FlowOf<D, Real>& flow) {
-    if (pushes_into_edges(flow)) {
-        return std::make_unique<Crowds<D, Real>>(true, crowding_interval);
-    }
+    if (pushes_into_edges(flow)) return std::make_unique<Crowds<D, Real>>(true, crowding_interval);
     return flow.c.has_side_walls() ? std::make_unique<Crowds<D, Real>>(true, crowding_interval_along_edges)
                                    : nullptr;
 }

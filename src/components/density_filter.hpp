@@ -27,17 +27,11 @@ double moving_least_squares(const FilterResult<D, Real>& f, std::size_t lane, do
     a[0][n] = 1.0;
     const double shepard = get(f.mass) / get(f.zeroth);
     for (std::size_t p = 0; p < n; ++p) {
-        if (!(a[p][p] > 1e-6 * get(f.zeroth))) {
-            return shepard;
-        }
+        if (!(a[p][p] > 1e-6 * get(f.zeroth))) return shepard;
         for (std::size_t row = 0; row < n; ++row) {
-            if (row == p) {
-                continue;
-            }
+            if (row == p) continue;
             const double factor = a[row][p] / a[p][p];
-            for (std::size_t col = p; col <= n; ++col) {
-                a[row][col] -= factor * a[p][col];
-            }
+            for (std::size_t col = p; col <= n; ++col) a[row][col] -= factor * a[p][col];
         }
     }
     double density = get(f.mass) * a[0][n] / a[0][0];
@@ -56,9 +50,7 @@ class DensityFilterComponent final : public Component<D, Real> {
     void before_step(Flow& flow) override {
         flow.density_filtered =
             flow.clock.steps > 0 && flow.clock.steps % flow.c.numerics.density_filter_interval == 0;
-        if (!flow.density_filtered) {
-            return;
-        }
+        if (!flow.density_filtered) return;
         const bool mls = flow.c.numerics.density_filter == DensityFilter::mls;
         flow.for_moments([&](const FilterResult<D, Real>& sums, std::size_t particle, std::size_t lane) {
             // Shepard: rho = sum m W / sum V W.

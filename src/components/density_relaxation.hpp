@@ -34,9 +34,7 @@ class DensityRelaxation final : public Component<D, Real> {
     void begin_step(Flow& flow, double /*dt*/) override {
         // A particle that has just come has none yet.
         flow.particles.further[surplus_].values.resize(flow.particles.size(), 0.0);
-        if (flow.clock.steps % interval == 0) {
-            look_at_volumes(flow);
-        }
+        if (flow.clock.steps % interval == 0) look_at_volumes(flow);
     }
 
     void complete_gradients(Flow& flow, Task& task, std::size_t begin, std::size_t end) override {

@@ -32,54 +32,36 @@ class EnergyBudget final : public Component<D, Real> {
         options.gradients = false;
         options.directional = false;  // a weight of the eddies alone
         molecular_loops_ = pair_loops<D, Real>(options);
-        for (const Solid& solid : flow.c.solids) {
-            points_.push_back(moment_point(flow.c, solid));
-        }
+        for (const Solid& solid : flow.c.solids) points_.push_back(moment_point(flow.c, solid));
     }
 
     void begin_evaluation(Flow& flow, const Stage& stage) override {
-        if (!flow.keep_fields) {
-            return;
-        }
+        if (!flow.keep_fields) return;
         stage_ = stage;
         blocks_.assign(flow.block_advance.size(), EnergyRates{});
         if (two_point_) {
             flow.data.pressure.assign(flow.data.motion.size(), PressureRecord<Real>{});
         }
-        if (tensor_) {
-            strain_work_.template reset<Real>(flow.particles.size());
-        }
+        if (tensor_) strain_work_.template reset<Real>(flow.particles.size());
     }
 
     void complete_gradients(Flow& flow, Task& task, std::size_t begin, std::size_t end) override {
-        if (!flow.keep_fields) {
-            return;
-        }
+        if (!flow.keep_fields) return;
         add_compression(flow, task.sums.gradient, begin, end);
-        if (two_point_) {
-            put_molecular_records(flow, task.sums.gradient, begin, end);
-        }
+        if (two_point_) put_molecular_records(flow, task.sums.gradient, begin, end);
         if (tensor_ || corrects(flow)) {
             Own& own = own_of(task);
             own.sums.uncorrected_gradient = true;
             flow.loops.gradient(flow.data, begin, end, own.sums);
         }
-        if (tensor_) {
-            keep_strain_work(flow, task, begin, end);
-        }
-        if (corrects(flow)) {
-            add_correction_work(flow, task, begin, end);
-        }
+        if (tensor_) keep_strain_work(flow, task, begin, end);
+        if (corrects(flow)) add_correction_work(flow, task, begin, end);
     }
 
     void add_forces(Flow& flow, Task& task, std::size_t begin, std::size_t end) override {
-        if (!flow.keep_fields) {
-            return;
-        }
+        if (!flow.keep_fields) return;
         Own& own = own_of(task);
-        if (two_point_) {
-            molecular_loops_.force(flow.data, begin, end, own.sums);
-        }
+        if (two_point_) molecular_loops_.force(flow.data, begin, end, own.sums);
         flow.for_particles(begin, end, [&](std::size_t i, std::size_t lane) {
             for (std::size_t k = 0; k < Flow::axes; ++k) {
                 own.velocity[k][lane] = flow.particles.velocity[k][i];
@@ -89,9 +71,7 @@ class EnergyBudget final : public Component<D, Real> {
 
     void after_motion(Flow& flow, Task& task, const Stage& /*stage*/, std::size_t begin,
                       std::size_t end) override {
-        if (!flow.keep_fields) {
-            return;
-        }
+        if (!flow.keep_fields) return;
         const Own& own = own_of(task);
         EnergyRates& sum = blocks_[begin / block_clusters];
         for_water(flow, begin, end, [&](std::size_t i, std::size_t lane) {
@@ -105,19 +85,13 @@ class EnergyBudget final : public Component<D, Real> {
     }
 
     void end_evaluation(Flow& flow) override {
-        if (!flow.keep_fields) {
-            return;
-        }
+        if (!flow.keep_fields) return;
         flow.energy_rates = std::accumulate(blocks_.begin(), blocks_.end(), EnergyRates{});
-        if (!open_) {
-            flow.energy_rates.pressure += flow.energy_rates.compression;
-        }
+        if (!open_) flow.energy_rates.pressure += flow.energy_rates.compression;
     }
 
     void end_step(Flow& flow) override {
-        if (!flow.keep_fields) {
-            return;
-        }
+        if (!flow.keep_fields) return;
         add_solids(flow);
         if (two_point_) {
             flow.data.pressure = {};
@@ -135,9 +109,7 @@ class EnergyBudget final : public Component<D, Real> {
 
     static Own& own_of(const Task& task) {
         thread_local Own own;
-        if (own.sums.slots.size() < task.sums.slots.size()) {
-            own.sums.slots.resize(task.sums.slots.size());
-        }
+        if (own.sums.slots.size() < task.sums.slots.size()) own.sums.slots.resize(task.sums.slots.size());
         return own;
     }
 
@@ -248,9 +220,7 @@ class EnergyBudget final : public Component<D, Real> {
     template <class F>
     void for_water(const Flow& flow, std::size_t begin, std::size_t end, const F& f) const {
         flow.for_particles(begin, end, [&](std::size_t i, std::size_t lane) {
-            if (in_channel(flow.c, flow.particles.position[0][i])) {
-                f(i, lane);
-            }
+            if (in_channel(flow.c, flow.particles.position[0][i])) f(i, lane);
         });
     }
 
@@ -278,18 +248,10 @@ class EnergyBudget final : public Component<D, Real> {
             if (two_point_) {
                 molecular += molecular_factor * u[k] * static_cast<double>(own.sums.force.viscous[k][lane]);
             }
-            if (flow.inputs.acceleration) {
-                further += mass * u[k] * work.acceleration[k][lane];
-            }
-            if (flow.with_vegetation) {
-                stems += mass * u[k] * task.vegetation_acceleration[k][lane];
-            }
-            if (flow.with_solid_friction) {
-                friction += mass * u[k] * task.wall_acceleration[k][lane];
-            }
-            if (!flow.porous.empty()) {
-                grains += mass * u[k] * task.porous_acceleration[k][lane];
-            }
+            if (flow.inputs.acceleration) further += mass * u[k] * work.acceleration[k][lane];
+            if (flow.with_vegetation) stems += mass * u[k] * task.vegetation_acceleration[k][lane];
+            if (flow.with_solid_friction) friction += mass * u[k] * task.wall_acceleration[k][lane];
+            if (!flow.porous.empty()) grains += mass * u[k] * task.porous_acceleration[k][lane];
         }
         if (flow.particle_data.reference_pressure.acts()) {
             held = mass * u[Flow::vertical] * task.reference_acceleration[lane];
@@ -308,17 +270,13 @@ class EnergyBudget final : public Component<D, Real> {
         sum.kinetic += tensor + viscous + weight + mass * (bed + side) + further;
         sum.closure += closure;
         sum.viscosity += (two_point_ ? molecular : viscous) + friction;
-        if (!open_) {
-            sum.pressure += tensor + held - (tensor_ ? closure : 0.0);
-        }
+        if (!open_) sum.pressure += tensor + held - (tensor_ ? closure : 0.0);
         sum.bed_drag += mass * bed;
         sum.side_drag += mass * side;
         sum.vegetation += stems;
         sum.porous += grains;
         sum.further_forces += further - held - stems - grains - friction;
-        if (flow.domain.periodic[0] || open_) {
-            sum.gravity += mass * u[0] * flow.particle_data.gravity[0];
-        }
+        if (flow.domain.periodic[0] || open_) sum.gravity += mass * u[0] * flow.particle_data.gravity[0];
     }
 
     /// Solids that move work on the water by pressure and friction, of which the sums above know no cause.
@@ -338,9 +296,7 @@ class EnergyBudget final : public Component<D, Real> {
                 friction -= force.friction_moment[axis] * body.angular_velocity[axis];
             }
             flow.energy_rates.solids += pressure + friction;
-            if (!open_) {
-                flow.energy_rates.pressure -= pressure;
-            }
+            if (!open_) flow.energy_rates.pressure -= pressure;
             flow.energy_rates.viscosity -= friction;
         }
     }

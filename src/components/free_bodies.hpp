@@ -34,9 +34,7 @@ class FreeBodies final : public Component<D, Real> {
     void begin_step(Flow& flow, double /*dt*/) override {
         for (std::size_t n = 0; n < flow.free.size(); ++n) {
             FreeBodyState& state = flow.clock.free_bodies[n];
-            if (state.released == 0.0 && flow.clock.time >= flow.free[n].start()) {
-                flow.free[n].release(state);
-            }
+            if (state.released == 0.0 && flow.clock.time >= flow.free[n].start()) flow.free[n].release(state);
         }
     }
 
@@ -48,9 +46,7 @@ class FreeBodies final : public Component<D, Real> {
         const std::vector<BodyLoad> touching =
             contact_.loads(flow.free, states, flow.bodies, stage_.motion, flow.clock.contact_springs);
         for (std::size_t n = 0; n < states.size(); ++n) {
-            if (states[n].released == 0.0) {
-                continue;
-            }
+            if (states[n].released == 0.0) continue;
             const FreeBody& body = flow.free[n];
             const std::size_t solid = body.solid();
             BodyLoad load = water_load(flow, n);
@@ -89,9 +85,7 @@ class FreeBodies final : public Component<D, Real> {
             load.moment[k] = water.pressure_moment[k] + water.friction_moment[k];
         }
         const Point3 more = cross(arm, load.force);
-        for (std::size_t k = 0; k < 3; ++k) {
-            load.moment[k] += more[k];
-        }
+        for (std::size_t k = 0; k < 3; ++k) load.moment[k] += more[k];
         return load;
     }
 

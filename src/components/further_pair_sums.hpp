@@ -19,20 +19,14 @@ class FurtherPairSums final : public Component<D, Real> {
     explicit FurtherPairSums(std::vector<std::unique_ptr<PairSum<D, Real>>> sums) : sums_(std::move(sums)) {}
 
     void begin_evaluation(Flow& flow, const Stage& /*stage*/) override {
-        for (const auto& sum : sums_) {
-            sum->begin(flow.data, flow.clusters);
-        }
+        for (const auto& sum : sums_) sum->begin(flow.data, flow.clusters);
     }
     void complete_gradients(Flow& flow, Task& task, std::size_t begin, std::size_t end) override {
-        for (const auto& sum : sums_) {
-            sum->complete(flow.data, flow.clusters, begin, end, task.sums.gradient);
-        }
+        for (const auto& sum : sums_) sum->complete(flow.data, flow.clusters, begin, end, task.sums.gradient);
     }
     [[nodiscard]] std::size_t bytes() const override {
         std::size_t total = 0;
-        for (const auto& sum : sums_) {
-            total += sum->bytes();
-        }
+        for (const auto& sum : sums_) total += sum->bytes();
         return total;
     }
 

@@ -42,9 +42,7 @@ class LocalDepth {
         const bool first = depth.size() != flow.particles.size();
         // The depth changes over hundreds of steps.
         constexpr std::int64_t interval = 8;
-        if (!first && flow.clock.steps % interval != 0) {
-            return;
-        }
+        if (!first && flow.clock.steps % interval != 0) return;
         depth.resize(flow.particles.size(), 0.0);
         const std::vector<double> cells = smoothed(levels(flow));
         const double share = -std::expm1(-static_cast<double>(interval) * dt / relaxation_time_);
@@ -76,9 +74,7 @@ class LocalDepth {
     }
     [[nodiscard]] std::size_t cell(const Particles<D>& particles, std::size_t i) const {
         std::size_t index = cell_along(particles, i, 0);
-        if constexpr (D == 3) {
-            index += count_[0] * cell_along(particles, i, 1);
-        }
+        if constexpr (D == 3) index += count_[0] * cell_along(particles, i, 1);
         return index;
     }
 
@@ -124,9 +120,7 @@ class LocalDepth {
             [&](std::size_t begin, std::size_t end) {
                 std::vector<double> part(cells, 0.0);
                 for (std::size_t i = begin; i < end; ++i) {
-                    if (share_in_channel(particles, i) <= 0.0) {
-                        continue;
-                    }
+                    if (share_in_channel(particles, i) <= 0.0) continue;
                     if (with_bodies_) {
                         double& level = part[cell(particles, i)];
                         level = std::max(level, particles.position[Flow::vertical][i] + half_row_);
@@ -151,9 +145,7 @@ class LocalDepth {
     /// The cell beside another along an axis; itself at a closed end.
     [[nodiscard]] std::size_t beside(std::size_t index, std::size_t axis, bool behind) const {
         const std::size_t n = count_[axis];
-        if (periodic_[axis]) {
-            return (index + (behind ? 1 : n - 1)) % n;
-        }
+        if (periodic_[axis]) return (index + (behind ? 1 : n - 1)) % n;
         return behind ? std::min(index + 1, n - 1) : index - (index > 0 ? 1 : 0);
     }
 
@@ -161,9 +153,7 @@ class LocalDepth {
     [[nodiscard]] std::vector<double> smoothed(std::vector<double> values) const {
         constexpr int passes = 2;
         for (int pass = 0; pass < passes; ++pass) {
-            for (std::size_t axis = 0; axis < D - 1; ++axis) {
-                smooth(values, axis);
-            }
+            for (std::size_t axis = 0; axis < D - 1; ++axis) smooth(values, axis);
         }
         return values;
     }

@@ -48,9 +48,7 @@ class MixingLengths final : public Component<D, Real> {
     }
 
     void begin_step(Flow& flow, double dt) override {
-        if (depth_) {
-            depth_->update(flow, dt);
-        }
+        if (depth_) depth_->update(flow, dt);
     }
 
     void complete_gradients(Flow& flow, Task& task, std::size_t begin, std::size_t end) override {
@@ -63,15 +61,9 @@ class MixingLengths final : public Component<D, Real> {
         } else {
             closure_->mixing_lengths({&position[Flow::vertical][first], count}, {lengths, count});
         }
-        if (!patches_.empty()) {
-            follow_patches(flow, first, count, lengths);
-        }
-        if (!flow.porous.empty()) {
-            limit_in_pores(flow, first, count, lengths);
-        }
-        if (!solids_.empty()) {
-            limit_beside_solids(flow, first, count, lengths);
-        }
+        if (!patches_.empty()) follow_patches(flow, first, count, lengths);
+        if (!flow.porous.empty()) limit_in_pores(flow, first, count, lengths);
+        if (!solids_.empty()) limit_beside_solids(flow, first, count, lengths);
         if constexpr (D == 3) {
             for (std::size_t i = 0; closure_->varies_across() && i < count; ++i) {
                 lengths[i] *= closure_->side_factor(position[1][first + i]);

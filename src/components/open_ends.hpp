@@ -52,9 +52,7 @@ class OpenEnds final : public Component<D, Real> {
         state.travel = 0.0;
         take_out(flow);
         streams_.rearrange(state, state.upstream.depth);
-        if (inflow_is_strained(flow)) {
-            lay_inflow_anew(flow);
-        }
+        if (inflow_is_strained(flow)) lay_inflow_anew(flow);
         make(flow);
     }
 
@@ -76,12 +74,8 @@ class OpenEnds final : public Component<D, Real> {
                 const bool at_start = x < upstream;
                 const bool at_end = x > length_ - upstream;
                 near_end_[cluster] |= static_cast<std::uint8_t>(at_start || at_end);
-                if (at_start) {
-                    watch_.add(0, first + n);
-                }
-                if (at_end) {
-                    watch_.add(1, first + n);
-                }
+                if (at_start) watch_.add(0, first + n);
+                if (at_end) watch_.add(1, first + n);
             }
         }
     }
@@ -114,9 +108,7 @@ class OpenEnds final : public Component<D, Real> {
 
     void complete_gradients(Flow& flow, Task& task, std::size_t begin, std::size_t end) override {
         for_buffers(flow, begin, end, [&](std::size_t i, std::size_t lane, bool entering) {
-            if (falls_ && !entering) {
-                return;
-            }
+            if (falls_ && !entering) return;
             const EndState& section =
                 entering ? flow.clock.open_ends.upstream : flow.clock.open_ends.downstream;
             flow.particles.density_deviation[i] =
@@ -131,14 +123,10 @@ class OpenEnds final : public Component<D, Real> {
         const auto first = static_cast<std::size_t>(flow.clusters.begin[begin]);
         for_buffers(flow, begin, end, [&](std::size_t i, std::size_t lane, bool entering) {
             task.particles.drag[i - first] = 0.0;
-            if (falls_ && !entering) {
-                return;
-            }
+            if (falls_ && !entering) return;
             const Vec<D> wanted = entering ? entering_velocity(flow, i) : leaving_velocity(flow, i);
             for (std::size_t k = 0; k < Flow::axes; ++k) {
-                if (flow.with_vegetation) {
-                    task.vegetation_acceleration[k][lane] = 0.0;
-                }
+                if (flow.with_vegetation) task.vegetation_acceleration[k][lane] = 0.0;
                 task.sums.force.tensor[k][lane] = Real(0);
                 task.sums.force.viscous[k][lane] = Real(0);
                 task.particles.acceleration[k][lane] =
@@ -183,9 +171,7 @@ class OpenEnds final : public Component<D, Real> {
 
     void begin(Flow& flow) {
         OpenEndsState& state = flow.clock.open_ends;
-        if (state.begun) {
-            return;
-        }
+        if (state.begun) return;
         state.begun = true;
         if (flow.c.start.kind == StartKind::results) {
             // The particles say it.
@@ -219,9 +205,7 @@ class OpenEnds final : public Component<D, Real> {
     /// The mean of what enters at z/H across the channel, over that of the section.
     [[nodiscard]] double mean_across(double place) const {
         double sum = 0.0;
-        for (const double y : files_) {
-            sum += entering().mean_at(y, place);
-        }
+        for (const double y : files_) sum += entering().mean_at(y, place);
         return sum / static_cast<double>(files_.size());
     }
 
@@ -235,9 +219,7 @@ class OpenEnds final : public Component<D, Real> {
         const double grown = std::clamp(1.0 + flow.particles.position[0][i] / support_, 0.0, 1.0);
         Vec<D> u{};
         u[0] = end.velocity * relative[0] / entering_mean_;
-        if constexpr (D == 3) {
-            u[1] = grown * end.velocity * relative[1] / entering_mean_;
-        }
+        if constexpr (D == 3) u[1] = grown * end.velocity * relative[1] / entering_mean_;
         u[Flow::vertical] = place * end.depth_rate + grown * end.velocity * relative[2] / entering_mean_;
         return u;
     }
@@ -249,9 +231,7 @@ class OpenEnds final : public Component<D, Real> {
             std::exp(-step_ * leaving_speed(flow.clock.open_ends, flow.clock.open_ends.downstream.depth) /
                      watch_.half());
         Vec<D> u = vector_of(flow.particles.velocity, i);
-        for (std::size_t k = 0; k < Flow::axes; ++k) {
-            u[k] = wanted[k] + kept * (u[k] - wanted[k]);
-        }
+        for (std::size_t k = 0; k < Flow::axes; ++k) u[k] = wanted[k] + kept * (u[k] - wanted[k]);
         return u;
     }
 
@@ -292,9 +272,7 @@ class OpenEnds final : public Component<D, Real> {
     template <class F>
     void for_buffers(const Flow& flow, std::size_t begin, std::size_t end, const F& f) const {
         for (std::size_t cluster = begin; cluster < end; ++cluster) {
-            if (near_end_[cluster] == 0) {
-                continue;
-            }
+            if (near_end_[cluster] == 0) continue;
             flow.for_clusters(cluster, cluster + 1, [&](std::size_t first, std::size_t last, std::size_t) {
                 for (std::size_t i = first; i < last; ++i) {
                     const double x = flow.particles.position[0][i];
@@ -336,9 +314,7 @@ class OpenEnds final : public Component<D, Real> {
             ledger.mass_left += p.mass[i];
             ledger.momentum_left += p.mass[i] * p.velocity[0][i];
         }
-        if (kept.size() < p.size()) {
-            p.permute(kept);
-        }
+        if (kept.size() < p.size()) p.permute(kept);
     }
 
     /// Whether the particles that wait before the inflow take up another room than the water of its section:
@@ -350,9 +326,7 @@ class OpenEnds final : public Component<D, Real> {
         double volume = 0.0;
         for (std::size_t i = 0; i < p.size(); ++i) {
             const double hat = 1.0 - std::abs(p.position[0][i] + half) / half;
-            if (hat > 0.0) {
-                volume += hat * p.mass[i] / (1.0 + p.density_deviation[i]);
-            }
+            if (hat > 0.0) volume += hat * p.mass[i] / (1.0 + p.density_deviation[i]);
         }
         const double width = D == 3 ? flow.c.channel.simulated_width() : 1.0;
         const double due = flow.scheme.density * half * width * flow.clock.open_ends.upstream.depth;
@@ -385,9 +359,7 @@ class OpenEnds final : public Component<D, Real> {
     [[nodiscard]] Vec<D> place_of(int row, int file, double x, int rows, double depth, double floor) const {
         Vec<D> place{};
         place[0] = x;
-        if constexpr (D == 3) {
-            place[1] = lattice_.y(file, row);
-        }
+        if constexpr (D == 3) place[1] = lattice_.y(file, row);
         place[Flow::vertical] = floor + streams_.height_of(row, rows, depth);
         return place;
     }
@@ -430,24 +402,18 @@ class OpenEnds final : public Component<D, Real> {
     template <class Velocity>
     void add(Flow& flow, const std::vector<Vec<D>>& places, const EndState& end, bool entering,
              const Velocity& velocity) const {
-        if (places.empty()) {
-            return;
-        }
+        if (places.empty()) return;
         Particles<D>& p = flow.particles;
         EndsLedger& ledger = flow.clock.open_ends.ledger;
         const std::size_t first = p.append(places.size());
         for (std::size_t n = 0; n < places.size(); ++n) {
             const std::size_t i = first + n;
-            for (std::size_t k = 0; k < Flow::axes; ++k) {
-                p.position[k][i] = places[n][k];
-            }
+            for (std::size_t k = 0; k < Flow::axes; ++k) p.position[k][i] = places[n][k];
             const double s = flow.scheme.state.deviation(pressure_of(end, over_floor(flow, i, entering)));
             p.density_deviation[i] = s;
             p.mass[i] = flow.scheme.density * (1.0 + s) * lattice_.volume<D>();
             const Vec<D> u = velocity(i);
-            for (std::size_t k = 0; k < Flow::axes; ++k) {
-                p.velocity[k][i] = u[k];
-            }
+            for (std::size_t k = 0; k < Flow::axes; ++k) p.velocity[k][i] = u[k];
             ++ledger.entered;
             ledger.mass_entered += p.mass[i];
             ledger.momentum_entered += p.mass[i] * u[0];

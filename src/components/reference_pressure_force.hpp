@@ -59,9 +59,7 @@ class ReferencePressureForce final : public Component<D, Real> {
     /// Error where the surface has come below the level from which on the reference pressure acts.
     void end_evaluation(Flow& flow) override {
         const std::size_t bare = *std::min_element(bare_.begin(), bare_.end());
-        if (bare != none) {
-            throw ParticleFault(bare, fallen(flow, bare));
-        }
+        if (bare != none) throw ParticleFault(bare, fallen(flow, bare));
     }
 
     [[nodiscard]] std::size_t bytes() const override { return bare_.capacity() * sizeof(std::size_t); }

@@ -24,9 +24,7 @@ class Settling final : public Component<D, Real> {
     }
 
     void add_forces(Flow& flow, Task& task, std::size_t begin, std::size_t end) override {
-        if (flow.clock.time >= time_) {
-            return;
-        }
+        if (flow.clock.time >= time_) return;
         const double rate = rate_ * (1.0 - smoothstep<double>(0.5, 1.0, flow.clock.time / time_));
         flow.for_particles(begin, end, [&](std::size_t i, std::size_t lane) {
             for (std::size_t k = 0; k < Flow::axes; ++k) {

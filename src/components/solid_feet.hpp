@@ -63,13 +63,9 @@ class SolidFeet {
         const Plane& plane = planes_[static_cast<std::size_t>(first_[cluster]) + lane];
         const Vec<3> beside = surfaces.image_near(plane.place, place);
         double height = 0.0;
-        for (std::size_t k = 0; k < 3; ++k) {
-            height += (beside[k] - plane.place[k]) * plane.normal[k];
-        }
+        for (std::size_t k = 0; k < 3; ++k) height += (beside[k] - plane.place[k]) * plane.normal[k];
         Vec<3> arm{};
-        for (std::size_t k = 0; k < 3; ++k) {
-            arm[k] = beside[k] - height * plane.normal[k] - point[k];
-        }
+        for (std::size_t k = 0; k < 3; ++k) arm[k] = beside[k] - height * plane.normal[k] - point[k];
         return arm;
     }
 

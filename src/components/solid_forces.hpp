@@ -44,37 +44,25 @@ class SolidForces final : public Component<D, Real> {
 
     void begin_step(Flow& flow, double /*dt*/) override {
         for (std::size_t solid = 0; solid < lists_.size(); ++solid) {
-            if (wanted(flow, solid) && listed_[solid] != flow.clock.list_builds) {
-                list(flow, solid);
-            }
+            if (wanted(flow, solid) && listed_[solid] != flow.clock.list_builds) list(flow, solid);
         }
-        if (flow.keeps_solid_forces()) {
-            block_forces_.resize(blocks_of(flow.clusters.size()) * lists_.size());
-        }
+        if (flow.keeps_solid_forces()) block_forces_.resize(blocks_of(flow.clusters.size()) * lists_.size());
     }
 
     void add_forces(Flow& flow, Task& task, std::size_t begin, std::size_t end) override {
-        if (!flow.keeps_solid_forces()) {
-            return;
-        }
+        if (!flow.keeps_solid_forces()) return;
         thread_local BlockWork<D, Real> work;
-        if (work.slots.size() < task.sums.slots.size()) {
-            work.slots.resize(task.sums.slots.size());
-        }
+        if (work.slots.size() < task.sums.slots.size()) work.slots.resize(task.sums.slots.size());
         for (std::size_t solid = 0; solid < lists_.size(); ++solid) {
             ForceOnSolid& sum = block_forces_[begin / block_clusters * lists_.size() + solid];
             sum = {};
-            if (!wanted(flow, solid)) {
-                continue;
-            }
+            if (!wanted(flow, solid)) continue;
             work.fluid_fluid = &no_list_;
             work.fluid_wall = &lists_[solid];
             // Runs of clusters that have pairs with it.
             for (std::size_t first = begin; first < end; ++first) {
                 std::size_t last = first;
-                while (last < end && feet_[solid].has(last)) {
-                    ++last;
-                }
+                while (last < end && feet_[solid].has(last)) ++last;
                 if (last > first) {
                     flow.loops.force(flow.data, first, last, work);
                     add_clusters(flow, work.force, solid, first, last, sum);
@@ -86,9 +74,7 @@ class SolidForces final : public Component<D, Real> {
 
     /// The sums over the blocks, in their order.
     void end_evaluation(Flow& flow) override {
-        if (!flow.keeps_solid_forces()) {
-            return;
-        }
+        if (!flow.keeps_solid_forces()) return;
         flow.solid_forces.assign(lists_.size(), ForceOnSolid{});
         for (std::size_t i = 0; i < block_forces_.size(); ++i) {
             flow.solid_forces[i % lists_.size()] += block_forces_[i];
@@ -97,9 +83,7 @@ class SolidForces final : public Component<D, Real> {
             flow.solid_forces[solid] += reference_loads_[solid];
         }
         for (std::size_t solid = 0; solid < lists_.size(); ++solid) {
-            if (volumes_[solid] > 0.0 && wanted(flow, solid)) {
-                add_spin(flow, solid, flow.solid_forces[solid]);
-            }
+            if (volumes_[solid] > 0.0 && wanted(flow, solid)) add_spin(flow, solid, flow.solid_forces[solid]);
         }
     }
 
@@ -130,9 +114,7 @@ class SolidForces final : public Component<D, Real> {
                 load.pressure[axis] += force[axis];
             }
             const Vec<3> moment = cross(arm, force);
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-                load.pressure_moment[axis] += moment[axis];
-            }
+            for (std::size_t axis = 0; axis < 3; ++axis) load.pressure_moment[axis] += moment[axis];
         }
         return load;
     }
@@ -165,9 +147,7 @@ class SolidForces final : public Component<D, Real> {
         const double viscosity = flow.scheme.density * flow.scheme.viscosity;
         const double factor = all > 0.0 ? -2.0 * viscosity * volumes_[solid] * wet / all : 0.0;
         const Vec<3>& spin = flow.bodies[first_solid + solid].angular_velocity;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            force.friction_moment[axis] += factor * spin[axis];
-        }
+        for (std::size_t axis = 0; axis < 3; ++axis) force.friction_moment[axis] += factor * spin[axis];
     }
 
     /// The sums of clusters that have pairs with a solid.
@@ -176,9 +156,7 @@ class SolidForces final : public Component<D, Real> {
         static const BodyState rest;
         const BodyState& body = flow.bodies.empty() ? rest : flow.bodies[first_solid + solid];
         const auto add = [](std::array<double, 3>& part, const Vec<3>& v) {
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-                part[axis] += v[axis];
-            }
+            for (std::size_t axis = 0; axis < 3; ++axis) part[axis] += v[axis];
         };
         flow.for_particles(begin, end, [&](std::size_t i, std::size_t lane) {
             // What pushes the water one way pushes the solid the other.

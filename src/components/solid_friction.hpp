@@ -46,9 +46,7 @@ class SolidFriction final : public Component<D, Real> {
             flow.for_particles(begin, end, [&](std::size_t i, std::size_t lane) {
                 hold_back(flow, task, surfaces_[n], i, lane, load);
             });
-            if (!loads_.empty()) {
-                loads_[begin / block_clusters * surfaces_.size() + n] = load;
-            }
+            if (!loads_.empty()) loads_[begin / block_clusters * surfaces_.size() + n] = load;
         }
     }
 
@@ -80,9 +78,7 @@ class SolidFriction final : public Component<D, Real> {
         const Vec<D> position = vector_of(flow.particles.position, i);
         const double distance = distance_.from(surface.solid, flow.bodies, position);
         const double share = std::clamp((layer_ - distance) / width_ + 0.5, 0.0, 1.0);
-        if (share <= 0.0) {
-            return;
-        }
+        if (share <= 0.0) return;
         const BodyState& body = flow.bodies.empty() ? rest : flow.bodies[first_solid + surface.solid];
         const Point3 place = in_space_of<D>(position);
         Vec<D> past = vector_of(flow.particles.velocity, i);

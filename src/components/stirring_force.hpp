@@ -24,23 +24,17 @@ class StirringForce final : public Component<D, Real> {
                 Sums part{};
                 for (std::size_t i = begin; i < end; ++i) {
                     const Vec<D> a = at(flow, i);
-                    for (std::size_t k = 0; k < Flow::vertical; ++k) {
-                        part[k] += mass[i] * a[k];
-                    }
+                    for (std::size_t k = 0; k < Flow::vertical; ++k) part[k] += mass[i] * a[k];
                     part[Flow::vertical] += mass[i];
                 }
                 return part;
             },
             [](const Sums& a, const Sums& b) {
                 Sums sum{};
-                for (std::size_t k = 0; k < Flow::axes; ++k) {
-                    sum[k] = a[k] + b[k];
-                }
+                for (std::size_t k = 0; k < Flow::axes; ++k) sum[k] = a[k] + b[k];
                 return sum;
             });
-        for (std::size_t k = 0; k < Flow::vertical; ++k) {
-            mean_[k] = sums[k] / sums[Flow::vertical];
-        }
+        for (std::size_t k = 0; k < Flow::vertical; ++k) mean_[k] = sums[k] / sums[Flow::vertical];
     }
     void add_forces(Flow& flow, Task& task, std::size_t begin, std::size_t end) override {
         flow.for_particles(begin, end, [&](std::size_t i, std::size_t lane) {

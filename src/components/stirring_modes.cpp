@@ -6,9 +6,7 @@
 namespace riffle::inline components {
 
 Stirring2D::Stirring2D(const Case& c, double celerity) : celerity_(celerity) {
-    if (c.stirring.acceleration == 0.0) {
-        return;
-    }
+    if (c.stirring.acceleration == 0.0) return;
     for (int m = 1; m <= c.stirring.modes; ++m) {
         Mode mode;
         mode.kx = 2.0 * std::numbers::pi * m / c.channel.length;
@@ -31,9 +29,7 @@ void Stirring2D::add(double x, double z, double t, double& ax, double& az) const
 }
 
 Stirring3D::Stirring3D(const Case& c, double celerity) : plane_(c, celerity), celerity_(celerity) {
-    if (!plane_.active()) {
-        return;
-    }
+    if (!plane_.active()) return;
     const bool periodic = c.channel.sides == Sides::periodic;
     const double width = c.channel.simulated_width();
     for (int m = 1; m <= c.stirring.modes; ++m) {

@@ -32,16 +32,12 @@ class VegetationDrag final : public Component<D, Real> {
         const auto& velocity = flow.particles.velocity;
         flow.for_particles(begin, end, [&](std::size_t i, std::size_t lane) {
             double squared = 0.0;
-            for (std::size_t k = 0; k < Flow::axes; ++k) {
-                squared += velocity[k][i] * velocity[k][i];
-            }
+            for (std::size_t k = 0; k < Flow::axes; ++k) squared += velocity[k][i] * velocity[k][i];
             const double speed = std::sqrt(squared);
             double beta = 0.0;
             for (const VegetationPatch& patch : patches_) {
                 const double share = share_in(patch, flow, i);
-                if (share > 0.0) {
-                    beta += share * patch.drag().coefficient(speed);
-                }
+                if (share > 0.0) beta += share * patch.drag().coefficient(speed);
             }
             const double rate = beta * speed;
             const double limited = rate / std::sqrt(1.0 + step_ * step_ * rate * rate);
@@ -57,9 +53,7 @@ class VegetationDrag final : public Component<D, Real> {
     [[nodiscard]] double share_in(const VegetationPatch& patch, const Flow& flow, std::size_t i) const {
         const auto& position = flow.particles.position;
         const double share = patch.share_in_plan(position[0][i], position[1][i], width_);
-        if (share <= 0.0) {
-            return 0.0;
-        }
+        if (share <= 0.0) return 0.0;
         const double over_feet =
             position[Flow::vertical][i] - patch.foot(position[0][i], D == 3 ? position[1][i] : 0.0);
         return share * patch.share_below_top(over_feet, row_);

@@ -17,9 +17,7 @@ class Xsph final : public Component<D, Real> {
     explicit Xsph(Flow& flow) { flow.inputs.transport = true; }
 
     void before_step(Flow& flow) override {
-        for (auto& component : velocity_) {
-            component.resize(flow.particles.size());
-        }
+        for (auto& component : velocity_) component.resize(flow.particles.size());
         flow.for_moments([&](const FilterResult<D, Real>& sums, std::size_t particle, std::size_t lane) {
             for (std::size_t k = 0; k < Flow::axes; ++k) {
                 velocity_[k][particle] = flow.c.numerics.xsph * static_cast<double>(sums.velocity[k][lane]);

@@ -19,18 +19,12 @@ constexpr int most_times = 5;            // that an event is told
 
 std::vector<std::string> EndEvents::news(const OpenEndsState& ends, double time) {
     std::vector<std::string> told;
-    if (!ends.begun) {
-        return told;
-    }
+    if (!ends.begun) return told;
     const auto change = [&](Event& event, bool begins, bool is_over, const auto& beginning, const auto& end) {
-        if (event.lasts ? !is_over : !begins) {
-            return;
-        }
+        if (event.lasts ? !is_over : !begins) return;
         event.lasts = !event.lasts;
         event.times += event.lasts ? 1 : 0;
-        if (event.times <= most_times) {
-            told.push_back(event.lasts ? beginning() : end());
-        }
+        if (event.times <= most_times) told.push_back(event.lasts ? beginning() : end());
     };
 
     const EndState& out = ends.downstream;

@@ -40,12 +40,8 @@ std::string regime_text(const Extremes& froude) {
 /// "U = ..., Fr = ..., subcritical"; empty where the flow there is not known.
 std::string motion_text(const FlowAtEnd& end) {
     std::string text;
-    if (end.velocity) {
-        text += "U = " + range_text(*end.velocity, " m/s");
-    }
-    if (end.froude) {
-        text += ", Fr = " + range_text(*end.froude, "") + ", " + regime_text(*end.froude);
-    }
+    if (end.velocity) text += "U = " + range_text(*end.velocity, " m/s");
+    if (end.froude) text += ", Fr = " + range_text(*end.froude, "") + ", " + regime_text(*end.froude);
     return text;
 }
 
@@ -66,9 +62,7 @@ std::string discharge_text(const Case& c, const FlowAtEnds& states) {
                        " l/s"),
             shown_length(c.channel.width));
     }
-    if (!c.inflow.discharge_file.empty()) {
-        text += " by " + c.inflow.discharge_file.filename().string();
-    }
+    if (!c.inflow.discharge_file.empty()) text += " by " + c.inflow.discharge_file.filename().string();
     return text + (states.gives_discharge ? "" : " at the start, and follows from the depths");
 }
 
@@ -80,9 +74,7 @@ std::string inflow_text(const Case& c, const FlowAtEnds& states) {
         switch (end.source) {
             case DepthSource::given:
                 text += ", depth " + depth;
-                if (!c.inflow.depth_file.empty()) {
-                    text += " by " + c.inflow.depth_file.filename().string();
-                }
+                if (!c.inflow.depth_file.empty()) text += " by " + c.inflow.depth_file.filename().string();
                 break;
             case DepthSource::backwater:
                 text += ", depth " + depth + " by riffle backwater";
@@ -163,9 +155,7 @@ std::string profile_text(const Case& c, const FlowAtEnds& states) {
     const double bottom = states.inflow.floor > 0.0 ? states.inflow.floor : -c.datum();
     const bool below = given.least > bottom + c.numerics.spacing;
     const bool above = given.largest < c.channel.depth - c.numerics.spacing;
-    if (!below && !above) {
-        return "";
-    }
+    if (!below && !above) return "";
     std::string text = fmt::format(
         "{} gives u from {} to {} over the datum alone:", c.inflow.profile_file.filename().string(),
         shown_length(given.least), shown_length(given.largest));
@@ -181,9 +171,7 @@ std::string profile_text(const Case& c, const FlowAtEnds& states) {
 
 /// Critical and normal depth at an end, and what the slope is with them; empty without discharge.
 std::string characteristic_text(const FlowAtEnd& end) {
-    if (!end.critical_depth || !(end.critical_depth->largest > 0.0)) {
-        return "";
-    }
+    if (!end.critical_depth || !(end.critical_depth->largest > 0.0)) return "";
     const Extremes critical = *end.critical_depth;
     std::string text = fmt::format("critical depth {}{}",
                                    end.critical_of_profile ? "" : "(q²/g)^(1/3) = ", millimetres(critical));

@@ -37,9 +37,7 @@ std::vector<TableColumn> discharge_columns(const Case& c) {
 /// A level over the datum as the depth over a floor.
 TimeTable depth_table(const Case& c, const std::optional<double>& depth, const std::filesystem::path& file,
                       double floor) {
-    if (depth) {
-        return TimeTable(*depth + c.datum() - floor);
-    }
+    if (depth) return TimeTable(*depth + c.datum() - floor);
     const double least = 1e-6 + std::max(0.0, floor - c.datum());
     return read_time_table(file, {{"depth", "m", 1.0, c.datum() - floor}}, least);
 }
@@ -70,9 +68,7 @@ VelocityShape profile_from_file(const Case& c, double floor) {
 
 /// Discharge at which a twin gives its profile, m2/s.
 double twin_discharge(const Case& c, const std::optional<TimeTable>& unit_discharge, double depth) {
-    if (unit_discharge && unit_discharge->at(0.0) > 0.0) {
-        return unit_discharge->at(0.0);
-    }
+    if (unit_discharge && unit_discharge->at(0.0) > 0.0) return unit_discharge->at(0.0);
     return c.streamwise_gravity() > 0.0 ? uniform_unit_discharge(c) : 0.1 * depth;
 }
 
@@ -157,9 +153,7 @@ void require_possible(const Case& c, const TimeTable& depth, double floor) {
 /// The depths that an outflow holds in time, over its floor.
 TimeTable outflow_table(const Case& c, double floor) {
     TimeTable table = depth_table(c, c.outflow.depth, c.outflow.depth_file, floor);
-    if (!c.outflow.depth_file.empty()) {
-        require_possible(c, table, floor);
-    }
+    if (!c.outflow.depth_file.empty()) require_possible(c, table, floor);
     return table;
 }
 
@@ -226,18 +220,14 @@ void add_duct(const Case& c, double floor, EndInput& input) {
 double shooting_depth(const Case& c, double q) {
     const double critical = critical_depth_of(c.normal_gravity(), q);
     double depth = std::numeric_limits<double>::infinity();
-    if (!(c.streamwise_gravity() > 0.0) || !(q > 0.0)) {
-        return depth;
-    }
+    if (!(c.streamwise_gravity() > 0.0) || !(q > 0.0)) return depth;
     for (const double place : {0.0, c.channel.length}) {
         Case bed = with_bed_at(c, place);
         bed.channel.sides = Sides::periodic;
         bed.channel.dimensions = 2;
         bed.bed_patches.clear();
         if (!channel_resists(bed)) {
-            if (c.outflow.kind != OutflowKind::free && c.outflow.kind != OutflowKind::free_fall) {
-                continue;
-            }
+            if (c.outflow.kind != OutflowKind::free && c.outflow.kind != OutflowKind::free_fall) continue;
             const double begin = q / critical;
             const double fall = 2.0 * c.streamwise_gravity() * c.channel.length;
             depth = std::min(depth, q / std::sqrt(begin * begin + fall));
@@ -298,16 +288,12 @@ EndInput read_end_input(const Case& c) {
     EndInput input = read_end_levels(c);
     const double floor = end_floors(c).upstream;
     input.entering = entering_flow(c, input.unit_discharge, floor);
-    if (is_duct(c)) {
-        add_duct(c, floor, input);
-    }
+    if (is_duct(c)) add_duct(c, floor, input);
     return input;
 }
 
 double start_unit_discharge(const Case& c, const EndInput& input) {
-    if (input.unit_discharge) {
-        return input.unit_discharge->at(0.0);
-    }
+    if (input.unit_discharge) return input.unit_discharge->at(0.0);
     const bool has_twin = channel_or_walls_resist(c) && !resolves_eddies(c);
     return c.streamwise_gravity() > 0.0 && has_twin ? uniform_unit_discharge(c) : 0.0;
 }
@@ -367,9 +353,7 @@ std::function<double(double)> start_depths(const Case& c, const EndInput& input)
 
 ChannelControls controls_at_ends(const Case& c, const EndInput& input, const SteadyChannel& channel) {
     ChannelControls controls{.length = c.channel.length, .upstream_depth = {}, .downstream_depth = {}};
-    if (input.inflow_depth) {
-        controls.upstream_depth = input.inflow_depth->at(0.0) - c.datum();
-    }
+    if (input.inflow_depth) controls.upstream_depth = input.inflow_depth->at(0.0) - c.datum();
     if (input.outflow_depth) {
         const double critical = critical_depth(channel);
         controls.downstream_depth =

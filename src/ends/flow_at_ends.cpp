@@ -57,9 +57,7 @@ class BedFlow {
     [[nodiscard]] double critical(double q, bool on_bed) {
         if (on_bed && has_channel() && q > 0.0) {
             const double depth = critical_depth(channel(q));
-            if (depth > 0.0) {
-                return depth + case_.datum();
-            }
+            if (depth > 0.0) return depth + case_.datum();
         }
         return critical_depth_of(case_.normal_gravity(), q);
     }
@@ -71,12 +69,8 @@ class BedFlow {
 
   private:
     [[nodiscard]] std::optional<double> find_normal(double q) {
-        if (!has_twin_ || !(case_.streamwise_gravity() > 0.0)) {
-            return std::nullopt;
-        }
-        if (!(q > 0.0)) {
-            return 0.0;
-        }
+        if (!has_twin_ || !(case_.streamwise_gravity() > 0.0)) return std::nullopt;
+        if (!(q > 0.0)) return 0.0;
         try {
             return has_section_ ? twin_normal_depth(case_, q) : normal_depth(channel(q));
         } catch (const InputError&) {
@@ -107,9 +101,7 @@ bool is_disturbed(const Case& c) {
 std::optional<VariedFlow> steady_flow(const Case& c, const EndInput& input, BedFlow& bed, double q) {
     const bool steady = c.inflow.discharge_file.empty() && c.inflow.depth_file.empty() &&
                         c.outflow.depth_file.empty() && q > 0.0;
-    if (!bed.has_channel() || is_disturbed(c) || !steady) {
-        return std::nullopt;
-    }
+    if (!bed.has_channel() || is_disturbed(c) || !steady) return std::nullopt;
     try {
         const auto reaches = c.bed_patches.empty()
                                  ? std::vector<Reach>{{"", 0.0, c.channel.length, bed.channel(q)}}
@@ -154,9 +146,7 @@ std::vector<Instant> extreme_instants(const Case& c, const EndInput& input, doub
         const double q = input.unit_discharge ? input.unit_discharge->at(time) : of_start;
         all.push_back({time, q, input.inflow_depth ? input.inflow_depth->at(time) : 0.0,
                        input.outflow_depth ? input.outflow_depth(q, time) : 0.0});
-        if (!input.unit_discharge && !input.inflow_depth && !input.outflow_table) {
-            break;
-        }
+        if (!input.unit_discharge && !input.inflow_depth && !input.outflow_table) break;
     }
     const auto depth_in = [&](const Instant& at) {
         return input.inflow_depth ? at.inflow_depth : other_depth;
@@ -187,15 +177,11 @@ std::vector<Instant> extreme_instants(const Case& c, const EndInput& input, doub
 
 /// Adds what a depth (m, over what the water stands on there) means at an end.
 void add_depth(const Case& c, BedFlow& bed, double q, double depth, FlowAtEnd& end) {
-    if (!(depth > 0.0)) {
-        return;
-    }
+    if (!(depth > 0.0)) return;
     const bool on_bed = end.floor == 0.0;
     widen(end.depth, is_duct(c) ? depth : depth + (on_bed ? -c.datum() : end.floor));
     widen(end.velocity, bed.velocity(q, depth, on_bed));
-    if (!is_duct(c)) {
-        widen(end.froude, bed.froude(q, depth, on_bed));
-    }
+    if (!is_duct(c)) widen(end.froude, bed.froude(q, depth, on_bed));
 }
 
 /// Adds the critical and the normal depth of a discharge at an end.
@@ -203,12 +189,8 @@ void add_characteristic_depths(const Case& c, BedFlow& bed, double q, FlowAtEnd&
     const bool on_bed = end.floor == 0.0;
     end.critical_of_profile = on_bed && bed.has_channel();
     widen(end.critical_depth, bed.critical(q, on_bed) - (on_bed ? c.datum() : 0.0));
-    if (!on_bed) {
-        return;
-    }
-    if (const auto normal = bed.normal(q)) {
-        widen(end.normal_depth, *normal);
-    }
+    if (!on_bed) return;
+    if (const auto normal = bed.normal(q)) widen(end.normal_depth, *normal);
 }
 
 DepthSource source_of_inflow(const Case& c, const EndInput& input, bool has_flow, bool has_uniform_flow) {
@@ -265,16 +247,12 @@ FlowAtEnds flow_at_ends(const Case& c) {
                               : uniform          ? std::max(*uniform + c.datum(), bed.critical(q, true))
                                         : std::max(of_start, bed.critical(q, states.inflow.floor == 0.0));
         add_depth(c, bed, q, before, states.inflow);
-        if (input.outflow_depth) {
-            widen(states.held_depth, at.outflow_depth + floors.downstream - c.datum());
-        }
+        if (input.outflow_depth) widen(states.held_depth, at.outflow_depth + floors.downstream - c.datum());
         add_depth(c, bed_at_outflow, q,
                   flow ? flow->depth_at(c.channel.length) + c.datum() : at.outflow_depth, states.outflow);
     }
     if (c.inflow.profile == InflowProfile::file) {
-        for (const double z : read_profile_record(c.inflow.profile_file).z) {
-            widen(states.profile_heights, z);
-        }
+        for (const double z : read_profile_record(c.inflow.profile_file).z) widen(states.profile_heights, z);
     }
     states.unit_discharge = discharge.value_or(Extremes{});
     if (is_duct(c) && c.fluid.kinematic_viscosity > 0.0) {

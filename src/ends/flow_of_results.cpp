@@ -57,9 +57,7 @@ void require_fitting(const Case& c, const Case& other) {
                    "eddies are as large as that",
                    other.total_depth(), depth));
     }
-    if (c.channel.dimensions == 2) {
-        return;
-    }
+    if (c.channel.dimensions == 2) return;
     if (other.channel.sides != c.channel.sides) {
         refuse(c, fmt::format(
                       R"(it was run with sides = "{}", this case has "{}"; give a run of the same sides)",
@@ -145,9 +143,7 @@ void require_flowing(const Case& c, const RecordedWater& water) {
     std::vector<double> means;
     for (const std::vector<float>& moment : water.velocity) {
         double sum = 0.0;
-        for (std::size_t i = 0; i < moment.size(); i += 3) {
-            sum += static_cast<double>(moment[i]);
-        }
+        for (std::size_t i = 0; i < moment.size(); i += 3) sum += static_cast<double>(moment[i]);
         means.push_back(sum / (static_cast<double>(moment.size()) / 3.0));
     }
     const double mean = std::accumulate(means.begin(), means.end(), 0.0) / static_cast<double>(means.size());

@@ -17,18 +17,14 @@ void InflowStreams::begin(OpenEndsState& state, int rows, double front) const {
 void InflowStreams::advance(OpenEndsState& state, double dt,
                             const std::function<double(int, int)>& velocity) const {
     for (int row = 0; row < state.rows; ++row) {
-        for (int file = 0; file < files_; ++file) {
-            front(state, row, file) += dt * velocity(row, file);
-        }
+        for (int file = 0; file < files_; ++file) front(state, row, file) += dt * velocity(row, file);
     }
 }
 
 void InflowStreams::rearrange(OpenEndsState& state, double depth) const {
     constexpr double most =
         0.7;  // of a row: a depth that wavers about a half does not change it again and again
-    if (std::abs(depth / row_height_ - state.rows) <= most) {
-        return;
-    }
+    if (std::abs(depth / row_height_ - state.rows) <= most) return;
     const int rows = rows_for(depth);
     OpenEndsState next = state;
     begin(next, rows, 0.0);
@@ -46,9 +42,7 @@ void InflowStreams::rearrange(OpenEndsState& state, double depth) const {
                 }
             }
         }
-        for (int file = 0; file < files_; ++file) {
-            front(next, row, file) += after;
-        }
+        for (int file = 0; file < files_; ++file) front(next, row, file) += after;
     }
     state = next;
 }
@@ -59,9 +53,7 @@ void InflowStreams::fill(OpenEndsState& state, double depth,
     for (int row = 0; row < state.rows; ++row) {
         for (int file = 0; file < files_; ++file) {
             double& last = front(state, row, file);
-            while (last < upstream_edge_ - step) {
-                last += step;
-            }
+            while (last < upstream_edge_ - step) last += step;
             while (last > upstream_edge_) {
                 last -= step;
                 add(row, file, last);

@@ -31,9 +31,7 @@ constexpr std::size_t fixed_numbers = 25;
 
 std::vector<double> OpenEndsState::numbers() const {
     std::vector<double> all;
-    if (!begun) {
-        return all;
-    }
+    if (!begun) return all;
     const auto add = [&all](double number) { all.push_back(number); };
     add(travel);
     add(rows);
@@ -50,9 +48,7 @@ std::vector<double> OpenEndsState::numbers() const {
 
 OpenEndsState OpenEndsState::from(const std::vector<double>& numbers) {
     OpenEndsState state;
-    if (numbers.empty()) {
-        return state;
-    }
+    if (numbers.empty()) return state;
     if (numbers.size() < fixed_numbers) {
         throw std::invalid_argument("too few numbers for the state of open ends");
     }

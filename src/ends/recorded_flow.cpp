@@ -19,9 +19,7 @@ RecordedFlow::RecordedFlow(RecordedWater water) : water_(std::move(water)) {
 
 std::size_t RecordedFlow::bytes() const {
     std::size_t bytes = mean_.capacity() * sizeof(double) + pairs_.capacity() * sizeof(pairs_[0]);
-    for (const auto& moment : water_.velocity) {
-        bytes += moment.capacity() * sizeof(float);
-    }
+    for (const auto& moment : water_.velocity) bytes += moment.capacity() * sizeof(float);
     return bytes;
 }
 
@@ -48,17 +46,13 @@ void RecordedFlow::take_off_mean() {
     double fastest = 0.0;
     for (auto& moment : water_.velocity) {
         for_cells(moment, [&](const float* velocity, double* mean) {
-            for (std::size_t k = 0; k < 3; ++k) {
-                mean[k] += share * static_cast<double>(velocity[k]);
-            }
+            for (std::size_t k = 0; k < 3; ++k) mean[k] += share * static_cast<double>(velocity[k]);
             fastest = std::max(fastest, static_cast<double>(velocity[0]));
         });
     }
     for (auto& moment : water_.velocity) {
         for_cells(moment, [](float* velocity, const double* mean) {
-            for (std::size_t k = 0; k < 3; ++k) {
-                velocity[k] -= static_cast<float>(mean[k]);
-            }
+            for (std::size_t k = 0; k < 3; ++k) velocity[k] -= static_cast<float>(mean[k]);
         });
     }
     double largest = 0.0;
@@ -153,9 +147,7 @@ Vec<3> RecordedFlow::departure(std::size_t moment, double x, double y, double pl
             weight *= high ? at[axis].share : 1.0 - at[axis].share;
         }
         const std::size_t first = 3 * ((cell[2] * ny + cell[1]) * nx + cell[0]);
-        for (std::size_t k = 0; k < 3; ++k) {
-            result[k] += weight * static_cast<double>(velocity[first + k]);
-        }
+        for (std::size_t k = 0; k < 3; ++k) result[k] += weight * static_cast<double>(velocity[first + k]);
     }
     return result;
 }

@@ -13,9 +13,7 @@ namespace {
 
 /// Mean depth of the water of the start over what it stands on, m.
 double mean_depth_of_start(const Case& c, const EndInput& input) {
-    if (is_duct(c)) {
-        return c.total_depth();
-    }
+    if (is_duct(c)) return c.total_depth();
     constexpr int places = 200;
     const auto level = start_depths(c, input);
     double sum = 0.0;
@@ -33,9 +31,7 @@ double relaxation_time_between_ends(const Case& c) {
     const double depth = mean_depth_of_start(c, input);
     const double discharge = start_unit_discharge(c, input);
     double time = c.channel.length / wave_speed(c.normal_gravity(), c.total_depth());
-    if (discharge > 0.0) {
-        time = std::max(time, depth * c.channel.length / discharge);
-    }
+    if (discharge > 0.0) time = std::max(time, depth * c.channel.length / discharge);
     // What falls over an edge or shoots off is ruled by nothing there.
     return input.outflow_depth ? std::max(time, input.relaxation_time) : time;
 }

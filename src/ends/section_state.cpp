@@ -29,9 +29,7 @@ Section inflow_by_discharge(double gravity, double unit_discharge, double coming
         const double next = std::max(0.5 * c, c - excess / slope);
         const bool found = std::abs(next - c) <= 1e-14 * c;
         c = next;
-        if (found) {
-            break;
-        }
+        if (found) break;
     }
     c = std::max(c, critical);
     const double depth = c * c / gravity;

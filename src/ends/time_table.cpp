@@ -15,9 +15,7 @@ namespace {
 
 std::string names_of(const std::vector<TableColumn>& columns) {
     std::string names;
-    for (const TableColumn& column : columns) {
-        names += (names.empty() ? "" : " or ") + column.name;
-    }
+    for (const TableColumn& column : columns) names += (names.empty() ? "" : " or ") + column.name;
     return names;
 }
 

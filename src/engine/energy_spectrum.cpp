@@ -23,15 +23,11 @@ EnergySpectrum::EnergySpectrum(const std::filesystem::path& path) {
 }
 
 double EnergySpectrum::at(double wavenumber) const {
-    if (wavenumber < wavenumber_.front() || wavenumber > wavenumber_.back()) {
-        return 0.0;
-    }
+    if (wavenumber < wavenumber_.front() || wavenumber > wavenumber_.back()) return 0.0;
     const TablePlace place = place_in(wavenumber_, wavenumber);
     const double low = energy_[place.low];
     const double high = energy_[place.high];
-    if (low == 0.0 || high == 0.0 || place.low == place.high) {
-        return place.in(energy_);
-    }
+    if (low == 0.0 || high == 0.0 || place.low == place.high) return place.in(energy_);
     const double share = std::log(wavenumber / wavenumber_[place.low]) /
                          std::log(wavenumber_[place.high] / wavenumber_[place.low]);
     return low * std::pow(high / low, share);
@@ -40,9 +36,7 @@ double EnergySpectrum::at(double wavenumber) const {
 double EnergySpectrum::velocity_rms(double largest) const {
     const double first = wavenumber_.front();
     const double last = std::min(largest, wavenumber_.back());
-    if (!(last > first)) {
-        return 0.0;
-    }
+    if (!(last > first)) return 0.0;
     constexpr int parts = 4000;
     const double step = (last - first) / parts;
     double energy = 0.0;

@@ -28,12 +28,8 @@ template <int D, class Real>
 void FlowOf<D, Real>::refer_to_particles() {
     auto& water = this->particles;
     if (water.created == 0) {
-        for (const std::int32_t id : water.id) {
-            water.created = std::max(water.created, id + 1);
-        }
-        for (const LostParticle& lost : water.lost) {
-            water.created = std::max(water.created, lost.id + 1);
-        }
+        for (const std::int32_t id : water.id) water.created = std::max(water.created, id + 1);
+        for (const LostParticle& lost : water.lost) water.created = std::max(water.created, lost.id + 1);
     }
     for (std::size_t k = 0; k < axes; ++k) {
         particle_data.position[k] = water.position[k].data();
@@ -51,9 +47,7 @@ template <int D, class Real>
 bool FlowOf<D, Real>::stays(std::size_t particle) const {
     for (std::size_t k = 0; k < axes; ++k) {
         const double x = this->particles.position[k][particle];
-        if (!(x >= particle_data.stay_from[k] && x < particle_data.stay_to[k])) {
-            return false;
-        }
+        if (!(x >= particle_data.stay_from[k] && x < particle_data.stay_to[k])) return false;
     }
     return true;
 }
@@ -61,18 +55,14 @@ bool FlowOf<D, Real>::stays(std::size_t particle) const {
 template <int D, class Real>
 void FlowOf<D, Real>::pack(Displacement<D>* displacement, std::size_t begin, std::size_t end) {
     particle_loops.pack(particle_data, data, displacement, begin, end);
-    if (porous.empty()) {
-        return;
-    }
+    if (porous.empty()) return;
     const auto& position = this->particles.position;
     for_particles(begin, end, [&](std::size_t i, std::size_t lane) {
         const PorousMedia::At at =
             porous.at_with_normal(D, position[0][i], D == 3 ? position[1][i] : 0.0, position[vertical][i]);
         porous_at[i] = at;
         MotionRecord<D, Real>& record = data.motion[begin * cluster_size + lane];
-        for (Real& u : record.u) {
-            u *= static_cast<Real>(at.porosity);
-        }
+        for (Real& u : record.u) u *= static_cast<Real>(at.porosity);
         record.volume /= static_cast<Real>(at.porosity);
     });
 }
@@ -95,9 +85,7 @@ void FlowOf<D, Real>::put_media_in_stress(std::size_t begin, std::size_t end) {
 
 template <int D, class Real>
 void FlowOf<D, Real>::repack() {
-    if (!porous.empty()) {
-        porous_at.resize(this->particles.size());
-    }
+    if (!porous.empty()) porous_at.resize(this->particles.size());
     parallel_blocks(clusters.size(), light_block,
                     [&](std::size_t begin, std::size_t end) { pack(&moved, begin, end); });
     moved_known = true;

@@ -177,9 +177,7 @@ struct FlowOf : FlowIn<D> {
     template <class F>
     void for_particles(std::size_t begin, std::size_t end, const F& f) const {
         for_clusters(begin, end, [&f](std::size_t first, std::size_t last, std::size_t first_lane) {
-            for (std::size_t i = first; i < last; ++i) {
-                f(i, first_lane + (i - first));
-            }
+            for (std::size_t i = first; i < last; ++i) f(i, first_lane + (i - first));
         });
     }
     /// f(task, begin, end) for blocks of clusters, in parallel or, where a thread is `alone` with its strip,
@@ -192,9 +190,7 @@ struct FlowOf : FlowIn<D> {
             f(this_task(), begin, std::min(begin + block_clusters, cluster_count));
         };
         if (alone) {
-            for (std::size_t i = 0; i < blocks.size(); ++i) {
-                one(i);
-            }
+            for (std::size_t i = 0; i < blocks.size(); ++i) one(i);
         } else {
             parallel_blocks(blocks.size(), 1, [&](std::size_t i, std::size_t) { one(i); });
         }
@@ -219,9 +215,7 @@ struct FlowOf : FlowIn<D> {
         thread_local Task task;
         const std::size_t needed =
             std::max({fluid_fluid.buffer_size(), fluid_wall.buffer_size(), wall_fluid.buffer_size()});
-        if (task.sums.slots.size() < needed) {
-            task.sums.slots.resize(needed);
-        }
+        if (task.sums.slots.size() < needed) task.sums.slots.resize(needed);
         return task;
     }
 };

@@ -110,9 +110,7 @@ PairConstants<D, Real> pair_constants(const Case& c, const Scheme& scheme, const
     const bool in_loops = diffusion != DensityDiffusion::none && diffusion != DensityDiffusion::antuono;
     const bool by_gradient = c.numerics.kernel_correction == KernelCorrection::kernel_gradient;
     PairConstants<D, Real> constants{};
-    for (std::size_t k = 0; k < D; ++k) {
-        constants.unit[k] = static_cast<Real>(fixed_point.unit(k) / h);
-    }
+    for (std::size_t k = 0; k < D; ++k) constants.unit[k] = static_cast<Real>(fixed_point.unit(k) / h);
     constants.h = static_cast<Real>(h);
     constants.gradient_scale = static_cast<Real>(std::pow(h, -(D + 2)));
     constants.diffusion =
@@ -194,9 +192,7 @@ ParticleData<D> particle_constants(const Case& c, const Scheme& scheme, const Do
         data.normal_weight_across = stress_weight(true, true, spanwise_ratio(c));
         if (c.has_side_wall_drag()) {
             data.layer_below = c.side_layer();
-            if (c.channel.sides == Sides::walls) {
-                data.layer_above = c.channel.width - c.side_layer();
-            }
+            if (c.channel.sides == Sides::walls) data.layer_above = c.channel.width - c.side_layer();
         }
     }
     return data;

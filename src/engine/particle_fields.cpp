@@ -22,9 +22,7 @@ void ParticleFields::for_each(Self& self, const F& f) {
     f(self.viscous_acceleration_x);
     f(self.shear_stress);
     f(self.lateral_shear_stress);
-    for (SparseValues ParticleFields::*const force : near_walls(3)) {
-        f(self.*force);
-    }
+    for (SparseValues ParticleFields::*const force : near_walls(3)) f(self.*force);
 }
 
 namespace {
@@ -53,9 +51,7 @@ std::size_t bytes_of(const std::vector<double>& values) { return values.capacity
 
 void ParticleFields::release(bool with_viscosity) {
     for_each(*this, [](auto& values) { release_values(values); });
-    if (with_viscosity) {
-        eddy_viscosity.release();
-    }
+    if (with_viscosity) eddy_viscosity.release();
 }
 
 void ParticleFields::keep(const std::vector<std::int32_t>& particles, std::size_t out_of) {

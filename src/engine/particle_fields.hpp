@@ -40,9 +40,7 @@ struct ParticleFields {
         viscous_acceleration_x.assign(n, 0.0);
         shear_stress.assign(n, 0.0);
         lateral_shear_stress.assign(dimensions == 3 ? n : 0, 0.0);
-        for (SparseValues ParticleFields::*const force : near_walls(dimensions)) {
-            (this->*force).reset(n);
-        }
+        for (SparseValues ParticleFields::*const force : near_walls(dimensions)) (this->*force).reset(n);
     }
     /// Keep those of these particles alone, in this order, which is that of their numbers, out of so many.
     /// Values of another number of them are of before some came or went, and are freed.

@@ -40,9 +40,7 @@ std::vector<BlockPair> listed_blocks(const NeighbourList& list, std::size_t j_bl
         }
     });
     std::vector<BlockPair> all;
-    for (const auto& part : parts) {
-        all.insert(all.end(), part.begin(), part.end());
-    }
+    for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
     return all;
 }
 
@@ -65,9 +63,7 @@ std::size_t strips_of(std::size_t blocks, std::size_t reach, std::size_t threads
     constexpr std::size_t good_length = 16;  // in reaches
     constexpr std::size_t least_length = 6;
     constexpr std::size_t longest_reach = 20;  // of 128 particles of some 200 bytes
-    if (threads <= 1 || reach > longest_reach || blocks < threads * least_length * reach) {
-        return 1;
-    }
+    if (threads <= 1 || reach > longest_reach || blocks < threads * least_length * reach) return 1;
     return threads * std::clamp<std::size_t>(blocks / (threads * good_length * reach), 1, most_per_thread);
 }
 
@@ -89,9 +85,7 @@ class WavesOfBlocks {
             }
             begin_.push_back(strip_of_.size());
         }
-        if (strips > 1 || strip_of_.empty()) {
-            strip_of_.push_back(strips);
-        }
+        if (strips > 1 || strip_of_.empty()) strip_of_.push_back(strips);
     }
 
     [[nodiscard]] const Waves& first_pass() const { return first_pass_; }
@@ -122,12 +116,8 @@ class WavesOfBlocks {
 
 BlocksOfPass::BlocksOfPass(std::span<const std::uint32_t> wave_of_block, std::size_t waves)
     : blocks_(wave_of_block.size()), begin_(waves + 1) {
-    for (const std::uint32_t wave : wave_of_block) {
-        ++begin_[wave + 1];
-    }
-    for (std::size_t wave = 0; wave < waves; ++wave) {
-        begin_[wave + 1] += begin_[wave];
-    }
+    for (const std::uint32_t wave : wave_of_block) ++begin_[wave + 1];
+    for (std::size_t wave = 0; wave < waves; ++wave) begin_[wave + 1] += begin_[wave];
     std::vector<std::size_t> next(begin_.begin(), begin_.end() - 1);
     for (std::size_t block = 0; block < wave_of_block.size(); ++block) {
         blocks_[next[wave_of_block[block]]++] = static_cast<std::uint32_t>(block);
@@ -235,9 +225,7 @@ PassOrder order_passes(std::span<const PassDeclaration> passes, std::span<const 
         waves.push_back(std::move(own));
     }
     PassOrder order{.waves = groups.count(), .passes = {}, .strip_begin = groups.strip_begin()};
-    for (const Waves& own : waves) {
-        order.passes.emplace_back(own, order.waves);
-    }
+    for (const Waves& own : waves) order.passes.emplace_back(own, order.waves);
     return order;
 }
 

@@ -22,9 +22,7 @@ double largest_free_speed(const Case& c) {
     double fall = 0.0;
     for (const Solid& solid : c.solids) {
         const auto z = solid.motion == SolidMotion::free ? extent_of(c, solid, 2) : std::nullopt;
-        if (z && z->low > c.total_depth()) {
-            fall = std::max(fall, z->low);
-        }
+        if (z && z->low > c.total_depth()) fall = std::max(fall, z->low);
     }
     return std::sqrt(0.5 * c.fluid.gravity * fall);
 }
@@ -47,9 +45,7 @@ double expected_velocity(const Case& c, const ColumnResult* column, const EndExt
     }
     velocity = std::max(velocity, ends.velocity);
     if (column != nullptr) {
-        for (const double u : column->profile.velocity) {
-            velocity = std::max(velocity, std::abs(u));
-        }
+        for (const double u : column->profile.velocity) velocity = std::max(velocity, std::abs(u));
     }
     return velocity;
 }

@@ -123,9 +123,7 @@ FittedValue zero_of_log_wake(const Shape& shape, double wake) {
     const double second = log_wake_second(xi, wake);
     gradient(0) = -1.0 / (steepness * slope);
     gradient(1) = -second / (steepness * slope);
-    if (!shape.steepness_given) {
-        gradient(2) = (shape.offset_ratio.value + dip * second) / (steepness * slope);
-    }
+    if (!shape.steepness_given) gradient(2) = (shape.offset_ratio.value + dip * second) / (steepness * slope);
     const double half = propagated_half_width(shape.fit, gradient);
     return {xi, xi * half, {xi * std::exp(-half), xi * std::exp(half)}};
 }

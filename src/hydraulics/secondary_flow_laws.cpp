@@ -68,8 +68,9 @@ double BedStressFit::at(double y) const {
 }
 
 BedStressFit fit_bed_stress(std::span<const double> y, std::span<const double> stress) {
-    if (y.size() != stress.size())
+    if (y.size() != stress.size()) {
         throw InputError("fit of the bed stress: places and stresses differ in number");
+    }
     std::vector<double> place;
     std::vector<double> value;
     for (std::size_t i = 0; i < y.size(); ++i) {

@@ -23,16 +23,12 @@ std::optional<double> depth_of_zero(const SteadyChannel& channel, Function risin
     double high = low;
     constexpr double most = 1e12;  // beyond all that is called a depth, m
     while (rising(low) > 0.0) {
-        if (low <= least) {
-            return std::nullopt;
-        }
+        if (low <= least) return std::nullopt;
         high = low;
         low = std::max(0.5 * low, least);
     }
     while (!(rising(high) > 0.0)) {
-        if (high > most) {
-            return std::nullopt;
-        }
+        if (high > most) return std::nullopt;
         low = high;
         high *= 2.0;
     }

@@ -60,9 +60,7 @@ SurfaceCurve::SurfaceCurve(SteadyChannel channel, double place, double control, 
         const bool last =
             std::isfinite(far_depth_) && !approaches &&
             (to - far_depth_) * (control - far_depth_) <= same * far_depth_ * std::abs(control - far_depth_);
-        if (last) {
-            to = far_depth_;
-        }
+        if (last) to = far_depth_;
         check_depth(to);
         depth_.push_back(to);
         distance_.push_back(distance_.back() + distance_between(from, to));
@@ -109,8 +107,9 @@ double SurfaceCurve::depth_at(double x) const {
     const double distance = std::clamp(static_cast<double>(direction_) * (x - place_), 0.0, length_);
     const auto above = std::upper_bound(distance_.begin(), distance_.end(), distance);
     if (uniform_ || above == distance_.begin()) return depth_.front();
-    if (above == distance_.end())
+    if (above == distance_.end()) {
         return std::isfinite(far_depth_) && distance > distance_.back() ? far_depth_ : depth_.back();
+    }
     const auto k = static_cast<std::size_t>(above - distance_.begin());
     return root_between(
         [&](double h) { return distance_[k - 1] + distance_between(depth_[k - 1], h) - distance; },

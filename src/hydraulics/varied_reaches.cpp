@@ -25,25 +25,17 @@ double depth_over_edge(const Reach& reach, double critical, const Reach& below, 
     const auto surplus = [&](double depth) {
         return reach.channel.momentum(depth) - below.channel.momentum(depth_below);
     };
-    if (surplus(critical) >= 0.0) {
-        refuse_supercritical(reach);
-    }
+    if (surplus(critical) >= 0.0) refuse_supercritical(reach);
     double high = 2.0 * depth_below;
-    while (surplus(high) < 0.0) {
-        high *= 2.0;
-    }
+    while (surplus(high) < 0.0) high *= 2.0;
     return root_between(surplus, critical, high);
 }
 
 }  // namespace
 
 VariedFlow solve_varied_reaches(const std::vector<Reach>& reaches, const ChannelControls& controls) {
-    if (reaches.size() == 1) {
-        return solve_varied_flow(reaches.front().channel, controls);
-    }
-    if (controls.upstream_depth) {
-        refuse_supercritical(reaches.front());
-    }
+    if (reaches.size() == 1) return solve_varied_flow(reaches.front().channel, controls);
+    if (controls.upstream_depth) refuse_supercritical(reaches.front());
     VariedFlow whole;
     ChannelControls of_reach = controls;
     for (std::size_t i = reaches.size(); i-- > 0;) {

@@ -24,12 +24,14 @@ class BedForce final : public Instrument {
             if (!left_out) add_record(field, {}, true);
         }
         for (std::size_t k = 0; k < solids_; ++k) {
-            for (const Field& field : fields_of(fields::solid_forces))
+            for (const Field& field : fields_of(fields::solid_forces)) {
                 add_record_of_solid(field, k + 1, c.solids[k].name);
+            }
         }
         for (const FreeBody& body : free_bodies(c)) {
-            for (const Field& field : fields_of(fields::body_motion))
+            for (const Field& field : fields_of(fields::body_motion)) {
                 add_record_of_solid(field, body.solid() + 1, c.solids[body.solid()].name);
+            }
             centres_.push_back(body.centre_of_mass());
         }
     }
@@ -90,9 +92,7 @@ class BedForce final : public Instrument {
                 row.push_back(body.angular_velocity[axis]);
             }
         }
-        for (std::size_t k = 0; k < records().size(); ++k) {
-            record(k).add(row[k]);
-        }
+        for (std::size_t k = 0; k < records().size(); ++k) record(k).add(row[k]);
         end_row();
     }
     [[nodiscard]] bool looks_at_fluid() const override { return false; }

@@ -30,16 +30,12 @@ struct Moments {
         std::size_t product = 0;
         for (std::size_t k = 0; k < D; ++k) {
             r[k] += weight * distance[k];
-            for (std::size_t l = k; l < D; ++l) {
-                rr[product++] += weight * distance[k] * distance[l];
-            }
+            for (std::size_t l = k; l < D; ++l) rr[product++] += weight * distance[k] * distance[l];
         }
         for (std::size_t n = 0; n < N; ++n) {
             const double flux = weight * values[n];
             quantity[n][0] += flux;
-            for (std::size_t l = 0; l < D; ++l) {
-                quantity[n][l + 1] += flux * distance[l];
-            }
+            for (std::size_t l = 0; l < D; ++l) quantity[n][l + 1] += flux * distance[l];
         }
     }
 };
@@ -68,9 +64,7 @@ struct LinearFit {
             Symmetric<double, 3> about = m.rr;
             std::size_t product = 0;
             for (std::size_t k = 0; k < 3; ++k) {
-                for (std::size_t l = k; l < 3; ++l) {
-                    about[product++] -= m.r[k] * m.r[l] / m.one;
-                }
+                for (std::size_t l = k; l < 3; ++l) about[product++] -= m.r[k] * m.r[l] / m.one;
             }
             const auto size = determinant<double, 3>(about);
             // Of a full support the second moments are about 0.25; a thousandth of that says nothing.
@@ -87,9 +81,7 @@ struct LinearFit {
     }
     [[nodiscard]] double value(const std::array<double, static_cast<std::size_t>(D) + 1>& sums) const {
         double result = weight[0] * sums[0];
-        for (std::size_t k = 1; k <= D; ++k) {
-            result += weight[k] * sums[k];
-        }
+        for (std::size_t k = 1; k <= D; ++k) result += weight[k] * sums[k];
         return result;
     }
 };
@@ -112,9 +104,7 @@ std::optional<FluidView::Velocity> velocity_below(const FluidView& view, Vec<3> 
     constexpr int points = 5;
     for (int point = 0; point < points; ++point) {
         const FluidView::Velocity velocity = view.velocity_at(place);
-        if (std::isfinite(velocity.u)) {
-            return velocity;
-        }
+        if (std::isfinite(velocity.u)) return velocity;
         place[2] -= 0.5 * smoothing_length;
     }
     return std::nullopt;
@@ -178,9 +168,7 @@ FluidViewIn<D>::FluidViewIn(const Case& c, const Particles<D>& particles, double
             volume_[i] /= porosity_[i];
         }
     }
-    for (std::size_t i = 0; i < mirrored_.of.size(); ++i) {
-        volume_[n + i] = volume_[mirrored_.of[i]];
-    }
+    for (std::size_t i = 0; i < mirrored_.of.size(); ++i) volume_[n + i] = volume_[mirrored_.of[i]];
 }
 
 template <int D>
@@ -188,9 +176,7 @@ template <class F>
 void FluidViewIn<D>::weigh_around(const Vec<3>& point, const F& f) const {
     Vec<D> at{};
     at[0] = point[0];
-    if constexpr (D == 3) {
-        at[1] = point[1];
-    }
+    if constexpr (D == 3) at[1] = point[1];
     at[D - 1] = point[2];
     const double inverse_h = 1.0 / h_;
     visit_kernel<D>(kernel_, [&](auto kernel) {
@@ -201,13 +187,9 @@ void FluidViewIn<D>::weigh_around(const Vec<3>& point, const F& f) const {
                 r[k] = cells_.distance(k, cells_.positions()[k][j], at[k]) * inverse_h;
                 squared += r[k] * r[k];
             }
-            if (squared >= 4.0) {
-                return;
-            }
+            if (squared >= 4.0) return;
             double weight = volume_[j];
-            for (std::size_t k = 0; k < D; ++k) {
-                weight *= inverse_h;
-            }
+            for (std::size_t k = 0; k < D; ++k) weight *= inverse_h;
             weight *= decltype(kernel)::value(std::sqrt(squared));
             f(j, weight, r);
         });
@@ -232,9 +214,7 @@ std::array<double, N> FluidViewIn<D>::interpolate(const Vec<3>& point, const Val
         return result;
     }
     const LinearFit<D> fit(m);
-    for (std::size_t k = 0; k < N; ++k) {
-        result[k] = fit.value(m.quantity[k]);
-    }
+    for (std::size_t k = 0; k < N; ++k) result[k] = fit.value(m.quantity[k]);
     return result;
 }
 
@@ -311,9 +291,7 @@ FluidView::Pressure FluidViewIn<D>::pressure_on_solid(const Vec<3>& place, const
 template <int D>
 std::vector<double> FluidViewIn<D>::surface_at(std::span<const Vec<2>> at) const {
     std::vector<Vec<D - 1>> places(at.size());
-    for (std::size_t i = 0; i < at.size(); ++i) {
-        std::copy_n(at[i].begin(), D - 1, places[i].begin());
-    }
+    for (std::size_t i = 0; i < at.size(); ++i) std::copy_n(at[i].begin(), D - 1, places[i].begin());
     return find_surface<D>(detection_, surface_threshold_, {domain_, positions(), volume_, kernel_, h_},
                            places);
 }
@@ -325,9 +303,7 @@ FluidView::Section FluidViewIn<D>::section_at(double x, const WorkingValues* pre
     const double inverse_h = 1.0 / h_;
     visit_kernel<1>(kernel_, [&](auto kernel) {
         cells_.around_section(x, [&](std::size_t j) {
-            if (j >= n) {
-                return;
-            }
+            if (j >= n) return;
             const double q = std::abs(cells_.distance(0, cells_.positions()[0][j], x)) * inverse_h;
             const double weight = inverse_h * decltype(kernel)::value(q);
             const double area = volume_[j] * weight;
@@ -337,9 +313,7 @@ FluidView::Section FluidViewIn<D>::section_at(double x, const WorkingValues* pre
             section.depth += area;
             section.momentum_flux += particles_.mass[j] * weight * u * u;
             double squares = 0.0;
-            for (const auto& component : particles_.velocity) {
-                squares += component[j] * component[j];
-            }
+            for (const auto& component : particles_.velocity) squares += component[j] * component[j];
             const double push = pressure != nullptr ? area * (*pressure)[j] : 0.0;
             const double per_mass = 0.5 * squares + gravity_ * particles_.position[D - 1][j];
             section.pressure_force += push;

@@ -47,9 +47,7 @@ void Instrument::add_record(const Field& field, std::vector<std::size_t> row_sha
     if (!has(field)) return;
     InstrumentRecord record{
         field.name, field.unit.in(dimensions_), field.meaning.in(dimensions_), std::move(row_shape), {}};
-    if (in_double) {
-        record.values = std::vector<double>();
-    }
+    if (in_double) record.values = std::vector<double>();
     records_.push_back(std::move(record));
 }
 

@@ -36,9 +36,7 @@ void check_frequencies(const Case& c, double largest_step) {
                 p.name, p.sampling_frequency, largest_step, limit);
         }
     }
-    if (!faults.empty()) {
-        throw InputError(faults);
-    }
+    if (!faults.empty()) throw InputError(faults);
 }
 
 Dataset rows_of(const std::string& group, InstrumentRecord record, std::size_t rows) {
@@ -89,13 +87,9 @@ ProbeSet::ProbeSet(const Case& c, double largest_step) {
         member.due = due_after_at_frequency(probe.start, probe.sampling_frequency);
         members_.push_back(std::move(member));
     };
-    for (const Probe& probe : c.probes) {
-        add(probe, false);
-    }
+    for (const Probe& probe : c.probes) add(probe, false);
     StandardProbes standard = standard_probes(c, largest_step);
-    for (const Probe& probe : standard.probes) {
-        add(probe, true);
-    }
+    for (const Probe& probe : standard.probes) add(probe, true);
     notes_ = std::move(standard.notes);
 }
 
@@ -112,9 +106,7 @@ bool ProbeSet::due_for_fields_in_fluid(double time) const {
 
 double ProbeSet::forces_due() const {
     double due = std::numeric_limits<double>::infinity();
-    for (const Member& m : members_) {
-        due = m.instrument->needs_fields() ? std::min(due, m.due) : due;
-    }
+    for (const Member& m : members_) due = m.instrument->needs_fields() ? std::min(due, m.due) : due;
     return due;
 }
 
@@ -129,18 +121,14 @@ void ProbeSet::record(const FlowState& state, bool looks_at_fluid) {
 
 std::size_t ProbeSet::pending_bytes() const {
     std::size_t bytes = 0;
-    for (const Member& m : members_) {
-        bytes += m.instrument->rows() * m.instrument->row_bytes();
-    }
+    for (const Member& m : members_) bytes += m.instrument->rows() * m.instrument->row_bytes();
     return bytes;
 }
 
 Content ProbeSet::take_new_rows() {
     Content content;
     for (Member& m : members_) {
-        if (m.taken == 0) {
-            add_description(content, m);
-        }
+        if (m.taken == 0) add_description(content, m);
         const std::size_t rows = m.instrument->rows();
         for (InstrumentRecord& record : m.instrument->take()) {
             content.datasets.push_back(rows_of(group_of(*m.instrument), std::move(record), rows));

@@ -24,18 +24,14 @@ class StandardSet {
     StandardSet(const Case& c, double largest_step) : c_(c) {
         // Halved where the steps are long.
         const double limit = 0.25 / largest_step;
-        for (frequency_ = usual_frequency; frequency_ > limit && frequency_ > 1e-6;) {
-            frequency_ *= 0.5;
-        }
+        for (frequency_ = usual_frequency; frequency_ > limit && frequency_ > 1e-6;) frequency_ *= 0.5;
     }
 
     [[nodiscard]] StandardProbes make() && {
         const bool surface = c_.channel.top == Top::free_surface;
         const bool flow = c_.channel.ends == Ends::periodic && c_.channel.slope > 0.0;
         velocity_profile();
-        if (surface) {
-            wave_probes(flow);
-        }
+        if (surface) wave_probes(flow);
         if (c_.channel.top != Top::periodic) {
             if (flow) {
                 add(ProbeKind::flow_rate, "flow_rate").x = {0.5 * c_.channel.length};
@@ -62,9 +58,7 @@ class StandardSet {
 
     /// Places at shares of the length.
     [[nodiscard]] std::vector<double> along(std::vector<double> shares) const {
-        for (double& share : shares) {
-            share *= c_.channel.length;
-        }
+        for (double& share : shares) share *= c_.channel.length;
         return shares;
     }
 
@@ -89,9 +83,7 @@ class StandardSet {
             x = along({0.0, 0.25, 0.5, 0.75, 1.0});
         } else if (!flow) {
             x = along({0.0, 0.25, 0.5});
-            if (c_.channel.ends == Ends::walls) {
-                x.push_back(length);
-            }
+            if (c_.channel.ends == Ends::walls) x.push_back(length);
         } else {
             for (const double position : laboratory_probes) {
                 if (position < length) {

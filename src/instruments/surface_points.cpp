@@ -26,9 +26,7 @@ class SurfacePoints final : public Instrument {
 
     void sample(const FlowState& state) override {
         record(0).add(state.time);
-        for (const double elevation : state.fluid->surface_at(places_)) {
-            record(1).add(elevation);
-        }
+        for (const double elevation : state.fluid->surface_at(places_)) record(1).add(elevation);
         end_row();
     }
     [[nodiscard]] std::size_t points() const override { return places_.size(); }
@@ -49,9 +47,7 @@ std::unique_ptr<Instrument> make_surface_line(const Probe& probe, const Case& c)
     const auto n = std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(c.channel.length / wanted)));
     const double spacing = c.channel.length / static_cast<double>(n);
     std::vector<double> x;
-    for (std::size_t i = 0; i < n; ++i) {
-        x.push_back((static_cast<double>(i) + 0.5) * spacing);
-    }
+    for (std::size_t i = 0; i < n; ++i) x.push_back((static_cast<double>(i) + 0.5) * spacing);
     return std::make_unique<SurfacePoints>(probe, c, x);
 }
 

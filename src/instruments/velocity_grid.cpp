@@ -19,9 +19,7 @@ namespace {
 std::vector<double> line(double from, double to, double spacing) {
     std::vector<double> points;
     const auto n = static_cast<std::size_t>(std::floor((to - from) / spacing + 1e-9)) + 1;
-    for (std::size_t i = 0; i < n; ++i) {
-        points.push_back(from + static_cast<double>(i) * spacing);
-    }
+    for (std::size_t i = 0; i < n; ++i) points.push_back(from + static_cast<double>(i) * spacing);
     return points;
 }
 
@@ -50,9 +48,7 @@ class VelocityGrid final : public Instrument {
         add_record(of.spanwise_velocity, shape);
         add_record(of.spanwise_velocity_variance, shape);
         add_record(of.pressure, shape);
-        if (c.turbulence.closure != ClosureKind::none) {
-            add_record(of.shear_stress, shape);
-        }
+        if (c.turbulence.closure != ClosureKind::none) add_record(of.shear_stress, shape);
     }
 
     void sample(const FlowState& state) override {
@@ -76,9 +72,7 @@ class VelocityGrid final : public Instrument {
     [[nodiscard]] std::vector<double> unfinished() const override {
         std::vector<double> saved = {window_end_, samples_};
         for (const Sums& s : sums_) {
-            for (double Sums::*const sum : saved_sums()) {
-                saved.push_back(s.*sum);
-            }
+            for (double Sums::*const sum : saved_sums()) saved.push_back(s.*sum);
         }
         return saved;
     }
@@ -87,9 +81,7 @@ class VelocityGrid final : public Instrument {
         window_end_ = *next++;
         samples_ = *next++;
         for (Sums& s : sums_) {
-            for (double Sums::*const sum : saved_sums()) {
-                s.*sum = *next++;
-            }
+            for (double Sums::*const sum : saved_sums()) s.*sum = *next++;
         }
     }
 
@@ -141,9 +133,7 @@ class VelocityGrid final : public Instrument {
                 row.insert(row.end(), {v, s.vv / n - v * v});
             }
             row.insert(row.end(), {s.p / n, s.tau / n});
-            for (std::size_t k = 0; 2 + k < records().size(); ++k) {
-                record(2 + k).add(row[k]);
-            }
+            for (std::size_t k = 0; 2 + k < records().size(); ++k) record(2 + k).add(row[k]);
             s = {};
         }
         samples_ = 0.0;

@@ -40,17 +40,13 @@ class VelocityPoints final : public Instrument {
     void sample(const FlowState& state) override {
         std::vector<FluidView::Velocity> velocity(points_.size());
         parallel_blocks(points_.size(), 16, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i) {
-                velocity[i] = over_volume(*state.fluid, points_[i]);
-            }
+            for (std::size_t i = begin; i < end; ++i) velocity[i] = over_volume(*state.fluid, points_[i]);
         });
         record(0).add(state.time);
         for (const auto& v : velocity) {
             record(1).add(v.u);
             record(2).add(v.w);
-            if (records().size() > 3) {
-                record(3).add(v.v);
-            }
+            if (records().size() > 3) record(3).add(v.v);
         }
         end_row();
     }

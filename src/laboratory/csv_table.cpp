@@ -160,8 +160,9 @@ class Reader {
             fail(fmt::format("expected {} columns as in the lines before, got {}", table_.columns.size(),
                              fields.size()));
         }
-        for (std::size_t i = 0; i < fields.size(); ++i)
+        for (std::size_t i = 0; i < fields.size(); ++i) {
             table_.columns[i].values.push_back(value(fields[i], i));
+        }
         table_.lines.push_back(line_);
     }
 
@@ -202,8 +203,9 @@ std::optional<std::string> CsvTable::comment_value(std::string_view key) const {
         const std::size_t stop = comment.text.find_first_of(":=");
         if (stop == std::string::npos) continue;
         const std::string_view text = comment.text;
-        if (lower_case(trimmed(text.substr(0, stop))) == wanted)
+        if (lower_case(trimmed(text.substr(0, stop))) == wanted) {
             return std::string(trimmed(text.substr(stop + 1)));
+        }
     }
     return std::nullopt;
 }

@@ -100,8 +100,9 @@ ProbeDescription parse_probe_description(std::string_view text) {
         rest = comma == std::string_view::npos ? std::string_view{} : trimmed(rest.substr(comma + 1));
         const std::size_t equals = item.find('=');
         const std::string_view key = trimmed(item.substr(0, equals));
-        if (equals == std::string_view::npos)
+        if (equals == std::string_view::npos) {
             fail(fmt::format("\"{}\" is not of the form key = value", item));
+        }
         struct Entry {
             std::string_view key, unit;
             std::optional<double>* target;

@@ -86,9 +86,10 @@ void warn_of_unused(const CsvTable& table, const std::vector<NamedCalibration>& 
     for (const NamedCalibration& c : calibrations) {
         const bool used = std::any_of(table.columns.begin(), table.columns.end(),
                                       [&c](const CsvColumn& column) { return column.name == c.probe; });
-        if (!used)
+        if (!used) {
             warnings.push_back(
                 fmt::format("the calibration of {} is not used: there is no such column", c.probe));
+        }
     }
 }
 
@@ -165,8 +166,9 @@ ProbeRecord read_probe_record(const std::filesystem::path& path, const ProbeReco
         probe.name = description.name;
         probe.x = description.x.value_or(std::numeric_limits<double>::quiet_NaN());
         probe.y = description.y.value_or(0.0);
-        if (!description.x)
+        if (!description.x) {
             record.warnings.push_back(fmt::format("{}: its position x is not known", probe.name));
+        }
         const bool voltages = holds_voltages(table, i);
         std::vector<double> values = column_in_si(table, i, voltages ? "V" : "m");
         if (voltages) {
@@ -185,8 +187,9 @@ ProbeRecord read_probe_record(const std::filesystem::path& path, const ProbeReco
         }
         record.probes.push_back(std::move(probe));
     }
-    if (record.probes.empty())
+    if (record.probes.empty()) {
         throw FileError(fmt::format("{}: expected a column for each probe", path.string()));
+    }
     return record;
 }
 

@@ -61,12 +61,14 @@ ProfileRecord read_profile_record(const std::filesystem::path& path) {
                         path.string(), table.header_line));
     }
     for (std::size_t row = 0; row < record.z.size(); ++row) {
-        if (std::isnan(record.z[row]))
+        if (std::isnan(record.z[row])) {
             throw FileError(fmt::format("{}: expected a height z", record.place(row)));
+        }
     }
     sort_by_height(record);
-    for (std::string& warning : missing_values(record.columns, record.z.size()))
+    for (std::string& warning : missing_values(record.columns, record.z.size())) {
         record.warnings.push_back(std::move(warning));
+    }
     return record;
 }
 

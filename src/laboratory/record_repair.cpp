@@ -144,8 +144,9 @@ std::string describe(const RecordQuality& q, std::string_view name) {
     };
     if (q.missing > 0) add(fmt::format("{} missing", q.missing));
     if (q.refused > 0) add(fmt::format("{} of poor quality", q.refused));
-    if (q.gaps > 0)
+    if (q.gaps > 0) {
         parts += fmt::format(" (in {} gap{}, longest {})", q.gaps, q.gaps == 1 ? "" : "s", q.longest_gap);
+    }
     if (q.spikes > 0) add(fmt::format("{} spike{}", q.spikes, q.spikes == 1 ? "" : "s"));
     if (parts.empty()) return {};
     add(fmt::format("{} interpolated", q.interpolated));
@@ -167,8 +168,9 @@ std::size_t interpolate_gaps(std::span<double> values, std::size_t longest) {
         if (begin == 0 || i == values.size() || length > longest) continue;
         const double before = values[begin - 1];
         const double step = (values[i] - before) / static_cast<double>(length + 1);
-        for (std::size_t j = 0; j < length; ++j)
+        for (std::size_t j = 0; j < length; ++j) {
             values[begin + j] = before + static_cast<double>(j + 1) * step;
+        }
         replaced += length;
     }
     return replaced;

@@ -46,8 +46,9 @@ double height_of(const CsvTable& table) {
 
 void sort_points(SectionRecord& record) {
     const auto before = [&record](std::size_t a, std::size_t b) {
-        if (record.z[a] != record.z[b] && !std::isnan(record.z[a]) && !std::isnan(record.z[b]))
+        if (record.z[a] != record.z[b] && !std::isnan(record.z[a]) && !std::isnan(record.z[b])) {
             return record.z[a] < record.z[b];
+        }
         return record.y[a] < record.y[b];
     };
     std::vector<std::size_t> order(record.y.size());
@@ -100,14 +101,17 @@ SectionRecord read_section_record(const std::filesystem::path& path) {
     record.columns = std::move(taken.columns);
     record.warnings = std::move(taken.warnings);
     for (std::size_t row = 0; row < record.y.size(); ++row) {
-        if (std::isnan(record.y[row]))
+        if (std::isnan(record.y[row])) {
             throw FileError(fmt::format("{}: expected a distance y", record.place(row)));
-        if (has_position(table, 'z') && std::isnan(record.z[row]))
+        }
+        if (has_position(table, 'z') && std::isnan(record.z[row])) {
             throw FileError(fmt::format("{}: expected a height z", record.place(row)));
+        }
     }
     sort_points(record);
-    for (std::string& warning : missing_values(record.columns, record.y.size()))
+    for (std::string& warning : missing_values(record.columns, record.y.size())) {
         record.warnings.push_back(std::move(warning));
+    }
     return record;
 }
 

@@ -27,8 +27,9 @@ std::optional<double> stated_frequency(const CsvTable& table) {
 
 TableSampling sampling_of(const CsvTable& table, std::optional<double> frequency, double tolerance,
                           std::vector<std::string>& warnings) {
-    if (frequency && !(*frequency > 0.0))
+    if (frequency && !(*frequency > 0.0)) {
         throw InputError("the sampling frequency must be greater than 0 Hz");
+    }
     if (!frequency) frequency = stated_frequency(table);
     TableSampling result;
     for (std::size_t i = 0; i < table.columns.size(); ++i) {

@@ -39,8 +39,9 @@ std::optional<LaboratoryUnit> unit_of_symbol(std::string_view name) {
         if (symbol.name == name) return symbol.unit;
     }
     for (const Symbol& symbol : symbols) {
-        if (!symbol.prefixed || name.size() != symbol.name.size() + 1 || name.substr(1) != symbol.name)
+        if (!symbol.prefixed || name.size() != symbol.name.size() + 1 || name.substr(1) != symbol.name) {
             continue;
+        }
         for (const Prefix& prefix : prefixes) {
             if (prefix.letter != name.front()) continue;
             LaboratoryUnit unit = symbol.unit;

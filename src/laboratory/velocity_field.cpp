@@ -95,8 +95,9 @@ class Units {
                                             const std::optional<std::string>& of_comment) const {
         if (!of_comment) return column_in_si(table_, column, si);
         const auto unit = parse_unit(*of_comment);
-        if (!unit || !unit->same_dimension(*parse_unit(si)))
+        if (!unit || !unit->same_dimension(*parse_unit(si))) {
             fail(fmt::format(R"(expected a unit like "{}" in the comment units, got "{}")", si, *of_comment));
+        }
         std::vector<double> values = table_.columns[column].values;
         for (double& value : values) value = unit->to_si(value);
         return values;
@@ -172,8 +173,9 @@ Points points_of(const CsvTable& table, std::vector<std::string>& warnings) {
         return column ? table.columns[*column].values[row] : otherwise;
     };
     for (std::size_t row = 0; row < p.x.size(); ++row) {
-        if (std::isnan(p.x[row]) || std::isnan(p.z[row]))
+        if (std::isnan(p.x[row]) || std::isnan(p.z[row])) {
             throw FileError(fmt::format("{}: expected a place, x and z", table.place(row)));
+        }
         const bool bad = value(places.flags, row, 0.0) == 1.0 || value(places.mask, row, 0.0) != 0.0 ||
                          value(places.valid, row, 1.0) == 0.0 ||
                          (zero_is_missing && p.u[row] == 0.0 && p.w[row] == 0.0);
@@ -226,15 +228,17 @@ class FieldReader {
     }
 
     [[nodiscard]] VelocityField finish(std::optional<double> sampling_frequency) {
-        for (const auto& [warning, count] : warnings_)
+        for (const auto& [warning, count] : warnings_) {
             field_.warnings.push_back(count == 1 ? warning : fmt::format("{} (in {} files)", warning, count));
+        }
         if (field_.time.size() != field_.frames) {
             if (!field_.time.empty()) {
                 throw FileError(fmt::format("{}: {} of {} frames tell their time: give it in all or in none",
                                             field_.source.string(), field_.time.size(), field_.frames));
             }
-            for (std::size_t k = 0; sampling_frequency && k < field_.frames; ++k)
+            for (std::size_t k = 0; sampling_frequency && k < field_.frames; ++k) {
                 field_.time.push_back(static_cast<double>(k) / *sampling_frequency);
+            }
         }
         for (std::size_t k = 1; k < field_.time.size(); ++k) {
             if (field_.time[k] > field_.time[k - 1]) continue;
@@ -370,8 +374,9 @@ VelocityField read_velocity_field(const std::filesystem::path& path,
     std::vector<std::filesystem::path> frames;
     for (const auto& entry : std::filesystem::directory_iterator(path, error)) {
         const std::string ending = plain(entry.path().extension().string());
-        if (entry.is_regular_file() && (ending == ".csv" || ending == ".txt" || ending == ".dat"))
+        if (entry.is_regular_file() && (ending == ".csv" || ending == ".txt" || ending == ".dat")) {
             frames.push_back(entry.path());
+        }
     }
     if (frames.empty()) {
         throw FileError(

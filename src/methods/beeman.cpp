@@ -28,9 +28,7 @@ class Beeman final : public Stepper<D> {
         start_.save(particles);
         step_ = step.now;
         if (previous_.empty(particles)) {
-            for (std::size_t k = 0; k < D; ++k) {
-                previous_.motion(particles, k).resize(particles.size());
-            }
+            for (std::size_t k = 0; k < D; ++k) previous_.motion(particles, k).resize(particles.size());
             previous_.density(particles).resize(particles.size());
             weights_ = {.predict = 0.0, .predict_path = 0.0, .correct_new = 0.5, .correct_before = 0.0};
         } else {
@@ -40,9 +38,7 @@ class Beeman final : public Stepper<D> {
                         .correct_new = (1.0 / 3.0 + 0.5 * r) / (1.0 + r),
                         .correct_before = -1.0 / (6.0 * r * (1.0 + r))};
         }
-        for (auto& component : acceleration_) {
-            component.resize(particles.size());
-        }
+        for (auto& component : acceleration_) component.resize(particles.size());
         density_rate_.resize(particles.size());
     }
     void advance(int evaluation, std::size_t i, const ParticleRates<D>& rates, Particles<D>& p) override {

@@ -27,9 +27,7 @@ std::unique_ptr<Method<D, Real>> make_method(FlowOf<D, Real>& flow) {
     if (auto stepper = make_stepper<D>(flow.c.numerics.stepping)) {
         return std::make_unique<SteppingByRates<D, Real>>(std::move(stepper), flow);
     }
-    if (flow.c.numerics.stepping == Stepping::leapfrog) {
-        return std::make_unique<Leapfrog<D, Real>>(flow.c);
-    }
+    if (flow.c.numerics.stepping == Stepping::leapfrog) return std::make_unique<Leapfrog<D, Real>>(flow.c);
     return std::make_unique<SemiImplicitEuler<D, Real>>();
 }
 

@@ -25,9 +25,7 @@ class Verlet final : public Stepper<D> {
         leap_ = step.now + step.before;
         if (previous_.empty(particles) || step.restart || step.steps % euler_interval == 0) {
             // From n with the step of n: Euler's.
-            for (std::size_t k = 0; k < D; ++k) {
-                previous_.motion(particles, k) = particles.velocity[k];
-            }
+            for (std::size_t k = 0; k < D; ++k) previous_.motion(particles, k) = particles.velocity[k];
             previous_.density(particles) = particles.density_deviation;
             leap_ = step.now;
         }

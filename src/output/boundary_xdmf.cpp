@@ -84,8 +84,9 @@ class BoundaryGrids {
         std::size_t first = 0;
         for (const std::size_t corners : boundaries_.corners) {
             fmt::format_to(std::back_inserter(numbers), "{} {}", polyline, corners + 1);
-            for (std::size_t i = 0; i <= corners; ++i)
+            for (std::size_t i = 0; i <= corners; ++i) {
                 fmt::format_to(std::back_inserter(numbers), " {}", first + i % corners);
+            }
             numbers += '\n';
             entries += corners + 3;
             first += corners;

@@ -101,8 +101,9 @@ void collect(const CheckpointReader& file, const std::string& group, Content& co
     const auto collect_attributes = [&](const std::string& path, bool is_group) {
         for (const std::string& name : file.attribute_names(path)) {
             if (!is_group && (name == "units" || name == "long_name")) continue;  // members of Dataset
-            if (const auto value = file.attribute(path, name))
+            if (const auto value = file.attribute(path, name)) {
                 content.attributes.push_back({path, name, *value});
+            }
         }
     };
     collect_attributes(group, true);

@@ -107,9 +107,7 @@ std::string explain(const std::error_code& code, const std::filesystem::path& pa
         return fmt::format("{}Check the permissions of {} and of the folder {}.", text,
                            path.filename().string(), folder);
     }
-    if (code == std::errc::is_a_directory) {
-        return text + "Give the name of a file in that folder.";
-    }
+    if (code == std::errc::is_a_directory) return text + "Give the name of a file in that folder.";
     if (code == std::errc::no_such_file_or_directory) {
         return fmt::format("{}Check the path; the folder {} {}.", text, folder,
                            std::filesystem::is_directory(folder_of(path)) ? "exists" : "does not exist");

@@ -26,8 +26,9 @@ struct OpenDataset {
 
     void require_numbers(const std::string& path) const {
         const H5T_class_t kind = H5Tget_class(type.get());
-        if (kind != H5T_FLOAT && kind != H5T_INTEGER)
+        if (kind != H5T_FLOAT && kind != H5T_INTEGER) {
             throw Hdf5Failure("the dataset " + path + " is not made of numbers");
+        }
     }
 
     [[nodiscard]] std::size_t count() const {
@@ -57,8 +58,9 @@ Dataset::Values read_values(const OpenDataset& open, const std::string& path) {
             if (size <= sizeof(float)) return open.values<float>(path);
             return open.values<double>(path);
         case H5T_INTEGER:
-            if (size == 1 && H5Tget_sign(open.type.get()) == H5T_SGN_NONE)
+            if (size == 1 && H5Tget_sign(open.type.get()) == H5T_SGN_NONE) {
                 return open.values<std::uint8_t>(path);
+            }
             if (size < 4 || (size == 4 && H5Tget_sign(open.type.get()) != H5T_SGN_NONE)) {
                 return open.values<std::int32_t>(path);
             }

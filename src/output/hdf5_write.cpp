@@ -240,9 +240,7 @@ void copy_attributes(const Hdf5Handle& from, const Hdf5Handle& to, const std::st
     for (const std::string& name : hdf5_attribute_names(from, path)) {
         write_hdf5_attribute(to, {path, name, read_hdf5_attribute(from, path, name).value()});
     }
-    if (!hdf5_is_group(from, path)) {
-        return;
-    }
+    if (!hdf5_is_group(from, path)) return;
     const std::string folder = path == "/" ? path : path + "/";
     for (const std::string& name : hdf5_children(from, path)) {
         std::string child = folder;
@@ -279,9 +277,7 @@ void write_hdf5_dataset(const Hdf5Handle& file, const Dataset& dataset, Hdf5Stor
 }
 
 void write_hdf5_attribute(const Hdf5Handle& file, const Attribute& attribute) {
-    if (!hdf5_has(file, attribute.path)) {
-        make_groups(file, attribute.path);
-    }
+    if (!hdf5_has(file, attribute.path)) make_groups(file, attribute.path);
     if (read_hdf5_attribute(file, attribute.path, attribute.name) == attribute.value) return;
     const Hdf5Handle object(H5Oopen(file.get(), attribute.path.c_str(), H5P_DEFAULT), H5Oclose,
                             "open " + attribute.path);

@@ -29,9 +29,7 @@ void refuse_to_replace(const std::filesystem::path& file) {
 void refuse_to_replace_another(const std::filesystem::path& file, std::string_view begin,
                                std::string_view what) {
     std::error_code error;
-    if (!std::filesystem::is_regular_file(file, error)) {
-        return;
-    }
+    if (!std::filesystem::is_regular_file(file, error)) return;
     std::ifstream content(file, std::ios::binary);
     content >> std::ws;
     std::string found(begin.size(), '\0');

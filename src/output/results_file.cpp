@@ -22,8 +22,9 @@ constexpr const char* unused_bytes = "unused_bytes";
 constexpr std::int64_t tolerated_unused_bytes = std::int64_t{1} << 20U;
 
 void apply(const Hdf5Handle& file, const Content& content) {
-    for (const Dataset& dataset : content.datasets)
+    for (const Dataset& dataset : content.datasets) {
         write_hdf5_dataset(file, dataset, {.chunked = true, .compression = content.compression});
+    }
     for (const Attribute& attribute : content.attributes) write_hdf5_attribute(file, attribute);
 }
 

@@ -67,8 +67,9 @@ void SealedContent::read(std::uint64_t at, std::span<std::byte> bytes) {
         const std::uint64_t end = page_end(page, seal_.size);
         const std::size_t count = std::min<std::uint64_t>(bytes.size(), end - at);
         if (checked_[page] && page_number_ != page) {
-            if (read_unchecked(at, bytes.first(count)) != count)
+            if (read_unchecked(at, bytes.first(count)) != count) {
                 throw NotWhole("has been truncated meanwhile");
+            }
         } else {
             if (page_number_ != page) {
                 page_number_.reset();

@@ -44,9 +44,7 @@ double wall_count(const Case& c, double columns, double files, double rows) {
     if (c.channel.ends == Ends::walls) {
         count += 2.0 * layers * std::max(1.5 * rows, c.channel.wall_height.value_or(0.0) / dx);
     }
-    for (const Solid& solid : c.solids) {
-        count += layers * length_of(solid.x, solid.z) / dx;
-    }
+    for (const Solid& solid : c.solids) count += layers * length_of(solid.x, solid.z) / dx;
     return count;
 }
 
@@ -55,17 +53,13 @@ double grid_cells(const Case& c) {
     const Domain<D> domain = domain_of<D>(c);
     const double reach = 2.0 * c.numerics.smoothing_ratio * c.numerics.spacing;
     double cells = 1.0;
-    for (int k = 0; k < D; ++k) {
-        cells *= std::max(1.0, domain.extent(k) / reach);
-    }
+    for (int k = 0; k < D; ++k) cells *= std::max(1.0, domain.extent(k) / reach);
     return cells;
 }
 
 /// The cells of the mean field in three dimensions.
 double mean_cells(const Case& c) {
-    if (c.channel.dimensions == 2 || c.output.mean_field_interval <= 0.0) {
-        return 0.0;
-    }
+    if (c.channel.dimensions == 2 || c.output.mean_field_interval <= 0.0) return 0.0;
     const double edge = c.output.mean_field_spacing.value_or(c.numerics.spacing);
     return std::max(1.0, c.channel.length / edge) * std::max(1.0, c.channel.simulated_width() / edge) *
            std::max(1.0, c.total_depth() / edge);
@@ -79,9 +73,7 @@ CaseSize estimate_size(const Case& c) {
     const double columns = std::max(1.0, (c.channel.length + 2.0 * buffer_length(c)) / dx);
     const double files = space ? std::max(1.0, c.channel.simulated_width() / dx) : 1.0;
     double top = c.total_depth();
-    for (const double z : c.start.water_z) {
-        top = std::max(top, z);
-    }
+    for (const double z : c.start.water_z) top = std::max(top, z);
     const double rows = std::max(1.0, top / dx);
     CaseSize size;
     size.places = columns * files * rows;
@@ -121,9 +113,7 @@ std::string unit_slip(const Case& c) {
     }
     const double dx = c.numerics.spacing;
     const auto slips = [&](const Length& length) { return length.value > length.most * dx; };
-    if (std::none_of(lengths.begin(), lengths.end(), slips)) {
-        return "";
-    }
+    if (std::none_of(lengths.begin(), lengths.end(), slips)) return "";
     const Length& slip = *std::find_if(lengths.begin(), lengths.end(), slips);
     // A thousandth of the length would hold no flow: rather the spacing is too small.
     constexpr double fewest = 10.0;
@@ -153,9 +143,7 @@ void check_size(const Case& c, bool confirmed, std::optional<std::size_t> availa
                         "counted.{}\nMake the channel shorter or the spacing larger",
                         what, countable, size.cells, guess));
     }
-    if (confirmed) {
-        return;
-    }
+    if (confirmed) return;
     if (available && size.bytes > static_cast<double>(*available)) {
         throw InputError(
             fmt::format("{}, of which {:.3g} GB are free.{}\nMake the channel shorter or the "

@@ -32,9 +32,7 @@ struct ColumnGrid {
 
     [[nodiscard]] std::size_t total() const {
         std::size_t columns = 1;
-        for (const int n : count) {
-            columns *= static_cast<std::size_t>(n);
-        }
+        for (const int n : count) columns *= static_cast<std::size_t>(n);
         return columns;
     }
 
@@ -44,9 +42,7 @@ struct ColumnGrid {
         int column = 0;
         for (std::size_t k = 0; k + 1 < D; ++k) {
             double x = position[k][i];
-            if (fixed_point.in_range(x, k)) {
-                x = fixed_point.decode(fixed_point.encode(x, k), k);
-            }
+            if (fixed_point.in_range(x, k)) x = fixed_point.decode(fixed_point.encode(x, k), k);
             const int c = static_cast<int>((x - lower[k]) / width[k]);
             column = column * count[k] + std::clamp(c, 0, count[k] - 1);
         }
@@ -56,9 +52,7 @@ struct ColumnGrid {
     [[nodiscard]] std::vector<std::int32_t> columns_of(const PositionView<D>& position) const {
         std::vector<std::int32_t> column(position[0].size());
         parallel_blocks(column.size(), particle_block, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i) {
-                column[i] = column_of(position, i);
-            }
+            for (std::size_t i = begin; i < end; ++i) column[i] = column_of(position, i);
         });
         return column;
     }
@@ -77,9 +71,7 @@ ColumnOrder sort_by_column(const std::vector<std::int32_t>& column, std::size_t 
     std::vector<std::int32_t> place(chunks * columns, 0);
     parallel_blocks(n, chunk, [&](std::size_t begin, std::size_t end) {
         std::int32_t* count = &place[begin / chunk * columns];
-        for (std::size_t i = begin; i < end; ++i) {
-            ++count[column[i]];
-        }
+        for (std::size_t i = begin; i < end; ++i) ++count[column[i]];
     });
     ColumnOrder result;
     result.begin.resize(columns + 1);
@@ -173,9 +165,7 @@ std::vector<std::int32_t> spatial_order(const Domain<D>& domain, const PositionV
                     highest = std::max(highest, key[i]);
                 }
                 place.assign(static_cast<std::size_t>(std::max(highest - lowest, 0)) + 2, 0);
-                for (const std::int32_t k : key) {
-                    ++place[static_cast<std::size_t>(k - lowest) + 1];
-                }
+                for (const std::int32_t k : key) ++place[static_cast<std::size_t>(k - lowest) + 1];
                 std::partial_sum(place.begin(), place.end(), place.begin());
                 for (std::size_t i = 0; i < old.size(); ++i) {
                     first[place[static_cast<std::size_t>(key[i] - lowest)]++] = old[i];
@@ -235,9 +225,7 @@ Clusters<D> build_clusters(const Domain<D>& domain, const FixedPoint<D>& fixed_p
         for (std::size_t col = begin; col < end; ++col) {
             const auto first = static_cast<std::size_t>(clusters.column_begin[col]);
             const auto last = static_cast<std::size_t>(clusters.column_begin[col + 1]);
-            for (std::size_t c = first; c < last; ++c) {
-                fill_cluster(clusters, c, fixed_point, position);
-            }
+            for (std::size_t c = first; c < last; ++c) fill_cluster(clusters, c, fixed_point, position);
             for (std::size_t c = first + 1; c < last; ++c) {
                 clusters.highest[c] = std::max(clusters.highest[c], clusters.highest[c - 1]);
             }

@@ -73,9 +73,7 @@ template <int D>
 [[nodiscard]] PositionView<D> position_view(
     const std::array<std::vector<double>, static_cast<std::size_t>(D)>& position) {
     PositionView<D> view;
-    for (std::size_t k = 0; k < D; ++k) {
-        view[k] = position[k];
-    }
+    for (std::size_t k = 0; k < D; ++k) view[k] = position[k];
     return view;
 }
 

@@ -33,9 +33,7 @@ inline constexpr std::array energy_rate_parts{&EnergyRates::gravity,    &EnergyR
                                               &EnergyRates::compression};
 
 inline EnergyRates operator+(EnergyRates sum, const EnergyRates& other) {
-    for (double EnergyRates::*const part : energy_rate_parts) {
-        sum.*part += other.*part;
-    }
+    for (double EnergyRates::*const part : energy_rate_parts) sum.*part += other.*part;
     return sum;
 }
 

@@ -20,9 +20,7 @@ inline constexpr std::array force_on_solid_parts{&ForceOnSolid::pressure, &Force
 
 inline ForceOnSolid& operator+=(ForceOnSolid& sum, const ForceOnSolid& other) {
     for (std::array<double, 3> ForceOnSolid::*const part : force_on_solid_parts) {
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            (sum.*part)[axis] += (other.*part)[axis];
-        }
+        for (std::size_t axis = 0; axis < 3; ++axis) (sum.*part)[axis] += (other.*part)[axis];
     }
     return sum;
 }

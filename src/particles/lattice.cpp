@@ -71,33 +71,25 @@ double headroom(const Case& c) {
     const double head =
         highest != c.start.water_z.end() ? std::max(*highest, c.total_depth()) : c.total_depth();
     constexpr double heads = 5.0;
-    if (violent) {
-        return heads * head;
-    }
+    if (violent) return heads * head;
     return has_end_tables(c) ? level_with_room(c) : std::max(c.total_depth(), highest_end_level(c));
 }
 
 /// Top of all that a case names: the water at its depth, the outline of the water, walls and solids.
 double highest_part(const Case& c) {
     double top = std::max({c.total_depth(), c.channel.wall_height.value_or(0.0), highest_end_level(c)});
-    for (const double z : c.start.water_z) {
-        top = std::max(top, z);
-    }
+    for (const double z : c.start.water_z) top = std::max(top, z);
     const auto meshes = c.channel.dimensions == 3 ? meshes_of(c) : nullptr;
     for (std::size_t k = 0; k < c.solids.size(); ++k) {
         const Solid& solid = c.solids[k];
         // With where it moves to, but not beyond as much again: a gate leaves the water for good.
         double reach = solid.motion == SolidMotion::oscillating ? std::abs(solid.amplitude_z) : 0.0;
-        for (const double shift : solid.shifts_z) {
-            reach = std::max(reach, shift);
-        }
+        for (const double shift : solid.shifts_z) reach = std::max(reach, shift);
         if (turns(c, solid)) {
             const Point3 point = rotation_point(c, solid);
             top = std::max(top, point[2] + reach_from(c, solid, point) + reach);
         }
-        for (const double z : solid.z) {
-            top = std::max(top, z + reach);
-        }
+        for (const double z : solid.z) top = std::max(top, z + reach);
         // Of one at rest no more than the walls' height has wall particles.
         if (meshes && solid.motion != SolidMotion::fixed) {
             top = std::max(top, (*meshes)[k].upper()[2] + reach);
@@ -127,9 +119,7 @@ class WetPlaces {
     }
 
     [[nodiscard]] bool contain(double x, double z) const {
-        if (water_.size() > 0 && !contains(water_, place_in_outline(case_, x), z)) {
-            return false;
-        }
+        if (water_.size() > 0 && !contains(water_, place_in_outline(case_, x), z)) return false;
         const double period = case_.channel.ends == Ends::periodic ? case_.channel.length : 0.0;
         return std::none_of(solids_.begin(), solids_.end(), [&](const Outline& outline) {
             return at_any_image(x, period, [&](double at) {
@@ -165,13 +155,9 @@ Domain<D> domain_of(const Case& c) {
     set(0, c.channel.ends == Ends::periodic, c.channel.length);
     domain.lower[0] -= buffer_length(c);
     domain.upper[0] += buffer_length(c);
-    if constexpr (D == 3) {
-        set(1, c.channel.sides == Sides::periodic, c.channel.simulated_width());
-    }
+    if constexpr (D == 3) set(1, c.channel.sides == Sides::periodic, c.channel.simulated_width());
     set(D - 1, c.channel.top == Top::periodic, highest_part(c));
-    if (!domain.periodic[D - 1]) {
-        domain.upper[D - 1] = highest_part(c) + (wall + headroom(c));
-    }
+    if (!domain.periodic[D - 1]) domain.upper[D - 1] = highest_part(c) + (wall + headroom(c));
     return domain;
 }
 
@@ -184,9 +170,7 @@ Particles<D> lattice_particles(const Case& c, const std::function<double(double)
     const int files = D == 3 ? lattice.files : 1;
     // An outline of the water may rise above the depth that the spacing is cut from.
     int rows = lattice.rows;
-    for (const double z : c.start.water_z) {
-        rows = std::max(rows, static_cast<int>(std::ceil(z / lattice.dz)));
-    }
+    for (const double z : c.start.water_z) rows = std::max(rows, static_cast<int>(std::ceil(z / lattice.dz)));
     // Water beyond an open end; what enters at the other one is made by the flow.
     const int columns =
         lattice.columns +
@@ -227,19 +211,13 @@ Particles<D> lattice_particles(const Case& c, const std::function<double(double)
         for (int file = 0; file < files; ++file) {
             const int rows_here = surface ? below[static_cast<std::size_t>(column)].rows : rows;
             for (int row = 0; row < rows_here; ++row) {
-                if (!everywhere && !is_wet(column, file, row)) {
-                    continue;
-                }
+                if (!everywhere && !is_wet(column, file, row)) continue;
                 particles.position[0][i] = lattice.x(column, row);
-                if constexpr (D == 3) {
-                    particles.position[1][i] = lattice.y(file, row);
-                }
+                if constexpr (D == 3) particles.position[1][i] = lattice.y(file, row);
                 particles.position[D - 1][i] = height(column, row);
                 if (c.start.jitter > 0.0) {
                     particles.position[0][i] += displacement(lattice.dx);
-                    if constexpr (D == 3) {
-                        particles.position[1][i] += displacement(lattice.dy);
-                    }
+                    if constexpr (D == 3) particles.position[1][i] += displacement(lattice.dy);
                     particles.position[D - 1][i] += displacement(lattice.dz);
                 }
                 particles.id[i] = static_cast<std::int32_t>(i);

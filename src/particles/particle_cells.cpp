@@ -22,15 +22,11 @@ ParticleCells<D>::ParticleCells(const Domain<D>& domain, const Positions& positi
     std::vector<std::int32_t> cell_of(n);
     for (std::size_t i = 0; i < n; ++i) {
         int cell = index(0, positions[0][i]);
-        for (std::size_t k = 1; k < D; ++k) {
-            cell = cell * count_[k] + index(k, positions[k][i]);
-        }
+        for (std::size_t k = 1; k < D; ++k) cell = cell * count_[k] + index(k, positions[k][i]);
         cell_of[i] = cell;
         ++begin_[static_cast<std::size_t>(cell) + 1];
     }
-    for (std::size_t cell = 0; cell < cells; ++cell) {
-        begin_[cell + 1] += begin_[cell];
-    }
+    for (std::size_t cell = 0; cell < cells; ++cell) begin_[cell + 1] += begin_[cell];
     std::vector<std::int32_t> next(begin_.begin(), begin_.end() - 1);
     members_.resize(n);
     for (std::size_t i = 0; i < n; ++i) {

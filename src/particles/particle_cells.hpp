@@ -29,9 +29,7 @@ class ParticleCells {
     /// Distance a - b along an axis, of the nearest images where it is periodic.
     [[nodiscard]] double distance(std::size_t axis, double a, double b) const {
         const double d = a - b;
-        if (!domain_.periodic[axis] || axis == vertical) {
-            return d;
-        }
+        if (!domain_.periodic[axis] || axis == vertical) return d;
         const double extent = extent_[axis];
         return d > 0.5 * extent ? d - extent : (d < -0.5 * extent ? d + extent : d);
     }
@@ -58,9 +56,7 @@ class ParticleCells {
     void around_section(double x, const F& f) const {
         beside(0, x, [&](int column) {
             const int files = D == 2 ? 1 : count_[1];
-            for (int file = 0; file < files; ++file) {
-                members(column * files + file, 0, count_[vertical], f);
-            }
+            for (int file = 0; file < files; ++file) members(column * files + file, 0, count_[vertical], f);
         });
     }
 
@@ -87,9 +83,7 @@ class ParticleCells {
             static_cast<std::size_t>(column) * static_cast<std::size_t>(count_[vertical]);
         const auto begin = static_cast<std::size_t>(begin_[cell + static_cast<std::size_t>(first_row)]);
         const auto end = static_cast<std::size_t>(begin_[cell + static_cast<std::size_t>(end_row)]);
-        for (std::size_t k = begin; k < end; ++k) {
-            f(static_cast<std::size_t>(members_[k]));
-        }
+        for (std::size_t k = begin; k < end; ++k) f(static_cast<std::size_t>(members_[k]));
     }
     [[nodiscard]] int index(std::size_t axis, double x) const;
 

@@ -12,9 +12,7 @@ template <class T>
 void permute_array(std::vector<T>& values, const std::vector<std::int32_t>& order, std::vector<T>& scratch) {
     scratch.resize(order.size());
     parallel_blocks(order.size(), 16384, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            scratch[i] = values[static_cast<std::size_t>(order[i])];
-        }
+        for (std::size_t i = begin; i < end; ++i) scratch[i] = values[static_cast<std::size_t>(order[i])];
     });
     values.swap(scratch);
 }
@@ -41,9 +39,7 @@ void Particles<D>::resize(std::size_t n) {
     mass.resize(n);
     id.resize(n);
     for (FurtherField& field : further) {
-        if (!field.values.empty()) {
-            field.values.resize(n);
-        }
+        if (!field.values.empty()) field.values.resize(n);
     }
 }
 
@@ -51,9 +47,7 @@ template <int D>
 std::size_t Particles<D>::append(std::size_t n) {
     const std::size_t first = size();
     resize(first + n);
-    for (std::size_t i = first; i < size(); ++i) {
-        id[i] = created++;
-    }
+    for (std::size_t i = first; i < size(); ++i) id[i] = created++;
     return first;
 }
 
@@ -62,9 +56,7 @@ void Particles<D>::permute(const std::vector<std::int32_t>& order) {
     std::vector<double> scratch;
     std::vector<std::int32_t> scratch_numbers;
     for_each_field([&](const FieldInfo&, auto& values) {
-        if (values.empty()) {
-            return;
-        }
+        if (values.empty()) return;
         if constexpr (std::is_same_v<decltype(values), std::vector<double>&>) {
             permute_array(values, order, scratch);
         } else {

@@ -42,9 +42,7 @@ struct Particles {
         f(FieldInfo{"density_deviation", "1", "rho/rho0 - 1"}, self.density_deviation);
         f(FieldInfo{"mass", D == 2 ? "kg/m" : "kg", D == 2 ? "mass per unit width" : "mass"}, self.mass);
         f(FieldInfo{"id", "1", "particle number"}, self.id);
-        for (auto& field : self.further) {
-            f(field.info, field.values);
-        }
+        for (auto& field : self.further) f(field.info, field.values);
     }
     template <class F>
     void for_each_field(const F& f) {
@@ -71,9 +69,7 @@ struct Particles {
 template <class Components>
 auto vector_of(const Components& components, std::size_t particle) {
     Vec<static_cast<int>(std::tuple_size_v<Components>)> v{};
-    for (std::size_t k = 0; k < v.size(); ++k) {
-        v[k] = components[k][particle];
-    }
+    for (std::size_t k = 0; k < v.size(); ++k) v[k] = components[k][particle];
     return v;
 }
 
@@ -82,9 +78,7 @@ template <int D>
 std::array<double, 3> in_space(const std::array<std::vector<double>, static_cast<std::size_t>(D)>& components,
                                std::size_t particle) {
     std::array<double, 3> v{};
-    for (std::size_t k = 0; k < D; ++k) {
-        v[k == D - 1 ? 2 : k] = components[k][particle];
-    }
+    for (std::size_t k = 0; k < D; ++k) v[k == D - 1 ? 2 : k] = components[k][particle];
     return v;
 }
 
@@ -110,13 +104,9 @@ struct WallParticles {
     template <class Self, class F>
     static void for_each_array(Self& self, const F& f) {
         for (auto* const components : {&self.position, &self.normal}) {
-            for (auto& values : *components) {
-                f(values);
-            }
+            for (auto& values : *components) f(values);
         }
-        for (auto& values : self.projector) {
-            f(values);
-        }
+        for (auto& values : self.projector) f(values);
         f(self.volume);
         f(self.depth);
         f(self.body);

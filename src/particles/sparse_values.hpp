@@ -35,9 +35,7 @@ class SparseValues {
     }
 
     void set(std::size_t particle, double value) {
-        if (value != 0.0) {
-            run_of(particle)[particle % run_length] = value;
-        }
+        if (value != 0.0) run_of(particle)[particle % run_length] = value;
     }
     [[nodiscard]] double operator[](std::size_t particle) const {
         const Run* const run = runs_[particle / run_length].load(std::memory_order_acquire);
@@ -47,9 +45,7 @@ class SparseValues {
 
     /// Keep those of these particles alone, in this order.
     void keep(const std::vector<std::int32_t>& particles) {
-        if (size_ == 0) {
-            return;
-        }
+        if (size_ == 0) return;
         SparseValues before;
         std::swap(runs_, before.runs_);
         std::swap(size_, before.size_);
@@ -61,9 +57,7 @@ class SparseValues {
 
     [[nodiscard]] std::size_t bytes() const {
         std::size_t taken = run_count() * sizeof(Run*);
-        for (std::size_t i = 0; i < run_count(); ++i) {
-            taken += runs_[i].load() != nullptr ? sizeof(Run) : 0;
-        }
+        for (std::size_t i = 0; i < run_count(); ++i) taken += runs_[i].load() != nullptr ? sizeof(Run) : 0;
         return taken;
     }
 

@@ -42,9 +42,7 @@ class WorkingValues {
 
     template <class T>
     static void keep_values(std::vector<T>& values, const std::vector<std::int32_t>& particles) {
-        if (values.empty()) {
-            return;
-        }
+        if (values.empty()) return;
         for (std::size_t i = 0; i < particles.size(); ++i) {
             values[i] = values[static_cast<std::size_t>(particles[i])];
         }

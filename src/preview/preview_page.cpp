@@ -186,17 +186,13 @@ std::string numbers_table(const Case& c, const Forecast* f) {
     table += row("kind of flow", flow_kind_name(flow_kind(c)));
     table += row("length, depth",
                  fmt::format("{}, {}", length_in(c, c.channel.length), length_in(c, c.channel.depth)));
-    if (c.channel.dimensions == 3) {
-        table += row("simulated width", length_in(c, c.channel.simulated_width()));
-    }
+    if (c.channel.dimensions == 3) table += row("simulated width", length_in(c, c.channel.simulated_width()));
     table += row("slope", fmt::format("{:.4g}", c.channel.slope));
     table += row("particle spacing, smoothing length",
                  fmt::format("{}, {}", length_in(c, c.numerics.spacing),
                              length_in(c, c.numerics.smoothing_ratio * c.numerics.spacing)));
     if (f != nullptr) {
-        for (const auto& fact : f->end_facts) {
-            table += row(fact.label, fact.text);
-        }
+        for (const auto& fact : f->end_facts) table += row(fact.label, fact.text);
         table += row("particles", fmt::format("{} of water, {} of walls", f->particles, f->wall_particles));
         table += row("sound speed", fmt::format("{:.4g} m/s", f->sound_speed));
         table += row("time step", fmt::format("{:.3g} s", f->time_step));
@@ -218,9 +214,7 @@ std::string range_text(const Case& c, const Solid& solid, std::size_t axis) {
 }
 
 std::string solids_table(const Case& c) {
-    if (c.solids.empty()) {
-        return "";
-    }
+    if (c.solids.empty()) return "";
     const bool space = c.channel.dimensions == 3;
     std::string table = fmt::format(
         "<section><h2>Solids</h2>\n<div class=\"scroll\"><table><thead><tr><th>name</th><th>shape</th><th>x</th>"
@@ -245,9 +239,7 @@ std::string solids_table(const Case& c) {
 }
 
 std::string places_text(const Case& c, const std::vector<double>& places) {
-    if (places.empty()) {
-        return "–";
-    }
+    if (places.empty()) return "–";
     constexpr std::size_t few = 6;
     std::string text;
     for (std::size_t i = 0; i < std::min(places.size(), few); ++i) {
@@ -276,18 +268,14 @@ std::string instruments_table(const Case& c, const Forecast* f) {
             }
         }
     }
-    if (rows.empty()) {
-        return "";
-    }
+    if (rows.empty()) return "";
     return "<section><h2>Instruments</h2>\n<div class=\"scroll\"><table><thead><tr><th>name</th><th>kind</th>"
            "<th>x</th><th>y</th><th>z</th><th>samples</th></tr></thead><tbody>\n" +
            rows + "</tbody></table></div></section>\n";
 }
 
 std::string warnings_box(const std::vector<std::string>& warnings) {
-    if (warnings.empty()) {
-        return "";
-    }
+    if (warnings.empty()) return "";
     std::string box = "<div class=\"warnings\"><b>Warnings</b><ul>\n";
     for (const std::string& warning : warnings) {
         box += fmt::format("<li>{}</li>\n", escape_markup(warning));

@@ -63,9 +63,7 @@ void draw_heights(SvgSheet& sheet, const Case& c, const PreviewPlan& plan, const
     for (int j = 0; j < rows; ++j) {
         for (int i = 0; i < columns;) {
             int end = i + 1;
-            while (end < columns && shade(end, j) == shade(i, j)) {
-                ++end;
-            }
+            while (end < columns && shade(end, j) == shade(i, j)) ++end;
             paths[shade(i, j)] +=
                 fmt::format("M{:.1f} {:.1f}h{:.1f}v{:.1f}h{:.1f}z", view.x(0.0) + i * cell_u,
                             view.y((j + 1.0) / rows * width), (end - i) * cell_u + 0.3, cell_v + 0.3,
@@ -152,9 +150,7 @@ void draw_placed(SvgSheet& sheet, const Case& c, const PreviewPlan& plan, const 
     for (std::size_t i = 0; i < walls.size(); ++i) {
         const double x = walls.position[0][i];
         const double z = walls.position[D - 1][i];
-        if (!is_shown(x, walls.position[1][i], z)) {
-            continue;
-        }
+        if (!is_shown(x, walls.position[1][i], z)) continue;
         const bool solid = !walls.body.empty() && walls.body[i] >= first_solid;
         sheet.circle(
             view.x(x), view.y(z), radius(walls.volume[i]),
@@ -163,9 +159,7 @@ void draw_placed(SvgSheet& sheet, const Case& c, const PreviewPlan& plan, const 
                               : std::string("#b4bcc4")));
     }
     Particles<D> water = lattice_particles<D>(c);
-    if (starts_packed(c)) {
-        (void)pack_start(c, make_scheme(c, nullptr), water);
-    }
+    if (starts_packed(c)) (void)pack_start(c, make_scheme(c, nullptr), water);
     for (std::size_t i = 0; i < water.position[0].size(); ++i) {
         const double x = water.position[0][i];
         const double z = water.position[D - 1][i];
@@ -230,15 +224,11 @@ void draw_plan(SvgSheet& sheet, const Case& c, const PreviewPlan& plan, const Sh
                         std::abs(view.y(across.to) - view.y(across.from)),
                         fmt::format(R"(fill="{0}" fill-opacity="{1}" stroke="{0}")", colour, opacity));
     };
-    for (const BedPatch& patch : c.bed_patches) {
-        draw_patch(patch, patch_colour, 0.3);
-    }
+    for (const BedPatch& patch : c.bed_patches) draw_patch(patch, patch_colour, 0.3);
     for (std::size_t k = 0; k < c.solids.size(); ++k) {
         const Solid& solid = c.solids[k];
         const SolidMesh* const mesh = mesh_of(c, solid);
-        if (mesh == nullptr) {
-            continue;
-        }
+        if (mesh == nullptr) continue;
         constexpr std::size_t few = 20000;
         if (solid.shape == SolidShape::spheres) {
             draw_circles(sheet, view, sphere_centres(c, solid), solid.diameter,
@@ -279,9 +269,7 @@ void draw_plan(SvgSheet& sheet, const Case& c, const PreviewPlan& plan, const Sh
         sheet.text(view.x(plan.x[k]) + 5.0, view.top + view.height - 6.0, k == 0 ? "B" : "C",
                    R"(class="halo" font-weight="600")");
     }
-    for (const Vegetation& patch : c.vegetation) {
-        draw_patch(patch, stem_colour, 0.22);
-    }
+    for (const Vegetation& patch : c.vegetation) draw_patch(patch, stem_colour, 0.22);
     for (const Porous& zone : c.porous) {
         const bool outlined = !zone.x.empty();
         const double begin = outlined ? Extent(zone.x).low : zone.x_from.value_or(0.0);
@@ -311,9 +299,7 @@ SheetPoint particle_window(const Case& c, double width, double height) {
     for (const Solid& solid : c.solids) {
         const auto x = extent_of(c, solid, 0);
         const auto z = extent_of(c, solid, 2);
-        if (!x || !z || z->low > level) {
-            continue;
-        }
+        if (!x || !z || z->low > level) continue;
         // At a corner of it that stands in the water.
         if (x->low > 0.0) {
             middle.x = x->low + 0.2 * width;
@@ -329,18 +315,14 @@ SheetPoint particle_window(const Case& c, double width, double height) {
         break;
     }
     const double side = 0.5 * width - layers;
-    if (c.channel.length > width) {
-        middle.x = std::clamp(middle.x, side, c.channel.length - side);
-    }
+    if (c.channel.length > width) middle.x = std::clamp(middle.x, side, c.channel.length - side);
     return middle;
 }
 
 bool draw_particles(SvgSheet& sheet, const Case& c, const PreviewPlan& plan, const SheetView& view) {
     constexpr double most = 4e6;
     const CaseSize size = estimate_size(c);
-    if (size.places + size.walls > most) {
-        return false;
-    }
+    if (size.places + size.walls > most) return false;
     sheet.begin_clip(view);
     if (c.channel.dimensions == 3) {
         draw_placed<3>(sheet, c, plan, view);

@@ -43,13 +43,9 @@ class UprightView {
             }
         }
         for (const Porous& zone : c_.porous) {
-            if (is_cut(zone)) {
-                draw_porous_along(zone);
-            }
+            if (is_cut(zone)) draw_porous_along(zone);
         }
-        for (std::size_t k = 0; k < c_.solids.size(); ++k) {
-            draw_solid_along(k);
-        }
+        for (std::size_t k = 0; k < c_.solids.size(); ++k) draw_solid_along(k);
         draw_floor(c_.channel.ends);
         for (const BedPatch& patch : c_.bed_patches) {
             if (is_cut(patch)) {
@@ -102,9 +98,7 @@ class UprightView {
                                std::min(width, patch.y_to.value_or(width)));
             }
         }
-        if (c_.channel.sides != Sides::periodic) {
-            draw_end_walls(true, width, c_.channel.sides == Sides::half);
-        }
+        if (c_.channel.sides != Sides::periodic) draw_end_walls(true, width, c_.channel.sides == Sides::half);
         draw_lid(width);
         sheet_.end_clip();
         if (c_.channel.sides == Sides::periodic) {
@@ -141,9 +135,7 @@ class UprightView {
 
     /// Height of the water at the start at a place along the channel; 0 where there is none.
     [[nodiscard]] double water_level_at(double x) const {
-        if (c_.start.water_x.empty()) {
-            return c_.total_depth();
-        }
+        if (c_.start.water_x.empty()) return c_.total_depth();
         const Outline water{c_.start.water_x, c_.start.water_z};
         return contains(water, x, 1e-9) ? ceiling_above(water, x, 1e-9) : 0.0;
     }
@@ -183,9 +175,7 @@ class UprightView {
 
     /// The zone in which spheres act by their drag.
     void draw_roughness(double from, double to) {
-        if (c_.bed.roughness_height <= 0.0) {
-            return;
-        }
+        if (c_.bed.roughness_height <= 0.0) return;
         rectangle(from, to, 0.0, c_.crest(), R"(fill="#c2a878" fill-opacity="0.45")");
         line(from, c_.crest(), to, c_.crest(), R"(stroke="#8a6d3b" stroke-dasharray="3 3")");
         line(from, c_.datum(), to, c_.datum(), R"(stroke="#56606b" stroke-dasharray="10 4")");
@@ -233,9 +223,7 @@ class UprightView {
 
     void draw_slices(std::size_t solid, const std::vector<std::vector<SheetPoint>>& polygons) {
         std::string d;
-        for (const auto& polygon : polygons) {
-            d += polygon_path(view_, polygon);
-        }
+        for (const auto& polygon : polygons) d += polygon_path(view_, polygon);
         sheet_.path(d, solid_style(solid));
     }
 
@@ -257,47 +245,35 @@ class UprightView {
 
     /// Where a solid moves to: an arrow from its middle.
     void draw_motion(const Solid& solid) {
-        if (solid.motion == SolidMotion::fixed) {
-            return;
-        }
+        if (solid.motion == SolidMotion::fixed) return;
         const auto x = extent_of(c_, solid, 0);
         const auto z = extent_of(c_, solid, 2);
         const bool swings = solid.motion == SolidMotion::oscillating;
         const double along = swings ? solid.amplitude_x : solid.velocity_x;
         const double up = swings ? solid.amplitude_z : solid.velocity_z;
         const double size = std::hypot(along, up);
-        if (!x || !z || size == 0.0) {
-            return;
-        }
+        if (!x || !z || size == 0.0) return;
         const double u = view_.x(0.5 * (x->low + x->high));
         const double v = view_.y(std::min(0.5 * (z->low + z->high), 0.9 * view_.v_high));
         const double du = 34.0 * along / size;
         const double dv = -34.0 * up / size;
         sheet_.arrow(u, v, u + du, v + dv, "#1b2026");
-        if (swings) {
-            sheet_.arrow(u, v, u - du, v - dv, "#1b2026");
-        }
+        if (swings) sheet_.arrow(u, v, u - du, v - dv, "#1b2026");
     }
 
     void draw_floor(Ends ends) {
-        if (c_.channel.top == Top::periodic) {
-            return;
-        }
+        if (c_.channel.top == Top::periodic) return;
         const double length = view_.u_high;
         const double to = bed_ends(c_) && ends == Ends::open ? c_.channel.length : length;
         const bool covered = std::any_of(c_.solids.begin(), c_.solids.end(), [](const Solid& solid) {
             return is_bed_shape(solid.shape) && solid.shape != SolidShape::spheres;
         });
-        if (!covered) {
-            rectangle(view_.u_low, to, view_.v_low, 0.0, wall_style);
-        }
+        if (!covered) rectangle(view_.u_low, to, view_.v_low, 0.0, wall_style);
         line(view_.u_low, 0.0, to, 0.0, covered ? R"(stroke="#56606b" stroke-dasharray="2 4")" : wall_edge);
     }
 
     void draw_end_walls(bool stand, double extent, bool first_only = false) {
-        if (!stand) {
-            return;
-        }
+        if (!stand) return;
         const double high = c_.channel.top == Top::wall ? c_.total_depth() : end_wall_height(c_);
         rectangle(view_.u_low, 0.0, view_.v_low, high, wall_style);
         line(0.0, 0.0, 0.0, high, wall_edge);
@@ -308,9 +284,7 @@ class UprightView {
     }
 
     void draw_lid(double extent) {
-        if (c_.channel.top != Top::wall) {
-            return;
-        }
+        if (c_.channel.top != Top::wall) return;
         const double depth = c_.total_depth();
         rectangle(view_.u_low, view_.u_high, depth, view_.v_high, wall_style);
         line(view_.u_low, depth, view_.u_high, depth, wall_edge);
@@ -355,16 +329,12 @@ class UprightView {
         for (const Solid& solid : c_.solids) {
             const auto u = extent_of(c_, solid, axis);
             const auto z = extent_of(c_, solid, 2);
-            if (!u || !z) {
-                continue;
-            }
+            if (!u || !z) continue;
             const bool bed = is_bed_shape(solid.shape) || u->high - u->low > 0.9 * c_.channel.length;
             const double x = view_.x(bed ? 0.3 * c_.channel.length
                                          : std::clamp(0.5 * (u->low + u->high), 0.0, c_.channel.length));
             double y = bed ? view_.y(0.0) + 14.0 : std::max(view_.y(z->high) - 6.0, view_.top + 30.0);
-            if (std::abs(x - last_x) < 90.0 && std::abs(y - last_y) < 14.0) {
-                y = last_y + 15.0;
-            }
+            if (std::abs(x - last_x) < 90.0 && std::abs(y - last_y) < 14.0) y = last_y + 15.0;
             sheet_.text(x, y, solid.name, R"(class="halo" text-anchor="middle" font-weight="600")");
             last_x = x;
             last_y = y;
@@ -401,9 +371,7 @@ class UprightView {
                         } else {
                             sheet_.rectangle(x - 3.2, y - 3.2, 6.4, 6.4, fill);
                         }
-                        if (i == 0) {
-                            badge(x + 14.0, y - 9.0);
-                        }
+                        if (i == 0) badge(x + 14.0, y - 9.0);
                     }
                     break;
                 case ProbeKind::surface_line:

@@ -18,23 +18,15 @@ PreviewPlan plan_preview(const Case& c) {
     const double spacing = c.numerics.spacing;
     plan.unit = SheetUnit::of(c.channel.length);
     double top = c.total_depth();
-    for (const double z : c.start.water_z) {
-        top = std::max(top, z);
-    }
-    if (c.channel.ends == Ends::walls) {
-        top = std::max(top, c.channel.wall_height.value_or(0.0));
-    }
+    for (const double z : c.start.water_z) top = std::max(top, z);
+    if (c.channel.ends == Ends::walls) top = std::max(top, c.channel.wall_height.value_or(0.0));
     const double water = top;
     const bool space = c.channel.dimensions == 3;
     plan.y = c.channel.dimensions == 3 ? std::min(c.channel.centreline(), c.channel.simulated_width()) : 0.0;
-    if (space && c.channel.sides == Sides::half) {
-        plan.y = 0.999 * c.channel.simulated_width();
-    }
+    if (space && c.channel.sides == Sides::half) plan.y = 0.999 * c.channel.simulated_width();
     bool found = false;
     for (const Solid& solid : c.solids) {
-        if (const auto z = extent_of(c, solid, 2)) {
-            top = std::max(top, std::min(z->high, 3.0 * water));
-        }
+        if (const auto z = extent_of(c, solid, 2)) top = std::max(top, std::min(z->high, 3.0 * water));
         const auto x = extent_of(c, solid, 0);
         const auto y = space ? extent_of(c, solid, 1) : std::nullopt;
         if (!is_bed_shape(solid.shape) && x && y && plan.x.size() < 2) {
@@ -43,12 +35,8 @@ PreviewPlan plan_preview(const Case& c) {
             found = true;
         }
     }
-    if (space && plan.x.empty()) {
-        plan.x.push_back(0.5 * c.channel.length);
-    }
-    if (plan.x.size() == 2 && std::abs(plan.x[0] - plan.x[1]) < spacing) {
-        plan.x.pop_back();
-    }
+    if (space && plan.x.empty()) plan.x.push_back(0.5 * c.channel.length);
+    if (plan.x.size() == 2 && std::abs(plan.x[0] - plan.x[1]) < spacing) plan.x.pop_back();
     plan.below = std::max((c.numerics.wall_layers + 1) * spacing, 0.2 * top);
     plan.beside = std::max(0.03 * c.channel.length, (c.numerics.wall_layers + 1) * spacing);
     plan.top = 1.2 * top;
@@ -56,9 +44,7 @@ PreviewPlan plan_preview(const Case& c) {
 }
 
 std::string solid_colour(const Case& c, std::size_t solid) {
-    if (is_bed_shape(c.solids[solid].shape)) {
-        return "#c2a878";
-    }
+    if (is_bed_shape(c.solids[solid].shape)) return "#c2a878";
     static constexpr std::array<const char*, 5> still{"#7d8791", "#5f7a6b", "#8a6f8f", "#6d7fa3", "#93836b"};
     return c.solids[solid].motion == SolidMotion::fixed ? still[solid % still.size()] : "#d98a4b";
 }
@@ -70,9 +56,7 @@ ScaledView scaled_view(double left, double top, double width, double least, doub
     if (height < least) {
         for (const double factor : {1.5, 2.0, 3.0, 4.0, 5.0, 8.0, 10.0, 15.0, 20.0, 50.0, 100.0}) {
             scaled.exaggeration = factor;
-            if (height * factor >= least) {
-                break;
-            }
+            if (height * factor >= least) break;
         }
         height *= scaled.exaggeration;
     } else if (height > most) {

@@ -28,9 +28,7 @@ std::vector<std::vector<SheetPoint>> slice_polygons(
     for (std::size_t begin = 0; begin < columns.size();) {
         const std::size_t parts = columns[begin].second.size();
         std::size_t end = begin;
-        while (end < columns.size() && columns[end].second.size() == parts) {
-            ++end;
-        }
+        while (end < columns.size() && columns[end].second.size() == parts) ++end;
         for (std::size_t part = 0; part < parts && end - begin > 1; ++part) {
             std::vector<SheetPoint> polygon;
             for (std::size_t i = begin; i < end; ++i) {

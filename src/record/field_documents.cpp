@@ -112,8 +112,9 @@ std::string both(const Wording& wording, const char* between) {
 }
 
 std::string cell(std::string text) {
-    for (std::size_t at = text.find('|'); at != std::string::npos; at = text.find('|', at + 2))
+    for (std::size_t at = text.find('|'); at != std::string::npos; at = text.find('|', at + 2)) {
         text.insert(at, "\\");
+    }
     return text;
 }
 

@@ -25,8 +25,9 @@ FieldTable table_of(const Group& group, const Tables&... parts) {
 
 FieldTable profile_table() {
     FieldTable table{&fields::groups::profiles, {}};
-    for (const fields::ProfileField& row : rows_of<fields::ProfileField>(fields::profiles))
+    for (const fields::ProfileField& row : rows_of<fields::ProfileField>(fields::profiles)) {
         table.fields.push_back(row);
+    }
     for (const Field& row : fields_of(fields::profile_window)) table.fields.push_back(row);
     return table;
 }

@@ -141,8 +141,9 @@ class ChannelRows : public DiagnosticRows {
         const Finding* const found = finding("solid_force_share");
         if (found == nullptr) return;
         std::string text = percent(found->value, 1);
-        if (const Finding* const pressure = finding("solid_form_drag_share"))
+        if (const Finding* const pressure = finding("solid_form_drag_share")) {
             text += fmt::format(", by pressure {}", percent(pressure->value, 1));
+        }
         add({"form_drag",
              bodies_ ? "Force on the bodies over the weight component"
                      : "Force on the solids of the bed over the weight component",
@@ -203,8 +204,10 @@ class ChannelRows : public DiagnosticRows {
     }
 
     void depth_drift() {
-        if (!data_.series.has(fields::time_series.mean_level) || !data_.series.has(fields::time_series.time))
+        if (!data_.series.has(fields::time_series.mean_level) ||
+            !data_.series.has(fields::time_series.time)) {
             return;
+        }
         auto levels = in_window(fields::time_series.mean_level);
         auto times = in_window(fields::time_series.time);
         // A run's first rows may precede the first sample of the surface.
@@ -245,8 +248,9 @@ class ChannelRows : public DiagnosticRows {
         if (stored.empty()) return;
         double worst = 0.0;
         const auto of_row = [&](std::size_t i) { return stored[i] - entered[i] + left[i] + lost[i]; };
-        for (std::size_t i = 0; i < stored.size(); ++i)
+        for (std::size_t i = 0; i < stored.size(); ++i) {
             worst = std::max(worst, std::abs(of_row(i) - of_row(0)));
+        }
         add({"account", "Account of the particles",
              fmt::format("{:.0f} entered, {:.0f} left, {:.0f} lost, {:.0f} stored; error {:.0f}",
                          entered.back(), left.back(), lost.back(), stored.back(), worst),
@@ -296,8 +300,9 @@ class ChannelRows : public DiagnosticRows {
     /// What the start-up has done to the volume stays in every mean after it, steady as they may be. The
     /// level knows of it; the density that the particles carry does not.
     void volume() {
-        if (!data_.series.has(fields::time_series.mean_level) || data_.flow.channel.ends != Ends::periodic)
+        if (!data_.series.has(fields::time_series.mean_level) || data_.flow.channel.ends != Ends::periodic) {
             return;
+        }
         const double level = mean_of(in_window(fields::time_series.mean_level));
         if (!std::isfinite(level)) return;
         const auto& all = data_.series[fields::time_series.mean_level];

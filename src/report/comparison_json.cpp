@@ -23,8 +23,9 @@ Json missing_json(const std::vector<MissingRun>& missing) {
 
 Json costs_json(const std::vector<ComparedRun>& runs) {
     Json rows = Json::array();
-    for (const CostRow& row : cost_rows(runs))
+    for (const CostRow& row : cost_rows(runs)) {
         rows.push_back({{"key", row.key}, {"label", row.label}, {"values", row.values}});
+    }
     return rows;
 }
 

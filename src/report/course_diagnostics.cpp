@@ -64,8 +64,9 @@ class CourseRows : public DiagnosticRows {
 
     void momentum() {
         if (flow_kind(data_.flow) != FlowKind::periodic_box ||
-            !data_.series.has(fields::time_series.total_mean_velocity))
+            !data_.series.has(fields::time_series.total_mean_velocity)) {
             return;
+        }
         const auto& mean = data_.series[fields::time_series.total_mean_velocity];
         double most = 0.0;
         for (const double value : mean) most = std::max(most, std::abs(value - mean.front()));
@@ -102,8 +103,9 @@ class CourseRows : public DiagnosticRows {
     [[nodiscard]] bool still() const {
         const double scale = std::sqrt(data_.flow.normal_gravity() * data_.flow.total_depth());
         const Finding* const energy = finding("kinetic_energy_largest");
-        if (!(scale > 0.0) || energy == nullptr || !data_.series.has(fields::time_series.maximum_velocity))
+        if (!(scale > 0.0) || energy == nullptr || !data_.series.has(fields::time_series.maximum_velocity)) {
             return false;
+        }
         const auto& fastest = data_.series[fields::time_series.maximum_velocity];
         return *std::max_element(fastest.begin(), fastest.end()) < 0.02 * scale;
     }

@@ -98,8 +98,9 @@ void DiagnosticRows::fluctuation() {
     if (values.empty()) return;
     const double mean = mean_with_confidence(values).mean;
     std::string text = fmt::format("{:.2g} mm/s", 1000 * mean);
-    if (friction && *friction > 0)
+    if (friction && *friction > 0) {
         text += fmt::format(" ({:.2g} % of the friction velocity)", 100 * mean / *friction);
+    }
     const bool resolved = resolves_eddies(data_.flow);
     add({"velocity_fluctuation", "Velocity fluctuation of the particles", text,
          data_.flow.stirring.acceleration > 0 ? "set by the stirring force"

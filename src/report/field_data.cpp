@@ -133,8 +133,9 @@ std::vector<std::string> chosen_snapshots(const RunResults& results, const Case&
     const std::size_t frames = std::clamp<std::size_t>(most_in_all / particles, 1, most_frames);
     if (names.size() <= frames) return names;
     std::vector<std::string> chosen;
-    for (std::size_t i = 0; i + 1 < frames; ++i)
+    for (std::size_t i = 0; i + 1 < frames; ++i) {
         chosen.push_back(names[i * (names.size() - 1) / (frames - 1)]);
+    }
     chosen.push_back(names.back());
     return chosen;
 }
@@ -146,8 +147,9 @@ std::vector<Circle> sphere_cuts(const Case& c, double y) {
     const double radius = 0.5 * c.bed.sphere_diameter;
     for (const auto& centre : SphereLattice(c).centres(c.channel.length, c.channel.simulated_width())) {
         const double beside = std::abs(centre[1] - y);
-        if (beside < radius)
+        if (beside < radius) {
             circles.push_back({centre[0], centre[2], std::sqrt(radius * radius - beside * beside)});
+        }
     }
     return circles;
 }
@@ -199,8 +201,9 @@ std::vector<FieldZone> field_zones(const Case& c, double y, double top) {
         if (is_cut(zone)) zones.push_back({"porous", zone.name, porous_outline(c, zone, top)});
     }
     for (const BedPatch& patch : c.bed_patches) {
-        if (is_cut(patch))
+        if (is_cut(patch)) {
             zones.push_back({"bed", patch.name, box(patch, patch.roughness_height.value_or(0.0))});
+        }
     }
     return zones;
 }
@@ -228,8 +231,9 @@ std::optional<FieldPicture> read_field(const RunResults& results, const Case& c,
         for (const double z : frame.z) picture.top = std::max(picture.top, z + 0.5 * c.numerics.spacing);
         // A gate or a pier that stands high out of the water need not be seen whole.
         for (const Outline& body : frame.bodies) {
-            for (const double z : body.z)
+            for (const double z : body.z) {
                 picture.top = std::max(picture.top, std::min(z, 1.5 * c.total_depth()));
+            }
         }
     }
     picture.zones = field_zones(c, picture.y.value_or(0.0), picture.top);

@@ -93,8 +93,9 @@ Json verdict_json(const Verdict& verdict) {
 
 Json references_json(const std::vector<Reference>& references) {
     Json array = Json::array();
-    for (const Reference& reference : references)
+    for (const Reference& reference : references) {
         array.push_back({{"name", reference.name}, {"citation", reference.citation}});
+    }
     return array;
 }
 

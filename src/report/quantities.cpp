@@ -287,8 +287,9 @@ void add_findings(Table& table, const Analysis& analysis,
         if (finding == nullptr) continue;
         const bool millimetres = finding->unit == "m";
         std::string label = finding->label;
-        if (!label.empty() && label.front() >= 'a' && label.front() <= 'z')
+        if (!label.empty() && label.front() >= 'a' && label.front() <= 'z') {
             label.front() = static_cast<char>(label.front() - 'a' + 'A');
+        }
         const std::string unit = millimetres               ? "mm"
                                  : finding->unit == "m2/s" ? "m²/s"
                                  : finding->unit == "m3/s" ? "m³/s"

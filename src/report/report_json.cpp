@@ -82,8 +82,9 @@ std::vector<FieldQuantity> field_quantities(const FieldPicture& picture) {
 
 Json outlines_json(const std::vector<Outline>& outlines) {
     Json array = Json::array();
-    for (const Outline& outline : outlines)
+    for (const Outline& outline : outlines) {
         array.push_back({{"x", array_of(outline.x)}, {"z", array_of(outline.z)}});
+    }
     return array;
 }
 
@@ -96,21 +97,24 @@ Json field_json(const ReportData& data) {
     Json frames = Json::array();
     for (const FieldFrame& frame : picture.frames) {
         Json object = {{"time", frame.time}, {"count", frame.x.size()}};
-        for (const FieldQuantity& quantity : quantities)
+        for (const FieldQuantity& quantity : quantities) {
             object[quantity.name] = packed(frame.*quantity.values, quantity.low, quantity.high);
+        }
         object["surface"] = {{"x", array_of(frame.surface_x)}, {"z", array_of(frame.surface_z)}};
         object["bodies"] = outlines_json(frame.bodies);
         frames.push_back(std::move(object));
     }
     Json spheres = Json::array();
-    for (const Circle& circle : picture.spheres)
+    for (const Circle& circle : picture.spheres) {
         spheres.push_back({rounded(circle.x), rounded(circle.z), rounded(circle.radius)});
+    }
     Json zones = Json::array();
-    for (const FieldZone& zone : picture.zones)
+    for (const FieldZone& zone : picture.zones) {
         zones.push_back({{"kind", zone.kind},
                          {"name", zone.name},
                          {"x", array_of(zone.outline.x)},
                          {"z", array_of(zone.outline.z)}});
+    }
     Json object = {
         {"spacing", data.flow.numerics.spacing}, {"x_end", picture.x_end},      {"top", picture.top},
         {"left_out", picture.left_out},          {"ranges", std::move(ranges)}, {"frames", std::move(frames)},
@@ -128,8 +132,9 @@ Json surface_frames_json(const ReportData& data, const std::vector<SummaryRow>& 
     }
     const auto points = static_cast<std::ptrdiff_t>(surface.x.size() * surface.y.size());
     Json frames = Json::array();
-    for (auto at = surface.elevation.begin(); at != surface.elevation.end(); at += points)
+    for (auto at = surface.elevation.begin(); at != surface.elevation.end(); at += points) {
         frames.push_back(packed({at, at + points}, -largest, largest));
+    }
     const Case& c = data.flow;
     const SummaryRow* const mean = find_quantity(quantities, "depth_mean_velocity");
     return {{"x", array_of(surface.x)},

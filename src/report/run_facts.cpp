@@ -30,21 +30,26 @@ std::vector<Fact> run_facts(const ReportData& data) {
     facts.push_back({"State", !data.failure.empty() ? "failed"
                               : data.complete       ? "complete"
                                                     : "not complete"});
-    if (data.series.has(fields::time_series.time))
+    if (data.series.has(fields::time_series.time)) {
         facts.push_back({"Simulated time", fmt::format("{:.2f} s", recorded_time(data))});
+    }
     if (data.window_end > data.window_start) {
         std::string text = fmt::format("{:.2f} to {:.2f} s", data.window_start, data.window_end);
-        if (data.profile_samples > 0)
+        if (data.profile_samples > 0) {
             text += fmt::format(", {} samples", grouped_number(data.profile_samples));
+        }
         facts.push_back({"Averaging window", text});
     }
-    if (const auto particles = value(fields::summary.particles))
+    if (const auto particles = value(fields::summary.particles)) {
         facts.push_back({"Particles", grouped_number(*particles)});
+    }
     facts.push_back({"Particle spacing", fmt::format("{:.3g} mm", 1000 * data.flow.numerics.spacing)});
-    if (const auto steps = value(fields::summary.steps))
+    if (const auto steps = value(fields::summary.steps)) {
         facts.push_back({"Time steps", grouped_number(*steps)});
-    if (const auto seconds = value(fields::summary.wall_clock_seconds))
+    }
+    if (const auto seconds = value(fields::summary.wall_clock_seconds)) {
         facts.push_back({"Computing time", computing_time_text(*seconds)});
+    }
     if (const auto speed = value(fields::summary.particle_updates_per_second)) {
         facts.push_back({"Speed", fmt::format("{:.2f} million particle updates per second", *speed / 1e6)});
     }

@@ -61,8 +61,9 @@ void add_friction(std::vector<std::string>& sentences, const std::vector<Summary
     if (roughness != nullptr && roughness->simulated) {
         text += fmt::format("; the bed acts with an equivalent roughness of {:.1f} mm",
                             1000 * roughness->simulated->value);
-        if (roughness->measured)
+        if (roughness->measured) {
             text += fmt::format(" (measured {:.0f} mm)", 1000 * roughness->measured->value);
+        }
     }
     sentences.push_back(text + ".");
 }
@@ -149,9 +150,10 @@ void add_why_no_twin(const Case& c, Verdict& verdict) {
 void judge_uniform(const ReportData& data, const std::vector<SummaryRow>& quantities, Verdict& verdict) {
     // Between side walls the measured velocity is that of the centreline.
     const SummaryRow* const centre = find_quantity(quantities, "centreline_velocity");
-    if (centre != nullptr && centre->simulated)
+    if (centre != nullptr && centre->simulated) {
         verdict.sentences.push_back(
             velocity_sentence(*centre, "above the datum around the centreline", "section"));
+    }
     const char* const twin = data.flow.has_side_walls() ? "section" : "column";
     const char* const where =
         data.flow.has_side_walls() ? "above the datum over the whole width" : "above the datum";
@@ -159,9 +161,7 @@ void judge_uniform(const ReportData& data, const std::vector<SummaryRow>& quanti
     verdict.sentences.push_back(velocity_sentence(mean, where, twin));
     add_friction(verdict.sentences, quantities, resolves_eddies(data.flow));
     // A section may have a twin where a column has none.
-    if (!mean.column) {
-        add_why_no_twin(data.flow, verdict);
-    }
+    if (!mean.column) add_why_no_twin(data.flow, verdict);
 }
 
 void judge_bodies(const ReportData& data, const std::vector<SummaryRow>& quantities, Verdict& verdict) {
@@ -185,10 +185,11 @@ void judge_bodies(const ReportData& data, const std::vector<SummaryRow>& quantit
                                                 100.0 * bodies->simulated->value));
     }
     if (data.flow.channel.ends == Ends::open && !bodies_stand) {
-        if (channel_resists(data.flow))
+        if (channel_resists(data.flow)) {
             verdict.sentences.emplace_back(
                 "What the ends give rules the flow; the steady varied flow between them stands beside the long "
                 "profile.");
+        }
     } else {
         add_why_no_twin(data.flow, verdict);
     }
@@ -230,8 +231,9 @@ Verdict judge_flow(const ReportData& data, const std::vector<SummaryRow>& quanti
     if (is_channel(kind) ? !averaged : time <= 0.0) {
         verdict.headline =
             data.complete ? "The run ended without time averages." : "The run has no time averages yet.";
-        if (time > 0)
+        if (time > 0) {
             verdict.sentences.push_back(fmt::format("It has reached {:.2f} s of simulated time.", time));
+        }
         verdict.sentences.emplace_back("What the results file holds so far is shown below.");
         return verdict;
     }
@@ -278,9 +280,7 @@ Verdict judge_flow(const ReportData& data, const std::vector<SummaryRow>& quanti
 Verdict judge(const ReportData& data, const std::vector<SummaryRow>& quantities,
               const std::vector<Diagnostic>& diagnostics) {
     Verdict verdict = judge_flow(data, quantities, diagnostics);
-    if (!data.failure.empty()) {
-        tell_failure(data, verdict);
-    }
+    if (!data.failure.empty()) tell_failure(data, verdict);
     return verdict;
 }
 

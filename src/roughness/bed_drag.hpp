@@ -49,9 +49,7 @@ class BedDrag {
     /// coefficient() at each height.
     void coefficients(std::span<const double> z, std::span<double> result) const {
         assert(result.size() == z.size());
-        for (std::size_t i = 0; i < z.size(); ++i) {
-            result[i] = coefficient(z[i]);
-        }
+        for (std::size_t i = 0; i < z.size(); ++i) result[i] = coefficient(z[i]);
     }
 };
 

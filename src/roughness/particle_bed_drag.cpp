@@ -15,9 +15,7 @@ namespace {
 
 /// Of a bed that is the same everywhere.
 std::unique_ptr<const BedDrag> drag_of_one_bed(const Case& c, double row_height) {
-    if (auto friction = make_wall_drag(c, row_height)) {
-        return row_mean_drag(std::move(friction), row_height);
-    }
+    if (auto friction = make_wall_drag(c, row_height)) return row_mean_drag(std::move(friction), row_height);
     auto drag = make_bed_drag(c);
     return drag && c.numerics.drag_sampling == DragSampling::row ? row_mean_drag(std::move(drag), row_height)
                                                                  : std::move(drag);
@@ -78,13 +76,9 @@ class PatchedDrag final : public BedDrag {
         for (const Patch& patch : patches_) {
             const double share = patch.area.share(x, y, width_);
             outside -= share;
-            if (share > 0.0 && patch.drag) {
-                visit(*patch.drag, share);
-            }
+            if (share > 0.0 && patch.drag) visit(*patch.drag, share);
         }
-        if (outside > 0.0 && bed_) {
-            visit(*bed_, outside);
-        }
+        if (outside > 0.0 && bed_) visit(*bed_, outside);
     }
 
     double width_;  ///< of a particle, m
@@ -97,9 +91,7 @@ class PatchedDrag final : public BedDrag {
 }  // namespace
 
 std::unique_ptr<const BedDrag> make_particle_bed_drag(const Case& c, double row_height) {
-    if (c.bed_patches.empty()) {
-        return drag_of_one_bed(c, row_height);
-    }
+    if (c.bed_patches.empty()) return drag_of_one_bed(c, row_height);
     auto drag = std::make_unique<PatchedDrag>(c, row_height);
     return drag->top() > 0.0 ? std::move(drag) : nullptr;
 }

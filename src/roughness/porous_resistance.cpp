@@ -20,9 +20,7 @@ double linear_of(const Porous& medium, double viscosity) {
 
 double quadratic_of(const Porous& medium) {
     const double n = medium.porosity;
-    if (medium.grain_size) {
-        return medium.inertial_coefficient * (1.0 - n) / (n * n * n * *medium.grain_size);
-    }
+    if (medium.grain_size) return medium.inertial_coefficient * (1.0 - n) / (n * n * n * *medium.grain_size);
     return medium.permeability ? medium.forchheimer / std::sqrt(*medium.permeability) : 0.0;
 }
 
@@ -51,12 +49,8 @@ double pore_mixing_length(const Porous& medium) {
     // Eddies are not larger than pores, a mixing length is a part of their size.
     constexpr double grains = 0.1;
     constexpr double roots = 3.0;
-    if (medium.mixing_length) {
-        return *medium.mixing_length;
-    }
-    if (medium.grain_size) {
-        return grains * *medium.grain_size;
-    }
+    if (medium.mixing_length) return *medium.mixing_length;
+    if (medium.grain_size) return grains * *medium.grain_size;
     return medium.permeability ? roots * std::sqrt(*medium.permeability)
                                : std::numeric_limits<double>::infinity();
 }
@@ -81,9 +75,7 @@ PorousMedia::At PorousMedia::at_with_normal(int dimensions, double x, double y, 
     const double step = 0.02 * thinnest_edge_;
     double squared = 0.0;
     for (std::size_t k = 0; k < 3; ++k) {
-        if (k == 1 && dimensions == 2) {
-            continue;
-        }
+        if (k == 1 && dimensions == 2) continue;
         std::array<double, 3> low{x, y, z};
         std::array<double, 3> high{x, y, z};
         low[k] -= step;
@@ -91,9 +83,7 @@ PorousMedia::At PorousMedia::at_with_normal(int dimensions, double x, double y, 
         here.normal[k] = field_.porosity(high) - field_.porosity(low);
         squared += here.normal[k] * here.normal[k];
     }
-    for (double& component : here.normal) {
-        component = squared > 0.0 ? component / std::sqrt(squared) : 0.0;
-    }
+    for (double& component : here.normal) component = squared > 0.0 ? component / std::sqrt(squared) : 0.0;
     return here;
 }
 

@@ -42,9 +42,7 @@ class RowMeanDrag final : public BedDrag {
     }
 
     [[nodiscard]] double coefficient_at(double x, double y, double z) const override {
-        if (!drag_->varies_in_plan()) {
-            return coefficient(z);
-        }
+        if (!drag_->varies_in_plan()) return coefficient(z);
         // Gauss-Legendre quadrature of four points.
         constexpr std::array<double, 2> place{0.339981043584856264803, 0.861136311594052575224};
         constexpr std::array<double, 2> weight{0.326072569768569630, 0.173927430231430370};

@@ -11,9 +11,7 @@ SideWallPartition side_wall_partition(double depth, double width, double streamw
     for (int i = 0; i < 50; ++i) {
         const double step = (k * k * k + slope * k - 2.0) / (3.0 * k * k + slope);
         k -= step;
-        if (std::abs(step) < 1e-15) {
-            break;
-        }
+        if (std::abs(step) < 1e-15) break;
     }
     SideWallPartition p;
     p.k = k;

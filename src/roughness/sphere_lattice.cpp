@@ -26,9 +26,7 @@ double SphereLattice::shape_factor(double x, double y, double z) const {
     const double reach = radius_ + 0.5 * ramp_;
     const double inner = std::max(0.0, radius_ - 0.5 * ramp_);
     const double dz = z - centre_z_;
-    if (std::abs(dz) >= reach) {
-        return 0.0;
-    }
+    if (std::abs(dz) >= reach) return 0.0;
     // The rows around the point, and in each the two spheres around it.
     const double row_distance = hexagonal_ ? 0.5 * period_y_ : period_y_;
     const double row_y = (y - origin_y_) / row_distance;
@@ -37,9 +35,7 @@ double SphereLattice::shape_factor(double x, double y, double z) const {
     for (long long row = below - 1; row <= below + 2; ++row) {
         const double dy = (row_y - static_cast<double>(row)) * row_distance;
         const double flat = dy * dy + dz * dz;
-        if (flat >= reach * reach) {
-            continue;
-        }
+        if (flat >= reach * reach) continue;
         const double shift = hexagonal_ && row % 2 != 0 ? 0.5 : 0.0;
         const double place = x / period_x_ - shift;
         const double left = std::floor(place);
@@ -63,8 +59,9 @@ std::vector<std::array<double, 3>> SphereLattice::centres(double length, double 
         const double shift = hexagonal_ && row % 2 != 0 ? 0.5 : 0.0;
         const double y = origin_y_ + static_cast<double>(row) * row_distance;
         // A hair off the end, so that rounding sets no sphere on both sides of a periodic channel.
-        for (double place = shift; place * period_x_ < length * (1.0 - 1e-9); place += 1.0)
+        for (double place = shift; place * period_x_ < length * (1.0 - 1e-9); place += 1.0) {
             result.push_back({place * period_x_, y, centre_z_});
+        }
     }
     return result;
 }
@@ -75,9 +72,7 @@ double SphereLattice::plan_mean(double z) const {
     const double inner = radius_ - 0.5 * ramp_;
     const double outer = radius_ + 0.5 * ramp_;
     const double d = std::abs(z - centre_z_);
-    if (d >= outer) {
-        return 0.0;
-    }
+    if (d >= outer) return 0.0;
     const auto ramp_integral = [&](double from) {
         const auto primitive = [&](double r) { return (0.5 * outer - r / 3.0) * r * r; };
         return (primitive(outer) - primitive(from)) / ramp_;

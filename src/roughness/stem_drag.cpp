@@ -17,17 +17,13 @@ double StemDrag::deceleration_slope(double u) const {
         slope_over_speed += factor * (-0.43 * 50.0 * std::pow(reynolds, -0.43) +
                                       0.7 * reynolds / 15000.0 * std::exp(-reynolds / 15000.0));
     }
-    if (streamlines(speed)) {
-        slope_over_speed += exponent_ * coefficient;
-    }
+    if (streamlines(speed)) slope_over_speed += exponent_ * coefficient;
     return per_coefficient_ * slope_over_speed * speed;
 }
 
 double StemDrag::deceleration_integral(double u) const {
     const double speed = std::abs(u);
-    if (constant_ && !streamlines(speed)) {
-        return per_coefficient_ * *constant_ * speed * speed * speed / 3.0;
-    }
+    if (constant_ && !streamlines(speed)) return per_coefficient_ * *constant_ * speed * speed * speed / 3.0;
     // Gauss-Legendre quadrature on both sides of the reference velocity, with u = u_end t^2, which makes the
     // powers of u smooth at rest.
     constexpr std::array<double, 4> place{0.183434642495649805, 0.525532409916328986, 0.796666477413626740,
@@ -50,9 +46,7 @@ double StemDrag::deceleration_integral(double u) const {
 }
 
 double StemDrag::speed_at(double acceleration) const {
-    if (constant_ && exponent_ == 0.0) {
-        return std::sqrt(acceleration / (per_coefficient_ * *constant_));
-    }
+    if (constant_ && exponent_ == 0.0) return std::sqrt(acceleration / (per_coefficient_ * *constant_));
     // The deceleration rises with the speed: bisection of its logarithm.
     double low = std::log(least_speed);
     double high = std::log(1e4);

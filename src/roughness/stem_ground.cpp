@@ -9,9 +9,7 @@
 namespace riffle::inline roughness {
 
 StemGround::StemGround(const Case& c, const Vegetation& stems) {
-    if (stems.stands_on.empty()) {
-        return;
-    }
+    if (stems.stands_on.empty()) return;
     const auto ranges = ranges_of(c, stems);
     for (std::size_t k = 0; k < (c.channel.dimensions == 3 ? 2 : 1); ++k) {
         const double extent = ranges[k].to - ranges[k].from;

@@ -17,9 +17,7 @@ class StemGround {
     /// Height at a place in plan, m; 0 everywhere where the stems stand on the bed. Outside of the patch that
     /// of its edge.
     [[nodiscard]] double at(double x, double y) const {
-        if (height_.empty()) {
-            return 0.0;
-        }
+        if (height_.empty()) return 0.0;
         const Place along = place(x, 0);
         const Place across = place(y, 1);
         const auto on_line = [&](std::size_t line) {

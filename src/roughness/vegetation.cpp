@@ -28,16 +28,12 @@ class CanopyClosure final : public Closure {
         const auto raised = [&](double height) {
             return plain_->mixing_length_in(height - raised_, depth - raised_);
         };
-        if (z >= top_) {
-            return raised(z);
-        }
+        if (z >= top_) return raised(z);
         const double of_stems = top_ < depth ? std::max(raised(top_), wake_) : wake_;
         return std::min(of_bed_->mixing_length_in(z, depth), of_stems);
     }
     void mixing_lengths(std::span<const double> z, std::span<double> result) const override {
-        for (std::size_t i = 0; i < z.size(); ++i) {
-            result[i] = mixing_length(z[i]);
-        }
+        for (std::size_t i = 0; i < z.size(); ++i) result[i] = mixing_length(z[i]);
     }
     [[nodiscard]] bool varies_across() const override { return of_bed_->varies_across(); }
     [[nodiscard]] double side_factor(double y) const override { return of_bed_->side_factor(y); }
@@ -63,9 +59,7 @@ double VegetationPatch::share_below_top(double z, double row_height) const {
 
 std::vector<VegetationPatch> vegetation_patches(const Case& c) {
     std::vector<VegetationPatch> patches;
-    for (const Vegetation& stems : c.vegetation) {
-        patches.emplace_back(c, stems);
-    }
+    for (const Vegetation& stems : c.vegetation) patches.emplace_back(c, stems);
     return patches;
 }
 
@@ -89,9 +83,7 @@ std::unique_ptr<const Closure> make_canopy_closure(const Case& c, const Vegetati
         return of_bed;
     }
     Case plain = c;
-    if (has_wall_law(c)) {
-        plain.bed.kind = BedKind::slip;
-    }
+    if (has_wall_law(c)) plain.bed.kind = BedKind::slip;
     return std::make_unique<CanopyClosure>(std::move(of_bed), make_closure(plain), c, stems);
 }
 

@@ -19,9 +19,7 @@ Case workload_case(const Workload& workload) {
     c.channel.slope = 0.004;
     c.channel.depth = 0.050;
     c.channel.length = workload.length;
-    if (workload.dimensions == 3) {
-        c.channel.width = workload.width;
-    }
+    if (workload.dimensions == 3) c.channel.width = workload.width;
     c.bed.roughness_height = 0.010;
     c.numerics.spacing = workload.spacing;
     c.start.jitter = workload.jitter;
@@ -81,9 +79,7 @@ BenchmarkResult run_in(const Workload& workload, int repetitions, double seconds
     per_step.reserve(static_cast<std::size_t>(repetitions));
     const auto steps_before = simulation->clock().steps;
     const auto builds_before = simulation->clock().list_builds;
-    for (int i = 0; i < repetitions; ++i) {
-        per_step.push_back(run_for(seconds));
-    }
+    for (int i = 0; i < repetitions; ++i) per_step.push_back(run_for(seconds));
     std::nth_element(per_step.begin(), per_step.begin() + repetitions / 2, per_step.end());
     const double median = per_step[static_cast<std::size_t>(repetitions / 2)];
 
@@ -138,9 +134,7 @@ std::vector<Workload> standard_workloads() {
     for (const char* scheme : {"plain", "default", "spheres"}) {
         for (Workload w : workloads) {
             w.scheme = scheme;
-            if (w.dimensions == 3 || w.scheme != "spheres") {
-                all.push_back(w);
-            }
+            if (w.dimensions == 3 || w.scheme != "spheres") all.push_back(w);
         }
     }
     return all;

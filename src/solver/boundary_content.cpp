@@ -103,9 +103,7 @@ void BoundaryContent::add(Content& content) const {
         content.datasets.push_back(column_of(fields::solids.body, vertex_body_));
         add_field(content, fields::solids.names, names_);
     }
-    if (!triangle_.empty()) {
-        content.datasets.push_back(rows_of_three(fields::solids.triangles, triangle_));
-    }
+    if (!triangle_.empty()) content.datasets.push_back(rows_of_three(fields::solids.triangles, triangle_));
     if (!sphere_.empty()) {
         content.datasets.push_back(rows_of_three(fields::spheres.centre, sphere_));
         content.datasets.push_back(numbered(fields::spheres.point, spheres()));
@@ -124,15 +122,11 @@ std::vector<float> BoundaryContent::displaced(const std::vector<float>& points,
             start[0] = image_near(body.centre[0], start[0], period_);
             start[1] = image_near(body.centre[1], start[1], width_);
             const Vec<3> now = body.placed(start);
-            for (std::size_t k = 0; k < 3; ++k) {
-                moved[3 * i + k] = static_cast<float>(now[k]);
-            }
+            for (std::size_t k = 0; k < 3; ++k) moved[3 * i + k] = static_cast<float>(now[k]);
             continue;
         }
         const Vec<3>& shift = body.displacement;
-        for (std::size_t k = 0; k < 3; ++k) {
-            moved[3 * i + k] += static_cast<float>(shift[k]);
-        }
+        for (std::size_t k = 0; k < 3; ++k) moved[3 * i + k] += static_cast<float>(shift[k]);
     }
     return moved;
 }

@@ -95,9 +95,7 @@ void CellSums::clear() {
 
 void CellSums::clear_forces() {
     for (std::vector<Row>* const rows : {&bed_, &sides_}) {
-        for (Row& row : *rows) {
-            row.reset();
-        }
+        for (Row& row : *rows) row.reset();
     }
 }
 
@@ -114,12 +112,8 @@ void CellSums::set_forces(const std::vector<double>& values) {
 
 std::size_t CellSums::bytes() const {
     std::size_t values = bed_.capacity() + sides_.capacity();
-    for (const Row& row : bed_) {
-        values += row != nullptr ? 2 * count_[1] : 0;
-    }
-    for (const Row& column : sides_) {
-        values += column != nullptr ? count_[2] : 0;
-    }
+    for (const Row& row : bed_) values += row != nullptr ? 2 * count_[1] : 0;
+    for (const Row& column : sides_) values += column != nullptr ? count_[2] : 0;
     return values * sizeof(double) + dense_.capacity() * sizeof(float);
 }
 

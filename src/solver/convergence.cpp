@@ -135,9 +135,7 @@ Convergence test_window(const SteadinessRecord& record, double start, double rel
     const Tested* worst = &all.front();
     for (const Tested& one : all) {
         result.remaining_drift = std::max(result.remaining_drift, one.remaining_drift);
-        if (one.mean.half_width / one.scale > worst->mean.half_width / worst->scale) {
-            worst = &one;
-        }
+        if (one.mean.half_width / one.scale > worst->mean.half_width / worst->scale) worst = &one;
     }
     result.least_known = worst->mean;
     find_growth(window_of(record.velocity_fluctuation), result);
@@ -148,9 +146,7 @@ Convergence test_window(const SteadinessRecord& record, double start, double rel
             break;
         }
     }
-    if (result.reason.empty()) {
-        result.reason = growth_objection(result);
-    }
+    if (result.reason.empty()) result.reason = growth_objection(result);
     if (result.reason.empty()) {
         result.converged = true;
         result.reason = success_text(all, result.remaining_drift);
@@ -167,25 +163,19 @@ Convergence test_convergence(const SteadinessRecord& record, double relaxation_t
         none.reason = "nothing recorded yet";
         return none;
     }
-    if (fixed_start >= 0.0) {
-        return test_window(record, fixed_start, relaxation_time, tolerance);
-    }
+    if (fixed_start >= 0.0) return test_window(record, fixed_start, relaxation_time, tolerance);
     Convergence last;
     for (int multiple = 3;
          multiple == 3 || multiple * relaxation_time <= record.time.back() - relaxation_time; ++multiple) {
         last = test_window(record, multiple * relaxation_time, relaxation_time, tolerance);
-        if (last.converged) {
-            break;
-        }
+        if (last.converged) break;
     }
     return last;
 }
 
 double expected_end(const Convergence& test, double time, double relaxation_time, double tolerance,
                     double latest) {
-    if (test.converged) {
-        return std::min(time, latest);
-    }
+    if (test.converged) return std::min(time, latest);
     double end = std::max(time, std::max(test.window_start, 3.0 * relaxation_time) + relaxation_time);
     const double mean = std::abs(test.least_known.mean);
     const double window = time - test.window_start;
@@ -199,9 +189,7 @@ double expected_end(const Convergence& test, double time, double relaxation_time
         const double width = normal_95 * test.least_known.standard_deviation / (mean * std::sqrt(samples));
         const double longer =
             std::max((width / tolerance) * (width / tolerance), fewest_effective_samples / samples);
-        if (longer > 1.0) {
-            end = std::max(end, test.window_start + window * longer);
-        }
+        if (longer > 1.0) end = std::max(end, test.window_start + window * longer);
     } else {
         end = std::max(end, usual_relaxation_times * relaxation_time);
     }

@@ -33,9 +33,7 @@ bool is_finite(const Vec<D>& v) {
 template <int D>
 Vec<D> place_of(const SimulationIn<D>& simulation, std::size_t particle) {
     Vec<D> place{};
-    for (std::size_t k = 0; k < D; ++k) {
-        place[k] = simulation.particles().position[k][particle];
-    }
+    for (std::size_t k = 0; k < D; ++k) place[k] = simulation.particles().position[k][particle];
     if (!is_finite<D>(place)) {
         for (std::size_t k = 0; k < D; ++k) {
             simulation.listed_positions(k, particle, {&place[k], 1});
@@ -74,9 +72,7 @@ std::vector<double> all_in_space(const std::array<std::vector<double>, static_ca
     std::vector<double> values;
     values.reserve(3 * particles.size());
     for (const std::size_t i : particles) {
-        for (const double x : in_space<D>(vectors, i)) {
-            values.push_back(x);
-        }
+        for (const double x : in_space<D>(vectors, i)) values.push_back(x);
     }
     return values;
 }

@@ -192,9 +192,7 @@ double rehearse_memory(const Case& c, const Twins& twins, SimulationIn<D>& simul
 BedPatchForecast forecast_of(const Case& c, const BedPatch& patch) {
     const Case everywhere = uniform_reach(with_bed_of(c, patch));
     BedPatchForecast f{patch.name, std::string(word(patch.kind)), equivalent_roughness(everywhere), 0.0};
-    if (!why_no_column(everywhere)) {
-        f.velocity = solve_column(everywhere).depth_mean_velocity;
-    }
+    if (!why_no_column(everywhere)) f.velocity = solve_column(everywhere).depth_mean_velocity;
     return f;
 }
 
@@ -218,18 +216,14 @@ Forecast forecast_in(const Case& c) {
     f.latest_end = c.run.time;
     f.end_time = c.run.time;
     f.relaxation_time = tested_relaxation_time(c, twins);
-    for (const BedPatch& patch : c.bed_patches) {
-        f.bed_patches.push_back(forecast_of(c, patch));
-    }
+    for (const BedPatch& patch : c.bed_patches) f.bed_patches.push_back(forecast_of(c, patch));
     for (const Vegetation& stems : c.vegetation) {
         const ReferenceDrag reference = reference_drag(c, stems);
         f.vegetation.push_back({stems.name, stems.frontal_area(), stems.solid_fraction(), reference.speed,
                                 reference.drag_coefficient, displacement_height(stems)});
     }
     f.canal = canal_flow(c);
-    for (const BoundaryPlane& rack : body_racks(c)) {
-        f.racks.push_back(rack.place);
-    }
+    for (const BoundaryPlane& rack : body_racks(c)) f.racks.push_back(rack.place);
     if (c.channel.ends == Ends::open) {
         f.ends = flow_at_ends(c);
         f.end_facts = end_facts(c, *f.ends);
@@ -258,9 +252,7 @@ Forecast forecast_in(const Case& c) {
     // A few steps of the case itself, the first (cold) ones left out, and without the fields of samples.
     constexpr double later = std::numeric_limits<double>::infinity();
     const double started = static_cast<double>(peak_memory().value_or(0));
-    for (int i = 0; i < 5; ++i) {
-        simulation->step(later);
-    }
+    for (int i = 0; i < 5; ++i) simulation->step(later);
     int steps = 0;
     const auto start = Clock::now();
     double seconds = 0.0;
@@ -278,9 +270,7 @@ Forecast forecast_in(const Case& c) {
     simulation->step(0.0);
     forecast_probes(c, *simulation, seconds / steps, f);
     RecordedBytes recorded = recorded_bytes(c, static_cast<double>(f.particles), f.end_time);
-    for (const ProbeForecast& probe : f.probes) {
-        recorded.probes += probe.bytes;
-    }
+    for (const ProbeForecast& probe : f.probes) recorded.probes += probe.bytes;
     f.memory_bytes = at_the_begin + recorded.kept +
                      recorded.waiting(std::min(
                          1.0, wait_for_write(f.wall_seconds, c.output.checkpoint_interval) / f.wall_seconds));
@@ -293,9 +283,7 @@ Forecast forecast_in(const Case& c) {
                // The state is in the results and, with the mean field's sums, in two checkpoints.
                {"state and checkpoints", 3.0 * recorded.state + 2.0 * recorded.mean_field_sums}};
     std::erase_if(f.parts, [](const RecordForecast& part) { return part.bytes == 0.0; });
-    for (const RecordForecast& part : f.parts) {
-        f.disk_bytes += part.bytes;
-    }
+    for (const RecordForecast& part : f.parts) f.disk_bytes += part.bytes;
     const double checkpoint = recorded.state + recorded.mean_field_sums;
     const double results = std::max(0.0, f.disk_bytes - 2.0 * checkpoint);
     f.replacing_bytes = std::max(checkpoint, std::min(results, static_cast<double>(change_in_place_from)));

@@ -14,23 +14,17 @@ class Furthest {
   public:
     void add(double value) {
         for (double& kept : values_) {
-            if (value > kept) {
-                std::swap(value, kept);
-            }
+            if (value > kept) std::swap(value, kept);
         }
     }
     void add(const Furthest& other) {
-        for (const double value : other.values_) {
-            add(value);
-        }
+        for (const double value : other.values_) add(value);
     }
     [[nodiscard]] double furthest() const { return values_.front(); }
     /// The third, or of fewer values the last one.
     [[nodiscard]] double front() const {
         std::size_t last = values_.size() - 1;
-        while (last > 0 && !std::isfinite(values_[last])) {
-            --last;
-        }
+        while (last > 0 && !std::isfinite(values_[last])) --last;
         return values_[last];
     }
 

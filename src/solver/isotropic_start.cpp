@@ -124,8 +124,9 @@ std::array<Complex, 3> amplitude(const Grid& grid, const EnergySpectrum& spectru
 template <class F>
 void for_half_of_modes(const Grid& grid, double largest, const F& f) {
     Mode reach{};
-    for (std::size_t d = 0; d < 3; ++d)
+    for (std::size_t d = 0; d < 3; ++d) {
         reach[d] = static_cast<int>(largest * grid.extent[d] / (2.0 * std::numbers::pi));
+    }
     for (int n = -reach[2]; n <= reach[2]; ++n) {
         for (int m = -reach[1]; m <= reach[1]; ++m) {
             for (int l = 0; l <= reach[0]; ++l) {

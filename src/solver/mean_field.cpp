@@ -62,9 +62,7 @@ double value_of(const CellField& field, const CellSums& sums, const CellPlace& c
 }  // namespace
 
 MeanField::MeanField(const Case& c) {
-    if (c.channel.dimensions == 2 || c.output.mean_field_interval <= 0.0) {
-        return;
-    }
+    if (c.channel.dimensions == 2 || c.output.mean_field_interval <= 0.0) return;
     interval_ = c.output.mean_field_interval;
     open_ends_ = c.channel.ends == Ends::open;
     const Lattice lattice = lattice_of(c);
@@ -93,9 +91,7 @@ std::vector<double> MeanField::centres(std::size_t axis) const {
 
 std::vector<double> MeanField::edges(std::size_t axis) const {
     std::vector<double> edges(count_[axis] + 1);
-    for (std::size_t i = 0; i < edges.size(); ++i) {
-        edges[i] = static_cast<double>(i) * edge_[axis];
-    }
+    for (std::size_t i = 0; i < edges.size(); ++i) edges[i] = static_cast<double>(i) * edge_[axis];
     return edges;
 }
 
@@ -109,9 +105,7 @@ CellPlace MeanField::cell_of(const Particles<3>& particles, std::size_t particle
 }
 
 void MeanField::sample(const SimulationIn<3>& simulation) {
-    if (closed_) {
-        open_window();
-    }
+    if (closed_) open_window();
     const Particles<3>& p = simulation.particles();
     const ParticleFields& f = simulation.fields();
     const std::size_t n = p.size();
@@ -123,17 +117,13 @@ void MeanField::sample(const SimulationIn<3>& simulation) {
                (p.position[0][i] >= 0.0 && p.position[0][i] < edge_[0] * static_cast<double>(count_[0]));
     };
     for (std::size_t i = 0; i < n; ++i) {
-        if (counts(i)) {
-            ++begin_of[cell_of(p, i)[0] + 1];
-        }
+        if (counts(i)) ++begin_of[cell_of(p, i)[0] + 1];
     }
     std::partial_sum(begin_of.begin(), begin_of.end(), begin_of.begin());
     order_.resize(n);
     std::vector<std::size_t> next(begin_of.begin(), begin_of.end() - 1);
     for (std::size_t i = 0; i < n; ++i) {
-        if (counts(i)) {
-            order_[next[cell_of(p, i)[0]]++] = static_cast<std::uint32_t>(i);
-        }
+        if (counts(i)) order_[next[cell_of(p, i)[0]]++] = static_cast<std::uint32_t>(i);
     }
     parallel_blocks(count_[0], 1, [&](std::size_t slice, std::size_t) {
         for (std::size_t k = begin_of[slice]; k < begin_of[slice + 1]; ++k) {
@@ -160,9 +150,7 @@ void MeanField::sample(const SimulationIn<3>& simulation) {
 }
 
 void MeanField::open_window() {
-    if (!closed_taken_) {
-        keep_closed_window();
-    }
+    if (!closed_taken_) keep_closed_window();
     closed_ = false;
     samples_ = 0.0;
     sums_.clear();
@@ -200,13 +188,9 @@ std::size_t MeanField::pending_bytes() const { return new_samples_.size() * row_
 
 Content MeanField::take_new_rows() {
     Content content;
-    if (!on()) {
-        return content;
-    }
+    if (!on()) return content;
     const bool streamed = has_closed_window() && new_samples_.empty();
-    if (has_closed_window() && !streamed) {
-        keep_closed_window();
-    }
+    if (has_closed_window() && !streamed) keep_closed_window();
     if (streamed) {
         new_samples_.push_back(samples_);
         closed_taken_ = true;
@@ -240,24 +224,18 @@ void MeanField::add_rows(std::map<std::string, std::size_t>& rows) const {
     if (on()) {
         rows[fields::mean_field_axes.time.path()] = taken_;
         rows[fields::mean_field_axes.samples.path()] = taken_;
-        for (const CellField& of : cell_fields()) {
-            rows[of.field.path()] = taken_;
-        }
+        for (const CellField& of : cell_fields()) rows[of.field.path()] = taken_;
     }
 }
 
 void MeanField::save(Content& checkpoint) const {
-    if (!on()) {
-        return;
-    }
+    if (!on()) return;
     // A closed window is in the results; the sums of the next one are zero.
     add_array(checkpoint, "/recorder/mean_field", {window_end_, closed_ ? 0.0 : samples_}, "1",
               "end and samples of the window that is being averaged");
     const auto add = [&](const char* path, std::size_t size, auto value, const char* long_name) {
         const auto values = [this, value](std::size_t first, std::span<double> block) {
-            for (std::size_t i = 0; i < block.size(); ++i) {
-                block[i] = closed_ ? 0.0 : value(first + i);
-            }
+            for (std::size_t i = 0; i < block.size(); ++i) block[i] = closed_ ? 0.0 : value(first + i);
         };
         checkpoint.datasets.push_back({.path = path,
                                        .shape = {size},
@@ -276,9 +254,7 @@ void MeanField::save(Content& checkpoint) const {
 }
 
 void MeanField::restore(const CheckpointReader& checkpoint) {
-    if (!on()) {
-        return;
-    }
+    if (!on()) return;
     const std::vector<double> window = checkpoint.doubles("/recorder/mean_field", 2);
     window_end_ = window[0];
     samples_ = window[1];
@@ -292,9 +268,7 @@ void MeanField::restore(const CheckpointReader& checkpoint) {
 
 std::vector<std::string> MeanField::field_names() {
     std::vector<std::string> names;
-    for (const CellField& of : cell_fields()) {
-        names.emplace_back(of.field.name);
-    }
+    for (const CellField& of : cell_fields()) names.emplace_back(of.field.name);
     return names;
 }
 

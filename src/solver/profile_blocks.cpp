@@ -40,9 +40,7 @@ std::vector<double> mean_stress(const SectionResult& section) {
         }
         face += width;
     }
-    for (double& stress : mean) {
-        stress /= face;
-    }
+    for (double& stress : mean) stress /= face;
     return mean;
 }
 
@@ -90,15 +88,11 @@ void ProfileSampler::add_particles(const SimulationIn<D>& simulation, std::size_
     const ParticleFields& f = simulation.fields();
     const auto twin_velocity = [&](const Particles<D>& of, std::size_t i) {
         const double z = of.position[D - 1][i];
-        if (D == 3 && section_ != nullptr) {
-            return section_->velocity_at(of.position[1][i], z);
-        }
+        if (D == 3 && section_ != nullptr) return section_->velocity_at(of.position[1][i], z);
         return column_ != nullptr ? column_->velocity_at(z) : 0.0;
     };
     for (std::size_t i = begin; i < end; ++i) {
-        if (!in_channel(case_, p.position[0][i])) {
-            continue;
-        }
+        if (!in_channel(case_, p.position[0][i])) continue;
         const double z = p.position[D - 1][i];
         const double u = p.velocity[0][i];
         const double w = p.velocity[D - 1][i];
@@ -189,9 +183,7 @@ Profiles ProfileSampler::average(double from, double to) const {
             result.samples == 0.0 ? block.end - profile_block_duration : result.window_start;
         result.window_end = block.end;
         result.samples += block.samples;
-        for (std::size_t k = 0; k < sums.size(); ++k) {
-            sums[k] += block.sums[k];
-        }
+        for (std::size_t k = 0; k < sums.size(); ++k) sums[k] += block.sums[k];
         for (std::size_t layer = 0; layer < layers_; ++layer) {
             const double* s = &block.sums[layer * quantities_];
             if (s[index(LayerQuantity::count)] > 0.0) {
@@ -199,9 +191,7 @@ Profiles ProfileSampler::average(double from, double to) const {
             }
         }
     }
-    if (result.samples == 0.0) {
-        return result;
-    }
+    if (result.samples == 0.0) return result;
     const double rho = case_.fluid.density;
     const std::vector<double> section_stress =
         section_ != nullptr ? mean_stress(*section_) : std::vector<double>();

@@ -21,9 +21,7 @@ namespace {
 
 /// Whether something with this interval is due, and when next. An interval of 0 means never.
 bool is_due(double time, double interval, double& due) {
-    if (interval <= 0.0 || time < due) {
-        return false;
-    }
+    if (interval <= 0.0 || time < due) return false;
     due = due_after(time, interval);
     return true;
 }
@@ -133,15 +131,11 @@ void Recorder::record(SimulationIn<D>& simulation) {
     // are each as large as much of the state.
     if (started) {
         probes_.record(flow_state(simulation, nullptr), false);
-        if (series_due) {
-            series_.sample(simulation, mean_level_);
-        }
+        if (series_due) series_.sample(simulation, mean_level_);
         if (profile_due) {
             profiles_.sample(simulation);
             if constexpr (D == 3) {
-                if (mean_field_.on()) {
-                    mean_field_.sample(simulation);
-                }
+                if (mean_field_.on()) mean_field_.sample(simulation);
             }
         }
     }
@@ -149,38 +143,20 @@ void Recorder::record(SimulationIn<D>& simulation) {
     // last state.
     const bool looked_up = started && probes_.due_for_fields_in_fluid(time);
     const auto drop_fields = [&](bool with_viscosity) {
-        if constexpr (D == 3) {
-            simulation.drop_fields(with_viscosity);
-        }
+        if constexpr (D == 3) simulation.drop_fields(with_viscosity);
     };
-    if (!looked_up) {
-        drop_fields(false);
-    }
-    if (is_due(time, output.snapshot_interval, due_.snapshot)) {
-        snapshots_.record(simulation);
-    }
-    if (!looked_up && !snapshots_.shows_viscosity()) {
-        drop_fields(true);
-    }
+    if (!looked_up) drop_fields(false);
+    if (is_due(time, output.snapshot_interval, due_.snapshot)) snapshots_.record(simulation);
+    if (!looked_up && !snapshots_.shows_viscosity()) drop_fields(true);
     if (fluid_due) {
         // One view of the fluid serves the surface and all instruments.
         const FluidViewIn<D> fluid(case_, simulation.particles(), simulation.scheme().smoothing_length);
-        if (surface_due) {
-            mean_level_ = surface_.record(time, fluid);
-        }
-        if (map_due) {
-            map_.record(time, fluid);
-        }
-        if (started) {
-            probes_.record(flow_state(simulation, &fluid), true);
-        }
+        if (surface_due) mean_level_ = surface_.record(time, fluid);
+        if (map_due) map_.record(time, fluid);
+        if (started) probes_.record(flow_state(simulation, &fluid), true);
     }
-    if (looked_up) {
-        drop_fields(!snapshots_.shows_viscosity());
-    }
-    if (series_due) {
-        series_.set_mean_level(mean_level_);
-    }
+    if (looked_up) drop_fields(!snapshots_.shows_viscosity());
+    if (series_due) series_.set_mean_level(mean_level_);
 }
 
 template void Recorder::record(SimulationIn<2>&);
@@ -270,9 +246,7 @@ Content Recorder::take_new_rows() {
 
 std::map<std::string, std::size_t> Recorder::rows() const {
     std::map<std::string, std::size_t> rows = probes_.rows();
-    for (const SeriesColumn& column : series_.columns()) {
-        rows[column.field.path()] = taken_series_;
-    }
+    for (const SeriesColumn& column : series_.columns()) rows[column.field.path()] = taken_series_;
     const auto& blocks = fields::profile_blocks;
     for (const Field& field : {blocks.time, blocks.samples, blocks.sums}) {
         rows[field.path()] = taken_blocks_;

@@ -79,9 +79,7 @@ Particles<D> recycled_particles(const Case& c, const Scheme& scheme, const Case&
             const auto velocity = velocity_below(view, place, h).value_or(FluidView::Velocity{0.0, 0.0, 0.0});
             particles.velocity[0][i] = velocity.u;
             particles.velocity[D - 1][i] = velocity.w;
-            if constexpr (D == 3) {
-                particles.velocity[1][i] = velocity.v;
-            }
+            if constexpr (D == 3) particles.velocity[1][i] = velocity.v;
         }
     });
     return particles;
@@ -91,20 +89,14 @@ template <int D>
 void stand_between_open_ends(const Case& c, const Case& other, Particles<D>& water) {
     std::vector<std::int32_t> kept;
     for (std::size_t i = 0; i < water.size(); ++i) {
-        if (water.position[0][i] >= 0.0) {
-            kept.push_back(static_cast<std::int32_t>(i));
-        }
+        if (water.position[0][i] >= 0.0) kept.push_back(static_cast<std::int32_t>(i));
     }
     water.permute(kept);
-    if (other.channel.ends == Ends::open) {
-        return;
-    }
+    if (other.channel.ends == Ends::open) return;
     const std::size_t n = water.size();
     std::vector<std::size_t> beyond;
     for (std::size_t i = 0; i < n; ++i) {
-        if (water.position[0][i] < end_support(c)) {
-            beyond.push_back(i);
-        }
+        if (water.position[0][i] < end_support(c)) beyond.push_back(i);
     }
     water.created = n > 0 ? *std::max_element(water.id.begin(), water.id.end()) + 1 : 0;
     const std::size_t first = water.append(beyond.size());

@@ -105,12 +105,8 @@ Content run_head(const Case& c, const Twins& twins) {
     add_field(content, file.dimension, std::int64_t{c.channel.dimensions});
     add_field(content, file.created, fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))));
     content.datasets.push_back(case_dataset(c));
-    if (twins.column) {
-        add_column(content, *twins.column, c);
-    }
-    if (twins.section) {
-        add_section(content, *twins.section, c);
-    }
+    if (twins.column) add_column(content, *twins.column, c);
+    if (twins.section) add_section(content, *twins.section, c);
     return content;
 }
 
@@ -126,9 +122,7 @@ void add_profiles_content(Content& content, const Twins& twins, const Recorder& 
                           const Convergence& convergence) {
     const auto [from, to] = window(recorder, convergence);
     const Profiles p = recorder.profiles().average(from, to);
-    if (p.empty()) {
-        return;
-    }
+    if (p.empty()) return;
     const unsigned twin = twins.section ? section_twin : no_section_twin;
     for (const fields::ProfileField& field : rows_of<fields::ProfileField>(fields::profiles)) {
         const unsigned wanted = field.written & (section_twin | no_section_twin);

@@ -118,9 +118,7 @@ std::string run_id_of(const ContentReader& file) { return text_attribute(file, f
 void require_same_run(const CheckpointReader& checkpoint, const ResultsReader& results) {
     const std::string saved = run_id_of(checkpoint);
     const std::string found = run_id_of(results);
-    if (saved == found && !saved.empty()) {
-        return;
-    }
+    if (saved == found && !saved.empty()) return;
     const auto shown = [](const std::string& id) {
         return id.empty() ? std::string("without a run id") : id;
     };
@@ -143,9 +141,7 @@ std::vector<std::string> compare_identity(const CheckpointReader& checkpoint, co
     for (const InputFile& file : input_files(c)) {
         const auto saved = before.find(fmt::format("{} {}", file.key, file.path.string()));
         const std::string now = checksum_text(file.path);
-        if (saved == before.end() || saved->second == now) {
-            continue;
-        }
+        if (saved == before.end() || saved->second == now) continue;
         const char* what = now == "- -" ? "is gone" : "is not the file that it was";
         if (file.needed) {
             throw InputError(

@@ -71,9 +71,7 @@ void require_rows(const ResultsReader& results, const std::map<std::string, std:
             results.has(path) ? results.shape(path) : std::vector<std::size_t>();
         require(path, count == 0 || (!shape.empty() && shape[0] >= count));
     }
-    for (std::size_t i = 0; i < snapshots; ++i) {
-        require(snapshot_group(i), results.has(snapshot_group(i)));
-    }
+    for (std::size_t i = 0; i < snapshots; ++i) require(snapshot_group(i), results.has(snapshot_group(i)));
 }
 
 }  // namespace
@@ -98,9 +96,7 @@ void RunSession<D>::make_simulation_of_case(bool from_start) {
     if (!from_start) {
         // A checkpoint takes the place of these: they need neither be read nor packed.
         Case still = case_;
-        if (still.start.kind == StartKind::results) {
-            still.start.kind = StartKind::rest;
-        }
+        if (still.start.kind == StartKind::results) still.start.kind = StartKind::rest;
         particles = initial_particles<D>(still, scheme, column, twins_.section_velocity(), false);
     } else if (case_.start.kind == StartKind::results) {
         particles = particles_from_results<D>(case_, scheme, ResultsReader(case_.start.file),
@@ -147,9 +143,7 @@ void RunSession<D>::start() {
     log_.info(fmt::format("riffle {} ({}), {} instructions, {}", version(), build_description(),
                           instruction_set_name(active_instruction_set()), thread_description()));
     log_.info(fmt::format("case: {}", case_.title));
-    for (const std::string& note : options_.notes) {
-        log_.warning(note);
-    }
+    for (const std::string& note : options_.notes) log_.warning(note);
     log_.info(fmt::format(
         "{} fluid and {} wall particles, spacing {:.4g} mm, h {:.4g} mm, c0 {:.4g} m/s, step <= {:.4g} s",
         simulation_->particles().size(), simulation_->walls().size(), 1e3 * case_.numerics.spacing,
@@ -185,9 +179,7 @@ void RunSession<D>::restore(const std::filesystem::path& checkpoint,
         require_same_run(saved, results);
         run_id_ = run_id_of(saved);
         inputs_ = saved.read_string(fields::stored_case.inputs.path());
-        for (const std::string& warning : warnings) {
-            tell(warning);
-        }
+        for (const std::string& warning : warnings) tell(warning);
         // The start particles only give the arrays their walls and sizes; the state replaces them. A start
         // from a results file that is gone must not stop a resume.
         make_simulation_of_case(false);
@@ -199,9 +191,7 @@ void RunSession<D>::restore(const std::filesystem::path& checkpoint,
         first_step_ = simulation_->clock().steps;
         told_losses_ = simulation_->particles().lost.size();
         update_convergence(false);
-        if (finished()) {
-            recorder_->keep_end(results, simulation_->clock().time);
-        }
+        if (finished()) recorder_->keep_end(results, simulation_->clock().time);
     }
     // From here on the folder is changed. Another checkpoint than the newest becomes it first: with that one
     // the results that are cut back could not be gone on with.
@@ -257,12 +247,8 @@ RunOutcome RunSession<D>::advance() {
             next_test_ = due_after(simulation_->clock().time, test_interval);
             update_convergence(false);
         }
-        if (seconds_since(last_progress_) >= case_.output.progress_interval) {
-            report_progress();
-        }
-        if (stopped) {
-            break;
-        }
+        if (seconds_since(last_progress_) >= case_.output.progress_interval) report_progress();
+        if (stopped) break;
         const double wait = std::max(wait_for_write(seconds_since(begin_), case_.output.checkpoint_interval),
                                      write_seconds_ / write_share);
         if (seconds_since(last_write_) >= wait) {
@@ -272,12 +258,8 @@ RunOutcome RunSession<D>::advance() {
         }
     }
     stopped = stopped && !finished();
-    if (!stopped) {
-        update_convergence(true);
-    }
-    if (simulation_->clock().steps > first_step_) {
-        recorder_->record_end(*simulation_);
-    }
+    if (!stopped) update_convergence(true);
+    if (simulation_->clock().steps > first_step_) recorder_->record_end(*simulation_);
     report_progress();
     write_out(stopped ? Moment::stopped : Moment::complete);
 
@@ -320,9 +302,7 @@ void RunSession<D>::update_convergence(bool final_test) {
                        .mass_entered = series.column(fields::time_series.mass_entered),
                        .mass_left = series.column(fields::time_series.mass_left),
                        .discharge_unit = fields::time_series.outflow_discharge.unit.in(D)};
-        if (!is_duct(case_)) {
-            record.ends->mean_level = series.column(fields::time_series.mean_level);
-        }
+        if (!is_duct(case_)) record.ends->mean_level = series.column(fields::time_series.mean_level);
     }
     convergence_ = test_convergence(record, relaxation_time_, case_.run.tolerance,
                                     case_.run.average_from.value_or(-1.0));
@@ -370,30 +350,22 @@ void RunSession<D>::report_losses() {
 template <int D>
 void RunSession<D>::tell(const std::string& warning) {
     log_.warning(warning);
-    if (options_.warn) {
-        options_.warn(warning);
-    }
+    if (options_.warn) options_.warn(warning);
 }
 
 template <int D>
 void RunSession<D>::report_end_events() {
     if (end_events_) {
         const SimulationClock& clock = simulation_->clock();
-        for (const std::string& event : end_events_->news(clock.open_ends, clock.time)) {
-            tell(event);
-        }
-        for (const std::string& event : rack_watch_.news(clock.time, clock.free_bodies)) {
-            tell(event);
-        }
+        for (const std::string& event : end_events_->news(clock.open_ends, clock.time)) tell(event);
+        for (const std::string& event : rack_watch_.news(clock.time, clock.free_bodies)) tell(event);
     }
 }
 
 template <int D>
 void RunSession<D>::report_progress() {
     last_progress_ = Clock::now();
-    if (!options_.progress) {
-        return;
-    }
+    if (!options_.progress) return;
     const TimeSeries& series = recorder_->series();
     const SimulationClock& clock = simulation_->clock();
     const double seconds = std::max(1e-9, seconds_since(begin_));

@@ -57,9 +57,7 @@ struct Totals {
         downstream.add(other.downstream);
         s_low = std::min(s_low, other.s_low);
         s_high = std::max(s_high, other.s_high);
-        for (std::size_t k = 0; k < layers.size(); ++k) {
-            layers[k].add(other.layers[k]);
-        }
+        for (std::size_t k = 0; k < layers.size(); ++k) layers[k].add(other.layers[k]);
     }
 };
 
@@ -85,9 +83,7 @@ Totals sums_over(const SimulationIn<D>& simulation, const Case& c, std::size_t b
     Totals sum;
     sum.layers.resize(static_cast<std::size_t>(lattice.rows));
     for (std::size_t i = begin; i < end; ++i) {
-        if (!in_channel(c, p.position[0][i])) {
-            continue;
-        }
+        if (!in_channel(c, p.position[0][i])) continue;
         const double mass = p.mass[i];
         const double z = p.position[D - 1][i];
         const double u = p.velocity[0][i];
@@ -176,9 +172,7 @@ TimeSeries::TimeSeries(const Case& c) : case_(c), end_floors_(end_floors(c)) {
 std::vector<double>& TimeSeries::values_of(const Field& field) {
     const auto found = std::find_if(columns_.begin(), columns_.end(),
                                     [&](const SeriesColumn& column) { return column.field == field; });
-    if (found == columns_.end()) {
-        throw std::invalid_argument(std::string("no time series ") + field.name);
-    }
+    if (found == columns_.end()) throw std::invalid_argument(std::string("no time series ") + field.name);
     return found->values;
 }
 
@@ -228,9 +222,7 @@ void TimeSeries::sample(const SimulationIn<D>& simulation, double mean_level) {
     for (const Layer& l : sum.layers) {
         if (l.count > 0.0) {
             fluctuation += l.uu + l.ww - (l.u * l.u + l.w * l.w) / l.count;
-            if constexpr (D == 3) {
-                fluctuation += l.vv - l.v * l.v / l.count;
-            }
+            if constexpr (D == 3) fluctuation += l.vv - l.v * l.v / l.count;
             order += std::hypot(l.cosine, l.sine);
         }
     }
@@ -278,9 +270,7 @@ void TimeSeries::sample(const SimulationIn<D>& simulation, double mean_level) {
         add(series.porous_over_gravity, over_weight(sum.porous));
         add(series.porous_power, rates.porous);
     }
-    if (case_.channel.ends == Ends::open) {
-        sample_ends(simulation);
-    }
+    if (case_.channel.ends == Ends::open) sample_ends(simulation);
     if constexpr (D == 3) {
         add(series.side_wall_power, rates.side_drag);
         add(series.side_wall_over_gravity, over_weight(sum.side_wall));

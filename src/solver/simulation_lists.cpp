@@ -24,15 +24,11 @@ void SimulationOf<D, Real>::build_lists(bool sort) {
     flow_.data.pressure = {};
     flow_.data.pair_pressure = {};
     if (sort) {
-        for (const auto& component : components_) {
-            component->before_lists(flow_);
-        }
+        for (const auto& component : components_) component->before_lists(flow_);
         particles.permute(spatial_order<D>(flow_.domain, position_view<D>(particles.position),
                                            flow_.column_width, 0.5 * spacing));
         ++flow_.clock.list_builds;
-        for (const auto& component : components_) {
-            component->particles_sorted(flow_);
-        }
+        for (const auto& component : components_) component->particles_sorted(flow_);
         flow_.clock.displacement_bound = 0.0;
         walls_.place_for_lists(flow_);
         flow_.refer_to_particles();
@@ -57,9 +53,7 @@ void SimulationOf<D, Real>::build_lists(bool sort) {
     loose_ = has_loose_particles();
     flow_.clusters.release_boxes();
     unlisted_ = false;
-    for (const auto& component : components_) {
-        component->lists_built(flow_);
-    }
+    for (const auto& component : components_) component->lists_built(flow_);
     allocate();
     flow_.repack();
 }
@@ -67,9 +61,7 @@ void SimulationOf<D, Real>::build_lists(bool sort) {
 template <int D, class Real>
 void SimulationOf<D, Real>::order_passes_anew() {
     std::vector<PassDeclaration> declarations;
-    for (const Pass& pass : passes_) {
-        declarations.push_back(pass.declaration);
-    }
+    for (const Pass& pass : passes_) declarations.push_back(pass.declaration);
     std::vector<ListBetween> lists{{.from = fluid_set, .to = fluid_set, .list = &flow_.fluid_fluid}};
     if (flow_.walls.size() > 0) {
         lists.push_back({.from = fluid_set, .to = wall_set, .list = &flow_.fluid_wall});
@@ -85,9 +77,7 @@ void SimulationOf<D, Real>::allocate() {
     const std::size_t records = flow_.clusters.slots() + 1;
     // A vector that grows by itself doubles: a few clusters more would take as much memory again.
     const auto resize = [&](auto& values) {
-        if (records > values.capacity()) {
-            values.reserve(records + records / 64);
-        }
+        if (records > values.capacity()) values.reserve(records + records / 64);
         values.resize(records);
     };
     resize(flow_.data.motion);
@@ -97,9 +87,7 @@ void SimulationOf<D, Real>::allocate() {
     } else {
         resize(flow_.data.pressure);
     }
-    if (flow_.particle_data.reference_pressure.acts()) {
-        resize(flow_.data.pair_pressure);
-    }
+    if (flow_.particle_data.reference_pressure.acts()) resize(flow_.data.pair_pressure);
     // The force pass needs B only where walls continue the fluid.
     const bool continued =
         std::any_of(flow_.data.wall_gradient.begin(), flow_.data.wall_gradient.end(),
@@ -113,9 +101,7 @@ void SimulationOf<D, Real>::allocate() {
                 lanes += cluster_size;
             }
         }
-        for (auto& component : flow_.data.correction) {
-            component.resize(static_cast<std::size_t>(lanes));
-        }
+        for (auto& component : flow_.data.correction) component.resize(static_cast<std::size_t>(lanes));
     }
     // State and records of a particle; most processors have a mebibyte of second-level cache or more.
     constexpr std::size_t cache = std::size_t{1} << 20U;
@@ -126,13 +112,9 @@ void SimulationOf<D, Real>::allocate() {
     flow_.moved.resize(flow_.clusters.size());
     const std::size_t blocks = blocks_of(flow_.clusters.size());
     flow_.block_advance.assign(blocks, {});
-    if (block_seconds_.size() < blocks) {
-        block_seconds_.resize(blocks);
-    }
+    if (block_seconds_.size() < blocks) block_seconds_.resize(blocks);
     const std::size_t wall_blocks = blocks_of(flow_.wall_clusters.size());
-    if (wall_seconds_.size() < wall_blocks) {
-        wall_seconds_.resize(wall_blocks);
-    }
+    if (wall_seconds_.size() < wall_blocks) wall_seconds_.resize(wall_blocks);
 }
 
 template <int D, class Real>
@@ -163,9 +145,7 @@ bool SimulationOf<D, Real>::lists_valid(double fraction) {
     if (flow_.clock.displacement_bound <= limit || loose_ || walls_.outside_of_lists(flow_)) {
         return flow_.clock.displacement_bound <= limit;
     }
-    if (!flow_.moved_known) {
-        flow_.repack();
-    }
+    if (!flow_.moved_known) flow_.repack();
     const double worst = reduce_blocks(
         flow_.clusters.size(), light_block, 0.0,
         [&](std::size_t begin, std::size_t end) {
@@ -180,9 +160,7 @@ bool SimulationOf<D, Real>::lists_valid(double fraction) {
 // bed.
 template <int D, class Real>
 bool SimulationOf<D, Real>::has_loose_particles() const {
-    if (flow_.domain.periodic[vertical]) {
-        return false;
-    }
+    if (flow_.domain.periodic[vertical]) return false;
     const double support = 2.0 * flow_.scheme.smoothing_length;
     const std::size_t columns = flow_.clusters.column_begin.size() - 1;
     const auto height = [&](std::int32_t code) { return flow_.fixed_point.decode(code, vertical); };
@@ -193,9 +171,7 @@ bool SimulationOf<D, Real>::has_loose_particles() const {
                        double reached = 0.0;  // the bed
                        for (auto c = static_cast<std::size_t>(flow_.clusters.column_begin[column]);
                             c < static_cast<std::size_t>(flow_.clusters.column_begin[column + 1]); ++c) {
-                           if (height(flow_.clusters.lowest[c]) > reached + support) {
-                               return 1;
-                           }
+                           if (height(flow_.clusters.lowest[c]) > reached + support) return 1;
                            reached = height(flow_.clusters.highest[c]);
                        }
                    }
@@ -212,9 +188,7 @@ void SimulationOf<D, Real>::listed_positions(std::size_t axis, std::size_t first
     auto cluster = static_cast<std::size_t>(after - begin.begin()) - 1;
     for (std::size_t i = 0; i < values.size(); ++i) {
         const auto particle = static_cast<std::int32_t>(first + i);
-        while (particle >= begin[cluster + 1]) {
-            ++cluster;
-        }
+        while (particle >= begin[cluster + 1]) ++cluster;
         const std::size_t slot = cluster * cluster_size + static_cast<std::size_t>(particle - begin[cluster]);
         values[i] = flow_.fixed_point.decode(flow_.clusters.slot_position[axis][slot], axis);
     }
@@ -269,14 +243,10 @@ std::size_t SimulationOf<D, Real>::bytes() const {
     add(flow_.data.pair_pressure);
     add(flow_.data.wall_gradient);
     add(flow_.data.wall_force);
-    for (const auto& component : flow_.data.correction) {
-        add(component);
-    }
+    for (const auto& component : flow_.data.correction) add(component);
     add(flow_.data.correction_lane);
     total += flow_.particles.bytes() + flow_.fields.bytes();
-    for (const auto& component : components_) {
-        total += component->bytes();
-    }
+    for (const auto& component : components_) total += component->bytes();
     return total + walls_.bytes() + method_->bytes() + flow_.fluid_fluid.bytes() + flow_.fluid_wall.bytes() +
            flow_.wall_fluid.bytes();
 }

@@ -47,9 +47,7 @@ void SimulationOf<D, Real>::check_state() const {
             }
         }
     }
-    if (faults > 0) {
-        throw ParticleFault(worst, fault_text(worst, faults));
-    }
+    if (faults > 0) throw ParticleFault(worst, fault_text(worst, faults));
 }
 
 template <int D, class Real>
@@ -58,9 +56,7 @@ std::string SimulationOf<D, Real>::fault_text(std::size_t particle, std::size_t 
     const auto u = in_space<D>(flow_.particles.velocity, particle);
     const double s = flow_.particles.density_deviation[particle];
     bool finite = std::isfinite(s);
-    for (std::size_t k = 0; k < 3; ++k) {
-        finite = finite && std::isfinite(x[k]) && std::isfinite(u[k]);
-    }
+    for (std::size_t k = 0; k < 3; ++k) finite = finite && std::isfinite(x[k]) && std::isfinite(u[k]);
     // Water that rises over the room that the case gives it is not the fault of any particle.
     const double top = flow_.domain.upper[vertical];
     return fmt::format(

@@ -17,9 +17,7 @@ template <class Values>
 void fetch(const Values& values, std::size_t begin, std::size_t end) {
     constexpr std::size_t line = 64;  // of the caches, bytes; some records are longer
     constexpr std::size_t step = std::max<std::size_t>(line / sizeof(values[0]), 1);
-    for (std::size_t i = begin; i < end; i += step) {
-        __builtin_prefetch(&values[i], 1);
-    }
+    for (std::size_t i = begin; i < end; i += step) __builtin_prefetch(&values[i], 1);
     // Else GCC takes the function for one without effects and drops its calls.
     asm volatile("");
 }
@@ -77,14 +75,10 @@ auto SimulationOf<D, Real>::make_passes() -> std::vector<Pass> {
 template <int D, class Real>
 void SimulationOf<D, Real>::evaluate(const Stage& stage) {
     walls_.move(flow_, stage);
-    for (const auto& component : components_) {
-        component->begin_evaluation(flow_, stage);
-    }
+    for (const auto& component : components_) component->begin_evaluation(flow_, stage);
     finds_displacements_ = displacements_due();
     if (order_.strips() == 1) {
-        for (std::size_t wave = 0; wave < order_.waves; ++wave) {
-            evaluate_wave(wave, stage, false);
-        }
+        for (std::size_t wave = 0; wave < order_.waves; ++wave) evaluate_wave(wave, stage, false);
     } else {
         parallel_blocks(order_.strips(), 1, [&](std::size_t strip, std::size_t) {
             for (auto wave = order_.strip_begin[strip]; wave < order_.strip_begin[strip + 1]; ++wave) {
@@ -95,9 +89,7 @@ void SimulationOf<D, Real>::evaluate(const Stage& stage) {
     }
     flow_.moved_known = finds_displacements_;
     gather_motion(stage.motion);
-    for (const auto& component : components_) {
-        component->end_evaluation(flow_);
-    }
+    for (const auto& component : components_) component->end_evaluation(flow_);
     flow_.fill_last_records();
 }
 
@@ -120,9 +112,7 @@ void SimulationOf<D, Real>::evaluate_wave(std::size_t wave, const Stage& stage, 
 
 template <int D, class Real>
 void SimulationOf<D, Real>::fetch_for_stress(std::size_t begin, std::size_t end) {
-    if (!asks_ahead_) {
-        return;
-    }
+    if (!asks_ahead_) return;
     // The sums of the blocks that follow begin with the positions of particles that none has read yet: those
     // some columns ahead.
     constexpr std::size_t ahead = 3 * block_clusters;
@@ -131,12 +121,8 @@ void SimulationOf<D, Real>::fetch_for_stress(std::size_t begin, std::size_t end)
     const auto first = static_cast<std::size_t>(flow_.clusters.begin[begin]);
     const auto last = static_cast<std::size_t>(flow_.clusters.begin[end]);
     fetch(flow_.particles.density_deviation, first, last);
-    if (flow_.particle_data.uniform_mass == 0.0) {
-        fetch(flow_.particles.mass, first, last);
-    }
-    if (flow_.particle_data.closure) {
-        fetch(flow_.particles.position[vertical], first, last);
-    }
+    if (flow_.particle_data.uniform_mass == 0.0) fetch(flow_.particles.mass, first, last);
+    if (flow_.particle_data.closure) fetch(flow_.particles.position[vertical], first, last);
     if (!flow_.data.stress.empty()) {
         fetch(flow_.data.stress, begin * cluster_size, end * cluster_size);
     } else {
@@ -146,9 +132,7 @@ void SimulationOf<D, Real>::fetch_for_stress(std::size_t begin, std::size_t end)
 
 template <int D, class Real>
 void SimulationOf<D, Real>::fetch_for_motion(std::size_t begin, std::size_t end) {
-    if (!asks_ahead_) {
-        return;
-    }
+    if (!asks_ahead_) return;
     const auto first = static_cast<std::size_t>(flow_.clusters.begin[begin]);
     const auto last = static_cast<std::size_t>(flow_.clusters.begin[end]);
     for (std::size_t k = 0; k < axes; ++k) {
@@ -165,18 +149,12 @@ void SimulationOf<D, Real>::evaluate_gradients(Task& task, const Stage& stage, s
         (stage.midway ? flow_.loops.gradient_midway : flow_.loops.gradient)(flow_.data, begin, end,
                                                                             task.sums);
     });
-    for (const auto& component : components_) {
-        component->complete_gradients(flow_, task, begin, end);
-    }
+    for (const auto& component : components_) component->complete_gradients(flow_, task, begin, end);
     flow_.particle_loops.stress(flow_.particle_data, flow_.data, task.sums, task.particles, stage.density,
                                 begin, end);
-    if (!flow_.porous.empty()) {
-        flow_.put_media_in_stress(begin, end);
-    }
+    if (!flow_.porous.empty()) flow_.put_media_in_stress(begin, end);
     method_->keep_rates(flow_, task, begin, end);
-    if (flow_.keep_fields) {
-        keep_stress_fields(task, begin, end);
-    }
+    if (flow_.keep_fields) keep_stress_fields(task, begin, end);
 }
 
 template <int D, class Real>
@@ -187,9 +165,7 @@ void SimulationOf<D, Real>::keep_stress_fields(const Task& task, std::size_t beg
         flow_.fields.pressure.set(i, task.particles.pressure[lane]);
         flow_.fields.eddy_viscosity.set(i, task.particles.eddy_viscosity[lane]);
         flow_.fields.shear.set(i, gradients ? gradient.velocity_gradient[vertical][lane] : Real(0));
-        if constexpr (D == 2) {
-            flow_.fields.regularity.set(i, gradients ? gradient.regularity[lane] : Real(1));
-        }
+        if constexpr (D == 2) flow_.fields.regularity.set(i, gradients ? gradient.regularity[lane] : Real(1));
         const auto twice_strain = [&](std::size_t k, std::size_t l) {
             return gradients ? static_cast<double>(gradient.velocity_gradient[k * axes + l][lane]) +
                                    static_cast<double>(gradient.velocity_gradient[l * axes + k][lane])
@@ -220,25 +196,15 @@ void SimulationOf<D, Real>::evaluate_forces(Task& task, const Stage& stage, std:
         }
     }
     if (flow_.with_vegetation) {
-        for (auto& along_axis : task.vegetation_acceleration) {
-            along_axis.fill(0.0);
-        }
+        for (auto& along_axis : task.vegetation_acceleration) along_axis.fill(0.0);
     }
     if (!flow_.porous.empty()) {
-        for (auto& along_axis : task.porous_acceleration) {
-            along_axis.fill(0.0);
-        }
+        for (auto& along_axis : task.porous_acceleration) along_axis.fill(0.0);
     }
-    for (const auto& component : components_) {
-        component->add_forces(flow_, task, begin, end);
-    }
+    for (const auto& component : components_) component->add_forces(flow_, task, begin, end);
     flow_.block_advance[block] = method_->move(flow_, task, stage, begin, end);
-    if (flow_.keep_fields) {
-        keep_force_fields(task, begin, end);
-    }
-    for (const auto& component : components_) {
-        component->after_motion(flow_, task, stage, begin, end);
-    }
+    if (flow_.keep_fields) keep_force_fields(task, begin, end);
+    for (const auto& component : components_) component->after_motion(flow_, task, stage, begin, end);
 }
 
 template <int D, class Real>
@@ -272,9 +238,7 @@ void SimulationOf<D, Real>::gather_motion(double step) {
     walls_.add_motion(flow_, step, slowest, fastest);
     flow_.clock.largest_acceleration = std::sqrt(largest);
     double squared = 0.0;
-    for (std::size_t k = 0; k < axes; ++k) {
-        squared += (fastest[k] - slowest[k]) * (fastest[k] - slowest[k]);
-    }
+    for (std::size_t k = 0; k < axes; ++k) squared += (fastest[k] - slowest[k]) * (fastest[k] - slowest[k]);
     // A hair more than the rounding of the moved positions.
     last_motion_ = method_->sums_motion() ? (1.0 + 1e-6) * step * std::sqrt(squared)
                                           : std::numeric_limits<double>::infinity();

@@ -28,9 +28,7 @@ SimulationOf<D, Real>::SimulationOf(const Case& c, const ColumnResult* column, P
 template <int D, class Real>
 double SimulationOf<D, Real>::choose_step() const {
     const Numerics& numerics = flow_.c.numerics;
-    if (numerics.time_step) {
-        return *numerics.time_step;
-    }
+    if (numerics.time_step) return *numerics.time_step;
     const Scheme& scheme = flow_.scheme;
     const double largest_acceleration = flow_.clock.largest_acceleration;
     if (numerics.step_rule == StepRule::monaghan_kos) {
@@ -51,37 +49,25 @@ template <int D, class Real>
 void SimulationOf<D, Real>::take_step(double fields_due) {
     timed(profile_.lists, [&] {
         // A second evaluation of the step finds the particles moved by up to half of what the lists allow.
-        if (!lists_valid(evaluations_per_step() == 1 ? 1.0 : 0.5)) {
-            build_lists(true);
-        }
+        if (!lists_valid(evaluations_per_step() == 1 ? 1.0 : 0.5)) build_lists(true);
     });
-    for (const auto& component : components_) {
-        component->before_step(flow_);
-    }
+    for (const auto& component : components_) component->before_step(flow_);
     const double dt = choose_step();
     SimulationClock& clock = flow_.clock;
     // As the recorder will see the time: the same sum.
     flow_.keep_fields = clock.time + dt >= fields_due;
-    if (flow_.keep_fields) {
-        flow_.fields.template reset<Real>(flow_.particles.size(), D, flow_.scheme.density);
-    }
-    for (const auto& component : components_) {
-        component->begin_step(flow_, dt);
-    }
+    if (flow_.keep_fields) flow_.fields.template reset<Real>(flow_.particles.size(), D, flow_.scheme.density);
+    for (const auto& component : components_) component->begin_step(flow_, dt);
     const double begin = clock.time;
     for (const Stage& stage : method_->begin(flow_, dt)) {
         clock.time = begin + stage.time;
         evaluate(stage);
     }
-    for (const auto& component : components_) {
-        component->end_step(flow_);
-    }
+    for (const auto& component : components_) component->end_step(flow_);
     clock.time_step = dt;
     clock.time = begin + dt;
     ++clock.steps;
-    if (leaving_) {
-        take_out_leaving();
-    }
+    if (leaving_) take_out_leaving();
 }
 
 template <int D, class Real>
@@ -120,9 +106,7 @@ StepProfile SimulationOf<D, Real>::profile() const {
         result.forces += (block.forces - measurements * clock_seconds_inside_) / threads;
         result.total -= 2.0 * measurements * clock_seconds_ / threads;
     }
-    for (const double seconds : wall_seconds_) {
-        result.walls += seconds / threads;
-    }
+    for (const double seconds : wall_seconds_) result.walls += seconds / threads;
     result.particles = result.total - result.lists - result.walls - result.gradients - result.forces;
     return result;
 }

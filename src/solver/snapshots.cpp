@@ -34,9 +34,7 @@ std::vector<float> triples(const std::array<std::vector<double>, static_cast<std
 
 SnapshotRecorder::SnapshotRecorder(const Case& c) : case_(c), boundaries_(c) {
     std::istringstream words(c.output.snapshot_fields);
-    for (std::string field; words >> field;) {
-        chosen_fields_.push_back(field);
-    }
+    for (std::string field; words >> field;) chosen_fields_.push_back(field);
 }
 
 bool SnapshotRecorder::has(const Field& field) const {
@@ -60,9 +58,7 @@ std::vector<SnapshotField> SnapshotRecorder::fields() const {
 
 std::size_t SnapshotRecorder::bytes_per_particle() const {
     std::size_t bytes = 0;
-    for (const SnapshotField& field : fields()) {
-        bytes += 4 * field.components;
-    }
+    for (const SnapshotField& field : fields()) bytes += 4 * field.components;
     return bytes;
 }
 
@@ -78,9 +74,7 @@ std::vector<std::uint32_t> SnapshotRecorder::chosen(const Particles<D>& p) const
         }
     };
     keep_within(case_.output.snapshot_x, 0);
-    if constexpr (D == 3) {
-        keep_within(case_.output.snapshot_y, 1);
-    }
+    if constexpr (D == 3) keep_within(case_.output.snapshot_y, 1);
     keep_within(case_.output.snapshot_z, D - 1);
     // In the order of the particles' numbers: of all particles, row i of every snapshot is the same one.
     std::sort(chosen.begin(), chosen.end(),
@@ -104,9 +98,7 @@ void SnapshotRecorder::record(const SimulationIn<D>& simulation) {
     const auto add = [&]<class T>(const Field& field, std::vector<T> values, std::size_t components = 1) {
         new_bytes_ += values.size() * sizeof(T);
         std::vector<std::size_t> shape = {n};
-        if (components > 1) {
-            shape.push_back(components);
-        }
+        if (components > 1) shape.push_back(components);
         Dataset dataset = dataset_of(field, D, std::move(shape), std::move(values));
         dataset.path = field.path_in(group);
         new_.datasets.push_back(std::move(dataset));
@@ -114,27 +106,21 @@ void SnapshotRecorder::record(const SimulationIn<D>& simulation) {
     const auto scalar = [&](const Field& field, const auto& value) {
         if (has(field)) {
             std::vector<float> values(n);
-            for (std::size_t row = 0; row < n; ++row) {
-                values[row] = static_cast<float>(value(rows[row]));
-            }
+            for (std::size_t row = 0; row < n; ++row) values[row] = static_cast<float>(value(rows[row]));
             add(field, std::move(values));
         }
     };
     const auto& of = fields::snapshot;
     const double density = case_.fluid.density;
     add(of.position, triples<D>(p.position, rows), 3);
-    if (has(of.velocity)) {
-        add(of.velocity, triples<D>(p.velocity, rows), 3);
-    }
+    if (has(of.velocity)) add(of.velocity, triples<D>(p.velocity, rows), 3);
     scalar(of.pressure, [&](std::size_t i) {
         return density * simulation.scheme().state.pressure(p.density_deviation[i]);
     });
     scalar(of.density, [&](std::size_t i) { return density * (1.0 + p.density_deviation[i]); });
     scalar(of.eddy_viscosity, [&](std::size_t i) { return simulation.fields().eddy_viscosity[i]; });
     std::vector<std::int32_t> id(n);
-    for (std::size_t row = 0; row < n; ++row) {
-        id[row] = static_cast<std::int32_t>(p.id[rows[row]]);
-    }
+    for (std::size_t row = 0; row < n; ++row) id[row] = static_cast<std::int32_t>(p.id[rows[row]]);
     add(of.id, std::move(id));
     SnapshotEntry entry{.index = index, .time = simulation.clock().time, .particles = n};
     if constexpr (D == 3) {
@@ -152,12 +138,8 @@ void SnapshotRecorder::record(const SimulationIn<D>& simulation) {
 
 template <int D>
 void SnapshotRecorder::record_last(const SimulationIn<D>& simulation) {
-    if (case_.output.snapshot_interval <= 0.0) {
-        return;
-    }
-    if (!entries_.empty() && entries_.back().time >= simulation.clock().time) {
-        return;
-    }
+    if (case_.output.snapshot_interval <= 0.0) return;
+    if (!entries_.empty() && entries_.back().time >= simulation.clock().time) return;
     record(simulation);
     has_last_ = true;
 }
@@ -194,9 +176,7 @@ void SnapshotRecorder::restore(const CheckpointReader& checkpoint) {
     for (std::size_t i = 0; i < n; ++i) {
         SnapshotEntry entry{
             .index = i, .time = times[i], .particles = static_cast<std::size_t>(particles[i])};
-        if (case_.channel.dimensions == 3) {
-            entry.points_in = points_in(entry.particles);
-        }
+        if (case_.channel.dimensions == 3) entry.points_in = points_in(entry.particles);
         entries_.push_back(entry);
     }
 }
@@ -209,9 +189,7 @@ void SnapshotRecorder::keep_last(const ResultsReader& results, double time) {
     SnapshotEntry entry{.index = entries_.size(),
                         .time = time,
                         .particles = results.shape(fields::snapshot.id.path_in(group)).front()};
-    if (case_.channel.dimensions == 3) {
-        entry.points_in = points_in(entry.particles);
-    }
+    if (case_.channel.dimensions == 3) entry.points_in = points_in(entry.particles);
     entries_.push_back(entry);
     has_last_ = true;
 }

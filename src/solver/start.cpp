@@ -75,15 +75,9 @@ void start_taylor_green(const Case& c, const Scheme& scheme, Particles<D>& parti
 
 /// The one velocity of a uniform start.
 double uniform_velocity(const Case& c, const ColumnResult* column) {
-    if (c.start.velocity) {
-        return *c.start.velocity;
-    }
-    if (column != nullptr) {
-        return column->total_mean_velocity;
-    }
-    if (const auto canal = canal_flow(c)) {
-        return canal->velocity;
-    }
+    if (c.start.velocity) return *c.start.velocity;
+    if (column != nullptr) return column->total_mean_velocity;
+    if (const auto canal = canal_flow(c)) return canal->velocity;
     throw InputError(
         "[start] kind = \"uniform\" needs `velocity`: this case has no column flow to take it from");
 }
@@ -122,9 +116,7 @@ class OpenStart {
     [[nodiscard]] double pressure() const { return input_.outflow_pressure; }
 
     [[nodiscard]] double velocity(double x, double y, double height) const {
-        if (c_.start.kind == StartKind::rest) {
-            return 0.0;
-        }
+        if (c_.start.kind == StartKind::rest) return 0.0;
         const double floor = floor_at(c_, within_ends(x, c_.channel.length));
         const double water = std::max(depth(x) - floor, c_.numerics.spacing);
         const double z = height - floor;
@@ -170,9 +162,7 @@ Particles<D> initial_particles(const Case& c, const Scheme& scheme, const Column
     const Lattice lattice = lattice_of(c);
     const std::size_t n = particles.size();
     PackedStart packing;
-    if (pack && starts_packed(c)) {
-        packing = pack_start(c, scheme, particles);
-    }
+    if (pack && starts_packed(c)) packing = pack_start(c, scheme, particles);
     std::vector<double> extra_pressure(n, 0.0);
     std::vector<double> still_height = particles.position[vertical];
     if (c.start.kind == StartKind::standing_wave) {
@@ -183,17 +173,11 @@ Particles<D> initial_particles(const Case& c, const Scheme& scheme, const Column
         // A particle displaced from still_height carries the pressure of its new height and of the wave.
         still_height = particles.position[vertical];
     }
-    if (c.start.kind == StartKind::taylor_green) {
-        start_taylor_green(c, scheme, particles, extra_pressure);
-    }
+    if (c.start.kind == StartKind::taylor_green) start_taylor_green(c, scheme, particles, extra_pressure);
     if constexpr (D == 3) {
-        if (c.start.kind == StartKind::isotropic) {
-            start_isotropic(c, particles, extra_pressure);
-        }
+        if (c.start.kind == StartKind::isotropic) start_isotropic(c, particles, extra_pressure);
     }
-    if (is_duct(c)) {
-        extra_pressure.assign(n, open->pressure());
-    }
+    if (is_duct(c)) extra_pressure.assign(n, open->pressure());
     if (c.channel.lid_velocity != 0.0) {
         // A box without a surface has no pressure of its own; with that of the lid's velocity it does not
         // fall below zero in the vortex, where the particles would be drawn apart.
@@ -214,9 +198,7 @@ Particles<D> initial_particles(const Case& c, const Scheme& scheme, const Column
         const double row_share = drawn_out ? rows_below(lattice, surface).height / lattice.dz : 1.0;
         const double share = packing.share.empty() ? row_share : packing.share[i];
         particles.mass[i] = scheme.density * (1.0 + s) * (share * lattice.volume<D>());
-        if (!pores.empty()) {
-            particles.mass[i] *= pores.porosity(vector_of(particles.position, i));
-        }
+        if (!pores.empty()) particles.mass[i] *= pores.porosity(vector_of(particles.position, i));
         if (c.start.kind == StartKind::section) {
             if constexpr (D == 3) {
                 particles.velocity[0][i] = section(particles.position[1][i], particles.position[2][i]);

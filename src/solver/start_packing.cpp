@@ -51,18 +51,14 @@ Places<D> places_over_water(const Case& c, double reach) {
     }
     Case full = c;
     double top = c.total_depth();
-    for (const double z : c.start.water_z) {
-        top = std::max(top, z);
-    }
+    for (const double z : c.start.water_z) top = std::max(top, z);
     const Domain<D> domain = domain_of<D>(c);
     full.start.water_x = {domain.lower[0], domain.upper[0], domain.upper[0], domain.lower[0]};
     full.start.water_z = {0.0, 0.0, top + reach, top + reach};
     const Particles<D> all = on_lattice<D>(full);
     const Particles<D> wet = on_lattice<D>(c);
     std::set<Vec<D>> water;
-    for (std::size_t i = 0; i < wet.size(); ++i) {
-        water.insert(vector_of(wet.position, i));
-    }
+    for (std::size_t i = 0; i < wet.size(); ++i) water.insert(vector_of(wet.position, i));
     Places<D> places;
     for (std::size_t i = 0; i < all.size(); ++i) {
         const Vec<D> place = vector_of(all.position, i);
@@ -93,9 +89,7 @@ class Packer {
         Places<D> above = places_over_water<D>(c, 2.0 * h_);
         air_moves_ =
             c.channel.top == Top::free_surface && c.start.water_x.empty() && stands_through_surface(above);
-        if (air_moves_) {
-            above = places_over_water<D>(c, 4.0 * h_);
-        }
+        if (air_moves_) above = places_over_water<D>(c, 4.0 * h_);
         for (std::size_t k = 0; k < axes; ++k) {
             Places<D>& side = air_moves_ ? places_ : walls_;
             side[k].insert(side[k].end(), above[k].begin(), above[k].end());
@@ -108,15 +102,11 @@ class Packer {
         PackedStart result;
         std::vector<Sum> sums = sums_of_mobile();
         result.unevenness_before = result.unevenness_after = unevenness(sums);
-        if (!c_.start.packed && result.unevenness_before < worth_packing) {
-            return result;
-        }
+        if (!c_.start.packed && result.unevenness_before < worth_packing) return result;
         notice(fmt::format("packing {} particles", mobile_.size()));
         while (result.unevenness_after >= even_enough && result.iterations < most_iterations) {
             parallel_blocks(mobile_.size(), packing_block, [&](std::size_t begin, std::size_t end) {
-                for (std::size_t m = begin; m < end; ++m) {
-                    move(mobile_[m], sums[m].gradient);
-                }
+                for (std::size_t m = begin; m < end; ++m) move(mobile_[m], sums[m].gradient);
             });
             sums = sums_of_mobile();
             result.unevenness_after = unevenness(sums);
@@ -126,12 +116,8 @@ class Packer {
         const double full = lattice_kernel_sum<D>(c_);
         for (std::size_t m = 0; m < mobile_.size(); ++m) {
             const std::size_t i = mobile_[m].place;
-            if (!is_water(i)) {
-                continue;
-            }
-            for (std::size_t k = 0; k < axes; ++k) {
-                particles_.position[k][i] = places_[k][i];
-            }
+            if (!is_water(i)) continue;
+            for (std::size_t k = 0; k < axes; ++k) particles_.position[k][i] = places_[k][i];
             result.share[i] = full / sums[m].value;
         }
         return result;
@@ -216,9 +202,7 @@ class Packer {
 
     [[nodiscard]] std::vector<Sum> sums_of_mobile() const {
         typename ParticleCells<D>::Positions positions;
-        for (std::size_t k = 0; k < axes; ++k) {
-            positions[k] = JoinedValues(places_[k], walls_[k]);
-        }
+        for (std::size_t k = 0; k < axes; ++k) positions[k] = JoinedValues(places_[k], walls_[k]);
         const ParticleCells<D> cells(domain_, positions, 2.0 * h_);
         std::vector<Sum> sums(mobile_.size());
         parallel_blocks(mobile_.size(), packing_block, [&](std::size_t begin, std::size_t end) {
@@ -240,16 +224,12 @@ class Packer {
                 way[k] = cells.distance(k, at[k], cells.positions()[k][j]);
                 squared += way[k] * way[k];
             }
-            if (squared >= 4.0 * h_ * h_) {
-                return;
-            }
+            if (squared >= 4.0 * h_ * h_) return;
             const double q = length_of(way) / h_;
             const double volume = (j < places ? volume_ : wall_volume_[j - places]) / unit;
             sum.value += volume * kernel_.value(q);
             const double slope = volume * kernel_.gradient_factor(q) / h_;
-            for (std::size_t k = 0; k < axes; ++k) {
-                sum.gradient[k] += slope * way[k];
-            }
+            for (std::size_t k = 0; k < axes; ++k) sum.gradient[k] += slope * way[k];
         });
         return sum;
     }
@@ -312,9 +292,7 @@ class Packer {
 template <int D>
 PackedStart pack_start(const Case& c, const Scheme& scheme, Particles<D>& particles) {
     PackedStart packing = Packer<D>(c, scheme, particles).run();
-    if (packing.share.empty()) {
-        return packing;
-    }
+    if (packing.share.empty()) return packing;
     notice(fmt::format(
         "packed in {} iterations: unevenness {:.2g}{}, was {:.2g}", packing.iterations,
         packing.unevenness_after,

@@ -78,8 +78,9 @@ class Modes {
             const double cosine = std::cos(angle);
             const double sine = std::sin(angle);
             Vector3 gradient{};
-            for (std::size_t k = 0; k < 3; ++k)
+            for (std::size_t k = 0; k < 3; ++k) {
                 gradient[k] = slope[k] * cosine - envelope * mode.wave[k] * sine;
+            }
             const Vector3& a = mode.amplitude;
             result[0] += gradient[1] * a[2] - gradient[2] * a[1];
             result[1] += gradient[2] * a[0] - gradient[0] * a[2];
@@ -97,22 +98,16 @@ class Modes {
 }  // namespace
 
 double start_perturbation(const Case& c) {
-    if (c.start.perturbation) {
-        return *c.start.perturbation;
-    }
+    if (c.start.perturbation) return *c.start.perturbation;
     const double friction_velocity = std::sqrt(std::max(0.0, c.streamwise_gravity() * c.channel.depth));
     // Enough to trip the eddies, which else grow from the rounding of the arithmetic.
-    if (resolves_eddies(c) && c.start.kind != StartKind::results) {
-        return friction_velocity;
-    }
+    if (resolves_eddies(c) && c.start.kind != StartKind::results) return friction_velocity;
     const bool quiet = c.channel.dimensions == 2 && c.bed.kind == BedKind::spheres &&
                        c.channel.ends == Ends::periodic && c.channel.top == Top::free_surface &&
                        c.solids.empty() && c.numerics.preset == Preset::riffle;
     const bool flows = c.start.kind == StartKind::column || c.start.kind == StartKind::uniform ||
                        c.start.kind == StartKind::power_law;
-    if (!quiet || !flows) {
-        return 0.0;
-    }
+    if (!quiet || !flows) return 0.0;
     return 0.25 * friction_velocity;
 }
 
@@ -120,9 +115,7 @@ template <int D>
 void perturb_velocity(const Case& c, Particles<D>& particles) {
     const std::size_t n = particles.size();
     const double wanted = start_perturbation(c);
-    if (wanted == 0.0 || n == 0) {
-        return;
-    }
+    if (wanted == 0.0 || n == 0) return;
     const double depth = c.total_depth();
     const double width = c.channel.simulated_width();
     const double thickest = std::min({depth, c.channel.length, D == 3 ? width : depth});

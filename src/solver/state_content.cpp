@@ -147,9 +147,7 @@ template <int D>
 void add_state(Content& content, const SimulationIn<D>& simulation) {
     const Particles<D>& p = simulation.particles();
     p.for_each_field([&](const FieldInfo& info, const auto& values) {
-        if (!values.empty()) {
-            content.datasets.push_back(lent(info, values));
-        }
+        if (!values.empty()) content.datasets.push_back(lent(info, values));
     });
     // What is out of date the run builds anew, here as after a resume.
     for (std::size_t k = 0; k < D && !simulation.lists_out_of_date(); ++k) {
@@ -177,18 +175,12 @@ void add_clock(Content& content, const SimulationIn<D>& simulation) {
     add_field(content, of.time_step, clock.time_step);
     add_field(content, of.largest_acceleration, clock.largest_acceleration);
     add_field(content, of.displacement_bound, clock.displacement_bound);
-    if (clock.open_ends.begun) {
-        add_field(content, fields::state.open_ends, D, clock.open_ends.numbers());
-    }
+    if (clock.open_ends.begun) add_field(content, fields::state.open_ends, D, clock.open_ends.numbers());
     if (!clock.free_bodies.empty()) {
         add_field(content, fields::state.free_bodies, D, free_body_numbers(clock));
     }
-    if (clock.listed_time > 0.0) {
-        add_field(content, of.listed_time, clock.listed_time);
-    }
-    if (D == 3) {
-        add_field(content, of.side_wall_drag_coefficient, clock.side_wall_drag_coefficient);
-    }
+    if (clock.listed_time > 0.0) add_field(content, of.listed_time, clock.listed_time);
+    if (D == 3) add_field(content, of.side_wall_drag_coefficient, clock.side_wall_drag_coefficient);
     add_field(content, of.sound_speed, simulation.scheme().state.sound_speed);
 }
 
@@ -201,16 +193,12 @@ void restore_state(const CheckpointReader& checkpoint, SimulationIn<D>& simulati
     for (const FurtherField& field : simulation.particles().further) {
         // Before the first step they have no values, in the file neither.
         const std::size_t place = p.add_field(field.info);
-        if (checkpoint.has(state_path(field.info.name))) {
-            p.further[place].values.resize(n);
-        }
+        if (checkpoint.has(state_path(field.info.name))) p.further[place].values.resize(n);
     }
     p.resize(n);
     p.for_each_field([&](const FieldInfo& info, auto& values) {
         if constexpr (std::is_same_v<decltype(values), std::vector<double>&>) {
-            if (values.size() == n) {
-                values = checkpoint.doubles(state_path(info.name), n);
-            }
+            if (values.size() == n) values = checkpoint.doubles(state_path(info.name), n);
         } else {
             const auto numbers = whole_numbers(checkpoint, state_path(info.name), n, largest_id);
             values.assign(numbers.begin(), numbers.end());
@@ -218,9 +206,7 @@ void restore_state(const CheckpointReader& checkpoint, SimulationIn<D>& simulati
     });
     for (std::size_t k = 0; k < D; ++k) {
         const std::string name = state.listed_position[axis_of<D>(k)].path();
-        if (checkpoint.has(name)) {
-            p.listed_position[k] = checkpoint.doubles(name, n);
-        }
+        if (checkpoint.has(name)) p.listed_position[k] = checkpoint.doubles(name, n);
     }
     p.lost = saved_lost_particles(checkpoint);
     const auto number = [&](const Field& field) { return checkpoint.number(field.group->path, field.name); };
@@ -252,9 +238,7 @@ void restore_state(const CheckpointReader& checkpoint, SimulationIn<D>& simulati
         put_free_body_numbers(checkpoint.doubles(state.free_bodies.path(), numbers), clock);
     }
     clock.listed_time = present(of.listed_time) ? number(of.listed_time) : 0.0;
-    if (D == 3) {
-        clock.side_wall_drag_coefficient = number(of.side_wall_drag_coefficient);
-    }
+    if (D == 3) clock.side_wall_drag_coefficient = number(of.side_wall_drag_coefficient);
     simulation.restore(std::move(p), clock,
                        checkpoint.doubles(state.wall_density_deviation.path(), simulation.walls().size()));
 }
@@ -316,12 +300,8 @@ Particles<D> particles_from_results(const Case& c, const Scheme& scheme, const R
             values.assign(numbers.begin(), numbers.end());
         }
     });
-    if (is_recycled(c, other)) {
-        return recycled_particles(c, scheme, other, p);
-    }
-    if (c.channel.ends == Ends::open) {
-        stand_between_open_ends(c, other, p);
-    }
+    if (is_recycled(c, other)) return recycled_particles(c, scheme, other, p);
+    if (c.channel.ends == Ends::open) stand_between_open_ends(c, other, p);
     const Field& sound = fields::clock.sound_speed;
     const auto sound_speed = results.attribute(sound.group->path, sound.name);
     const StateEquation old{

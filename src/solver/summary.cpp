@@ -84,43 +84,31 @@ double top_of_solids(const Case& c) {
     double top = 0.0;
     if (c.channel.dimensions == 3 && !c.solids.empty()) {
         const auto meshes = meshes_of(c);
-        for (const SolidMesh& mesh : *meshes) {
-            top = std::max(top, mesh.upper()[2]);
-        }
+        for (const SolidMesh& mesh : *meshes) top = std::max(top, mesh.upper()[2]);
     }
     for (const Solid& solid : c.solids) {
-        for (const double z : solid.z) {
-            top = std::max(top, z);
-        }
+        for (const double z : solid.z) top = std::max(top, z);
     }
     return top;
 }
 
 void add_stresses(const Case& c, const Profiles& p, Numbers& summary) {
     const double crest_stress = c.fluid.density * c.streamwise_gravity() * (c.total_depth() - c.crest());
-    if (crest_stress <= 0.0 || p.z.size() < 6) {
-        return;
-    }
+    if (crest_stress <= 0.0 || p.z.size() < 6) return;
     const double from = std::max(top_of_bed_friction(c), top_of_solids(c));
     Norms spurious;
     Norms error;
     for (std::size_t k = 0; k + 4 < p.z.size(); ++k) {
-        if (p.bin_upper[k] < from) {
-            continue;
-        }
+        if (p.bin_upper[k] < from) continue;
         spurious.add(p.pair_stress[k] / crest_stress);
-        if (!p.analytic_stress.empty()) {
-            error.add((p.total_stress[k] - p.analytic_stress[k]) / crest_stress);
-        }
+        if (!p.analytic_stress.empty()) error.add((p.total_stress[k] - p.analytic_stress[k]) / crest_stress);
     }
     if (spurious.count == 0) {
         return;  // bodies stand through the whole depth
     }
     summary.set(fields::summary.spurious_stress_rms, spurious.rms());
     summary.set(fields::summary.spurious_stress_maximum, spurious.largest);
-    if (error.count > 0) {
-        summary.set(fields::summary.stress_error_rms, error.rms());
-    }
+    if (error.count > 0) summary.set(fields::summary.stress_error_rms, error.rms());
     if (has_bodies(c) || !c.vegetation.empty()) {
         return;  // the stress at the bed is not the one that continues the line
     }
@@ -131,9 +119,7 @@ void add_stresses(const Case& c, const Profiles& p, Numbers& summary) {
 }
 
 void add_log_law(const Case& c, const Profiles& p, Numbers& summary) {
-    if (!has_rough_bed(c)) {
-        return;
-    }
+    if (!has_rough_bed(c)) return;
     const HeightRange range = log_law_range(c);
     const LogLawFit fit = fit_log_law(p.z, p.velocity, log_law_kappa, c.datum(), range.from, range.to);
     if (fit.valid) {
@@ -183,9 +169,7 @@ Numbers summarise(const Case& c, const Twins& twins, const TimeSeries& series, c
                   const Convergence& convergence) {
     Numbers summary;
     const auto& time = series.column(fields::time_series.time);
-    if (time.empty()) {
-        return summary;
-    }
+    if (time.empty()) return summary;
     const double from = profiles.empty() ? convergence.window_start : profiles.window_start;
     const double to = time.back();
     summary.set(fields::summary.converged, convergence.converged ? 1.0 : 0.0);
@@ -216,12 +200,8 @@ Numbers summarise(const Case& c, const Twins& twins, const TimeSeries& series, c
     set_mean(outcomes.total_mean_velocity, of_series.total_mean_velocity);
     set_mean(outcomes.drag_over_gravity, of_series.drag_over_gravity);
     set_mean(outcomes.wall_over_gravity, of_series.wall_over_gravity);
-    if (!c.vegetation.empty()) {
-        set_mean(outcomes.vegetation_over_gravity, of_series.vegetation_over_gravity);
-    }
-    if (!c.porous.empty()) {
-        set_mean(outcomes.porous_over_gravity, of_series.porous_over_gravity);
-    }
+    if (!c.vegetation.empty()) set_mean(outcomes.vegetation_over_gravity, of_series.vegetation_over_gravity);
+    if (!c.porous.empty()) set_mean(outcomes.porous_over_gravity, of_series.porous_over_gravity);
     set_mean(outcomes.mean_level, of_series.mean_level);
     set_mean(outcomes.velocity_fluctuation, of_series.velocity_fluctuation);
     set_mean(outcomes.particle_order, of_series.particle_order);
@@ -242,9 +222,7 @@ Numbers summarise(const Case& c, const Twins& twins, const TimeSeries& series, c
     summary.set(fields::summary.level_drift,
                 window_mean(series, fields::time_series.mean_level, to - 1.0, to) -
                     window_mean(series, fields::time_series.mean_level, 0.0, std::min(1.0, to)));
-    if (profiles.empty()) {
-        return summary;
-    }
+    if (profiles.empty()) return summary;
     summary.set(fields::summary.surface_velocity, profiles.velocity.back());
     if (twins.column) {
         add_column_departures(c, profiles, summary);

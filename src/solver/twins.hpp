@@ -47,9 +47,7 @@ struct Twins {
 /// Solve the twins that the case has.
 [[nodiscard]] inline Twins solve_twins(const Case& c) {
     Twins twins;
-    if (has_column(c)) {
-        twins.column = solve_column(c);
-    }
+    if (has_column(c)) twins.column = solve_column(c);
     if (has_section(c)) {
         twins.section = solve_section(c);
     } else if (const auto substitute = section_start_substitute(c)) {

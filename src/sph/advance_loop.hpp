@@ -92,9 +92,7 @@ template <int D, class Real>
                 const T pairs =
                     load_lanes(&work.force.tensor[k][lane]) + load_lanes(&work.force.viscous[k][lane]);
                 Doubles a = convert<double>(T(factor * pairs)) + p.gravity[k];
-                if (options.acceleration) {
-                    a += load_lanes(&own.acceleration[k][lane]);
-                }
+                if (options.acceleration) a += load_lanes(&own.acceleration[k][lane]);
                 squared += a * a;
                 u[k] = members.step(members.load(p.velocity[k]), kick, a);
             }
@@ -119,9 +117,7 @@ template <int D, class Real>
             for (std::size_t k = 0; k < D; ++k) {
                 members.store(u[k], p.velocity[k]);
                 Doubles transport = u[k];
-                if (options.transport) {
-                    transport += load_lanes(&own.transport[k][lane]);
-                }
+                if (options.transport) transport += load_lanes(&own.transport[k][lane]);
                 slowest[k] = stdx::min(slowest[k], transport);
                 fastest[k] = stdx::max(fastest[k], transport);
                 Doubles x = members.step(members.load(p.position[k]), dt, transport);

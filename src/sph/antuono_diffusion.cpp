@@ -75,9 +75,7 @@ class AntuonoDiffusion final : public PairSum<D, Real> {
             Vec<D>& gradient = gradient_[begin * cluster_size + lane];
             for (std::size_t k = 0; k < D; ++k) {
                 gradient[k] = 0.0;
-                for (std::size_t l = 0; l < D; ++l) {
-                    gradient[k] += inverse_moment[k * D + l] * sum[lane][l];
-                }
+                for (std::size_t l = 0; l < D; ++l) gradient[k] += inverse_moment[k * D + l] * sum[lane][l];
             }
         }
     }

@@ -59,9 +59,7 @@ struct Members {
     /// Zero in the lanes past the last particle.
     template <class Value>
     RIFFLE_INLINE Lanes<Value> cut(Lanes<Value> v) const {
-        if constexpr (!Full) {
-            stdx::where(!present<Value>(), v) = Lanes<Value>(0);
-        }
+        if constexpr (!Full) stdx::where(!present<Value>(), v) = Lanes<Value>(0);
         return v;
     }
 };
@@ -112,25 +110,17 @@ RIFFLE_INLINE Column<Value> column(const Lanes<Value>& v) {
 template <class T, int D>
 RIFFLE_INLINE T strain_measure(StrainMeasure measure, const Components<T, D * D>& g) {
     if constexpr (D == 3) {
-        if (measure == StrainMeasure::wale) {
-            return wale_rate<T>(g);
-        }
-        if (measure == StrainMeasure::vreman) {
-            return vreman_rate<T>(g);
-        }
+        if (measure == StrainMeasure::wale) return wale_rate<T>(g);
+        if (measure == StrainMeasure::vreman) return vreman_rate<T>(g);
     }
     return strain_rate<T, D>(g);
 }
 
 /// Pressure over rho0 in lanes.
 RIFFLE_INLINE Doubles pressure_of(const StateEquation& state, const Doubles& s) {
-    if (state.kind == EquationOfState::linear) {
-        return state.sound_speed * state.sound_speed * s;
-    }
+    if (state.kind == EquationOfState::linear) return state.sound_speed * state.sound_speed * s;
     Column<double> values = column(s);
-    for (double& value : values) {
-        value = state.pressure(value);
-    }
+    for (double& value : values) value = state.pressure(value);
     return load_lanes(values.data());
 }
 
@@ -140,25 +130,19 @@ RIFFLE_INLINE void put_stress(const std::array<Lanes<Real>, N>& stress, const La
                               const Lanes<Real>& weight, const Lanes<Real>& pressure, Record* records) {
     if constexpr (records_in_registers<Record, Real>()) {
         RecordLanes<Record, Real> words{};
-        for (std::size_t k = 0; k < N; ++k) {
-            words[k] = stress[k];
-        }
+        for (std::size_t k = 0; k < N; ++k) words[k] = stress[k];
         words[N] = root;
         words[N + 1] = weight;
         words[N + 2] = pressure;
         store_records<Record>(words, records);
     } else {
         std::array<Column<Real>, N> stress_of;
-        for (std::size_t k = 0; k < N; ++k) {
-            stress_of[k] = column(stress[k]);
-        }
+        for (std::size_t k = 0; k < N; ++k) stress_of[k] = column(stress[k]);
         const Column<Real> root_of = column(root);
         const Column<Real> weight_of = column(weight);
         const Column<Real> pressure_of = column(pressure);
         for (std::size_t l = 0; l < cluster_size; ++l) {
-            for (std::size_t k = 0; k < N; ++k) {
-                records[l].stress[k] = stress_of[k][l];
-            }
+            for (std::size_t k = 0; k < N; ++k) records[l].stress[k] = stress_of[k][l];
             records[l].viscosity_root = root_of[l];
             records[l].weight = weight_of[l];
             records[l].pressure = pressure_of[l];

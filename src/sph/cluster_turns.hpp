@@ -57,9 +57,7 @@ struct OwnCluster {
     template <class Record>
     RIFFLE_INLINE Components<Wide<Real>, D> velocity(const Record& a, const Record& b) const {
         Components<Wide<Real>, D> difference{};
-        for (std::size_t k = 0; k < D; ++k) {
-            difference[k] = u[k] - halves<Real, Real>(a.u[k], b.u[k]);
-        }
+        for (std::size_t k = 0; k < D; ++k) difference[k] = u[k] - halves<Real, Real>(a.u[k], b.u[k]);
         return difference;
     }
 };
@@ -82,9 +80,7 @@ RIFFLE_INLINE auto own_stress(const Record* records) {
     std::pair<Components<Wide<Real>, components>, Wide<Real>> own{};
     if constexpr (records_in_registers<Record, Real>()) {
         const auto words = load_records(records);
-        for (std::size_t k = 0; k < components; ++k) {
-            own.first[k] = both_halves<Real, Real>(words[k]);
-        }
+        for (std::size_t k = 0; k < components; ++k) own.first[k] = both_halves<Real, Real>(words[k]);
         own.second = both_halves<Real, Real>(words[components]);
     } else {
         for (std::size_t k = 0; k < components; ++k) {
@@ -97,25 +93,19 @@ RIFFLE_INLINE auto own_stress(const Record* records) {
 
 template <std::size_t N, class T>
 RIFFLE_INLINE void add(std::array<T, N>& sum, const std::array<T, N>& term) {
-    for (std::size_t k = 0; k < N; ++k) {
-        sum[k] += term[k];
-    }
+    for (std::size_t k = 0; k < N; ++k) sum[k] += term[k];
 }
 
 template <std::size_t N, class T>
 RIFFLE_INLINE void subtract(std::array<T, N>& sum, const std::array<T, N>& term) {
-    for (std::size_t k = 0; k < N; ++k) {
-        sum[k] -= term[k];
-    }
+    for (std::size_t k = 0; k < N; ++k) sum[k] -= term[k];
 }
 
 /// The folded sums times a factor.
 template <class Real, std::size_t N>
 RIFFLE_INLINE std::array<Lanes<Real>, N> fold_all(const std::array<Wide<Real>, N>& sums, Real factor) {
     std::array<Lanes<Real>, N> result{};
-    for (std::size_t k = 0; k < N; ++k) {
-        result[k] = fold<Real>(sums[k]) * factor;
-    }
+    for (std::size_t k = 0; k < N; ++k) result[k] = fold<Real>(sums[k]) * factor;
     return result;
 }
 
@@ -148,9 +138,7 @@ RIFFLE_INLINE void prefetch(const std::vector<Record>& records, const std::int32
     for (std::size_t n = 0; n < neighbours_per_turn<Real>; ++n) {
         const char* record = reinterpret_cast<const char*>(records.data() + ahead[n]);
         __builtin_prefetch(record);
-        if constexpr (sizeof(Record) > 64) {
-            __builtin_prefetch(record + 64);
-        }
+        if constexpr (sizeof(Record) > 64) __builtin_prefetch(record + 64);
     }
 }
 

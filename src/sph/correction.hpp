@@ -91,9 +91,7 @@ RIFFLE_INLINE T smallest_eigenvalue(const Symmetric<T, D>& m) {
         const T r = determinant<T, D>(deviator) / (R(2) * p_squared * p + R(1e-30));
         const T rest = positive_part<T>(R(2) * (R(1) - r));
         T w = sqrt(rest * R(1.0 / 3.5));
-        for (int step = 0; step < 3; ++step) {
-            w = sqrt(rest / (R(3) + w));
-        }
+        for (int step = 0; step < 3; ++step) w = sqrt(rest / (R(3) + w));
         return mean - p * (R(1) + w);
     }
 }

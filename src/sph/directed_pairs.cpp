@@ -17,9 +17,7 @@ double count_directed_pairs(const PairData<D, Real>& data, const Clusters<D>& cl
                                     [&](std::size_t, std::size_t, const Vec<D>&, double) { ++count; });
             };
             add(*data.fluid_fluid, data.motion);
-            if (data.fluid_wall != nullptr) {
-                add(*data.fluid_wall, data.wall_gradient);
-            }
+            if (data.fluid_wall != nullptr) add(*data.fluid_wall, data.wall_gradient);
             // Each is its own neighbour.
             return count - (clusters.begin[end] - clusters.begin[begin]);
         },

@@ -17,9 +17,7 @@ struct StateEquation {
     /// p/rho0. Linear: c0^2 s (Morris; paper eq. 10). Tait: c0^2/7 [(1 + s)^7 - 1] (thesis 2.45).
     [[nodiscard]] double pressure(double s) const {
         const double c2 = sound_speed * sound_speed;
-        if (kind == EquationOfState::linear) {
-            return c2 * s;
-        }
+        if (kind == EquationOfState::linear) return c2 * s;
         // expm1 and log1p keep the small deviation free of cancellation.
         return c2 / tait_exponent * std::expm1(tait_exponent * std::log1p(s));
     }
@@ -27,9 +25,7 @@ struct StateEquation {
     /// The inverse: s at the pressure p/rho0.
     [[nodiscard]] double deviation(double pressure_over_density) const {
         const double c2 = sound_speed * sound_speed;
-        if (kind == EquationOfState::linear) {
-            return pressure_over_density / c2;
-        }
+        if (kind == EquationOfState::linear) return pressure_over_density / c2;
         return std::expm1(std::log1p(tait_exponent * pressure_over_density / c2) / tait_exponent);
     }
 };

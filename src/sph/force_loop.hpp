@@ -124,9 +124,7 @@ template <int D, class Real, class Kernel, class Viscosity, class Record>
                     const W weight = shape * halves<Real, Real>(a.weight, b.weight);
                     const W wall_pressure = halves<Real, Real>(a.pressure, b.pressure);
                     W pressure_sum = pressure + wall_pressure;
-                    if constexpr (further) {
-                        pressure_sum -= form.non_conservative * pressure;
-                    }
+                    if constexpr (further) pressure_sum -= form.non_conservative * pressure;
                     if constexpr (further && may_repel<Kernel, D>) {
                         if (form.tensile > Real(0)) {
                             pressure_sum +=

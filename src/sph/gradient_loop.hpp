@@ -16,9 +16,7 @@ RIFFLE_INLINE Wide<Real> midway_continuity(const Kernel& kernel, const Wide<Real
                                            const Components<Wide<Real>, D>& u, Components<Wide<Real>, D> r,
                                            Real half_way) {
     using stdx::sqrt;
-    for (std::size_t k = 0; k < D; ++k) {
-        r[k] -= half_way * u[k];
-    }
+    for (std::size_t k = 0; k < D; ++k) r[k] -= half_way * u[k];
     const Wide<Real> distance = sqrt(dot<Wide<Real>, D>(r, r));
     return continuity<Wide<Real>, D>(kernel.gradient_shape(distance) * volume, u, r);
 }
@@ -58,9 +56,7 @@ template <int D, class Real, class Kernel, bool Gradients, bool Midway>
                 if constexpr (Gradients) {
                     for (std::size_t l = 0; l < D; ++l) {
                         const W gradient_l = weight * r[l];
-                        for (std::size_t k = 0; k < D; ++k) {
-                            wide_gradient[k * D + l] += u[k] * gradient_l;
-                        }
+                        for (std::size_t k = 0; k < D; ++k) wide_gradient[k * D + l] += u[k] * gradient_l;
                         for (std::size_t k = 0; k <= l; ++k) {
                             wide_m[symmetric_index<D>(static_cast<int>(k), static_cast<int>(l))] +=
                                 r[k] * gradient_l;
@@ -79,9 +75,7 @@ template <int D, class Real, class Kernel, bool Gradients, bool Midway>
         const Components<T, D* D> gradient = fold_all<Real>(wide_gradient, -scale * c.h);
         Symmetric<T, D> m_fluid = fold_all<Real>(wide_m, -scale * c.h * c.h);
         if constexpr (Gradients && !Midway) {
-            for (std::size_t k = 0; k < D; ++k) {
-                divergence -= gradient[k * D + k];
-            }
+            for (std::size_t k = 0; k < D; ++k) divergence -= gradient[k * D + k];
         } else {
             divergence = fold<Real>(wide_divergence) * (scale * c.h);
         }
@@ -134,9 +128,7 @@ template <int D, class Real, class Kernel, bool Gradients, bool Midway>
                                 const std::size_t kl =
                                     symmetric_index<D>(static_cast<int>(k), static_cast<int>(l));
                                 wide_m_continued[kl] += continued * r[k] * r[l];
-                                if constexpr (D == 3) {
-                                    wide_m_along[kl] += along * r[k] * r[l];
-                                }
+                                if constexpr (D == 3) wide_m_along[kl] += along * r[k] * r[l];
                                 wide_m_wall[kl] += (weight - continued) * r[k] * r[l];
                             }
                         }
@@ -214,9 +206,7 @@ template <int D, class Real, class Kernel, bool Gradients, bool Midway>
             // The two-point viscosity is nu M_kl d2u/dx_k dx_l. Among disordered particles tr(M)/D falls
             // below one, and Taylor-Green vortices decay 1 to 2 % too slowly; this factor puts that right.
             T trace = m_total[0];
-            for (int k = 1; k < D; ++k) {
-                trace += m_total[symmetric_index<D>(k, k)];
-            }
+            for (int k = 1; k < D; ++k) trace += m_total[symmetric_index<D>(k, k)];
             // (Of a lone drop the trace is zero, and the blend too.)
             store_lanes(T(Real(1) + pressure_blend * (Real(D) / stdx::max(trace, T(1)) - Real(1))),
                         &work.gradient.viscosity_factor[lane]);

@@ -54,9 +54,7 @@ const BuiltSet& built(InstructionSet set) {
 InstructionSet wished(const std::string& wish) {
     for (const InstructionSet set :
          {InstructionSet::avx512, InstructionSet::avx2, InstructionSet::baseline}) {
-        if (instruction_set_name(set) != wish) {
-            continue;
-        }
+        if (instruction_set_name(set) != wish) continue;
         if (!processor_offers(set)) {
             throw InputError(
                 "RIFFLE_INSTRUCTION_SET=" + wish +
@@ -78,9 +76,7 @@ InstructionSet choose() {
         return wished(wish);
     }
     for (const BuiltSet& built : built_sets) {
-        if (processor_offers(built.set)) {
-            return built.set;
-        }
+        if (processor_offers(built.set)) return built.set;
     }
     throw InputError(
         "this program was built for a processor with other instructions than this one has; build it on this "

@@ -36,9 +36,7 @@ Coefficients interpolate(const F& f) {
         for (std::size_t m = 0; m < nodes; ++m) {
             sum[m] += chebyshev[k] * polynomial[m];
             next[m] -= before[m];
-            if (m + 1 < nodes) {
-                next[m + 1] += (k == 0 ? 1.0 : 2.0) * polynomial[m];
-            }
+            if (m + 1 < nodes) next[m + 1] += (k == 0 ? 1.0 : 2.0) * polynomial[m];
         }
         before = polynomial;
         polynomial = next;
@@ -77,9 +75,7 @@ const KernelTable<Real>& kernel_table(KernelKind kind) {
     constexpr std::size_t kinds = Words<KernelKind>::list.size();
     static const auto tables = [] {
         std::array<KernelTable<Real>, kinds> all{};
-        for (std::size_t k = 0; k < kinds; ++k) {
-            all[k] = make_table<D, Real>(static_cast<KernelKind>(k));
-        }
+        for (std::size_t k = 0; k < kinds; ++k) all[k] = make_table<D, Real>(static_cast<KernelKind>(k));
         return all;
     }();
     return tables.at(static_cast<std::size_t>(kind));

@@ -39,9 +39,7 @@ void for_listed_pairs(const NeighbourList& list, const Clusters<D>& clusters, co
                     r[k] = wrapped_difference(own[i].x[k], others[j].x[k]) * fixed_point.unit(k);
                     squared += r[k] * r[k];
                 }
-                if (squared < support * support) {
-                    f(i, j, r, squared);
-                }
+                if (squared < support * support) f(i, j, r, squared);
             }
         }
     }

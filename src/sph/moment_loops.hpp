@@ -106,9 +106,7 @@ template <int D, class Real, class Kernel>
             store(mass_first[k], c.h, work.filter.mass_first[k]);
             store(velocity[k], Real(1), work.filter.velocity[k]);
         }
-        for (std::size_t k = 0; k < second.size(); ++k) {
-            store(second[k], c.h * c.h, work.filter.second[k]);
-        }
+        for (std::size_t k = 0; k < second.size(); ++k) store(second[k], c.h * c.h, work.filter.second[k]);
     }
 }
 

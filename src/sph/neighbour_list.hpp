@@ -60,9 +60,7 @@ constexpr std::array<std::array<std::uint8_t, 8>, 256> bit_positions() {
     for (std::size_t mask = 0; mask < 256; ++mask) {
         std::size_t n = 0;
         for (std::size_t bit = 0; bit < 8; ++bit) {
-            if ((mask >> bit & 1U) != 0) {
-                table[mask][n++] = static_cast<std::uint8_t>(bit);
-            }
+            if ((mask >> bit & 1U) != 0) table[mask][n++] = static_cast<std::uint8_t>(bit);
         }
     }
     return table;
@@ -84,18 +82,14 @@ template <class Writer>
             next += __builtin_popcount(*mask);
         }
     }
-    for (std::size_t l = 0; l < lookahead; l += cluster_size) {
-        write.same(empty_slot, next + l);
-    }
+    for (std::size_t l = 0; l < lookahead; l += cluster_size) write.same(empty_slot, next + l);
     return static_cast<std::size_t>(next - slots);
 }
 
 inline std::size_t NeighbourList::spell(std::size_t cluster, std::int32_t* slots) const {
     struct {
         static void bits(std::int32_t base, std::uint8_t mask, std::int32_t* to) {
-            for (const std::uint8_t position : detail::bit_position_table[mask]) {
-                *to++ = base + position;
-            }
+            for (const std::uint8_t position : detail::bit_position_table[mask]) *to++ = base + position;
         }
         static void same(std::int32_t value, std::int32_t* to) { std::fill_n(to, cluster_size, value); }
     } const plain;
@@ -108,9 +102,7 @@ class NeighbourBlock {
   public:
     /// Make room for `runs` more runs and `masks` more masks.
     void reserve(std::size_t runs, std::size_t masks) {
-        if (runs_.size() < run_count_ + runs || masks_.size() < mask_count_ + masks) {
-            grow(runs, masks);
-        }
+        if (runs_.size() < run_count_ + runs || masks_.size() < mask_count_ + masks) grow(runs, masks);
     }
     /// Empty, with the memory that it has.
     void clear();

@@ -21,12 +21,8 @@ class ColumnRange {
         const int last = static_cast<int>(std::floor((high - j.lower[axis]) / j.column_width[axis]));
         if (periodic_) {
             first_ = first;
-            while (first_ < 0) {
-                first_ += columns_;
-            }
-            while (first_ >= columns_) {
-                first_ -= columns_;
-            }
+            while (first_ < 0) first_ += columns_;
+            while (first_ >= columns_) first_ -= columns_;
             count_ = last - first + 1 < columns_ ? last - first + 1 : columns_;
         } else {
             first_ = first < 0 ? 0 : (first < columns_ ? first : columns_ - 1);
@@ -70,9 +66,7 @@ class BlockSearch {
           block_(block),
           range_(search.range) {
         range_squared_ = static_cast<float>(range_ * range_);
-        for (std::size_t k = 0; k < D; ++k) {
-            unit_[k] = static_cast<float>(fixed_point_.unit(k));
-        }
+        for (std::size_t k = 0; k < D; ++k) unit_[k] = static_cast<float>(fixed_point_.unit(k));
         reach_ = static_cast<std::int64_t>(std::ceil(range_ / fixed_point_.unit(D - 1))) + 2;
     }
 
@@ -86,9 +80,7 @@ class BlockSearch {
                           2;
         low_ = centre - half - reach_;
         high_ = centre + half + reach_;
-        if (j_.periodic[D - 1] || low_ <= j_.top) {
-            search_columns(ci);
-        }
+        if (j_.periodic[D - 1] || low_ <= j_.top) search_columns(ci);
         block_.cluster_runs[place] = static_cast<std::uint32_t>(block_.run_count() - runs_before);
         block_.cluster_masks[place] = static_cast<std::uint32_t>(block_.mask_count() - masks_before);
         block_.neighbours += neighbours_;
@@ -150,9 +142,7 @@ class BlockSearch {
         const auto last = static_cast<std::size_t>(j_.column_begin[column + 1]);
         const bool sorted = !j_.periodic[D - 1];
         if (sorted) {
-            if (first == last || j_.highest[last - 1] < low_) {
-                return;
-            }
+            if (first == last || j_.highest[last - 1] < low_) return;
             // The first cluster that reaches up to low_, by bisection in high columns.
             std::size_t count = last - first;
             while (count > std::size_t{2} * cluster_size) {
@@ -173,22 +163,16 @@ class BlockSearch {
                 candidates &= (1U << (last - group)) - 1U;
                 present &= (std::uint64_t{1} << 8 * (last - group)) - 1U;
             }
-            if (candidates == 0) {
-                continue;
-            }
+            if (candidates == 0) continue;
             const std::uint64_t masks = masks_of(ci, group, candidates) & present;
-            if (masks == 0) {
-                continue;
-            }
+            if (masks == 0) continue;
             const auto begin = static_cast<std::size_t>(__builtin_ctzll(masks)) / 8;
             const auto end = 8 - static_cast<std::size_t>(__builtin_clzll(masks)) / 8;
             if (next == 0) {
                 run_first = group + begin;
                 next = run_first;
             }
-            for (; next < group + begin; ++next) {
-                block_.add_mask(0);
-            }
+            for (; next < group + begin; ++next) block_.add_mask(0);
             block_.add_masks(masks >> 8 * begin, end - begin);
             next = group + end;
             neighbours_ += static_cast<std::size_t>(__builtin_popcountll(masks));
@@ -255,9 +239,7 @@ class BlockSearch {
         Wide<float> closest(std::numeric_limits<float>::max());
         for (std::size_t l = 0; l < cluster_size; ++l) {
             Wide<float> squared(from_centre_squared_[l]);
-            for (std::size_t k = 0; k < D; ++k) {
-                squared += minus_twice_[k][l] * x[k];
-            }
+            for (std::size_t k = 0; k < D; ++k) squared += minus_twice_[k][l] * x[k];
             closest = stdx::min(closest, squared);
         }
         return wide_at_most(Wide<float>(closest + own_squared), range_squared_);
@@ -306,9 +288,7 @@ template <int D>
 [[gnu::flatten]] void search_neighbours(const NeighbourSearch<D>& search, std::size_t begin, std::size_t end,
                                         NeighbourBlock& block) {
     BlockSearch<D> one(search, block);
-    for (std::size_t ci = begin; ci < end; ++ci) {
-        one.search_cluster(ci, ci - begin);
-    }
+    for (std::size_t ci = begin; ci < end; ++ci) one.search_cluster(ci, ci - begin);
 }
 
 }  // namespace riffle::inline sph::RIFFLE_ISA

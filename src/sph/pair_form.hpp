@@ -44,9 +44,7 @@ struct PairForm {
         const T of_velocity = laplacian * (factor * r_squared);
         const T of_distance = line_of_centres * (factor * min(dot<T, D>(u, r), T(opening_limit)));
         Components<T, D> a{};
-        for (std::size_t k = 0; k < D; ++k) {
-            a[k] = of_velocity * u[k] + of_distance * r[k];
-        }
+        for (std::size_t k = 0; k < D; ++k) a[k] = of_velocity * u[k] + of_distance * r[k];
         return a;
     }
 

@@ -17,9 +17,7 @@ using Components = std::array<T, static_cast<std::size_t>(D)>;
 template <class T, int D>
 RIFFLE_INLINE T dot(const Components<T, D>& a, const Components<T, D>& b) {
     T sum = a[0] * b[0];
-    for (std::size_t k = 1; k < D; ++k) {
-        sum += a[k] * b[k];
-    }
+    for (std::size_t k = 1; k < D; ++k) sum += a[k] * b[k];
     return sum;
 }
 
@@ -46,9 +44,7 @@ RIFFLE_INLINE Components<T, D> tensor_force(const T& weight_gradient, const Comp
     Components<T, D> a{};
     for (std::size_t k = 0; k < D; ++k) {
         T sum = q_sum[k * D] * r[0];
-        for (std::size_t l = 1; l < D; ++l) {
-            sum += q_sum[k * D + l] * r[l];
-        }
+        for (std::size_t l = 1; l < D; ++l) sum += q_sum[k * D + l] * r[l];
         a[k] = -weight_gradient * sum;
     }
     return a;
@@ -60,9 +56,7 @@ RIFFLE_INLINE Components<T, D> tensor_force(const T& weight_gradient, const Comp
                                             const Components<T, D>& r) {
     const T factor = weight_gradient * p_sum[0];
     Components<T, D> a{};
-    for (std::size_t k = 0; k < D; ++k) {
-        a[k] = -factor * r[k];
-    }
+    for (std::size_t k = 0; k < D; ++k) a[k] = -factor * r[k];
     return a;
 }
 
@@ -94,9 +88,7 @@ struct MorrisViscosity {
         (void)r_squared;
         const T factor = volume_gradient * viscosity_sum;
         Components<T, D> a{};
-        for (std::size_t k = 0; k < D; ++k) {
-            a[k] = factor * u[k];
-        }
+        for (std::size_t k = 0; k < D; ++k) a[k] = factor * u[k];
         return a;
     }
 };

@@ -20,18 +20,12 @@ float multiply_adds(std::int64_t turns) {
     Register factor(0.5F);
     Register offset(0.25F);
     std::array<Register, chains> x{};
-    for (std::size_t k = 0; k < chains; ++k) {
-        x[k] = Register(static_cast<float>(k));
-    }
+    for (std::size_t k = 0; k < chains; ++k) x[k] = Register(static_cast<float>(k));
     for (std::int64_t turn = 0; turn < turns; ++turn) {
-        for (Register& value : x) {
-            value = value * factor + offset;
-        }
+        for (Register& value : x) value = value * factor + offset;
     }
     Register sum(0.0F);
-    for (const Register& value : x) {
-        sum += value;
-    }
+    for (const Register& value : x) sum += value;
     return std::experimental::reduce(sum);
 }
 

@@ -106,9 +106,7 @@ RIFFLE_INLINE RecordLanes<Record, float> load_records(const Record* records) {
             rows.row[l] = w + 8 <= count ? _mm256_loadu_ps(row) : _mm256_castps128_ps256(_mm_loadu_ps(row));
         }
         transpose(rows);
-        for (std::size_t n = 0; n < 8 && w + n < count; ++n) {
-            words[w + n] = Lanes<float>(rows.row[n]);
-        }
+        for (std::size_t n = 0; n < 8 && w + n < count; ++n) words[w + n] = Lanes<float>(rows.row[n]);
     }
 #else
     (void)records;

@@ -29,9 +29,7 @@ class ShepardCorrection final : public PairSum<D, Real> {
         // Lanes without a particle keep what the loops left.
         const auto for_lanes = [&](const auto& f) {
             for (std::size_t lane = 0; lane < (end - begin) * cluster_size; ++lane) {
-                if (clusters.particle_of(begin * cluster_size + lane) >= 0) {
-                    f(lane);
-                }
+                if (clusters.particle_of(begin * cluster_size + lane) >= 0) f(lane);
             }
         };
         if (gradient_) {
@@ -41,9 +39,7 @@ class ShepardCorrection final : public PairSum<D, Real> {
                 });
             }
         }
-        if (!pressure_) {
-            return;
-        }
+        if (!pressure_) return;
         if (data.fluid_wall != nullptr) {
             add(*data.fluid_wall, data, data.wall_gradient, clusters, begin, end, sum);
         }

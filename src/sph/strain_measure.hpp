@@ -52,9 +52,7 @@ RIFFLE_INLINE T wale_rate(const Components<T, 9>& g) {
     for (std::size_t k = 0; k < 3; ++k) {
         for (std::size_t l = 0; l < 3; ++l) {
             T d = R(0.5) * (squared[3 * k + l] + squared[3 * l + k]);
-            if (k == l) {
-                d -= third;
-            }
+            if (k == l) d -= third;
             const T s = R(0.5) * (g[3 * k + l] + g[3 * l + k]);
             deviator += d * d;
             strain += s * s;

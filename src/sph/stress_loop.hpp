@@ -44,12 +44,8 @@ template <int D, class Real>
             members.store(s, p.density_deviation);
 
             Doubles pressure_double = pressure_of(p.state, s);
-            if (spray) {
-                pressure_double -= (1.0 - water) * stdx::min(pressure_double, Doubles(0.0));
-            }
-            if (p.bulk_viscosity > 0.0) {
-                pressure_double += p.bulk_viscosity * (water * compression);
-            }
+            if (spray) pressure_double -= (1.0 - water) * stdx::min(pressure_double, Doubles(0.0));
+            if (p.bulk_viscosity > 0.0) pressure_double += p.bulk_viscosity * (water * compression);
             const T pressure = convert<Real>(pressure_double);
             store_lanes(pressure, &own.pressure[lane]);
             const T density_ratio = convert<Real>(Doubles(1.0 + s));  // rho/rho0
@@ -73,12 +69,8 @@ template <int D, class Real>
             }
             store_lanes(nu_t, &own.eddy_viscosity[lane]);
             T nu(static_cast<Real>(p.viscosity));
-            if (p.two_point) {
-                nu += nu_t;
-            }
-            if (tensor) {
-                nu *= load_lanes(&work.gradient.viscosity_factor[lane]);
-            }
+            if (p.two_point) nu += nu_t;
+            if (tensor) nu *= load_lanes(&work.gradient.viscosity_factor[lane]);
             // mu/rho0 = (1 + s) nu; over (1 + s)^2 where the weight is a mass.
             const T viscosity = p.corrected ? T(density_ratio * nu) : T(nu / density_ratio);
             const T root = viscosity_root(viscosity);

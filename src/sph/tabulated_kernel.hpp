@@ -56,9 +56,7 @@ struct TabulatedKernel {
         const auto piece = stdx::static_simd_cast<WideInteger<Real>>(place);
         const W t = Real(2) * (place - stdx::static_simd_cast<W>(piece)) - Real(1);
         W sum = pick<Real>(coefficients[Table::degree], piece);
-        for (std::size_t k = Table::degree; k-- > 0;) {
-            sum = sum * t + pick<Real>(coefficients[k], piece);
-        }
+        for (std::size_t k = Table::degree; k-- > 0;) sum = sum * t + pick<Real>(coefficients[k], piece);
         return sum;
     }
 };

@@ -91,9 +91,7 @@ RIFFLE_INLINE unsigned lanes_at_most(const Lanes<float>& v, float limit) {
         _mm256_movemask_ps(_mm256_cmp_ps(static_cast<__m256>(v), _mm256_set1_ps(limit), _CMP_LE_OQ)));
 #else
     unsigned bits = 0;
-    for (std::size_t l = 0; l < cluster_size; ++l) {
-        bits |= (v[l] <= limit ? 1U : 0U) << l;
-    }
+    for (std::size_t l = 0; l < cluster_size; ++l) bits |= (v[l] <= limit ? 1U : 0U) << l;
     return bits;
 #endif
 }
@@ -113,9 +111,7 @@ RIFFLE_INLINE Lanes<std::int32_t> bit_positions(std::uint8_t mask) {
 template <class Real, class Value, class Record, class Get>
 RIFFLE_INLINE WideOf<Value, Real> gather(const Record* records, const Get& get) {
     alignas(64) std::array<Value, cluster_size * neighbours_per_turn<Real>> values;
-    for (std::size_t l = 0; l < values.size(); ++l) {
-        values[l] = get(records[l % cluster_size]);
-    }
+    for (std::size_t l = 0; l < values.size(); ++l) values[l] = get(records[l % cluster_size]);
     return WideOf<Value, Real>(values.data(), stdx::vector_aligned);
 }
 

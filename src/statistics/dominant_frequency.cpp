@@ -14,9 +14,7 @@ std::optional<Oscillation> dominant_oscillation(std::span<const double> record, 
                                                 double highest) {
     constexpr std::size_t padding = 8;
     const std::size_t n = record.size();
-    if (n < 16 || interval <= 0.0) {
-        return std::nullopt;
-    }
+    if (n < 16 || interval <= 0.0) return std::nullopt;
     const double mean = std::accumulate(record.begin(), record.end(), 0.0) / static_cast<double>(n);
     const std::size_t length = fast_length(padding * n);
     std::vector<double> padded(length, 0.0);
@@ -34,24 +32,18 @@ std::optional<Oscillation> dominant_oscillation(std::span<const double> record, 
     const auto lobe =
         static_cast<std::size_t>(std::ceil(2.0 * static_cast<double>(length) / static_cast<double>(n)));
     const auto last = std::min(transform.size() - 1, static_cast<std::size_t>(highest / step));
-    if (last < lobe + 2) {
-        return std::nullopt;
-    }
+    if (last < lobe + 2) return std::nullopt;
     std::size_t peak = lobe;
     double total = 0.0;
     for (std::size_t k = 1; k < last; ++k) {
         total += power(k);
-        if (k >= lobe && power(k) > power(peak)) {
-            peak = k;
-        }
+        if (k >= lobe && power(k) > power(peak)) peak = k;
     }
     if (peak <= lobe || peak + 1 >= last || total <= 0.0 || power(peak) <= power(peak - 1)) {
         return std::nullopt;
     }
     double within = 0.0;
-    for (std::size_t k = peak - lobe; k <= std::min(peak + lobe, last - 1); ++k) {
-        within += power(k);
-    }
+    for (std::size_t k = peak - lobe; k <= std::min(peak + lobe, last - 1); ++k) within += power(k);
     const double before = std::log(power(peak - 1));
     const double at = std::log(power(peak));
     const double after = std::log(power(peak + 1));
@@ -61,9 +53,7 @@ std::optional<Oscillation> dominant_oscillation(std::span<const double> record, 
     found.amplitude = 2.0 * std::sqrt(power(peak)) / window_sum;
     found.share = within / total;
     double all = 0.0;
-    for (std::size_t k = 1; k < transform.size(); ++k) {
-        all += power(k);
-    }
+    for (std::size_t k = 1; k < transform.size(); ++k) all += power(k);
     found.whole_share = within / all;
     found.periods = found.frequency * static_cast<double>(n) * interval;
     return found;

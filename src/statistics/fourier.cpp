@@ -187,8 +187,9 @@ class FourierTransform::Implementation {
         half_.emplace(half);
         twiddles_.resize(half + 1);
         const double unit = std::numbers::pi / static_cast<double>(half);
-        for (std::size_t k = 0; k <= half; ++k)
+        for (std::size_t k = 0; k <= half; ++k) {
             twiddles_[k] = std::polar(1.0, -unit * static_cast<double>(k));
+        }
     }
 
     std::size_t length_;

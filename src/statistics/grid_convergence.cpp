@@ -23,9 +23,7 @@ double known(double half_width) { return std::isfinite(half_width) ? half_width 
 
 /// ln of r21^p (r32^p - s)/(r21^p - s), which grows with p; a = ln r21, b = ln r32.
 double logarithm_of_ratio(double p, double a, double b, bool oscillating) {
-    if (oscillating) {
-        return p * a + std::log1p(std::exp(p * b)) - std::log1p(std::exp(p * a));
-    }
+    if (oscillating) return p * a + std::log1p(std::exp(p * b)) - std::log1p(std::exp(p * a));
     return p * a + std::log(std::expm1(p * b) / std::expm1(p * a));
 }
 
@@ -33,17 +31,13 @@ double logarithm_of_ratio(double p, double a, double b, bool oscillating) {
 std::optional<double> order_of(const Triple& v) {
     const double fine = v[1].value - v[0].value;
     const double coarse = v[2].value - v[1].value;
-    if (fine == 0.0 || coarse == 0.0) {
-        return std::nullopt;
-    }
+    if (fine == 0.0 || coarse == 0.0) return std::nullopt;
     const double a = std::log(v[1].size / v[0].size);
     const double b = std::log(v[2].size / v[1].size);
     const bool oscillating = fine * coarse < 0.0;
     const double wanted = std::log(std::abs(coarse / fine));
     // The ratio at vanishing order: what is not above it does not converge.
-    if (wanted <= (oscillating ? 0.0 : std::log(b / a))) {
-        return std::nullopt;
-    }
+    if (wanted <= (oscillating ? 0.0 : std::log(b / a))) return std::nullopt;
     double low = 0.0;
     double high = 1.0;
     while (logarithm_of_ratio(high, a, b, oscillating) < wanted) {
@@ -72,9 +66,7 @@ std::optional<double> propagated(const Triple& v, const F& number) {
     double sum = 0.0;
     bool any = false;
     for (std::size_t i = 0; i < v.size(); ++i) {
-        if (!std::isfinite(v[i].half_width)) {
-            continue;
-        }
+        if (!std::isfinite(v[i].half_width)) continue;
         any = true;
         constexpr double small = 1e-4;
         Triple up = v;
@@ -83,9 +75,7 @@ std::optional<double> propagated(const Triple& v, const F& number) {
         down[i].value -= small * scale;
         const std::optional<double> above = number(up);
         const std::optional<double> below = number(down);
-        if (!above || !below) {
-            return std::nullopt;
-        }
+        if (!above || !below) return std::nullopt;
         const double slope = (*above - *below) / (up[i].value - down[i].value);
         sum += slope * slope * v[i].half_width * v[i].half_width;
     }
@@ -172,9 +162,7 @@ GridConvergence grid_convergence(std::span<const RefinedValue> values, const Ref
     const double uncertainty =
         safety_factor * std::abs(fine) / std::expm1(*result.order * std::log(v[1].size / v[0].size));
     result.finest_uncertainty = uncertainty;
-    if (v[0].value != 0.0) {
-        result.fine_grid_index = uncertainty / std::abs(v[0].value);
-    }
+    if (v[0].value != 0.0) result.fine_grid_index = uncertainty / std::abs(v[0].value);
     if (fine * coarse < 0.0) {
         result.refinement = Refinement::oscillating;
         result.finding = "oscillating, not monotone: no limit is extrapolated (" + order + " by magnitude)";
@@ -192,32 +180,24 @@ GridConvergence grid_convergence(std::span<const RefinedValue> values, const Ref
 
 std::optional<PowerLaw> fit_power_law(std::span<const RefinedValue> values) {
     const auto count = static_cast<Eigen::Index>(values.size());
-    if (count < 2) {
-        return std::nullopt;
-    }
+    if (count < 2) return std::nullopt;
     Eigen::MatrixXd basis(count, 2);
     Eigen::VectorXd logarithms(count);
     for (Eigen::Index i = 0; i < count; ++i) {
         const RefinedValue& v = values[static_cast<std::size_t>(i)];
-        if (!(v.size > 0.0) || v.value == 0.0 || !std::isfinite(v.value)) {
-            return std::nullopt;
-        }
+        if (!(v.size > 0.0) || v.value == 0.0 || !std::isfinite(v.value)) return std::nullopt;
         basis(i, 0) = 1.0;
         basis(i, 1) = std::log(v.size);
         logarithms(i) = std::log(std::abs(v.value));
     }
     if (count == 2) {
         const double span = basis(1, 1) - basis(0, 1);
-        if (span == 0.0) {
-            return std::nullopt;
-        }
+        if (span == 0.0) return std::nullopt;
         const double exponent = (logarithms(1) - logarithms(0)) / span;
         return PowerLaw{exponent, std::exp(logarithms(0) - exponent * basis(0, 1)), std::nullopt};
     }
     const std::optional<LinearFit> fit = fit_linear(basis, logarithms);
-    if (!fit) {
-        return std::nullopt;
-    }
+    if (!fit) return std::nullopt;
     const FittedValue exponent = coefficient(*fit, 1);
     return PowerLaw{exponent.value, std::exp(fit->coefficients(0)), exponent.half_width};
 }

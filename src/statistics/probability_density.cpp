@@ -56,8 +56,9 @@ double effective_samples_of_shape(std::span<const double> record, double samples
     const std::vector<double> rho = autocorrelation(record, (record.size() - 1) / 2);
     const std::size_t window = integral_scale_of_window(rho).window;
     double sum = 1.0;
-    for (std::size_t lag = 1; lag <= window; ++lag)
+    for (std::size_t lag = 1; lag <= window; ++lag) {
         sum += 2.0 * shape_covariance(rho[lag]) / shape_covariance(1.0);
+    }
     return samples / std::max(sum, 1.0);
 }
 
@@ -85,8 +86,9 @@ Moments moments_of(std::span<const double> record) {
         throw InputError("probability density: " + std::to_string(m.samples) +
                          " samples are there; at least " + std::to_string(smallest_record) + " are needed");
     }
-    if (m.variance.value == 0.0)
+    if (m.variance.value == 0.0) {
         throw InputError("probability density: the record is constant, so it has none");
+    }
     return m;
 }
 

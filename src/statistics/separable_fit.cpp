@@ -48,9 +48,7 @@ std::optional<LinearFit> SeparableFit::fit_at(double parameter) const {
 
 double SeparableFit::sum_at(double parameter) const {
     const auto fit = fit_at(parameter);
-    if (!fit) {
-        return infinite;
-    }
+    if (!fit) return infinite;
     return fit->sum_of_squares;
 }
 
@@ -94,12 +92,8 @@ void SeparableFit::bound_parameter() {
     searched_.lower = lowest > begin ? crossing(lowest, std::max(begin, lowest - step_)) : begin;
     searched_.upper = highest < end ? crossing(highest, std::min(end, highest + step_)) : end;
     parameter_interval_ = {};  // open on both sides
-    if (lowest > begin) {
-        parameter_interval_.lower = searched_.lower;
-    }
-    if (highest < end) {
-        parameter_interval_.upper = searched_.upper;
-    }
+    if (lowest > begin) parameter_interval_.lower = searched_.lower;
+    if (highest < end) parameter_interval_.upper = searched_.upper;
 }
 
 void SeparableFit::propagate() {

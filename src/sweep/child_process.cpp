@@ -39,9 +39,7 @@ void write_all(int pipe, const std::string& text) {
 #if defined(__linux__)
     (void)::prctl(PR_SET_PDEATHSIG, SIGTERM);
 #endif
-    if (::getppid() != parent) {
-        ::_exit(static_cast<int>(ExitCode::run_failed));
-    }
+    if (::getppid() != parent) ::_exit(static_cast<int>(ExitCode::run_failed));
     const int status = work([pipe](const std::string& text) { write_all(pipe, text); });
     // Not exit(): what the parent has buffered for its terminal is the parent's to write.
     ::_exit(status);
@@ -79,9 +77,7 @@ ChildProcess::~ChildProcess() {
         while (::waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
         }
     }
-    if (pipe_ >= 0) {
-        ::close(pipe_);
-    }
+    if (pipe_ >= 0) ::close(pipe_);
 }
 
 ChildProcess::ChildProcess(ChildProcess&& other) noexcept
@@ -110,22 +106,16 @@ std::string ChildProcess::heard() {
 }
 
 bool ChildProcess::ended() {
-    if (process_ < 0) {
-        return true;
-    }
+    if (process_ < 0) return true;
     int status = 0;
-    if (::waitpid(process_, &status, WNOHANG) != process_) {
-        return false;
-    }
+    if (::waitpid(process_, &status, WNOHANG) != process_) return false;
     process_ = -1;
     status_ = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     return true;
 }
 
 void ChildProcess::send(int signal_number) {
-    if (process_ > 0) {
-        (void)::kill(process_, signal_number);
-    }
+    if (process_ > 0) (void)::kill(process_, signal_number);
 }
 
 }  // namespace riffle::inline sweep

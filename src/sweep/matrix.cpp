@@ -66,9 +66,7 @@ std::string in_name(const std::string& value) {
 /// Names of the variations, with their sections where two of them share the rest.
 std::vector<std::string> names_of(const std::vector<Variation>& variations) {
     std::map<std::string, int> count;
-    for (const Variation& variation : variations) {
-        ++count[variation.short_name()];
-    }
+    for (const Variation& variation : variations) ++count[variation.short_name()];
     std::vector<std::string> names;
     names.reserve(variations.size());
     for (const Variation& variation : variations) {
@@ -124,9 +122,7 @@ class Refusals {
         }
     }
     void raise_if_any(std::size_t combinations) const {
-        if (list_.empty()) {
-            return;
-        }
+        if (list_.empty()) return;
         std::set<std::string> names;
         std::string text;
         for (const Refusal& refusal : list_) {

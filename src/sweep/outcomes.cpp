@@ -57,17 +57,13 @@ const std::vector<TwinName>& twin_names() {
 double half_width_of_series(const RunResults& results, const std::string& name) {
     const auto all = fields_of(fields::time_series);
     const auto field = std::find_if(all.begin(), all.end(), [&](const Field& f) { return f.name == name; });
-    if (field == all.end()) {
-        return not_a_number;
-    }
+    if (field == all.end()) return not_a_number;
     const std::vector<double> time = results.values(fields::time_series.time);
     const std::vector<double> values = results.values(*field);
     const double from = results.number(fields::summary.window_start).value_or(not_a_number);
     std::vector<double> window;
     for (std::size_t i = 0; i < std::min(time.size(), values.size()); ++i) {
-        if (time[i] >= from) {
-            window.push_back(values[i]);
-        }
+        if (time[i] >= from) window.push_back(values[i]);
     }
     constexpr std::size_t fewest = 4;
     return window.size() < fewest ? not_a_number : mean_with_confidence(window).half_width;
@@ -77,9 +73,7 @@ double twin_of(const RunResults& results, const std::string& key) {
     const auto& names = twin_names();
     const auto found = std::find_if(names.begin(), names.end(),
                                     [&](const TwinName& name) { return key == name.outcome.name; });
-    if (found == names.end()) {
-        return not_a_number;
-    }
+    if (found == names.end()) return not_a_number;
     // With side walls the section, not the column, is the twin.
     const std::optional<Field>& field = results.has(fields::groups::section) ? found->section : found->column;
     return field ? results.number(*field).value_or(not_a_number) : not_a_number;
@@ -88,14 +82,10 @@ double twin_of(const RunResults& results, const std::string& key) {
 OutcomeValue read_outcome(const RunResults& results, const Numbers& summary, const std::string& key) {
     OutcomeValue outcome;
     outcome.value = summary.value(key);
-    if (!std::isfinite(outcome.value)) {
-        return outcome;
-    }
+    if (!std::isfinite(outcome.value)) return outcome;
     outcome.twin = twin_of(results, key);
     outcome.half_width = summary.value(key + "_half_width");
-    if (!std::isfinite(outcome.half_width)) {
-        outcome.half_width = half_width_of_series(results, key);
-    }
+    if (!std::isfinite(outcome.half_width)) outcome.half_width = half_width_of_series(results, key);
     return outcome;
 }
 
@@ -196,9 +186,7 @@ std::vector<Outcome> chosen_outcomes(const std::vector<std::string>& keys) {
         return chosen;
     }
     std::vector<std::string> names;
-    for (const Outcome& outcome : known_outcomes()) {
-        names.push_back(outcome.key);
-    }
+    for (const Outcome& outcome : known_outcomes()) names.push_back(outcome.key);
     for (const std::string& key : keys) {
         const auto found = std::find(names.begin(), names.end(), key);
         if (found == names.end()) {
@@ -210,9 +198,7 @@ std::vector<Outcome> chosen_outcomes(const std::vector<std::string>& keys) {
         const Outcome& outcome = known_outcomes()[static_cast<std::size_t>(found - names.begin())];
         const bool again =
             std::any_of(chosen.begin(), chosen.end(), [&](const Outcome& other) { return other.key == key; });
-        if (!again) {
-            chosen.push_back(outcome);
-        }
+        if (!again) chosen.push_back(outcome);
     }
     return chosen;
 }
@@ -225,13 +211,9 @@ std::map<std::string, OutcomeValue> read_outcomes(const std::filesystem::path& r
         const OutcomeValue found = outcome.key == surface_deviation
                                        ? read_surface(results)
                                        : read_outcome(file, summary, outcome.key);
-        if (std::isfinite(found.value)) {
-            outcomes.emplace(outcome.key, found);
-        }
+        if (std::isfinite(found.value)) outcomes.emplace(outcome.key, found);
     }
-    if (file.has(fields::groups::section)) {
-        put_centreline(results, outcomes);
-    }
+    if (file.has(fields::groups::section)) put_centreline(results, outcomes);
     add_error_half_width(outcomes, fields::summary.depth_mean_velocity.name);
     add_error_half_width(outcomes, fields::summary.total_mean_velocity.name);
     return outcomes;

@@ -21,9 +21,7 @@ namespace {
 std::string differences(const Case& found, const Case& wanted) {
     std::vector<std::string> list;
     for (const SectionKeys& section : key_table()) {
-        if (section.repeated()) {
-            continue;
-        }
+        if (section.repeated()) continue;
         for (const Key& key : section.keys) {
             if (key.get(found) != key.get(wanted)) {
                 list.push_back(fmt::format("{} = {}, not {}", key.id(), handy_value_text(key, key.get(found)),
@@ -31,9 +29,7 @@ std::string differences(const Case& found, const Case& wanted) {
             }
         }
     }
-    if (list.empty()) {
-        return "other instruments";
-    }
+    if (list.empty()) return "other instruments";
     constexpr std::size_t most = 4;
     const std::size_t more = list.size() > most ? list.size() - most : 0;
     list.resize(list.size() - more);

@@ -76,13 +76,9 @@ struct Running {
         const std::string mark = std::string(progress_word) + " ";
         const std::size_t end = told.rfind('\n');
         const std::size_t at = end == std::string::npos ? end : told.rfind(mark, end);
-        if (text.empty() || at == std::string::npos) {
-            return;
-        }
+        if (text.empty() || at == std::string::npos) return;
         std::istringstream(told.substr(at + mark.size())) >> time;
-        if (first_time < 0.0) {
-            first_time = resumed ? time : 0.0;
-        }
+        if (first_time < 0.0) first_time = resumed ? time : 0.0;
     }
 
     /// What it said last, behind the line of this word; empty where it did not.
@@ -111,9 +107,7 @@ class Schedule {
             }
         }
         shares_ = shares_of(options, waiting_.size());
-        for (const SweepRun& run : runs) {
-            costs_.push_back(estimate_cost(run.flow));
-        }
+        for (const SweepRun& run : runs) costs_.push_back(estimate_cost(run.flow));
         if (shares_.jobs > 1) {
             // The longest first: then the last to end ends soonest.
             std::stable_sort(waiting_.begin(), waiting_.end(),
@@ -129,14 +123,10 @@ class Schedule {
             } else {
                 start_runs();
             }
-            if (running_.empty()) {
-                break;
-            }
+            if (running_.empty()) break;
             std::this_thread::sleep_for(std::chrono::milliseconds(50));
             look_after_runs();
-            if (options_.progress) {
-                options_.progress(progress());
-            }
+            if (options_.progress) options_.progress(progress());
         }
         return reports_;
     }
@@ -161,9 +151,7 @@ class Schedule {
     void pass_on(int stop) {
         if (!passed_on_) {
             passed_on_ = true;
-            for (Running& running : running_) {
-                running.process.send(stop);
-            }
+            for (Running& running : running_) running.process.send(stop);
         }
     }
 
@@ -177,9 +165,7 @@ class Schedule {
             }
             RunReport& report = reports_[running->run];
             report = report_of(*running);
-            if (options_.ended) {
-                options_.ended(runs_[running->run], report, running->resumed);
-            }
+            if (options_.ended) options_.ended(runs_[running->run], report, running->resumed);
             work_done_ += work_of(*running);
             running = running_.erase(running);
         }
@@ -223,9 +209,7 @@ class Schedule {
         }
         double done = work_done_;
         double left = 0.0;
-        for (const std::size_t i : waiting_) {
-            left += costs_[i].work;
-        }
+        for (const std::size_t i : waiting_) left += costs_[i].work;
         for (const Running& running : running_) {
             p.running.push_back({runs_[running.run].combination.name, share_of(running)});
             done += work_of(running);

@@ -43,9 +43,7 @@ VariedKey varied_key(const Variation& variation, const std::vector<SweepRun>& ru
         }
         varied.numbers.push_back(variation.key == "numerics.spacing" ? cell_size(run.flow) : *number);
     }
-    if (key == nullptr) {
-        return varied;
-    }
+    if (key == nullptr) return varied;
     varied.unit = key->dimension == Dimension::none ? "1" : std::string(si_unit(key->dimension));
     varied.refines =
         std::find(refining_keys.begin(), refining_keys.end(), variation.key) != refining_keys.end();
@@ -120,9 +118,7 @@ void add_refinements(SweepStudy& sweep, std::size_t key, const Outcome& outcome)
     std::vector<RefinementStudy> studies;
     for (std::size_t i = 0; i < sweep.runs.size(); ++i) {
         const OutcomeValue found = sweep.runs[i].outcome(outcome.key);
-        if (!std::isfinite(found.value)) {
-            continue;
-        }
+        if (!std::isfinite(found.value)) continue;
         const std::string others = sweep.others(i, key);
         auto study = std::find_if(studies.begin(), studies.end(),
                                   [&](const RefinementStudy& s) { return s.others == others; });
@@ -176,9 +172,7 @@ SweepStudy study_sweep(const SweepInput& input, const std::vector<SweepRun>& run
             sweep.runs.back().outcomes = read_outcomes(RunFiles{runs[i].folder}.results());
         }
     }
-    for (const Variation& variation : input.variations) {
-        sweep.keys.push_back(varied_key(variation, runs));
-    }
+    for (const Variation& variation : input.variations) sweep.keys.push_back(varied_key(variation, runs));
     const auto is_there = [&](const Outcome& outcome) {
         return std::any_of(sweep.runs.begin(), sweep.runs.end(), [&](const StudiedRun& run) {
             const auto found = run.outcomes.find(outcome.key);
@@ -187,12 +181,8 @@ SweepStudy study_sweep(const SweepInput& input, const std::vector<SweepRun>& run
     };
     std::copy_if(outcomes.begin(), outcomes.end(), std::back_inserter(sweep.outcomes), is_there);
     for (std::size_t key = 0; key < sweep.keys.size(); ++key) {
-        if (!sweep.keys[key].refines || sweep.keys[key].variation.values.size() < 2) {
-            continue;
-        }
-        for (const Outcome& outcome : sweep.outcomes) {
-            add_refinements(sweep, key, outcome);
-        }
+        if (!sweep.keys[key].refines || sweep.keys[key].variation.values.size() < 2) continue;
+        for (const Outcome& outcome : sweep.outcomes) add_refinements(sweep, key, outcome);
     }
     return sweep;
 }
@@ -214,9 +204,7 @@ const char* word(RunFate fate) {
 }
 
 std::string value_text(const Outcome& outcome, double value, double half_width) {
-    if (!std::isfinite(value)) {
-        return "-";
-    }
+    if (!std::isfinite(value)) return "-";
     const double shown = outcome.factor * value;
     const double half = outcome.factor * half_width;
     if (!std::isfinite(half) || half <= 0.0) {

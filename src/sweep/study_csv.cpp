@@ -24,9 +24,7 @@ std::string sweep_csv(const SweepStudy& sweep) {
         csv += fmt::format("{},{}", csv_cell(run.run.combination.name), word(run.report.fate));
         for (std::size_t k = 0; k < sweep.keys.size(); ++k) {
             csv += "," + csv_cell(run.run.combination.values[k]);
-            if (sweep.keys[k].is_number()) {
-                csv += "," + csv_number(sweep.keys[k].numbers[i]);
-            }
+            if (sweep.keys[k].is_number()) csv += "," + csv_number(sweep.keys[k].numbers[i]);
         }
         for (const Outcome& outcome : sweep.outcomes) {
             const OutcomeValue found = run.outcome(outcome.key);

@@ -21,9 +21,7 @@ std::size_t main_key(const SweepStudy& sweep) {
         return static_cast<std::size_t>(found - sweep.keys.begin());
     };
     const std::size_t refining = first([](const VariedKey& key) { return key.refines; });
-    if (refining < sweep.keys.size()) {
-        return refining;
-    }
+    if (refining < sweep.keys.size()) return refining;
     const std::size_t number = first([](const VariedKey& key) { return key.is_number(); });
     return number < sweep.keys.size() ? number : 0;
 }
@@ -79,17 +77,13 @@ Curve curve_of(const SweepStudy& sweep, const Family& family, const Outcome& out
     bool known = false;
     for (std::size_t i = 0; i < family.runs.size(); ++i) {
         const OutcomeValue found = sweep.runs[family.runs[i]].outcome(outcome.key);
-        if (!std::isfinite(found.value) || (magnitude && found.value == 0.0)) {
-            continue;
-        }
+        if (!std::isfinite(found.value) || (magnitude && found.value == 0.0)) continue;
         curve.x.push_back(family.x[i]);
         curve.y.push_back(magnitude ? std::abs(found.value) : found.value);
         curve.y_half_width.push_back(found.half_width);
         known = known || std::isfinite(found.half_width);
     }
-    if (!known) {
-        curve.y_half_width.clear();
-    }
+    if (!known) curve.y_half_width.clear();
     return curve;
 }
 
@@ -109,9 +103,7 @@ std::vector<Curve> twin_curves(const SweepStudy& sweep, const std::vector<Family
         const bool there = std::any_of(twins.begin(), twins.end(), [&](const Curve& other) {
             return twin.x == other.x && twin.y == other.y;
         });
-        if (twin.x.empty() || there) {
-            continue;
-        }
+        if (twin.x.empty() || there) continue;
         if (!number && !twins.empty()) {
             // Over names each family has its own places, so that one name will do.
             twins.front().x.insert(twins.front().x.end(), twin.x.begin(), twin.x.end());
@@ -123,9 +115,7 @@ std::vector<Curve> twin_curves(const SweepStudy& sweep, const std::vector<Family
         twins.push_back(std::move(twin));
     }
     for (Curve& twin : twins) {
-        if (twins.size() > 1) {
-            twin.name += ", " + twin.run;
-        }
+        if (twins.size() > 1) twin.name += ", " + twin.run;
         twin.run.clear();
     }
     return twins;
@@ -150,9 +140,7 @@ void add_limits(const SweepStudy& sweep, const VariedKey& key, const std::vector
     for (std::size_t f = 0; f < families.size(); ++f) {
         const RefinementStudy* const study =
             find_study(sweep, key.variation.key, outcome.key, families[f].name);
-        if (study == nullptr || !study->convergence || !study->convergence->limit) {
-            continue;
-        }
+        if (study == nullptr || !study->convergence || !study->convergence->limit) continue;
         const GridConvergence& found = *study->convergence;
         Curve limit = make_curve(in_family(fmt::format("limit, order {:.2f}", *found.order), families[f]),
                                  Origin::fit, Mark::points, {0.0}, {*found.limit}, static_cast<int>(f));
@@ -202,9 +190,7 @@ Figure logarithmic_figure(const SweepStudy& sweep, std::size_t main, const std::
             const PowerLaw& law = *study->power_law;
             std::vector<double> x = {points.x.front(), points.x.back()};
             std::vector<double> y;
-            for (const double size : x) {
-                y.push_back(law.factor * std::pow(size, law.exponent));
-            }
+            for (const double size : x) y.push_back(law.factor * std::pow(size, law.exponent));
             figure.curves.push_back(make_curve(
                 in_family(fmt::format("{} {:.2f}", cost ? "power" : "order", law.exponent), families[f]),
                 Origin::simulated, Mark::line, std::move(x), std::move(y), static_cast<int>(f)));

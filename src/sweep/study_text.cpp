@@ -16,9 +16,7 @@ std::string aligned(const std::vector<Row>& rows) {
     std::vector<std::size_t> widths;
     for (const Row& row : rows) {
         widths.resize(std::max(widths.size(), row.size()));
-        for (std::size_t i = 0; i < row.size(); ++i) {
-            widths[i] = std::max(widths[i], row[i].size());
-        }
+        for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
     }
     std::string text;
     for (const Row& row : rows) {
@@ -46,9 +44,7 @@ std::string sweep_text(const SweepStudy& sweep) {
     }
     std::vector<Row> rows(1);
     rows.front() = {"run", "state"};
-    for (std::size_t i = 0; i < sweep.outcomes.size(); ++i) {
-        rows.front().push_back(letter_of(i));
-    }
+    for (std::size_t i = 0; i < sweep.outcomes.size(); ++i) rows.front().push_back(letter_of(i));
     for (const StudiedRun& run : sweep.runs) {
         Row row = {run.run.combination.name, word(run.report.fate)};
         for (const Outcome& outcome : sweep.outcomes) {
@@ -60,9 +56,7 @@ std::string sweep_text(const SweepStudy& sweep) {
     text += (text.empty() ? "" : "\n") + aligned(rows);
     std::string key;
     for (const RefinementStudy& study : sweep.refinements) {
-        if (study.finding.empty()) {
-            continue;
-        }
+        if (study.finding.empty()) continue;
         if (study.key != key) {
             key = study.key;
             text += fmt::format("\nAs {} gets smaller:\n", key);

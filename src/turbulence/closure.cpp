@@ -192,9 +192,7 @@ std::unique_ptr<const Closure> make_wall_closure(const Case& c, const WallLaw& l
 
 std::unique_ptr<const Closure> make_particle_closure(const Case& c, double row_height) {
     auto over_wall = make_closure(c);
-    if (!has_wall_law(c)) {
-        return over_wall;
-    }
+    if (!has_wall_law(c)) return over_wall;
     const double case_depth = c.total_depth();
     const WallLayer wall_layer(c, row_height);
     const double at_top = over_wall->mixing_length(wall_layer.height());
@@ -202,9 +200,7 @@ std::unique_ptr<const Closure> make_particle_closure(const Case& c, double row_h
         std::move(over_wall), case_depth,
         [wall_layer, at_top, case_depth](const Closure& closure, double z, double depth) {
             const double top = wall_layer.height();
-            if (z >= top) {
-                return closure.mixing_length_in(z, depth);
-            }
+            if (z >= top) return closure.mixing_length_in(z, depth);
             // In water of another depth the layer joins the closure as well.
             const double length = wall_layer.mixing_length(z);
             return depth == case_depth ? length : length * closure.mixing_length_in(top, depth) / at_top;

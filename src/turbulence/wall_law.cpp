@@ -105,9 +105,7 @@ double roughness_of_manning(const Case& c) {
 WallLaw make_wall_law(double kappa, double rough_zero_height, double viscous_length) {
     const double smooth = zero_height_of_smooth_wall(viscous_length, kappa);
     WallLaw law{kappa, rough_zero_height + smooth, rough_zero_height, 0.0, viscous_length};
-    if (viscous_length <= 0.0) {
-        return law;
-    }
+    if (viscous_length <= 0.0) return law;
     WallLaw in_viscous_lengths{kappa, law.zero_height / viscous_length, 0.0, damping_constant(kappa), 1.0};
     law.damping = in_viscous_lengths.damping * viscous_length;
     if (rough_zero_height > 0.0) {
@@ -124,9 +122,7 @@ WallLaw make_wall_law(double kappa, double rough_zero_height, double viscous_len
 }
 
 double equivalent_roughness(const Case& c) {
-    if (c.bed.kind != BedKind::roughness) {
-        return 0.0;
-    }
+    if (c.bed.kind != BedKind::roughness) return 0.0;
     return c.bed.equivalent_roughness ? *c.bed.equivalent_roughness : roughness_of_manning(c);
 }
 
@@ -147,9 +143,7 @@ Case with_fixed_roughness(Case c) {
 std::optional<WallLaw> bed_wall_law(const Case& c) { return bed_wall_law(c, reference_friction_velocity(c)); }
 
 std::optional<WallLaw> bed_wall_law(const Case& c, double friction_velocity) {
-    if (!has_wall_law(c)) {
-        return std::nullopt;
-    }
+    if (!has_wall_law(c)) return std::nullopt;
     const double kappa = slope_at_bed(closure_lengths(c), c.total_depth());
     return make_wall_law(kappa, zero_height_of_roughness(equivalent_roughness(c), kappa),
                          c.fluid.kinematic_viscosity / friction_velocity);

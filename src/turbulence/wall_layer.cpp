@@ -130,9 +130,7 @@ WallLayer::WallLayer(const Case& given, double row_height)
     bend_ = layer.bend;
     z_ = layer.z;
     mixing_length_ = layer.mixing_length;
-    if (c.fluid.kinematic_viscosity <= 0.0) {
-        return;
-    }
+    if (c.fluid.kinematic_viscosity <= 0.0) return;
     constexpr int octaves = 5;
     for (int half = -2 * octaves; half <= 2 * octaves; ++half) {
         const double ratio = std::exp2(0.5 * half);
@@ -154,9 +152,7 @@ double WallLayer::velocity(double z) const {
 }
 
 double WallLayer::speed_factor(double z, double speed) const {
-    if (log_speed_.empty() || !(speed > 0.0)) {
-        return 1.0;
-    }
+    if (log_speed_.empty() || !(speed > 0.0)) return 1.0;
     const double place = std::log(speed / velocity(z));
     return std::exp(place_in(log_speed_, place).in(log_factor_));
 }

@@ -40,9 +40,7 @@ void GhostNodes<D>::make_nodes(const Case& c, const Domain<D>& domain, const Wal
     Vec<D> extent{};
     extent[0] = c.channel.length;
     extent[D - 1] = c.total_depth();
-    if constexpr (D == 3) {
-        extent[1] = c.channel.simulated_width();
-    }
+    if constexpr (D == 3) extent[1] = c.channel.simulated_width();
     std::array<std::vector<double>, static_cast<std::size_t>(D)> unsorted;
     for (std::size_t k = 0; k < D; ++k) {
         // Over the water there is a wall only where a lid is.
@@ -64,9 +62,7 @@ void GhostNodes<D>::make_nodes(const Case& c, const Domain<D>& domain, const Wal
     to_wall_.resize(clusters_.slots());
     slot_.resize(walls.size());
     for (std::size_t slot = 0; slot < clusters_.slots(); ++slot) {
-        for (std::size_t k = 0; k < D; ++k) {
-            nodes_[slot].x[k] = clusters_.slot_position[k][slot];
-        }
+        for (std::size_t k = 0; k < D; ++k) nodes_[slot].x[k] = clusters_.slot_position[k][slot];
         const std::int32_t node = clusters_.particle_of(slot);
         if (node >= 0) {
             const auto wall = static_cast<std::size_t>(wall_particle_[static_cast<std::size_t>(node)]);
@@ -122,17 +118,13 @@ void GhostNodes<D>::interpolate(const PairData<D, Real>& data, const Clusters<D>
                             });
         for (std::size_t slot = begin * cluster_size; slot < end * cluster_size; ++slot) {
             const std::int32_t node = clusters_.particle_of(slot);
-            if (node < 0) {
-                continue;
-            }
+            if (node < 0) continue;
             const Moments<D>& own = moments[slot - begin * cluster_size];
             GhostValue<D>& value =
                 values_[static_cast<std::size_t>(wall_particle_[static_cast<std::size_t>(node)])];
             value = {};
             value.found = own.matrix(0, 0) > 0.0;
-            if (!value.found) {
-                continue;
-            }
+            if (!value.found) continue;
             if (own.matrix.determinant() >= least_determinant) {
                 const Eigen::Matrix<double, D + 1, D + 1> fields = own.matrix.partialPivLu().solve(own.sides);
                 value.deviation = fields(0, 0);

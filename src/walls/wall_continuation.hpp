@@ -41,9 +41,7 @@ class Continuations {
         for (std::size_t i = 0; i < walls.body.size(); ++i) {
             if (is_solid(walls, i)) {
                 solids_.push_back(i);
-                if (has_faces_across(i)) {
-                    solids_across_.push_back(i);
-                }
+                if (has_faces_across(i)) solids_across_.push_back(i);
             }
         }
     }

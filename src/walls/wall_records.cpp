@@ -24,18 +24,14 @@ void pack_wall_records(const Case& c, const Scheme& scheme, const WallParticles<
             force.x[k] = gradient.x[k];
         }
         const std::int32_t particle = clusters.particle_of(slot);
-        if (particle < 0) {
-            continue;
-        }
+        if (particle < 0) continue;
         const auto i = static_cast<std::size_t>(particle);
         for (std::size_t k = 0; k < axes * axes; ++k) {
             // Dynamic particles are fluid that does not move: the whole velocity counts.
             const double identity = k % (axes + 1) == 0 ? 1.0 : 0.0;
             gradient.projector[k] = static_cast<Real>(action.dynamic ? identity : walls.projector[k][i]);
         }
-        if (!action.dynamic) {
-            gradient.continuation = continuations.template of<Real>(i);
-        }
+        if (!action.dynamic) gradient.continuation = continuations.template of<Real>(i);
         force.continuation = gradient.continuation;
         gradient.volume = static_cast<Real>(walls.volume[i]);
         force.weight = gradient.volume;

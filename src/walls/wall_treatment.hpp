@@ -47,9 +47,7 @@ class WallTreatment {
     static void for_walls(const Flow& flow, std::size_t begin, std::size_t end, const F& f) {
         for (std::size_t slot = begin * cluster_size; slot < end * cluster_size; ++slot) {
             const std::int32_t particle = flow.wall_clusters.particle_of(slot);
-            if (particle >= 0) {
-                f(slot, static_cast<std::size_t>(particle));
-            }
+            if (particle >= 0) f(slot, static_cast<std::size_t>(particle));
         }
     }
 

@@ -25,16 +25,12 @@ void Walls<D, Real>::set_hydrostatic(Flow& flow) const {
 
 template <int D, class Real>
 void Walls<D, Real>::place_at_start(Flow& flow) {
-    if (flow.walls.size() == 0) {
-        return;
-    }
+    if (flow.walls.size() == 0) return;
     if (flow.motion.displaces()) {
         reference_ = flow.walls;
         measure_reach(flow);
         order_.resize(flow.walls.size());
-        for (std::size_t i = 0; i < order_.size(); ++i) {
-            order_[i] = static_cast<std::int32_t>(i);
-        }
+        for (std::size_t i = 0; i < order_.size(); ++i) order_[i] = static_cast<std::int32_t>(i);
         place(flow, flow.bodies_now());
         set_hydrostatic(flow);  // again, where they stand now
     } else {
@@ -42,9 +38,7 @@ void Walls<D, Real>::place_at_start(Flow& flow) {
         pack_wall_records<D, Real>(flow.c, flow.scheme, flow.walls, flow.wall_clusters, flow.data);
         treatment_->walls_placed(flow);
     }
-    if (D == 3 || starts_beside_dry_walls(flow.c)) {
-        treatment_->wet(flow);
-    }
+    if (D == 3 || starts_beside_dry_walls(flow.c)) treatment_->wet(flow);
 }
 
 template <int D, class Real>
@@ -66,13 +60,9 @@ void Walls<D, Real>::measure_reach(const Flow& flow) {
 
 template <int D, class Real>
 void Walls<D, Real>::restore(Flow& flow, std::vector<double> deviation) {
-    if (flow.motion.displaces()) {
-        place(flow, flow.bodies_listed());
-    }
+    if (flow.motion.displaces()) place(flow, flow.bodies_listed());
     flow.walls.density_deviation.swap(deviation);
-    if (flow.clock.steps > 0 || starts_beside_dry_walls(flow.c)) {
-        treatment_->wet(flow);
-    }
+    if (flow.clock.steps > 0 || starts_beside_dry_walls(flow.c)) treatment_->wet(flow);
 }
 
 template <int D, class Real>
@@ -86,9 +76,7 @@ void Walls<D, Real>::place_for_lists(Flow& flow) {
 
 template <int D, class Real>
 void Walls<D, Real>::lists_built(Flow& flow, double reach) {
-    if (flow.walls.size() > 0) {
-        treatment_->lists_built(flow, reach);
-    }
+    if (flow.walls.size() > 0) treatment_->lists_built(flow, reach);
 }
 
 template <int D, class Real>
@@ -131,15 +119,11 @@ Vec<3> Walls<D, Real>::stand(Flow& flow, std::size_t i, std::size_t reference, c
         }
         const Vec<D> normal =
             in_flow<D>(body.turned(in_space_of<D>(vector_of(reference_.normal, reference))));
-        for (std::size_t k = 0; k < Flow::axes; ++k) {
-            walls.normal[k][i] = normal[k];
-        }
+        for (std::size_t k = 0; k < Flow::axes; ++k) walls.normal[k][i] = normal[k];
     }
     const Vec<3> now = body.placed(in_space_of<D>(start));
     const Vec<D> place = in_flow<D>(now);
-    for (std::size_t k = 0; k < Flow::axes; ++k) {
-        walls.position[k][i] = within(flow, place[k], k);
-    }
+    for (std::size_t k = 0; k < Flow::axes; ++k) walls.position[k][i] = within(flow, place[k], k);
     return body.velocity_at(now);
 }
 
@@ -164,21 +148,15 @@ void Walls<D, Real>::move(Flow& flow, const Stage& stage) {
         }
         flow.bodies_after = flow.motion.at(flow.clock.time + stage.motion, after);
     }
-    if (!flow.motion.any()) {
-        return;
-    }
+    if (!flow.motion.any()) return;
     flow.bodies = flow.bodies_now();
-    if (!flow.motion.displaces()) {
-        return;
-    }
+    if (!flow.motion.displaces()) return;
     PairData<D, Real>& data = flow.data;
     WallParticles<D>& walls = flow.walls;
     data.wall_drift.assign(data.wall_force.size(), {});
     for (std::size_t slot = 0; slot < flow.wall_clusters.slots(); ++slot) {
         const std::int32_t particle = flow.wall_clusters.particle_of(slot);
-        if (particle < 0 || !is_solid(walls, static_cast<std::size_t>(particle))) {
-            continue;
-        }
+        if (particle < 0 || !is_solid(walls, static_cast<std::size_t>(particle))) continue;
         const auto i = static_cast<std::size_t>(particle);
         const BodyState& body = flow.bodies[static_cast<std::size_t>(walls.body[i])];
         const auto reference = static_cast<std::size_t>(order_[i]);
@@ -198,9 +176,7 @@ void Walls<D, Real>::move(Flow& flow, const Stage& stage) {
 
 template <int D, class Real>
 void Walls<D, Real>::add_motion(const Flow& flow, double step, Vec<D>& slowest, Vec<D>& fastest) const {
-    if (!flow.motion.displaces() || step <= 0.0) {
-        return;
-    }
+    if (!flow.motion.displaces() || step <= 0.0) return;
     for (std::size_t b = first_solid; b < flow.bodies_after.size(); ++b) {
         const Vec<D> from = in_flow<D>(flow.bodies[b].displacement);
         const Vec<D> to = in_flow<D>(flow.bodies_after[b].displacement);

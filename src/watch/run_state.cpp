@@ -135,8 +135,9 @@ RunStanding judge_state(const RunSigns& signs) {
         return {RunState::failed,
                 fmt::format("The run's log ended on {} with: {}", signs.log->when, signs.log->message)};
     }
-    if (!signs.results)
+    if (!signs.results) {
         return {RunState::waiting, "No results yet. This page goes on by itself as soon as there are some."};
+    }
     if (signs.complete) return {RunState::finished, "The results file is marked as complete."};
 
     if (signs.lock.known) {

@@ -124,8 +124,9 @@ void RunWatcher::refresh() {
     if (!progress_) return;
     write_interval_ = progress_->checkpoint_interval;
     // A run writes less often where writing takes long: its own clock tells.
-    if (earlier_)
+    if (earlier_) {
         write_interval_ = std::max(write_interval_, progress_->wall_seconds - earlier_->wall_seconds);
+    }
 }
 
 std::string RunWatcher::status_json() {

@@ -39,9 +39,7 @@ void require_same(const Case& c, const std::string& text, const std::string& wha
                   const std::filesystem::path& path) {
     try {
         const Case again = parse_case(text, what, path);
-        if (!again.same_parameters(c)) {
-            throw Failure(what + " reads back as another case:\n" + text);
-        }
+        if (!again.same_parameters(c)) throw Failure(what + " reads back as another case:\n" + text);
         if (again.text != c.text) {
             throw Failure(what + " reads back with another text:\n" + text + "\n---\n" + again.text);
         }
@@ -58,43 +56,31 @@ void build(const Case& c) {
     const FixedPoint<D> fixed(domain);
     for (std::size_t k = 0; k < D; ++k) {
         for (const double x : water.position[k]) {
-            if (!std::isfinite(x)) {
-                throw Failure("a particle without a place");
-            }
+            if (!std::isfinite(x)) throw Failure("a particle without a place");
         }
         for (const double x : walls.position[k]) {
-            if (!std::isfinite(x)) {
-                throw Failure("a wall particle without a place");
-            }
+            if (!std::isfinite(x)) throw Failure("a wall particle without a place");
         }
     }
     for (const double volume : walls.volume) {
-        if (!(volume > 0.0)) {
-            throw Failure("a wall particle without volume");
-        }
+        if (!(volume > 0.0)) throw Failure("a wall particle without volume");
     }
 }
 
 /// One text in so many, whichever it is.
 bool one_in(std::uint64_t many, std::string_view text) {
     std::uint64_t hash = 14695981039346656037U;
-    for (const char c : text) {
-        hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211U;
-    }
+    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211U;
     return (hash >> 20U) % many == 0;
 }
 
 void follow(const Case& c) {
     for (const std::string& text : {c.title, c.description, c.measured.source}) {
-        if (hidden_character(text, 0, "\n\t")) {
-            throw Failure("a text with a control character is taken");
-        }
+        if (hidden_character(text, 0, "\n\t")) throw Failure("a text with a control character is taken");
     }
     static_cast<void>(case_warnings(c));
     const CaseSize size = estimate_size(c);
-    if (!std::isfinite(size.bytes) || !std::isfinite(size.places)) {
-        throw Failure("a case without a size");
-    }
+    if (!std::isfinite(size.bytes) || !std::isfinite(size.places)) throw Failure("a case without a size");
     try {
         constexpr std::size_t memory = 1000000000;
         check_size(c, false, memory);
@@ -102,20 +88,14 @@ void follow(const Case& c) {
         return;
     }
     constexpr double few = 20000.0;
-    if (size.places + size.walls + size.cells < few) {
-        c.channel.dimensions == 2 ? build<2>(c) : build<3>(c);
-    }
+    if (size.places + size.walls + size.cells < few) c.channel.dimensions == 2 ? build<2>(c) : build<3>(c);
     constexpr std::uint64_t seldom = 16;  // it takes a hundred times as long as the reading
     if (one_in(seldom, c.text)) {
         try {
             const ColumnResult column = solve_column(c);
-            if (!std::isfinite(column.depth_mean_velocity)) {
-                throw Failure("a column without a velocity");
-            }
+            if (!std::isfinite(column.depth_mean_velocity)) throw Failure("a column without a velocity");
         } catch (const Error& e) {
-            if (std::string(e.what()).empty()) {
-                throw Failure("an empty message");
-            }
+            if (std::string(e.what()).empty()) throw Failure("an empty message");
         }
     }
 }

@@ -29,9 +29,7 @@ bool takes(const std::filesystem::path& path, const std::function<void()>& read)
 }
 
 void require_finite(double value, const char* what) {
-    if (!std::isfinite(value)) {
-        throw Failure(std::string("a record is taken with no finite ") + what);
-    }
+    if (!std::isfinite(value)) throw Failure(std::string("a record is taken with no finite ") + what);
 }
 
 }  // namespace
@@ -42,9 +40,7 @@ Answer feed_csv(std::string_view input) {
     std::ofstream(path, std::ios::binary) << input;
     bool taken = takes(path, [&] {
         const ProfileRecord profile = read_profile_record(path);
-        for (const double z : profile.z) {
-            require_finite(z, "height");
-        }
+        for (const double z : profile.z) require_finite(z, "height");
     });
     taken |= takes(path, [&] {
         const VelocitySeries series = read_velocity_series(path);

@@ -45,9 +45,7 @@ std::atomic<std::size_t> most_held{0};
 
 void count_taken(void* block) {
     const std::size_t now = held.fetch_add(malloc_usable_size(block)) + malloc_usable_size(block);
-    if (now > most_held.load()) {
-        most_held.store(now);
-    }
+    if (now > most_held.load()) most_held.store(now);
 }
 
 }  // namespace
@@ -61,16 +59,12 @@ extern "C" void __sanitizer_cov_trace_pc() {
 // For the temporary buffers of the standard library's sorts too.
 void* operator new(std::size_t size, const std::nothrow_t& /*tag*/) noexcept {
     void* const block = std::malloc(size);  // NOLINT(cppcoreguidelines-owning-memory)
-    if (block != nullptr) {
-        count_taken(block);
-    }
+    if (block != nullptr) count_taken(block);
     return block;
 }
 void* operator new(std::size_t size) {
     void* const block = operator new(size, std::nothrow);
-    if (block == nullptr) {
-        throw std::bad_alloc();
-    }
+    if (block == nullptr) throw std::bad_alloc();
     return block;
 }
 void operator delete(void* block) noexcept {
@@ -188,9 +182,7 @@ class Feeder {
         fed = nullptr;
         if (!wrong.empty()) {
             ++failures_;
-            if (options_.corpus.empty()) {
-                std::ofstream(kept, std::ios::binary) << input;
-            }
+            if (options_.corpus.empty()) std::ofstream(kept, std::ios::binary) << input;
             fmt::print("FAILURE {}: {}\n", options_.corpus.empty() ? kept.string() : name,
                        wrong.substr(0, 3000));
             std::fflush(stdout);
@@ -223,9 +215,7 @@ std::vector<fs::path> files_in(const fs::path& path, Kind kind) {
     const std::string ending = kind == Kind::case_file ? ".toml" : kind == Kind::csv ? ".csv" : ".stl";
     std::vector<fs::path> files;
     for (const auto& entry : fs::recursive_directory_iterator(path)) {
-        if (entry.is_regular_file() && entry.path().extension() == ending) {
-            files.push_back(entry.path());
-        }
+        if (entry.is_regular_file() && entry.path().extension() == ending) files.push_back(entry.path());
     }
     std::sort(files.begin(), files.end());
     return files;
@@ -269,9 +259,7 @@ int run(const Options& options) {
 
 std::optional<Options> read_options(const std::vector<std::string>& words) {
     Options options;
-    if (words.empty()) {
-        return std::nullopt;
-    }
+    if (words.empty()) return std::nullopt;
     options.kind_name = words[0];
     if (words[0] == "case") {
         options.kind = Kind::case_file;

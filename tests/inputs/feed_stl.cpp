@@ -24,9 +24,7 @@ Answer feed_stl(std::string_view input) {
             const double shares[] = {(i % places + 0.37) / places, (i / places % places + 0.41) / places,
                                      (i / places / places + 0.53) / places};
             Point3 p{};
-            for (std::size_t k = 0; k < 3; ++k) {
-                p[k] = mesh.lower()[k] + (1.2 * shares[k] - 0.1) * size[k];
-            }
+            for (std::size_t k = 0; k < 3; ++k) p[k] = mesh.lower()[k] + (1.2 * shares[k] - 0.1) * size[k];
             const bool inside = mesh.contains(p);
             const auto foot = mesh.nearest(p);
             if (!foot) {

@@ -55,9 +55,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t most,
                                                unsigned seed) {
-    if (seed % 3 == 0) {
-        return LLVMFuzzerMutate(data, size, most);
-    }
+    if (seed % 3 == 0) return LLVMFuzzerMutate(data, size, most);
     std::string text(reinterpret_cast<const char*>(data), size);
     riffle::inputs::Mutator(kind, {text.empty() ? std::string("\n") : text}, seed).change(text, most);
     std::memcpy(data, text.data(), std::min(text.size(), most));

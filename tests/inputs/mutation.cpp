@@ -124,9 +124,7 @@ std::vector<Facet> box_facets(const Corner& a, const Corner& b, bool inward) {
         facets.push_back({corner(f[0]), corner(f[2]), corner(f[3])});
     }
     for (Facet& facet : facets) {
-        if (inward) {
-            std::swap(facet[1], facet[2]);
-        }
+        if (inward) std::swap(facet[1], facet[2]);
     }
     return facets;
 }
@@ -183,9 +181,7 @@ std::string Mutator::next() {
     constexpr std::size_t longest = 400000;
     std::string text = one_of(seeds_);
     const std::size_t changes = 1 + below(below(4) == 0 ? 12 : 3);
-    for (std::size_t i = 0; i < changes; ++i) {
-        change(text, longest);
-    }
+    for (std::size_t i = 0; i < changes; ++i) change(text, longest);
     return text;
 }
 
@@ -271,9 +267,7 @@ void Mutator::change_lines(std::string& text) {
 void Mutator::change_number(std::string& text) {
     std::vector<std::pair<std::size_t, std::size_t>> numbers;
     for (std::size_t i = 0; i < text.size(); ++i) {
-        if (text[i] < '0' || text[i] > '9') {
-            continue;
-        }
+        if (text[i] < '0' || text[i] > '9') continue;
         std::size_t end = i;
         while (end < text.size() && std::strchr("0123456789.eE+-", text[end]) != nullptr &&
                text[end] != '\0') {
@@ -392,9 +386,7 @@ void Mutator::repeat_something(std::string& text) {
         below(3) == 0 && !text.empty() ? text.substr(below(text.size()), 1 + below(20)) : one_of(parts);
     const std::size_t times = std::min<std::size_t>(below(60000), 300000 / (part.size() + 1));
     std::string many;
-    for (std::size_t i = 0; i < times; ++i) {
-        many += part;
-    }
+    for (std::size_t i = 0; i < times; ++i) many += part;
     text.insert(below(text.size() + 1), many);
 }
 

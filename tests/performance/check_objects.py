@@ -55,8 +55,8 @@ def functions(objects):
 
 def sum_of(name, instruction_set):
     """Which of SUMS a function computes in single precision with the default kernel and viscosity; None for others."""
-    match = re.match(rf"void riffle::{instruction_set}::(gradient|force)_loop<([23]), float, riffle::WendlandC2<[23]>, "
-                     r"(.*?)>\(riffle::PairData", name)
+    match = re.match(rf"void riffle::sph::{instruction_set}::(gradient|force)_loop<([23]), float, riffle::sph::WendlandC2<[23]>, "
+                     r"(.*?)>\(riffle::sph::PairData", name)
     if not match or "PairForm" in match[3] or "[clone" in name:
         return None
     if "Directional" in match[3]:  # the viscosity of an anisotropic closure
@@ -124,13 +124,13 @@ def check_loops(instruction_set, objects):
 
 def check_symbols(instruction_set, objects):
     """Faults, one line each."""
-    own = rf"_ZZ?NK?6riffle{len(instruction_set)}{instruction_set}"
+    own = rf"_ZZ?NK?6riffle3sph{len(instruction_set)}{instruction_set}"
     for path in objects:
         for line in output_of("nm", "--defined-only", path).splitlines():
             kind, symbol = line.split()[1:3]
             # W: a function that several objects may define. Data (V, u) are the same in each.
             if kind == "W" and not re.match(own, symbol):
-                yield f"{path} offers {output_of('c++filt', symbol).strip()}, which is not in riffle::{instruction_set}"
+                yield f"{path} offers {output_of('c++filt', symbol).strip()}, which is not in riffle::sph::{instruction_set}"
 
 
 def main():

@@ -76,10 +76,10 @@ def count(program, dimensions, scheme):
     for part, (functions, unit) in PARTS.items():
         total = 0
         for function in functions:
-            found = [n for name, n in of_function.items() if f" riffle::avx2::{function}<" in name.split("(")[0]]
+            found = [n for name, n in of_function.items() if f" riffle::sph::avx2::{function}<" in name.split("(")[0]]
             # The leapfrog's steps take two of the gradient loops in turn.
             if len(found) != LOOPS.get(function, 1):
-                sys.exit(f"riffle::avx2::{function}<...> was executed in {len(found)} forms, which is not expected")
+                sys.exit(f"riffle::sph::avx2::{function}<...> was executed in {len(found)} forms, which is not expected")
             total += sum(found)
         totals[part] = total / per[unit]
     return totals

@@ -20,9 +20,7 @@ void run(const riffle::Workload& workload, bool count) {
     const auto particles = static_cast<double>(simulation->particles().size());
     double pairs = 0.0;
     for (int step = 0; step < 2; ++step) {
-        if (count) {
-            pairs += simulation->count_neighbours() * particles;
-        }
+        if (count) pairs += simulation->count_neighbours() * particles;
         simulation->step(std::numeric_limits<double>::infinity());  // a step that keeps no fields, as most do
     }
     if (count) {

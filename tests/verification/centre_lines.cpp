@@ -77,20 +77,12 @@ double cavity_error(CheckRun& run, const CentreLines& lines, double time, double
             }
             return fit.value() / lid / samples;
         };
-        for (std::size_t k = 0; k < u.size(); ++k) {
-            u[k] += average(0.5 * edge, lines.z[k] * edge, 0);
-        }
-        for (std::size_t k = 0; k < w.size(); ++k) {
-            w[k] += average(lines.x[k] * edge, 0.5 * edge, 1);
-        }
+        for (std::size_t k = 0; k < u.size(); ++k) u[k] += average(0.5 * edge, lines.z[k] * edge, 0);
+        for (std::size_t k = 0; k < w.size(); ++k) w[k] += average(lines.x[k] * edge, 0.5 * edge, 1);
     }
     double largest = 0.0;
-    for (std::size_t k = 0; k < u.size(); ++k) {
-        largest = std::max(largest, std::abs(u[k] - lines.u[k]));
-    }
-    for (std::size_t k = 0; k < w.size(); ++k) {
-        largest = std::max(largest, std::abs(w[k] - lines.w[k]));
-    }
+    for (std::size_t k = 0; k < u.size(); ++k) largest = std::max(largest, std::abs(u[k] - lines.u[k]));
+    for (std::size_t k = 0; k < w.size(); ++k) largest = std::max(largest, std::abs(w[k] - lines.w[k]));
     return largest;
 }
 

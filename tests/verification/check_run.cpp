@@ -19,9 +19,7 @@ CheckRun::CheckRun(const std::string& name, const std::vector<Override>& overrid
     : case_(read_case(std::string(RIFFLE_SOURCE_DIR) + "/cases/checks/" + name + ".toml", overrides)) {
     set_thread_count(1);
     std::optional<ColumnResult> column;
-    if (has_column(case_)) {
-        column = solve_column(case_);
-    }
+    if (has_column(case_)) column = solve_column(case_);
     const ColumnResult* twin = column ? &*column : nullptr;
     simulation_ = make_simulation(case_, twin, initial_particles(case_, make_scheme(case_, twin), twin));
 }
@@ -29,9 +27,7 @@ CheckRun::CheckRun(const std::string& name, const std::vector<Override>& overrid
 void CheckRun::advance_to(double time, const std::function<void()>& each) {
     while (simulation_->clock().time < time) {
         simulation_->step();
-        if (each) {
-            each();
-        }
+        if (each) each();
     }
 }
 
@@ -51,9 +47,7 @@ double largest_speed(const Particles<D>& particles) {
     double largest = 0.0;
     for (std::size_t i = 0; i < particles.size(); ++i) {
         double squared = 0.0;
-        for (const auto& component : particles.velocity) {
-            squared += component[i] * component[i];
-        }
+        for (const auto& component : particles.velocity) squared += component[i] * component[i];
         largest = std::max(largest, std::sqrt(squared));
     }
     return largest;

@@ -20,9 +20,7 @@ double front(const CheckRun& run) {
     const Particles<2>& p = run.particles();
     std::vector<double> x;
     for (std::size_t i = 0; i < p.size(); ++i) {
-        if (p.position[1][i] < 2.0 * run.parameters().numerics.spacing) {
-            x.push_back(p.position[0][i]);
-        }
+        if (p.position[1][i] < 2.0 * run.parameters().numerics.spacing) x.push_back(p.position[0][i]);
     }
     constexpr std::size_t drops = 2;
     std::nth_element(x.begin(), x.end() - 1 - drops, x.end());
@@ -48,9 +46,7 @@ double wall_height(const CheckRun& run) {
     const double spacing = run.parameters().numerics.spacing;
     double highest = 0.0;
     for (std::size_t i = 0; i < p.size(); ++i) {
-        if (p.position[0][i] < 2.0 * spacing) {
-            highest = std::max(highest, p.position[1][i] + 0.5 * spacing);
-        }
+        if (p.position[0][i] < 2.0 * spacing) highest = std::max(highest, p.position[1][i] + 0.5 * spacing);
     }
     return highest;
 }

@@ -25,9 +25,7 @@ struct Drift {
             make_simulation<2>(c, nullptr, initial_particles<2>(c, make_scheme(c, nullptr), nullptr));
     }
     void advance_to(double time) {
-        while (simulation->clock().time < time) {
-            simulation->step();
-        }
+        while (simulation->clock().time < time) simulation->step();
     }
     [[nodiscard]] const FreeBodyState& log() const { return simulation->clock().free_bodies.front(); }
 };

@@ -61,9 +61,7 @@ TEST(OpenEndsTogether, EveryStartMeetsEveryInflowAndOutflow) {
                 }
                 const auto simulation = make_simulation<2>(
                     *c, nullptr, initial_particles<2>(*c, make_scheme(*c, nullptr), nullptr));
-                while (simulation->clock().time < 0.06) {
-                    ASSERT_NO_THROW(simulation->step());
-                }
+                while (simulation->clock().time < 0.06) ASSERT_NO_THROW(simulation->step());
                 const auto& particles = simulation->particles();
                 ASSERT_GT(particles.size(), 0U);
                 EXPECT_TRUE(particles.lost.empty());
@@ -98,9 +96,7 @@ TEST(OpenEndsTogether, AChannelWhoseInflowDriesUpDrains) {
             const auto simulation =
                 make_simulation<2>(c, nullptr, initial_particles<2>(c, make_scheme(c, nullptr), nullptr));
             const std::size_t before = simulation->particles().size();
-            while (simulation->clock().time < 4.5) {
-                ASSERT_NO_THROW(simulation->step());
-            }
+            while (simulation->clock().time < 4.5) ASSERT_NO_THROW(simulation->step());
             EXPECT_LT(simulation->particles().size(), before / 2);
             EXPECT_NEAR(simulation->clock().open_ends.upstream.velocity, 0.0, 0.1);
             const EndsLedger& ledger = simulation->clock().open_ends.ledger;
@@ -126,9 +122,7 @@ TEST(OpenEndsTogether, ASurgeBetweenSideWallsDoesNotCrowdTheEdges) {
     double in_edges = 0.0, in_places = 0.0;
     for (int n = 0; n < 20; ++n) {
         const double until = simulation->clock().time + 0.1;
-        while (simulation->clock().time < until) {
-            ASSERT_NO_THROW(simulation->step());
-        }
+        while (simulation->clock().time < until) ASSERT_NO_THROW(simulation->step());
         if (simulation->clock().time > 1.0) {
             const Particles<3>& p = simulation->particles();
             for (std::size_t i = 0; i < p.size(); ++i) {

@@ -52,9 +52,7 @@ struct OpenRun {
             make_simulation<D>(c, nullptr, initial_particles<D>(c, make_scheme(c, nullptr), nullptr));
     }
     void advance_to(double time) {
-        while (simulation->clock().time < time) {
-            simulation->step();
-        }
+        while (simulation->clock().time < time) simulation->step();
     }
     [[nodiscard]] const OpenEndsState& ends() const { return simulation->clock().open_ends; }
 };
@@ -121,9 +119,7 @@ struct UniformFlow {
         const auto& p = run.simulation->particles();
         for (std::size_t i = 0; i < p.size(); ++i) {
             const double x = p.position[0][i];
-            if (x < 0.0 || x >= 0.1) {
-                continue;
-            }
+            if (x < 0.0 || x >= 0.1) continue;
             level += p.mass[i] / (1000.0 * (1.0 + p.density_deviation[i])) / 0.1;
             const double place = p.position[1][i] / depth;
             const auto layer = static_cast<std::size_t>(std::clamp(place * layers, 0.0, layers - 0.5));
@@ -367,9 +363,7 @@ TEST(OpenEnds, ADuctHasThePressureOfPoiseuille) {
         const auto& p = run.simulation->particles();
         for (std::size_t i = 0; i < p.size(); ++i) {
             const double x = p.position[0][i];
-            if (x < 0.02 || x > 0.1) {
-                continue;
-            }
+            if (x < 0.02 || x > 0.1) continue;
             const double place = p.position[1][i] / height;
             squares += std::pow(p.velocity[0][i] / mean - 6.0 * place * (1.0 - place), 2);
             count += 1.0;
@@ -478,9 +472,7 @@ TEST(OpenEnds, ADropThatIsLostHasItsRowInTheAccount) {
     const std::size_t at_start = particles.size();
     const auto simulation = make_simulation<2>(c, nullptr, particles);
     simulation->step(1e-9);  // a sample of all fields
-    while (simulation->clock().time < 0.5 && simulation->particles().lost.empty()) {
-        simulation->step();
-    }
+    while (simulation->clock().time < 0.5 && simulation->particles().lost.empty()) simulation->step();
     ASSERT_EQ(simulation->particles().lost.size(), 1U);
     const EndsLedger& ledger = simulation->clock().open_ends.ledger;
     EXPECT_EQ(static_cast<std::int64_t>(simulation->particles().size()) + 1,

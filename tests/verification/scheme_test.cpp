@@ -28,9 +28,7 @@ Particles<2> after_steps(const Case& c, int threads, int steps) {
     const ColumnResult column = solve_column(c);
     const auto simulation =
         make_simulation(c, &column, initial_particles(c, make_scheme(c, &column), &column));
-    for (int i = 0; i < steps; ++i) {
-        simulation->step();
-    }
+    for (int i = 0; i < steps; ++i) simulation->step();
     set_thread_count(1);
     return simulation->particles();
 }

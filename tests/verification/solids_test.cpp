@@ -31,9 +31,7 @@ double penetration(const CheckRun& run) {
     for (std::size_t i = 0; i < p.size(); ++i) {
         const double x = p.position[0][i] - moved[0];
         const double z = p.position[1][i] - moved[1];
-        if (contains(outline, x, z)) {
-            deepest = std::max(deepest, distance_from_outline(outline, x, z));
-        }
+        if (contains(outline, x, z)) deepest = std::max(deepest, distance_from_outline(outline, x, z));
     }
     return deepest;
 }
@@ -126,9 +124,7 @@ TEST(Step, FlowOverItKeepsDischargeAndMomentum) {
         mean += q / sections;
     }
     double largest = 0.0;
-    for (const double q : discharge) {
-        largest = std::max(largest, std::abs(q / mean - 1.0));
-    }
+    for (const double q : discharge) largest = std::max(largest, std::abs(q / mean - 1.0));
     expect_below("flow over a step", "discharge of any section / mean - 1", 0.01, largest);
     expect_below("flow over a step", "force on bed and step / weight down the slope - 1", 0.01,
                  std::abs(wall / weight - 1.0));
@@ -227,9 +223,7 @@ TEST(Wavemaker, MakesHavelocksWaves) {
         height += 2.0 * std::hypot(cosine[s], sine[s]) / static_cast<double>(stations.size());
     }
     double kh = 1.0;  // of the dispersion relation omega^2 h/g = kh tanh kh
-    for (int i = 0; i < 100; ++i) {
-        kh = 0.5 * (kh + omega * omega * depth / c.fluid.gravity / std::tanh(kh));
-    }
+    for (int i = 0; i < 100; ++i) kh = 0.5 * (kh + omega * omega * depth / c.fluid.gravity / std::tanh(kh));
     const double havelock = 2.0 * (std::cosh(2.0 * kh) - 1.0) / (std::sinh(2.0 * kh) + 2.0 * kh);
     expect_below("wavemaker", "height of the waves over the stroke against Havelock", 0.05,
                  std::abs(height / (2.0 * piston.amplitude_x) / havelock - 1.0));
@@ -275,9 +269,7 @@ Case step_case(int dimensions) {
                                   {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
         for (const auto& face : faces) {
             file << "facet normal 0 0 0\nouter loop\n";
-            for (const int bits : face) {
-                corner(bits);
-            }
+            for (const int bits : face) corner(bits);
             file << "endloop\nendfacet\n";
         }
         file << "endsolid step\n";

@@ -70,9 +70,7 @@ TEST(PistonInSpace, DisplacesItsVolumeAndComesToRest) {
         double still = 0.0;
         while (run->clock().time < 3.0) {
             run->step();
-            if (run->clock().time < 0.5) {
-                still = largest_speed(run->particles());
-            }
+            if (run->clock().time < 0.5) still = largest_speed(run->particles());
         }
         const Particles<3>& p = run->particles();
         const double level = 2.0 * mass_mean(p, [&](std::size_t i) { return p.position[2][i]; });
@@ -101,9 +99,7 @@ TEST(DuctInSpace, FlowsAsTheSeries) {
     c.numerics.spacing = 5e-5;
     const Scheme scheme = make_scheme(c, nullptr);
     const auto run = make_simulation<3>(c, nullptr, initial_particles<3>(c, scheme, nullptr));
-    while (run->clock().time < 0.6) {
-        run->step();
-    }
+    while (run->clock().time < 0.6) run->step();
     const double side = c.channel.width;
     const double plates = c.streamwise_gravity() * side * side / (8.0 * c.fluid.kinematic_viscosity);
     const Particles<3>& p = run->particles();

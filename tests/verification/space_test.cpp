@@ -45,9 +45,7 @@ SpaceMeans run_cell(const Case& c, double begin, double end) {
     const ColumnResult column = solve_column(c);
     const Scheme scheme = make_scheme(c, &column);
     const auto simulation = make_simulation<3>(c, &column, initial_particles<3>(c, scheme, &column));
-    while (simulation->clock().time < begin) {
-        simulation->step(end);
-    }
+    while (simulation->clock().time < begin) simulation->step(end);
     const double area = c.channel.length * c.channel.width;
     const double bed_stress = scheme.density * scheme.streamwise_gravity * scheme.depth;
     const auto momentum = [&] {
@@ -144,9 +142,7 @@ TEST(BodyCentredStart, StillWaterKeepsItsLevel) {
                static_cast<double>(p.size());
     };
     const double before = mean_height();
-    while (simulation->clock().time < 1.0) {
-        simulation->step(1.0);
-    }
+    while (simulation->clock().time < 1.0) simulation->step(1.0);
     expect_below("3D still water, body-centred, 1 s", "change of level / H", 0.01,
                  2.0 * std::abs(mean_height() - before) / scheme.depth);
     double fastest = 0.0;
@@ -177,9 +173,7 @@ double swelling(Stepping stepping, double courant_number) {
     const auto simulation =
         make_simulation<3>(c, &column, initial_particles<3>(c, make_scheme(c, &column), &column));
     const auto height_at = [&](double time) {
-        while (simulation->clock().time < time) {
-            simulation->step(4.0);
-        }
+        while (simulation->clock().time < time) simulation->step(4.0);
         const auto& z = simulation->particles().position[2];
         return std::accumulate(z.begin(), z.end(), 0.0);
     };

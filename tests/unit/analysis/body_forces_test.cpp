@@ -177,10 +177,12 @@ TEST(MomentumBudget, LeavesOutWhatThePressureOfAPlaneBedDoesAlongIt) {
         c.solids.clear();
         Record record(c);
         for (const char* quantity :
-             {"momentum_flux_1", "pressure_force_1", "momentum_flux_2", "pressure_force_2"})
+             {"momentum_flux_1", "pressure_force_1", "momentum_flux_2", "pressure_force_2"}) {
             record.add("standard_end_sections", "flow_rate", quantity, 20.0);
-        for (const char* quantity : {"weight_component", "bed_drag"})
+        }
+        for (const char* quantity : {"weight_component", "bed_drag"}) {
             record.add("standard_force", "force", quantity, 0.0);
+        }
         record.add("standard_force", "force", "wall_force", 3.0);
         Analysis analysis;
         add_momentum_budget(record, analysis);
@@ -192,11 +194,13 @@ TEST(MomentumBudget, LeavesOutWhatThePressureOfAPlaneBedDoesAlongIt) {
 TEST(MomentumBudget, TakesNoRowsOfParticlesForAChangeOfTheFlow) {
     Record record(duct());
     for (const char* quantity :
-         {"momentum_flux_1", "pressure_force_1", "momentum_flux_2", "pressure_force_2"})
+         {"momentum_flux_1", "pressure_force_1", "momentum_flux_2", "pressure_force_2"}) {
         record.add("standard_end_sections", "flow_rate", quantity, 20.0);
+    }
     for (const char* quantity :
-         {"weight_component", "bed_drag", "wall_force", "solid_force_1", "solid_form_drag_1"})
+         {"weight_component", "bed_drag", "wall_force", "solid_force_1", "solid_form_drag_1"}) {
         record.add("standard_force", "force", quantity, 0.0);
+    }
     record.store(0.05, 5.0, 7.35);
     Analysis analysis;
     add_momentum_budget(record, analysis);
@@ -208,10 +212,12 @@ TEST(MomentumBudget, ClosesNothingWithGrainsWhosePressureIsNotRecorded) {
     c.porous.emplace_back().name = "plug";
     Record record(c);
     for (const char* quantity :
-         {"momentum_flux_1", "pressure_force_1", "momentum_flux_2", "pressure_force_2"})
+         {"momentum_flux_1", "pressure_force_1", "momentum_flux_2", "pressure_force_2"}) {
         record.add("standard_end_sections", "flow_rate", quantity, 20.0);
-    for (const char* quantity : {"weight_component", "bed_drag", "wall_force"})
+    }
+    for (const char* quantity : {"weight_component", "bed_drag", "wall_force"}) {
         record.add("standard_force", "force", quantity, 0.0);
+    }
     record.add("standard_force", "force", "porous_drag", 5.0);
     Analysis analysis;
     add_momentum_budget(record, analysis);

@@ -76,8 +76,9 @@ TEST(CrestTracking, FollowsPatternsAroundAPeriodicChannel) {
     ASSERT_FALSE(found.tracks.empty());
     // 10 s of 0.3 m/s: around the 0.4 m seven times.
     double longest = 0;
-    for (const CrestTrack& t : found.tracks)
+    for (const CrestTrack& t : found.tracks) {
         longest = std::max(longest, t.positions.back() - t.positions.front());
+    }
     EXPECT_GT(longest, 1.0);
 }
 

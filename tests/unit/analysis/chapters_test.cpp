@@ -81,12 +81,15 @@ void expect_sound(const Analysis& analysis) {
                 EXPECT_LE(curve.y_lower[i], curve.y[i]) << each.key;
                 EXPECT_GE(curve.y_upper[i], curve.y[i]) << each.key;
             }
-            for (const auto& widths : {curve.x_half_width, curve.y_half_width, curve.y_lower, curve.y_upper})
+            for (const auto& widths :
+                 {curve.x_half_width, curve.y_half_width, curve.y_lower, curve.y_upper}) {
                 EXPECT_TRUE(widths.empty() || widths.size() == curve.x.size())
                     << each.key << ": " << curve.name;
+            }
         }
-        for (const ColourMap& map : each.maps)
+        for (const ColourMap& map : each.maps) {
             EXPECT_EQ(map.values.size(), map.x.size() * map.y.size()) << each.key;
+        }
     }
 }
 
@@ -249,8 +252,9 @@ TEST_F(Analyses, LeaveOutAZeroPlaneOutsideOfTheBed) {
 TEST_F(Analyses, SplitTheFrictionFactorWithoutARest) {
     const Analysis analysis = analyse(RunRecord(sample()), "profiles");
     double sum = 0.0;
-    for (const char* part : {"viscous", "closure", "turbulent", "pressure_of_pairs", "rest"})
+    for (const char* part : {"viscous", "closure", "turbulent", "pressure_of_pairs", "rest"}) {
         sum += finding(analysis, std::string("friction_factor_") + part).value;
+    }
     const double whole = finding(analysis, "friction_factor_above_crests").value;
     EXPECT_GT(whole, 0.0);
     EXPECT_NEAR(sum, whole, 1e-12 * whole);

@@ -60,9 +60,7 @@ TEST(EddiesAndNoise, LongWavesAreEddies) {
         // The linear fit over 2.2 spacings leaves (k r)^2/10 or so of a wave: 0.05 times 0.7.
         EXPECT_NEAR(split.eddies[0][l], std::sqrt(0.5), 0.04);
         EXPECT_NEAR(split.eddies[2][l], 0.5 * std::sqrt(0.5), 0.02);
-        for (std::size_t k = 0; k < 3; ++k) {
-            EXPECT_LT(split.noise[k][l], 0.04);
-        }
+        for (std::size_t k = 0; k < 3; ++k) EXPECT_LT(split.noise[k][l], 0.04);
         EXPECT_NEAR(split.stress[l], 0.25, 0.02);
         EXPECT_NEAR(split.stress_of_eddies[l], split.stress[l], 0.02);
     }

@@ -60,8 +60,9 @@ TEST_F(SpaceAnalyses, HaveAllFiguresWithoutAMissingOneAndFiniteFindings) {
         EXPECT_TRUE(keys.insert(each.key).second) << "twice: " << each.key;
         EXPECT_TRUE(is_figure_key(each.key, each.chapter)) << each.key << " in " << each.chapter;
         EXPECT_FALSE(each.missing.empty() && each.curves.empty() && each.maps.empty()) << each.key;
-        for (const ColourMap& map : each.maps)
+        for (const ColourMap& map : each.maps) {
             EXPECT_EQ(map.values.size(), map.x.size() * map.y.size()) << each.key;
+        }
     }
     for (const char* key : {"section_velocity_map",
                             "section_twin_map",
@@ -206,8 +207,9 @@ TEST_F(SpaceAnalyses, FindTheFormInducedStressBesideTheNoiseOfTheWindows) {
     ASSERT_FALSE(form.x_half_width.empty());
     // -rho <u~ w~> = 1000 x 0.02 x 0.004/2 = 0.04 Pa, with the scatter that its interval states.
     int outside = 0;
-    for (std::size_t i = 0; i < form.x.size(); ++i)
+    for (std::size_t i = 0; i < form.x.size(); ++i) {
         outside += std::abs(form.x[i] - 0.04) > form.x_half_width[i] ? 1 : 0;
+    }
     EXPECT_LE(outside, 3);  // of 14 at 95 %: four and more happen once in 200 times
     // The fluctuation of 5 mm/s that 15 windows leave, (5 mm/s)^2/15, is not in the variance of v~.
     const Curve& v = figure(analysis, "form_induced_moment_profile").curves[1];
@@ -258,8 +260,9 @@ TEST_F(SpaceAnalyses, SayWhyAFileWithoutAMeanFieldHasNoCrossSection) {
     testing::write_sample_results(folder_ / "results.h5", options);
     const Analysis analysis = analyse(RunRecord(folder_ / "results.h5"));
     for (const char* key :
-         {"section_velocity_map", "secondary_strength_averaging", "bed_stress_distribution"})
+         {"section_velocity_map", "secondary_strength_averaging", "bed_stress_distribution"}) {
         EXPECT_THAT(figure(analysis, key).missing, HasSubstr("mean field"));
+    }
     EXPECT_THAT(figure(analysis, "surface_mean_map").missing, HasSubstr("surface_map_interval"));
 }
 

@@ -65,8 +65,9 @@ SpaceTime turning(double turn, std::uint64_t seed) {
     const SpaceTime other = travelling(radius, seed + 100);
     for (std::size_t j = 0; j < data.rows(); ++j) {
         const double phase = std::numbers::pi * data.times[j] * celerity / turn;
-        for (std::size_t i = 0; i < data.columns; ++i)
+        for (std::size_t i = 0; i < data.columns; ++i) {
             data.row(j)[i] = data.at(j, i) * std::cos(phase) + other.at(j, i) * std::sin(phase);
+        }
     }
     return data;
 }

@@ -58,8 +58,9 @@ TEST(SpaceTime, FluctuationRemovesWhatItSays) {
     SpaceTime data = small({}, {});
     for (int j = 0; j < 4; ++j) {
         data.times.push_back(j);
-        for (int i = 0; i < 3; ++i)
+        for (int i = 0; i < 3; ++i) {
             data.values.push_back(0.1 * i + 0.01 * j * (i + 1) + (j % 2 == 0 ? 0.5 : -0.5));
+        }
     }
     const SpaceTime plain = fluctuation(data);
     for (std::size_t i = 0; i < 3; ++i) {
@@ -68,8 +69,9 @@ TEST(SpaceTime, FluctuationRemovesWhatItSays) {
         EXPECT_NEAR(sum, 0.0, 1e-14);
     }
     const SpaceTime level = fluctuation(data, {.remove_trend = false, .remove_line_mean = true});
-    for (std::size_t j = 0; j < 4; ++j)
+    for (std::size_t j = 0; j < 4; ++j) {
         EXPECT_NEAR(level.at(j, 0) + level.at(j, 1) + level.at(j, 2), 0.0, 1e-14);
+    }
     // Trend and common motion removed together leave nothing of this record.
     const SpaceTime all = fluctuation(data, {.remove_trend = true, .remove_line_mean = true});
     for (const double v : all.values) EXPECT_NEAR(v, 0.0, 1e-14);
@@ -144,8 +146,9 @@ TEST(SpaceTimes, FewerColumnsOfAnyNumberKeepThePeriod) {
         data.spacing = 1.0 / static_cast<double>(columns);
         data.periodic = true;
         data.times = {0.0};
-        for (std::size_t i = 0; i < columns; ++i)
+        for (std::size_t i = 0; i < columns; ++i) {
             data.values.push_back(std::sin(2.0 * std::numbers::pi * data.x(i)));
+        }
         const SpaceTime fewer = fewer_columns(data, 512);
         EXPECT_LE(fewer.columns, 512U) << columns;
         EXPECT_GE(fewer.columns, 256U) << columns;
@@ -153,8 +156,9 @@ TEST(SpaceTimes, FewerColumnsOfAnyNumberKeepThePeriod) {
         ASSERT_EQ(fewer.values.size(), fewer.columns);
         // Linear interpolation between columns: (2 pi dx)^2/8.
         const double error = std::pow(2.0 * std::numbers::pi * data.spacing, 2) / 8.0;
-        for (std::size_t i = 0; i < fewer.columns; ++i)
+        for (std::size_t i = 0; i < fewer.columns; ++i) {
             EXPECT_NEAR(fewer.at(0, i), std::sin(2.0 * std::numbers::pi * fewer.x(i)), error + 1e-12);
+        }
     }
 }
 

@@ -137,8 +137,9 @@ TEST(SurfaceCorrelation, OfStationsIsThatOfTheLine) {
     const SpaceTime line = travelling_surface({.columns = 40, .spacing = 0.01, .rows = 3000, .interval = 0.1},
                                               {.period = 0.12, .correlation_radius = 0.09, .seed = 9}, 0.3);
     std::vector<StationRecord> stations;
-    for (const std::size_t column : {0UL, 2UL, 7UL, 17UL})
+    for (const std::size_t column : {0UL, 2UL, 7UL, 17UL}) {
         stations.push_back({line.x(column), line.record(column)});
+    }
     const SpatialCorrelation c = spatial_correlation(stations);
     ASSERT_EQ(c.distance.size(), 7U);
     for (std::size_t i = 0; i < c.distance.size(); ++i) {

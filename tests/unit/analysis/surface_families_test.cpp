@@ -62,8 +62,9 @@ void add(SurfacePlan& plan, double variance, unsigned seed, const Frequency& ome
         const double x = plan.spacing_x * static_cast<double>(at % plan.columns);
         const double y = plan.spacing_y * static_cast<double>(at / plan.columns % plan.rows);
         const double t = plan.interval * static_cast<double>(at / points);
-        for (const Wave& w : all)
+        for (const Wave& w : all) {
             plan.elevation[at] += scale * w.amplitude * std::cos(w.kx * x + w.ky * y - w.omega * t + w.phase);
+        }
     }
 }
 

@@ -28,8 +28,9 @@ SpaceTime wave(double k, double omega, std::size_t columns, std::size_t rows, bo
     SpaceTime data = synthetic_surface(
         grid, {.deviation = 0.0}, [](double) { return 0.0; }, 0.0);
     for (std::size_t j = 0; j < rows; ++j) {
-        for (std::size_t i = 0; i < columns; ++i)
+        for (std::size_t i = 0; i < columns; ++i) {
             data.row(j)[i] = std::cos(k * data.x(i) - omega * data.times[j]);
+        }
     }
     return data;
 }

@@ -56,8 +56,9 @@ TEST(Upwelling, SurfaceVelocityIsTheKinematicCondition) {
         travelling_surface({.columns = 80, .spacing = 0.005, .periodic = true, .rows = 50, .interval = 0.01},
                            {.deviation = 0.0}, 0.0);
     for (std::size_t j = 0; j < eta.rows(); ++j) {
-        for (std::size_t i = 0; i < eta.columns; ++i)
+        for (std::size_t i = 0; i < eta.columns; ++i) {
             eta.row(j)[i] = a * std::cos(k * eta.x(i) - omega * eta.times[j]);
+        }
     }
     const SpaceTime w = surface_vertical_velocity(eta, u);
     const double bound = a * (omega * std::pow(omega * 0.01, 2) + u * k * std::pow(k * 0.005, 2)) / 6;

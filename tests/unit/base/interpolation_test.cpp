@@ -13,9 +13,7 @@ const std::vector<double> y = {2.0, 4.0, -4.0};
 TEST(Interpolation, IsLinearBetweenTheEntriesAndExactAtThem) {
     EXPECT_EQ(place_in(x, 0.5).in(y), 3.0);
     EXPECT_EQ(place_in(x, 2.5).in(y), -2.0);
-    for (std::size_t i = 0; i < x.size(); ++i) {
-        EXPECT_EQ(place_in(x, x[i]).in(y), y[i]);
-    }
+    for (std::size_t i = 0; i < x.size(); ++i) EXPECT_EQ(place_in(x, x[i]).in(y), y[i]);
 }
 
 TEST(Interpolation, GoesOnWithTheEndsBeyondThem) {

@@ -19,17 +19,11 @@ TEST(ParallelBlocks, VisitEveryIndexOnce) {
         std::vector<std::atomic<int>> visits(n);
         std::atomic<bool> too_long{false};
         parallel_blocks(n, block, [&](std::size_t begin, std::size_t end) {
-            if (end <= begin || end > n || (n > block && end - begin > block)) {
-                too_long = true;
-            }
-            for (std::size_t i = begin; i < end; ++i) {
-                ++visits[i];
-            }
+            if (end <= begin || end > n || (n > block && end - begin > block)) too_long = true;
+            for (std::size_t i = begin; i < end; ++i) ++visits[i];
         });
         RC_ASSERT(!too_long);
-        for (const auto& count : visits) {
-            RC_ASSERT(count == 1);
-        }
+        for (const auto& count : visits) RC_ASSERT(count == 1);
     }));
 }
 
@@ -46,9 +40,7 @@ TEST(ReduceBlocks, GivesTheSameBitsForAnyNumberOfThreads) {
             values.size(), std::size_t{64}, 0.0,
             [&](std::size_t begin, std::size_t end) {
                 double part = 0.0;
-                for (std::size_t i = begin; i < end; ++i) {
-                    part += values[i];
-                }
+                for (std::size_t i = begin; i < end; ++i) part += values[i];
                 return part;
             },
             [](double a, double b) { return a + b; });
@@ -58,9 +50,7 @@ TEST(ReduceBlocks, GivesTheSameBitsForAnyNumberOfThreads) {
     for (const int threads : {2, 3, 4}) {
         set_thread_count(threads);
         EXPECT_EQ(thread_count(), threads);
-        for (int repetition = 0; repetition < 5; ++repetition) {
-            EXPECT_EQ(sum(), one);
-        }
+        for (int repetition = 0; repetition < 5; ++repetition) EXPECT_EQ(sum(), one);
     }
     set_thread_count(1);
 }

@@ -27,9 +27,7 @@ TEST(WrappedText, LosesNoWord) {
     for (std::size_t columns = 1; columns < 70; ++columns) {
         std::istringstream wrapped(wrapped_text(words, 3, columns));
         std::string joined;
-        for (std::string word; wrapped >> word;) {
-            joined += (joined.empty() ? "" : " ") + word;
-        }
+        for (std::string word; wrapped >> word;) joined += (joined.empty() ? "" : " ") + word;
         EXPECT_EQ(joined, words) << columns;
     }
 }

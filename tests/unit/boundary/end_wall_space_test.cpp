@@ -36,9 +36,7 @@ double coverage(const Case& c, const Particles<3>& fluid, const WallParticles<3>
     const auto add = [&](const auto& position, std::size_t n) {
         for (std::size_t j = 0; j < n; ++j) {
             double squared = 0.0;
-            for (std::size_t k = 0; k < 3; ++k) {
-                squared += std::pow(x[k] - position[k][j], 2);
-            }
+            for (std::size_t k = 0; k < 3; ++k) squared += std::pow(x[k] - position[k][j], 2);
             sum += lattice_of(c).volume<3>() * WendlandC2<3>::value(std::sqrt(squared) / h) / (h * h * h);
         }
     };

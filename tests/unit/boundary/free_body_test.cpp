@@ -62,9 +62,7 @@ class Dry {
           gravity_(gravity),
           contact_(c, free, 30.0 * step),
           springs_(contact_.springs()) {
-        for (std::size_t n = 0; n < free.size(); ++n) {
-            free[n].release(states[n]);
-        }
+        for (std::size_t n = 0; n < free.size(); ++n) free[n].release(states[n]);
     }
 
     void advance(double time) {
@@ -73,9 +71,7 @@ class Dry {
             const auto touching = contact_.loads(free, states, bodies, step, springs_);
             for (std::size_t n = 0; n < free.size(); ++n) {
                 BodyLoad load = touching[n];
-                for (std::size_t k = 0; k < 3; ++k) {
-                    load.force[k] += free[n].mass() * gravity_[k];
-                }
+                for (std::size_t k = 0; k < 3; ++k) load.force[k] += free[n].mass() * gravity_[k];
                 free[n].advance(states[n], load, step, step, 0.0);
             }
         }
@@ -126,9 +122,7 @@ TEST(FreeBody, SpinsWithoutMomentsAsEulerSays) {
             worst = std::max(worst, std::abs(body.kinetic_energy(state) / energy - 1.0));
         }
         double length = 0.0;
-        for (const double q : state.orientation) {
-            length += q * q;
-        }
+        for (const double q : state.orientation) length += q * q;
         EXPECT_NEAR(length, 1.0, 1e-14);
         EXPECT_EQ(state.angular_momentum, momentum);
         EXPECT_GT(std::abs(state.angular_velocity[0] - box.angular_velocity * 0.1), 0.1);  // it does tumble

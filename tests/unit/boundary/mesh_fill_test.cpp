@@ -43,9 +43,7 @@ struct Moments {
 
 Moments moments_of(const WallParticles<3>& walls) {
     Moments m;
-    for (std::size_t i = 0; i < walls.size(); ++i) {
-        m.volume += is_solid(walls, i) ? walls.volume[i] : 0.0;
-    }
+    for (std::size_t i = 0; i < walls.size(); ++i) m.volume += is_solid(walls, i) ? walls.volume[i] : 0.0;
     for (std::size_t i = 0; i < walls.size(); ++i) {
         for (std::size_t k = 0; k < 3 && is_solid(walls, i); ++k) {
             m.centroid[k] += walls.volume[i] * walls.position[k][i] / m.volume;
@@ -86,9 +84,7 @@ TEST(ShareBelowPlane, IsThatOfInclinedPlanes) {
         for (int i = 0; i < parts * parts * parts; ++i) {
             const std::array<int, 3> at{i % parts, i / parts % parts, i / (parts * parts)};
             double height = 0.0;
-            for (std::size_t k = 0; k < 3; ++k) {
-                height += n[k] * brick[k] * ((at[k] + 0.5) / parts - 0.5);
-            }
+            for (std::size_t k = 0; k < 3; ++k) height += n[k] * brick[k] * ((at[k] + 0.5) / parts - 0.5);
             below += height < d ? 1.0 : 0.0;
         }
         EXPECT_NEAR(share_below_plane(brick, n, d), below / (parts * parts * parts), 2e-3) << d;
@@ -102,9 +98,7 @@ TEST(MeshFill, HasTheMomentsOfASphere) {
     const Moments m = moments_of(wall_particles<3>(c));
     EXPECT_NEAR(m.volume, meshes_of(c)->front().volume(), 1e-3 * m.volume);
     EXPECT_NEAR(m.volume, std::numbers::pi / 6.0 * std::pow(0.024, 3), 5e-3 * m.volume);
-    for (std::size_t k = 0; k < 3; ++k) {
-        EXPECT_NEAR(m.centroid[k], c.solids.front().centre[k], 1e-5);
-    }
+    for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(m.centroid[k], c.solids.front().centre[k], 1e-5);
     // Points in the middles of cells miss the spread within them: dx^2 / 4.
     EXPECT_NEAR(m.square + 1e-6, 0.6 * 0.012 * 0.012, 0.01 * m.square);
 }
@@ -127,9 +121,7 @@ TEST(MeshFill, FillsSolidsThatOverlapOnce) {
     const double first = 0.017 * 0.0162 * 0.0155;
     const double second = 0.017 * 0.0102 * 0.0105;
     for (const bool turned : {false, true}) {
-        if (turned) {
-            std::swap(c.solids[0], c.solids[1]);
-        }
+        if (turned) std::swap(c.solids[0], c.solids[1]);
         EXPECT_NEAR(moments_of(wall_particles<3>(c)).volume, first + second - overlap, 4e-3 * first);
     }
     c.solids = {upright_box("a", {0.0253, 0.0297, 0.0181}, {0.0173, 0.0162, 0.0155}),
@@ -145,9 +137,7 @@ TEST(MeshFill, HasTheMomentsOfATurnedBox) {
     const Moments m = moments_of(wall_particles<3>(c));
     const auto& size = c.solids.front().size;
     EXPECT_NEAR(m.volume, size[0] * size[1] * size[2], 2e-3 * m.volume);
-    for (std::size_t k = 0; k < 3; ++k) {
-        EXPECT_NEAR(m.centroid[k], c.solids.front().centre[k], 1e-5);
-    }
+    for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(m.centroid[k], c.solids.front().centre[k], 1e-5);
 }
 
 // On the places of the lattice the same sphere and box are off by whole particles.
@@ -176,9 +166,7 @@ TEST(MeshFill, OfABoxBetweenTheCellsIsTheLattice) {
     for (std::size_t i = 0; i < cut.size(); ++i) {
         EXPECT_NEAR(cut.volume[i], whole.volume[i], 1e-15);
         EXPECT_NEAR(cut.depth[i], whole.depth[i], 1e-12);
-        for (std::size_t k = 0; k < 3; ++k) {
-            EXPECT_NEAR(cut.position[k][i], whole.position[k][i], 1e-12);
-        }
+        for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(cut.position[k][i], whole.position[k][i], 1e-12);
     }
 }
 
@@ -187,13 +175,9 @@ TEST(MeshFill, KnowsNormalAndDepthOfEachParticle) {
     const WallParticles<3> walls = wall_particles<3>(c);
     const auto& centre = c.solids.front().centre;
     for (std::size_t i = 0; i < walls.size(); ++i) {
-        if (!is_solid(walls, i)) {
-            continue;
-        }
+        if (!is_solid(walls, i)) continue;
         double radius = 0.0;
-        for (std::size_t k = 0; k < 3; ++k) {
-            radius += std::pow(walls.position[k][i] - centre[k], 2);
-        }
+        for (std::size_t k = 0; k < 3; ++k) radius += std::pow(walls.position[k][i] - centre[k], 2);
         radius = std::sqrt(radius);
         EXPECT_NEAR(walls.depth[i], 0.012 - radius, 1e-4);
         for (std::size_t k = 0; k < 3 && radius > 0.004; ++k) {

@@ -45,12 +45,8 @@ double coverage(const Case& c, const Particles<3>& fluid, const WallParticles<3>
         return volume * WendlandC2<3>::value(std::sqrt(squared) / h) / (h * h * h);
     };
     double sum = 0.0;
-    for (std::size_t j = 0; j < fluid.size(); ++j) {
-        sum += term(fluid.position, j);
-    }
-    for (std::size_t j = 0; j < wall.size(); ++j) {
-        sum += term(wall.position, j);
-    }
+    for (std::size_t j = 0; j < fluid.size(); ++j) sum += term(fluid.position, j);
+    for (std::size_t j = 0; j < wall.size(); ++j) sum += term(wall.position, j);
     return sum;
 }
 

@@ -53,9 +53,7 @@ WallParticles<2> filled(const Case& c) {
 
 double area(const WallParticles<2>& walls) {
     double sum = 0.0;
-    for (const double v : walls.volume) {
-        sum += v;
-    }
+    for (const double v : walls.volume) sum += v;
     return sum;
 }
 
@@ -120,9 +118,7 @@ TEST(SolidFill, AStepOnTheBedCompletesTheSupport) {
     EXPECT_EQ(fluid.size(), 30U * 50U - 100U);
     int checked = 0;
     for (std::size_t i = 0; i < fluid.size(); ++i) {
-        if (fluid.position[1][i] > 0.05) {
-            continue;
-        }
+        if (fluid.position[1][i] > 0.05) continue;
         double sum = 0.0;
         const auto add = [&](const auto& particles, const auto& volume_of) {
             for (std::size_t j = 0; j < particles.position[0].size(); ++j) {
@@ -234,9 +230,7 @@ TEST(SolidFill, InSpaceWaterAndSolidShareTheLattice) {
     file << "solid octahedron\n";
     for (const auto& face : faces) {
         file << "facet normal 0 0 0\nouter loop\n";
-        for (const int corner : face) {
-            file << "vertex " << corners[corner] << "\n";
-        }
+        for (const int corner : face) file << "vertex " << corners[corner] << "\n";
         file << "endloop\nendfacet\n";
     }
     file << "endsolid octahedron\n";
@@ -255,9 +249,7 @@ TEST(SolidFill, InSpaceWaterAndSolidShareTheLattice) {
     const WallParticles<3> walls = wall_particles<3>(c);
     std::size_t of_solid = 0;
     for (std::size_t i = 0; i < walls.size(); ++i) {
-        if (walls.body[i] < first_solid) {
-            continue;
-        }
+        if (walls.body[i] < first_solid) continue;
         ++of_solid;
         EXPECT_TRUE(places.insert(place(walls.position, i)).second);
         const double sum = std::abs(walls.position[0][i] - 0.03) + std::abs(walls.position[1][i] - 0.03) +

@@ -54,9 +54,7 @@ TEST(SurfacePieces, OfASphereInTheWaterAreAllOfIt) {
     // Of the polyhedron that stands for the sphere.
     EXPECT_NEAR(sums.area, std::numbers::pi * 0.024 * 0.024, 0.01 * std::numbers::pi * 0.024 * 0.024);
     EXPECT_NEAR(sums.volume, std::numbers::pi / 6.0 * std::pow(0.024, 3), 0.01 * std::pow(0.024, 3));
-    for (const double along : sums.along) {
-        EXPECT_NEAR(along, 0.0, 1e-9);
-    }
+    for (const double along : sums.along) EXPECT_NEAR(along, 0.0, 1e-9);
 }
 
 TEST(SurfacePieces, OfABoxOnTheBedAreWithoutItsBottom) {
@@ -85,9 +83,7 @@ TEST(SurfacePieces, OfAnOutlineInTheCornerOfATankAreItsSlope) {
     c.solids = {beach};
     Vec<3> along{};
     for (const SurfacePiece& piece : surface_pieces(c, 0, 0.005)) {
-        for (std::size_t k = 0; k < 3; ++k) {
-            along[k] += piece.area[k];
-        }
+        for (std::size_t k = 0; k < 3; ++k) along[k] += piece.area[k];
     }
     EXPECT_NEAR(along[0], -0.2, 1e-12);
     EXPECT_NEAR(along[2], 0.2, 1e-12);

@@ -39,9 +39,7 @@ double coverage(const Case& c, const Particles<2>& fluid, const WallParticles<2>
     const double h = c.numerics.smoothing_ratio * c.numerics.spacing;
     const auto term = [&](double xj, double zj, double volume) {
         double dx = x - xj;
-        if (c.channel.ends == Ends::periodic) {
-            dx -= c.channel.length * std::nearbyint(dx / c.channel.length);
-        }
+        if (c.channel.ends == Ends::periodic) dx -= c.channel.length * std::nearbyint(dx / c.channel.length);
         return volume * WendlandC2<2>::value(std::hypot(dx, z - zj) / h) / (h * h);
     };
     double sum = 0.0;
@@ -69,9 +67,7 @@ TEST_P(WallTest, CompletesTheSupport) {
     const double support = 2.0 * c.numerics.smoothing_ratio * c.numerics.spacing;
     int checked = 0;
     for (std::size_t i = 0; i < fluid.size(); ++i) {
-        if (c.channel.top == Top::free_surface && fluid.position[1][i] > c.total_depth() - support) {
-            continue;
-        }
+        if (c.channel.top == Top::free_surface && fluid.position[1][i] > c.total_depth() - support) continue;
         EXPECT_NEAR(coverage(c, fluid, wall, fluid.position[0][i], fluid.position[1][i]), middle, 1e-12);
         ++checked;
     }
@@ -163,9 +159,7 @@ TEST(WallParticlesOfCase, PermuteMovesAllQuantitiesTogether) {
     const WallParticles<2> before = wall_particles(channel({.ends = Ends::walls}));
     WallParticles<2> after = before;
     std::vector<std::int32_t> order(before.size());
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        order[i] = static_cast<std::int32_t>(order.size() - 1 - i);
-    }
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<std::int32_t>(order.size() - 1 - i);
     after.permute(order);
     for (std::size_t i = 0; i < order.size(); ++i) {
         const auto j = static_cast<std::size_t>(order[i]);

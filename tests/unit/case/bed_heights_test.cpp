@@ -226,8 +226,9 @@ TEST(BedHeights, FaultsOfFilesNameTheLine) {
     EXPECT_THAT(file_fault("0 0 1\n1 0 1\n2 0 1\n", "a.xyz"), HasSubstr("the same y"));
     EXPECT_THAT(file_fault("0 0 nan\n1 0 nan\n0 1 nan\n1 1 nan\n", "a.xyz"), HasSubstr("holds no height"));
     std::string scattered;
-    for (int i = 0; i < 50; ++i)
+    for (int i = 0; i < 50; ++i) {
         scattered += fmt::format("{} {} 1\n", 1000 * i + i * i, 1001 * (7 * i % 50) + i);
+    }
     EXPECT_THAT(file_fault(scattered, "a.xyz"), HasSubstr("regular grid"));
 }
 

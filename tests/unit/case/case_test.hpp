@@ -21,9 +21,7 @@ inline std::string changed(const std::string& line, const std::string& replaceme
                            const std::string& added = "") {
     std::string text = smallest;
     const auto at = text.find(line);
-    if (at == std::string::npos) {
-        throw std::logic_error("no such line: " + line);
-    }
+    if (at == std::string::npos) throw std::logic_error("no such line: " + line);
     return text.replace(at, line.size(), replacement) + added;
 }
 

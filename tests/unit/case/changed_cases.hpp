@@ -235,9 +235,7 @@ inline Case with_two_solids() {
     Case c = with_solid();
     c.solids.push_back(c.solids.front());
     c.solids[1].name = "gate";
-    for (double& x : c.solids[1].x) {
-        x += 0.05;
-    }
+    for (double& x : c.solids[1].x) x += 0.05;
     c.solids[1].motion = SolidMotion::constant;
     c.solids[1].velocity_z = 0.01;
     return c;

@@ -134,9 +134,7 @@ TEST(Builtin, UnknownNameIsRefused) {
 TEST(ShippedCases, AllParse) {
     int count = 0;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(source_folder / "cases")) {
-        if (entry.path().extension() != ".toml") {
-            continue;
-        }
+        if (entry.path().extension() != ".toml") continue;
         ++count;
         EXPECT_NO_THROW({
             const Case c = read_case(entry.path());

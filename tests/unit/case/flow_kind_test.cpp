@@ -40,9 +40,7 @@ TEST(FlowKind, OfEveryCheck) {
         {"taylor-green", FlowKind::periodic_box},
         {"wavemaker", FlowKind::tank},
     };
-    for (const auto& [name, kind] : expected) {
-        EXPECT_EQ(flow_kind(check_case(name)), kind) << name;
-    }
+    for (const auto& [name, kind] : expected) EXPECT_EQ(flow_kind(check_case(name)), kind) << name;
     EXPECT_EQ(flow_kind(read_case(cases / "rough-bed-2d/condition-2.toml")), FlowKind::uniform_channel);
     EXPECT_EQ(flow_kind(read_case(cases / "rough-bed-3d/condition-2-coarse.toml")),
               FlowKind::uniform_channel);

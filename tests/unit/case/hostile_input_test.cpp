@@ -21,9 +21,7 @@ using testing::StartsWith;
 
 std::string repeated(const std::string& part, int times) {
     std::string text;
-    for (int i = 0; i < times; ++i) {
-        text += part;
-    }
+    for (int i = 0; i < times; ++i) text += part;
     return text;
 }
 
@@ -80,9 +78,7 @@ TEST(HostileInput, SizesThatCannotBeMeantAreRefusedWithTheReason) {
 TEST(HostileInput, NoKeyTakesAnyNumber) {
     for (const SectionKeys& section : key_table()) {
         for (const Key& key : section.keys) {
-            if (key.type != ValueType::number && key.type != ValueType::integer) {
-                continue;
-            }
+            if (key.type != ValueType::number && key.type != ValueType::integer) continue;
             for (const double absurd : {1e300, -1e300}) {
                 const RawValue raw =
                     key.type == ValueType::integer

@@ -244,23 +244,17 @@ Probe any_probe(const Case& c, const std::string& name) {
     p.sampling_frequency = *number_between(10.0, 200.0);
     const auto positions = [](double high) {
         std::vector<double> list(*rc::gen::inRange<std::size_t>(1, 4));
-        for (double& value : list) {
-            value = *number_between(1e-3, high);
-        }
+        for (double& value : list) value = *number_between(1e-3, high);
         return list;
     };
     const bool section = p.kind == ProbeKind::flow_rate;
     const bool points = p.kind == ProbeKind::velocity || p.kind == ProbeKind::pressure;
-    if (points || p.kind == ProbeKind::wave || section) {
-        p.x = positions(c.channel.length);
-    }
+    if (points || p.kind == ProbeKind::wave || section) p.x = positions(c.channel.length);
     if (points) {
         p.x.resize(1);
         p.z = positions(0.02);
     }
-    if (p.kind == ProbeKind::velocity) {
-        p.sampling_length = *number_between(0.0, 0.01);
-    }
+    if (p.kind == ProbeKind::velocity) p.sampling_length = *number_between(0.0, 0.01);
     if (p.kind == ProbeKind::surface_line || p.kind == ProbeKind::grid) {
         p.spacing = *number_between(0.02, 0.05);
     }
@@ -372,40 +366,20 @@ Case any_case() {
     }
     if (n.viscosity == ViscosityForm::artificial) {
         n.eddy_stress = EddyStress::stress_divergence;
-        if (n.has_riemann_problem()) {
-            n.pressure_form = PressureForm::corrected;
-        }
+        if (n.has_riemann_problem()) n.pressure_form = PressureForm::corrected;
     }
-    if (c.channel.dimensions == 3 && n.viscosity != ViscosityForm::morris) {
-        c.turbulence.spanwise_ratio = 1.0;
-    }
-    if (c.output.surface_threshold) {
-        c.output.surface_threshold = *number_between(0.1, 0.9);
-    }
-    if (n.wall != WallKind::dummy) {
-        n.reference_pressure = ReferencePressure::none;
-    }
-    if (n.stepping == Stepping::verlet) {
-        n.density_diffusion = DensityDiffusion::none;
-    }
-    if (n.stepping == Stepping::leapfrog) {
-        n.xsph = 0.0;
-    }
-    if (!needs_gradients(c)) {
-        n.density_relaxation = 0.0;
-    }
-    if (c.channel.dimensions == 2 && resolves_eddies(c)) {
-        c.turbulence.closure = ClosureKind::nezu_rodi;
-    }
+    if (c.channel.dimensions == 3 && n.viscosity != ViscosityForm::morris) c.turbulence.spanwise_ratio = 1.0;
+    if (c.output.surface_threshold) c.output.surface_threshold = *number_between(0.1, 0.9);
+    if (n.wall != WallKind::dummy) n.reference_pressure = ReferencePressure::none;
+    if (n.stepping == Stepping::verlet) n.density_diffusion = DensityDiffusion::none;
+    if (n.stepping == Stepping::leapfrog) n.xsph = 0.0;
+    if (!needs_gradients(c)) n.density_relaxation = 0.0;
+    if (c.channel.dimensions == 2 && resolves_eddies(c)) c.turbulence.closure = ClosureKind::nezu_rodi;
     // Most cases have nothing to pack, and are refused.
     c.start.packed = false;
     const int probes = *rc::gen::inRange(0, 4);
-    for (int i = 0; i < probes; ++i) {
-        c.probes.push_back(any_probe(c, "probe-" + std::to_string(i)));
-    }
-    if (why_no_column(c)) {
-        c.start.kind = StartKind::rest;
-    }
+    for (int i = 0; i < probes; ++i) c.probes.push_back(any_probe(c, "probe-" + std::to_string(i)));
+    if (why_no_column(c)) c.start.kind = StartKind::rest;
     return c;
 }
 

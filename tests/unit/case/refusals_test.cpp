@@ -254,9 +254,7 @@ std::vector<Wrong> wrong_starts_and_runs() {
 
 std::vector<Wrong> wrong_solids() {
     std::string many = "[0.1";
-    for (int corner = 1; corner < 7000; ++corner) {
-        many += ", 0.1";
-    }
+    for (int corner = 1; corner < 7000; ++corner) many += ", 0.1";
     many += "]";
     return {
         {with_two_solids(), fmt::format("solid[0].x = {0}; solid[1].x = {0}; solid[2].x = {0}", many)},
@@ -502,9 +500,7 @@ std::vector<Wrong> all_wrongs() {
     for (auto* const wrongs :
          {wrong_geometry, wrong_open_ends, wrong_methods, wrong_starts_and_runs, wrong_solids, wrong_shapes,
           wrong_bed_patches, wrong_vegetation, wrong_porous, wrong_probes}) {
-        for (Wrong& wrong : wrongs()) {
-            all.push_back(std::move(wrong));
-        }
+        for (Wrong& wrong : wrongs()) all.push_back(std::move(wrong));
     }
     return all;
 }
@@ -520,9 +516,7 @@ std::string refusal_of(const Case& c) { return test::error_of(file_text(c), {}, 
 void load_shapes(Case& c) {
     const bool complete = std::all_of(c.solids.begin(), c.solids.end(),
                                       [&](const Solid& s) { return shape_is_complete(c, s); });
-    if (c.channel.dimensions == 3 && complete) {
-        c.meshes = meshes_of(c);
-    }
+    if (c.channel.dimensions == 3 && complete) c.meshes = meshes_of(c);
     for (Solid& solid : c.solids) {
         if (c.channel.dimensions == 2 && complete && solid.shape != SolidShape::free_form) {
             const Outline outline = shape_outline(c, solid);
@@ -533,9 +527,7 @@ void load_shapes(Case& c) {
 }
 
 TEST(Refusals, RightCasesAreTaken) {
-    for (const Wrong& wrong : all_wrongs()) {
-        EXPECT_EQ(refusal_of(wrong.right), "");
-    }
+    for (const Wrong& wrong : all_wrongs()) EXPECT_EQ(refusal_of(wrong.right), "");
 }
 
 TEST(Refusals, EachRowHasACaseThatItRefusesAndSaysSo) {
@@ -600,9 +592,7 @@ TEST(Refusals, RunsUntilConvergedNeedASteadyFlow) {
 std::vector<const CaseCheck*> all_checks() {
     std::vector<const CaseCheck*> all;
     const auto add = [&](const CheckList& list) {
-        for (const CaseCheck& check : list.checks) {
-            all.push_back(&check);
-        }
+        for (const CaseCheck& check : list.checks) all.push_back(&check);
     };
     std::for_each(refusals().begin(), refusals().end(), add);
     add(start_of_run_refusals());
@@ -613,9 +603,7 @@ std::vector<const CaseCheck*> all_checks() {
 TEST(Checks, NameKeysThatExistAndSayWhatToDo) {
     std::set<std::string> rows;
     for (const CaseCheck* const check : all_checks()) {
-        for (const std::string& id : check->keys) {
-            EXPECT_NE(find_key(id), nullptr) << id;
-        }
+        for (const std::string& id : check->keys) EXPECT_NE(find_key(id), nullptr) << id;
         EXPECT_FALSE(check->what.empty());
         EXPECT_FALSE(check->cure.empty()) << check->what;
         EXPECT_TRUE(rows.insert(check->keys.front() + " " + std::string(check->what)).second) << check->what;

@@ -77,9 +77,7 @@ TEST(SchemeValidation, HoldsForThePresets) {
 /// Every choice of the method says who stated it and where it is advised.
 TEST(Options, OfTheMethodHaveASourceAndAdvice) {
     for (const Key& key : find_section("numerics")->keys) {
-        if (key.name == "preset") {
-            continue;
-        }
+        if (key.name == "preset") continue;
         for (const Word& option : key.words) {
             EXPECT_FALSE(option.advice.empty()) << key.id() << " = " << option.name;
             EXPECT_TRUE(!option.source.empty() || option.name == "none") << key.id() << " = " << option.name;

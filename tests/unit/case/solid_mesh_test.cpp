@@ -43,9 +43,7 @@ Triangles box(const Point3& a, const Point3& b) {
 }
 
 Triangles turned(Triangles triangles) {
-    for (Triangle& t : triangles) {
-        std::swap(t[1], t[2]);
-    }
+    for (Triangle& t : triangles) std::swap(t[1], t[2]);
     return triangles;
 }
 

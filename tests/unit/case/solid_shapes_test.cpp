@@ -62,8 +62,9 @@ TEST(SolidShapes, FacetsAreFarFinerThanTheSpacing) {
                     const double middle = (t[0][k] + t[1][k] + t[2][k]) / 3.0 - ball.centre[k];
                     squares += middle * middle;
                 }
-                if (squares > 0.2 * diameter * diameter)
+                if (squares > 0.2 * diameter * diameter) {
                     most = std::max(most, std::abs(std::sqrt(squares) - 0.5 * diameter));
+                }
             }
             return most;
         };

@@ -22,13 +22,9 @@ Triangles scattered(std::size_t count) {
         const Point3 a{random(), random(), random()};
         Triangle t{a, a, a};
         for (std::size_t k = 1; k < 3; ++k) {
-            for (double& x : t[k]) {
-                x += 0.1 * (random() - 0.5);
-            }
+            for (double& x : t[k]) x += 0.1 * (random() - 0.5);
         }
-        if (i % 50 == 0) {
-            t[2] = t[1];
-        }
+        if (i % 50 == 0) t[2] = t[1];
         triangles.push_back(i % 40 == 1 ? triangles[i / 2] : t);
     }
     return triangles;
@@ -60,9 +56,7 @@ TEST(TriangleTree, FindsAllPairsWhoseBoxesMeet) {
     };
     for (std::size_t i = 0; i < all.size(); ++i) {
         for (std::size_t j = i + 1; j < all.size(); ++j) {
-            if (meet(i, j)) {
-                expected.emplace(i, j);
-            }
+            if (meet(i, j)) expected.emplace(i, j);
         }
     }
     std::set<std::pair<std::size_t, std::size_t>> found;

@@ -210,8 +210,9 @@ TEST(Calibration, SaysWhatAFitMakesWorse) {
     const CalibrationResult mean =
         calibrate_column(condition_2(), {.parameters = {"drag_coefficient"}, .use = {"depth-mean"}});
     EXPECT_FALSE(mean.worsened());
-    for (const FittedQuantity& q : mean.conditions.front().quantities)
+    for (const FittedQuantity& q : mean.conditions.front().quantities) {
         EXPECT_EQ(q.fitted_to, q.name == "depth-mean velocity") << q.name;
+    }
     EXPECT_NEAR(mean.conditions.front().column.depth_mean_velocity, 0.35, 1e-6);
     EXPECT_THAT(message(condition_2(), {}), HasSubstr("at least one"));
     try {

@@ -102,9 +102,7 @@ Case between_walls(double y_to) {
     c.channel.sides = Sides::half;
     c.side_walls.drag_form = SideDragForm::none;
     c.turbulence.closure = ClosureKind::czernuszenko_rylov;
-    if (y_to > 0.0) {
-        c.vegetation.front().y_to = y_to;
-    }
+    if (y_to > 0.0) c.vegetation.front().y_to = y_to;
     return c;
 }
 

@@ -89,9 +89,7 @@ TEST(EndInput, BetweenSideWallsTheSectionEnters) {
     const EndInput twin = read("");
     std::vector<double> files;
     files.reserve(200);
-    for (int file = 0; file < 200; ++file) {
-        files.push_back(0.001 * (file + 0.5));
-    }
+    for (int file = 0; file < 200; ++file) files.push_back(0.001 * (file + 0.5));
     EXPECT_NEAR(twin.entering->mean_of_streams(0.0, 200, files), 1.0, 2e-3);
     EXPECT_LT(twin.entering->mean_at(0.003, 0.6), 0.9 * twin.entering->mean_at(0.1, 0.6));
     EXPECT_NEAR(twin.entering->mean_at(0.02, 0.6), twin.entering->mean_at(0.18, 0.6), 1e-9);

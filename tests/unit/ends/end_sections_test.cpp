@@ -151,9 +151,7 @@ OpenEndsState state_with(double depth, double velocity, double section_velocity)
 
 double mean_of(const LeavingProfile& profile, const OpenEndsState& state) {
     double mean = 0.0;
-    for (int i = 0; i < 1000; ++i) {
-        mean += profile.at(state, (i + 0.5) / 1000.0) / 1000.0;
-    }
+    for (int i = 0; i < 1000; ++i) mean += profile.at(state, (i + 0.5) / 1000.0) / 1000.0;
     return mean;
 }
 
@@ -163,9 +161,7 @@ TEST(LeavingProfile, GoesOverToTheWaterThatComes) {
     LeavingProfile profile(least_depth);
     for (int step = 0; step < 2000; ++step) {
         profile.clear(state);
-        for (int i = 0; i < 10; ++i) {
-            profile.add(state, (i + 0.5) * 0.01, 1.0, 0.1 * (i + 0.5));
-        }
+        for (int i = 0; i < 10; ++i) profile.add(state, (i + 0.5) * 0.01, 1.0, 0.1 * (i + 0.5));
         profile.finish(state, wave_speed(gravity, 0.05), 0.001);
     }
     EXPECT_NEAR(mean_of(profile, state), 0.6, 1e-3);

@@ -35,9 +35,7 @@ Case rough_case(const std::string& more) {
 
 std::string text_of(const Case& c) {
     std::string text;
-    for (const EndFact& fact : end_facts(c, flow_at_ends(c))) {
-        text += fact.label + ": " + fact.text + "\n";
-    }
+    for (const EndFact& fact : end_facts(c, flow_at_ends(c))) text += fact.label + ": " + fact.text + "\n";
     return text;
 }
 

@@ -53,9 +53,7 @@ TEST(InflowStreams, TheDischargeIsExact) {
             discharge += dt * velocity(row) * inflow.depth / inflow.state.rows;
         }
         inflow.streams.advance(inflow.state, dt, velocity);
-        if (step % 7 == 0) {
-            inflow.fill();
-        }
+        if (step % 7 == 0) inflow.fill();
     }
     EXPECT_NEAR((inflow.made + inflow.waiting() - before) / discharge, 1.0, 1e-9);
 }
@@ -92,9 +90,7 @@ TEST(InflowStreams, WaterThatGoesBackIsGivenUp) {
     Inflow inflow(0.05);
     inflow.streams.advance(inflow.state, 1.0, [](int, int) { return -0.1; });
     inflow.fill();
-    for (const double front : inflow.state.front) {
-        EXPECT_GE(front, edge - spacing * 1.0001);
-    }
+    for (const double front : inflow.state.front) EXPECT_GE(front, edge - spacing * 1.0001);
     EXPECT_EQ(inflow.made, 0.0);
 }
 

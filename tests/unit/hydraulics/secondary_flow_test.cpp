@@ -61,8 +61,9 @@ TEST(SecondaryFlowLaws, MeetTheMeasurementsInWords) {
     // In the downflow alone a faster layer lies below a slower one: the slope of kappa u/u_*, 1.3 h/z less
     // 1.7 pi/2 sin(pi z/h), is negative between about 0.48 h and 0.79 h.
     EXPECT_GT(u(0.48 * depth, 1.0), u(0.79 * depth, 1.0));
-    for (double z = 2.0 * z0; z < depth; z += 0.01 * depth)
+    for (double z = 2.0 * z0; z < depth; z += 0.01 * depth) {
         EXPECT_LT(u(z, -1.0), u(z + 0.01 * depth, -1.0)) << z;
+    }
 }
 
 TEST(SecondaryFlowFit, ExactProfilesGiveTheirPhase) {

@@ -78,9 +78,7 @@ TEST(BedForce, SumsTheForcesOnTheParticles) {
     SparseValues normal;
     for (auto [values, value] : {std::pair(&drag, -0.03), {&wall, -0.01}, {&normal, 9.81}}) {
         values->reset(n);
-        for (std::size_t i = 0; i < n; ++i) {
-            values->set(i, value);
-        }
+        for (std::size_t i = 0; i < n; ++i) values->set(i, value);
     }
     instrument->sample({.time = 0.5,
                         .streamwise_gravity = 0.04,
@@ -117,9 +115,7 @@ Water fluctuating(int sample) {
 TEST(VelocityGrid, GivesMeansAndMomentsOfEachWindow) {
     const auto instrument = make_instrument(grid(), small_water());
     EXPECT_EQ(instrument->points(), 20U);  // 4 columns, 5 rows
-    for (int k = 1; k <= 9; ++k) {
-        fluctuating(k).sample(*instrument, 0.1 * k + 1e-4);
-    }
+    for (int k = 1; k <= 9; ++k) fluctuating(k).sample(*instrument, 0.1 * k + 1e-4);
     EXPECT_EQ(instrument->rows(), 2U);  // the windows to 0.4 and 0.8 s; the ninth sample waits
     const auto time = values_of(*instrument, "time");
     EXPECT_NEAR(time[0], 0.4, 1e-12);
@@ -183,9 +179,7 @@ TEST(VelocityGrid, GoesOnFromASavedWindow) {
         const Water water = shear_flow();
         water.sample(*straight, 0.1 * k + 1e-4);
         water.sample(k <= 6 ? *first : *second, 0.1 * k + 1e-4);
-        if (k == 6) {
-            second->restore_unfinished(first->unfinished());
-        }
+        if (k == 6) second->restore_unfinished(first->unfinished());
     }
     EXPECT_EQ(values_of(*straight, "velocity_covariance")[25], values_of(*second, "velocity_covariance")[5]);
     EXPECT_EQ(values_of(*straight, "time")[1], values_of(*second, "time")[0]);
@@ -247,9 +241,7 @@ TEST(ProbeSet, OfACheckpointWithoutItsProbesIsRefused) {
 
 std::vector<std::string> names(const StandardProbes& set) {
     std::vector<std::string> list;
-    for (const Probe& p : set.probes) {
-        list.push_back(p.name);
-    }
+    for (const Probe& p : set.probes) list.push_back(p.name);
     return list;
 }
 

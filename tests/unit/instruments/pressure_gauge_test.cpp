@@ -36,9 +36,7 @@ Probe gauges(std::vector<double> x, std::vector<double> z) {
 
 std::vector<double> hydrostatic(const Water& water) {
     std::vector<double> pressure;
-    for (const double z : water.particles.position[1]) {
-        pressure.push_back(weight * (0.04 - z));
-    }
+    for (const double z : water.particles.position[1]) pressure.push_back(weight * (0.04 - z));
     return pressure;
 }
 

@@ -223,12 +223,8 @@ TEST(InstrumentsInSpace, OfAGridAverageTheVelocityAcross) {
                                 .with_velocity(
                                     nothing, [=](double, double, double) { return v; }, nothing);
         water.sample(*instrument, 0.1 * k + 1e-4);
-        if (k == 3) {
-            other->restore_unfinished(instrument->unfinished());
-        }
-        if (k == 4) {
-            water.sample(*other, 0.1 * k + 1e-4);
-        }
+        if (k == 3) other->restore_unfinished(instrument->unfinished());
+        if (k == 4) water.sample(*other, 0.1 * k + 1e-4);
     }
     EXPECT_NEAR(values_of(*instrument, "spanwise_velocity")[1], 0.2, 1e-6);
     EXPECT_NEAR(values_of(*instrument, "spanwise_velocity_variance")[1], 0.01, 1e-6);
@@ -244,9 +240,7 @@ TEST(InstrumentsInSpace, SumTheDragOfTheSideWalls) {
     SparseValues sides;
     zero.reset(n);
     sides.reset(n);
-    for (std::size_t i = 0; i < n; ++i) {
-        sides.set(i, -0.02);
-    }
+    for (std::size_t i = 0; i < n; ++i) sides.set(i, -0.02);
     instrument->sample({.mass = water.particles.mass,
                         .drag_x = &zero,
                         .wall_x = &zero,

@@ -10,9 +10,7 @@ namespace riffle::test {
 inline WorkingValues working(const std::vector<double>& values) {
     WorkingValues result;
     result.reset<double>(values.size());
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        result.set(i, values[i]);
-    }
+    for (std::size_t i = 0; i < values.size(); ++i) result.set(i, values[i]);
     return result;
 }
 

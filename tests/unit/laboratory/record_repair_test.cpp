@@ -159,9 +159,7 @@ TEST(Sampling, RefusesUnevenTimes) {
 // A slip of the pen in one time must not ask for more samples than the memory holds.
 TEST(Sampling, RefusesATimeThatWouldNeedMoreSamplesThanThereAre) {
     std::vector<double> times;
-    for (int i = 0; i < 100; ++i) {
-        times.push_back(0.01 * i + (i < 60 ? 0.0 : 1e9));
-    }
+    for (int i = 0; i < 100; ++i) times.push_back(0.01 * i + (i < 60 ? 0.0 : 1e9));
     EXPECT_THAT(message_of([&] { return find_even_sampling(times, 0.1, row_name); }),
                 HasSubstr("row 60: the time goes from 0.59 s to 1e+09 s here"));
     times = {-1e308, 0.0, 1e308};
@@ -170,9 +168,7 @@ TEST(Sampling, RefusesATimeThatWouldNeedMoreSamplesThanThereAre) {
     // Bursts of two minutes each hour are a record.
     times.clear();
     for (int burst = 0; burst < 3; ++burst) {
-        for (int i = 0; i < 1200; ++i) {
-            times.push_back(3600.0 * burst + 0.1 * i);
-        }
+        for (int i = 0; i < 1200; ++i) times.push_back(3600.0 * burst + 0.1 * i);
     }
     EXPECT_EQ(find_even_sampling(times, 0.1, row_name).samples, 73200U);
 }

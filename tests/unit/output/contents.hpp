@@ -46,8 +46,9 @@ inline bool same_bits(const std::vector<double>& a, const std::vector<double>& b
 }
 
 inline bool same(const Dataset& a, const Dataset& b) {
-    if (a.path != b.path || a.shape != b.shape || a.unit != b.unit || a.long_name != b.long_name)
+    if (a.path != b.path || a.shape != b.shape || a.unit != b.unit || a.long_name != b.long_name) {
         return false;
+    }
     const auto* doubles_a = std::get_if<std::vector<double>>(&a.values);
     const auto* doubles_b = std::get_if<std::vector<double>>(&b.values);
     if (doubles_a != nullptr && doubles_b != nullptr) return same_bits(*doubles_a, *doubles_b);

@@ -21,8 +21,9 @@ using testing::HasSubstr;
 class FullDisk : public testing::Test {
   protected:
     void SetUp() override {
-        if (!disk.mounted())
+        if (!disk.mounted()) {
             GTEST_SKIP() << "this user may not mount a small disk; run as root to test a full one";
+        }
     }
     test::SmallDisk disk{"1m"};
 };

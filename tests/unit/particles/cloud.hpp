@@ -46,16 +46,12 @@ template <int D>
     std::mt19937_64 generator(seed);
     for (std::size_t k = 0; k < D; ++k) {
         std::uniform_real_distribution<double> uniform(domain.lower[k], domain.upper[k]);
-        for (std::size_t i = 0; i < count; ++i) {
-            cloud.position[k].push_back(uniform(generator));
-        }
+        for (std::size_t i = 0; i < count; ++i) cloud.position[k].push_back(uniform(generator));
     }
     const auto order = spatial_order<D>(domain, cloud.view(), column_width, 0.2 * column_width);
     for (auto& axis : cloud.position) {
         const std::vector<double> old = axis;
-        for (std::size_t i = 0; i < count; ++i) {
-            axis[i] = old[static_cast<std::size_t>(order[i])];
-        }
+        for (std::size_t i = 0; i < count; ++i) axis[i] = old[static_cast<std::size_t>(order[i])];
     }
     cloud.clusters = build_clusters<D>(domain, cloud.fixed_point, cloud.view(), column_width);
     return cloud;

@@ -106,12 +106,8 @@ TEST(BodyCentredLattice, HasEightNeighboursAtOneDistance) {
     }
     std::sort(distance.begin(), distance.end());
     EXPECT_NEAR(distance[0], 0.0, 1e-12);
-    for (std::size_t i = 1; i <= 8; ++i) {
-        EXPECT_NEAR(distance[i], 0.5 * std::sqrt(3.0), 1e-9);
-    }
-    for (std::size_t i = 9; i <= 14; ++i) {
-        EXPECT_NEAR(distance[i], 1.0, 1e-9);
-    }
+    for (std::size_t i = 1; i <= 8; ++i) EXPECT_NEAR(distance[i], 0.5 * std::sqrt(3.0), 1e-9);
+    for (std::size_t i = 9; i <= 14; ++i) EXPECT_NEAR(distance[i], 1.0, 1e-9);
     EXPECT_GT(distance[15], 1.4);
 }
 

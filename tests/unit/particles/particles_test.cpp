@@ -99,9 +99,7 @@ TEST(WallParticles, SortAllArraysAlike) {
     walls.permute({2, 0, 1});
     std::vector<double> sorted;
     WallParticles<2>::for_each_array(walls, [&](const auto& values) {
-        for (const auto value : values) {
-            sorted.push_back(static_cast<double>(value));
-        }
+        for (const auto value : values) sorted.push_back(static_cast<double>(value));
     });
     std::size_t place = 0;
     WallParticles<2>::for_each_array(before, [&](const auto& values) {

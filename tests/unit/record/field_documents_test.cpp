@@ -40,8 +40,9 @@ TEST(FieldTables, NamesAreUniqueInEachGroup) {
             for (std::size_t k = 0; k < i; ++k) {
                 const Field& one = table.fields[i];
                 const Field& other = table.fields[k];
-                if (std::string(one.name) != other.name || one.is_attribute() != other.is_attribute())
+                if (std::string(one.name) != other.name || one.is_attribute() != other.is_attribute()) {
                     continue;
+                }
                 const unsigned both = one.written | other.written;
                 const bool excluded = (both & section_twin && both & no_section_twin) ||
                                       (both & verlet_stepping && both & beeman_stepping);

@@ -105,8 +105,9 @@ TEST(Kinds, WaterThatHasSwollenBeforeTheWindowIsNotGood) {
          {std::pair{0.001, Health::good}, {0.008, Health::caution}, {-0.03, Health::bad}}) {
         ReportData data = channel();
         std::vector<double> level;
-        for (const double time : data.series[fields::time_series.time])
+        for (const double time : data.series[fields::time_series.time]) {
             level.push_back(0.056 * (1.0 + swelling * std::min(time / 5.0, 1.0)));
+        }
         data.series.set(fields::time_series.mean_level, std::move(level));
         const std::vector<Diagnostic> rows = diagnose(data, {});
         ASSERT_NE(row(rows, "volume"), nullptr);
@@ -139,8 +140,9 @@ TEST(Kinds, BodiesBookTheirDragAndHaveNoTwin) {
     EXPECT_EQ(row(rows, "force_budget")->mark, Health::good);
     EXPECT_EQ(row(rows, "spurious_stress")->mark, Health::none);
     EXPECT_EQ(row(rows, "velocity_error_above"), nullptr);
-    for (const SummaryRow& quantity : summarize(data, analysis))
+    for (const SummaryRow& quantity : summarize(data, analysis)) {
         EXPECT_FALSE(quantity.column) << quantity.key;
+    }
 }
 
 // The same solid as a part of the bed: its drag is the bed's, and the laws of a uniform channel are asked

@@ -285,8 +285,9 @@ std::vector<double> unpacked(const json& field, std::size_t frame, const std::st
         }
     }
     std::vector<double> values;
-    for (std::size_t i = 0; i + 1 < bytes.size(); i += 2)
+    for (std::size_t i = 0; i + 1 < bytes.size(); i += 2) {
         values.push_back(low + (high - low) * (bytes[i] + 256 * bytes[i + 1]) / 65534);
+    }
     return values;
 }
 

@@ -137,8 +137,9 @@ TEST(RowMeanDrag, OfSpheresAtTheirPlacesIsTheirMeanOverTheRow) {
     for (const double x : {0.0, 0.004, 0.009}) {
         for (const double z : {0.002, 0.006, 0.009}) {
             double sum = 0.0;
-            for (int k = 0; k < 1000; ++k)
+            for (int k = 0; k < 1000; ++k) {
                 sum += 1e-3 * point->coefficient_at(x, 0.003, z + row * (1e-3 * (k + 0.5) - 0.5));
+            }
             EXPECT_NEAR(mean->coefficient_at(x, 0.003, z), sum, 0.01 * inside) << x << ' ' << z;
         }
     }

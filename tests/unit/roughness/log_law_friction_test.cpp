@@ -24,9 +24,7 @@ Case flume(double roughness, double viscosity) {
 double mean_of_law(double layer, double zero_height) {
     constexpr int places = 200000;
     double sum = 0.0;
-    for (int i = 0; i < places; ++i) {
-        sum += std::log1p((i + 0.5) / places * layer / zero_height) / 0.41;
-    }
+    for (int i = 0; i < places; ++i) sum += std::log1p((i + 0.5) / places * layer / zero_height) / 0.41;
     return sum / places;
 }
 

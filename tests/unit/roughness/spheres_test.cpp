@@ -115,9 +115,7 @@ TEST(SphereDrag, VolumeFormCarriesTheWholeSphere) {
         constexpr int slices = 20000;
         const double dz = drag->top() / slices;
         double sum = 0.0;
-        for (int i = 0; i < slices; ++i) {
-            sum += drag->coefficient((i + 0.5) * dz) * dz;
-        }
+        for (int i = 0; i < slices; ++i) sum += drag->coefficient((i + 0.5) * dz) * dz;
         const double frontal = 0.25 * 3.14159265358979 * 0.025 * 0.025;
         const double exact = 0.5 * c.bed.drag_coefficient * frontal * SphereLattice(c).spheres_per_area();
         // The ramp, symmetric about the surface, adds (ramp/D)^2 to the volume.

@@ -75,9 +75,7 @@ TEST(BedPatches, HoldTheWaterBackMoreWhereTheyAreRougher) {
     int count_over = 0;
     int count_beside = 0;
     for (std::size_t i = 0; i < p.size(); ++i) {
-        if (p.position[2][i] > 0.006) {
-            continue;
-        }
+        if (p.position[2][i] > 0.006) continue;
         const bool over = p.position[1][i] < 0.5 * channel.parameters.channel.width;
         (over ? over_patch : beside) += p.velocity[0][i];
         ++(over ? count_over : count_beside);

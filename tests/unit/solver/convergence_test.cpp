@@ -54,9 +54,7 @@ TEST(Convergence, TellsAboutWhereItWillEnd) {
                                     5.0, 0.002);
         };
         double end = 1.0;
-        while (!test_at(end).converged && end < 200.0) {
-            end += 1.0;
-        }
+        while (!test_at(end).converged && end < 200.0) end += 1.0;
         ASSERT_LT(end, 200.0);
         for (const double now : {1.0, 10.0, 0.6 * end, 0.9 * end}) {
             const double expected = expected_end(test_at(now), now, 5.0, 0.002, 1000.0);
@@ -193,9 +191,7 @@ TEST(Convergence, BetweenOpenEndsIsNotReachedWhileTheLevelOrTheDischargeChanges)
 
 TEST(Convergence, BetweenOpenEndsIsNotReachedWhileLessLeavesThanEnters) {
     OpenRecord record;
-    for (double& mass : record.left) {
-        mass *= 0.99;
-    }
+    for (double& mass : record.left) mass *= 0.99;
     const Convergence c = record.test();
     EXPECT_FALSE(c.converged);
     EXPECT_NE(c.reason.find("1.00 % less water leaves than enters"), std::string::npos) << c.reason;

@@ -68,9 +68,7 @@ struct CrowdedWater {
         double squared = 0.0;
         for (std::size_t i = 0; i < p.size(); ++i) {
             double sum = 0.0;
-            for (std::size_t k = 0; k < D; ++k) {
-                sum += p.velocity[k][i] * p.velocity[k][i];
-            }
+            for (std::size_t k = 0; k < D; ++k) sum += p.velocity[k][i] * p.velocity[k][i];
             squared = std::max(squared, sum);
         }
         return std::sqrt(squared);

@@ -43,9 +43,7 @@ Particles<D> with_wrong_density(const Case& c, double deviation) {
 template <int D>
 double mean_deviation(const Particles<D>& p) {
     double sum = 0.0;
-    for (const double s : p.density_deviation) {
-        sum += s;
-    }
+    for (const double s : p.density_deviation) sum += s;
     return sum / static_cast<double>(p.size());
 }
 
@@ -59,9 +57,7 @@ void expect_decay() {
     for (const double c_s : {coefficient, 0.0}) {
         c.numerics.density_relaxation = c_s;
         const auto simulation = make_simulation<D>(c, nullptr, with_wrong_density<D>(c, wrong));
-        while (simulation->clock().time < time) {
-            simulation->step();
-        }
+        while (simulation->clock().time < time) simulation->step();
         EXPECT_NEAR(mean_deviation(simulation->particles()), wrong * std::exp(-c_s * shear * time), 0.001)
             << c_s;
     }

@@ -36,9 +36,7 @@ Vector lattice_sum(const DirectionalViscosity<double>& viscosity, double viscosi
                 const double weight = volume * WendlandC2<3>::gradient_constant<double>() *
                                       WendlandC2<3>::gradient_shape(std::sqrt(squared));
                 const Vector force = viscosity.force<double, 3>(weight, viscosity_sum, u(r), r, squared);
-                for (std::size_t c = 0; c < 3; ++c) {
-                    sum[c] += force[c];
-                }
+                for (std::size_t c = 0; c < 3; ++c) sum[c] += force[c];
             }
         }
     }
@@ -96,17 +94,13 @@ TEST(DirectionalViscosity, DampsAllWaves) {
     for (int i = 0; i <= parts; ++i) {
         for (int j = 0; j <= parts; ++j) {
             for (int k = 0; k <= parts; ++k) {
-                if (i + j + k == 0) {
-                    continue;
-                }
+                if (i + j + k == 0) continue;
                 const double wave = std::numbers::pi / (spacing * parts);
                 const Vector damping = lattice_sum(weights(0.5), 2.0, spacing, [&](const Vector& r) {
                     const double u = 1.0 - std::cos(wave * (i * r[0] + j * r[1] + k * r[2]));
                     return Vector{u, u, u};
                 });
-                for (const double a : damping) {
-                    EXPECT_LT(a, 0.0) << i << " " << j << " " << k;
-                }
+                for (const double a : damping) EXPECT_LT(a, 0.0) << i << " " << j << " " << k;
             }
         }
     }

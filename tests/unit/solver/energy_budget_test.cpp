@@ -42,9 +42,7 @@ std::unique_ptr<SimulationIn<D>> disturbed_channel(Case c) {
         }
     }
     auto simulation = make_simulation<D>(c, &column, std::move(p));
-    for (int step = 0; step < 5; ++step) {
-        simulation->step();
-    }
+    for (int step = 0; step < 5; ++step) simulation->step();
     return simulation;
 }
 
@@ -111,9 +109,7 @@ EnergyRates rates_of_vortices(ClosureKind closure, EddyStress stress, double mol
     c.numerics.time_step = 1e-9;
     const Scheme scheme = make_scheme(c, nullptr);
     Particles<2> p = initial_particles<2>(c, scheme, nullptr);
-    for (double& s : p.density_deviation) {
-        s = 0.0;
-    }
+    for (double& s : p.density_deviation) s = 0.0;
     const auto simulation = make_simulation<2>(c, nullptr, std::move(p));
     simulation->step();
     return simulation->energy_rates();
@@ -184,17 +180,13 @@ TEST(EnergyBudget, OfVorticesInSpaceIsThatOfTheirGradients) {
     EXPECT_EQ(wall_particles<3>(c).size(), 0U);
     const auto simulation =
         make_simulation<3>(c, nullptr, initial_particles<3>(c, make_scheme(c, nullptr), nullptr));
-    for (int step = 0; step < 3; ++step) {
-        simulation->step();
-    }
+    for (int step = 0; step < 3; ++step) simulation->step();
     const double volume = std::pow(side, 3);
     EXPECT_NEAR(simulation->energy_rates().viscosity, -0.01 * 0.75 * volume, 0.05 * 0.01 * 0.75 * volume);
     const Particles<3>& p = simulation->particles();
     for (std::size_t k = 0; k < 3; ++k) {
         double momentum = 0.0;
-        for (std::size_t i = 0; i < p.size(); ++i) {
-            momentum += p.mass[i] * p.velocity[k][i];
-        }
+        for (std::size_t i = 0; i < p.size(); ++i) momentum += p.mass[i] * p.velocity[k][i];
         EXPECT_NEAR(momentum, 0.0, 1e-12 * volume);
     }
 }
@@ -207,9 +199,7 @@ TEST(EnergyBudget, OfAChannelIsThatOfItsColumn) {
     const ColumnResult column = solve_column(c);
     const auto simulation =
         make_simulation<2>(c, &column, initial_particles<2>(c, make_scheme(c, &column), &column));
-    for (int step = 0; step < 3; ++step) {
-        simulation->step();
-    }
+    for (int step = 0; step < 3; ++step) simulation->step();
     const EnergyRates& rates = simulation->energy_rates();
     const ColumnProfile& profile = column.profile;
     double closure = 0.0;

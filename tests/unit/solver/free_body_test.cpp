@@ -83,9 +83,7 @@ TEST(FreeBodyInWater, SharesItsMomentumWithTheWater) {
     const auto simulation = test::simulation_of<2>(c);
     simulation->step();
     const double whole = 0.05 * mass;
-    while (simulation->clock().time < 0.015 / 4.0) {
-        simulation->step();
-    }
+    while (simulation->clock().time < 0.015 / 4.0) simulation->step();
     const Momentum now = momentum(*simulation, mass);
     EXPECT_LT(simulation->clock().free_bodies[0].velocity[0], 0.045);
     EXPECT_NEAR(now.x, whole, 1e-4 * whole);
@@ -103,19 +101,13 @@ void expect_same_bodies(const Simulation& a, const Simulation& b) {
 TEST(FreeBodyInWater, GoesOnFromASavedStateWithTheSameBitsForAnyNumberOfThreads) {
     set_thread_count(1);
     const auto straight = test::simulation_of<2>(harbour());
-    for (int i = 0; i < 60; ++i) {
-        straight->step(i % 7 == 0 ? 0.0 : 1e9);
-    }
+    for (int i = 0; i < 60; ++i) straight->step(i % 7 == 0 ? 0.0 : 1e9);
     const auto resumed = test::simulation_of<2>(harbour());
     resumed->restore(test::saved_particles(*straight), straight->clock(), straight->wall_density_deviation());
     set_thread_count(2);
-    for (int i = 0; i < 60; ++i) {
-        resumed->step(i % 5 == 0 ? 0.0 : 1e9);
-    }
+    for (int i = 0; i < 60; ++i) resumed->step(i % 5 == 0 ? 0.0 : 1e9);
     set_thread_count(1);
-    for (int i = 0; i < 60; ++i) {
-        straight->step(1e9);
-    }
+    for (int i = 0; i < 60; ++i) straight->step(1e9);
     expect_same_bodies(*straight, *resumed);
     EXPECT_NE(straight->clock().free_bodies[0].velocity[2], 0.0);
     EXPECT_NE(straight->clock().free_bodies[1].angular_velocity[1], 0.0);
@@ -131,9 +123,7 @@ TEST(TurningSolid, ItsWallParticlesTurnWithIt) {
     c.fluid.kinematic_viscosity = 1e-3;
     const auto simulation = test::simulation_of<2>(c);
     const WallParticles<2> before = simulation->walls();
-    while (simulation->clock().time < 0.05) {
-        simulation->step(1e9);
-    }
+    while (simulation->clock().time < 0.05) simulation->step(1e9);
     double largest = 0.0;
     for (std::size_t i = 0; i < simulation->walls().size(); ++i) {
         if (simulation->walls().body[i] != first_solid) continue;

@@ -39,9 +39,7 @@ TEST(Furthest, OfPartsIsThatOfAll) {
             parts[i % parts.size()].add(values[i]);
         }
         Furthest all;
-        for (const Furthest& part : parts) {
-            all.add(part);
-        }
+        for (const Furthest& part : parts) all.add(part);
         std::sort(values.rbegin(), values.rend());
         EXPECT_EQ(all.furthest(), values[0]);
         EXPECT_EQ(all.front(), values[2]);

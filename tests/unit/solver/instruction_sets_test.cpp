@@ -86,9 +86,7 @@ States run_under(InstructionSet set) {
     std::vector<std::string> environment = {std::string(set_variable) + "=" + instruction_set_name(set),
                                             std::string(output_variable) + "=" + file.string()};
     std::vector<char*> environment_pointers;
-    for (std::string& entry : environment) {
-        environment_pointers.push_back(entry.data());
-    }
+    for (std::string& entry : environment) environment_pointers.push_back(entry.data());
     environment_pointers.push_back(nullptr);
     std::string program = fs::read_symlink("/proc/self/exe").string();
     std::string filter = "--gtest_filter=InstructionSets.StateOfThisProcess";
@@ -112,9 +110,7 @@ States run_under(InstructionSet set) {
 // Writes its state where the test below asks it to.
 TEST(InstructionSets, StateOfThisProcess) {
     const char* output = std::getenv(output_variable);  // NOLINT(concurrency-mt-unsafe)
-    if (output == nullptr) {
-        GTEST_SKIP() << "part of InstructionSets.AgreeToRounding";
-    }
+    if (output == nullptr) GTEST_SKIP() << "part of InstructionSets.AgreeToRounding";
     EXPECT_EQ(instruction_set_name(active_instruction_set()),
               std::getenv(set_variable));  // NOLINT(concurrency-mt-unsafe)
     const States states = run_here();
@@ -136,9 +132,7 @@ double largest_difference(const std::vector<double>& a, const std::vector<double
 TEST(InstructionSets, AgreeToRounding) {
     const States reference = run_under(InstructionSet::baseline);
     for (const InstructionSet set : {InstructionSet::avx2, InstructionSet::avx512}) {
-        if (!instruction_set_available(set)) {
-            continue;
-        }
+        if (!instruction_set_available(set)) continue;
         const States states = run_under(set);
         // Values up to 1 (m, m/s), of some thousand operations each: 1e-12 is far above the rounding of the
         // sums in double precision, and 1e-5 above that in single. The flow is too short to amplify it.

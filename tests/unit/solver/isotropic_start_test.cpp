@@ -63,8 +63,9 @@ Field field_of(const Case& c) {
     field.pressure.resize(n * n * n);
     for (std::size_t i = 0; i < p.size(); ++i) {
         std::size_t place = 0;
-        for (std::size_t d = 3; d-- > 0;)
+        for (std::size_t d = 3; d-- > 0;) {
             place = place * n + static_cast<std::size_t>(p.position[d][i] / c.numerics.spacing);
+        }
         for (std::size_t d = 0; d < 3; ++d) field.velocity[d][place] = p.velocity[d][i];
         field.pressure[place] = scheme.state.pressure(p.density_deviation[i]);
     }
@@ -146,8 +147,9 @@ TEST_F(IsotropicStart, PressureKeepsTheFlowFreeOfDivergence) {
     for (std::size_t a = 0; a < 3; ++a) {
         for (std::size_t b = 0; b < 3; ++b) {
             std::vector<Complex> product(expected.size());
-            for (std::size_t i = 0; i < product.size(); ++i)
+            for (std::size_t i = 0; i < product.size(); ++i) {
                 product[i] = field.velocity[a][i] * field.velocity[b][i];
+            }
             fourier_transform_3d(product, n, n, n);
             for (std::size_t i = 1; i < product.size(); ++i) {
                 const std::array<double, 3> m = waves_of(i, n);

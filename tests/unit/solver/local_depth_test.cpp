@@ -21,9 +21,7 @@ using test::small_channel;
 template <int D>
 const std::vector<double>& depths(const ChannelIn<D>& channel) {
     for (const FurtherField& field : channel.simulation->particles().further) {
-        if (field.info.name == "closure_depth") {
-            return field.values;
-        }
+        if (field.info.name == "closure_depth") return field.values;
     }
     throw std::runtime_error("the particles have no depth");
 }
@@ -130,9 +128,7 @@ TEST(BedByRoughnessInSpace, HoldsTheFlowAndTheBits) {
     const Particles<3> particles = state_after(1);
     expect_same_bits(particles, state_after(3));
     double mean = 0.0;
-    for (const double u : particles.velocity[0]) {
-        mean += u / static_cast<double>(particles.size());
-    }
+    for (const double u : particles.velocity[0]) mean += u / static_cast<double>(particles.size());
     const double twin = solve_column(c).total_mean_velocity;
     EXPECT_NEAR(mean, twin, 0.01 * twin);
 }

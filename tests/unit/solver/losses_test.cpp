@@ -37,9 +37,7 @@ struct WaterWithDrops {
         simulation = make_simulation<D>(c, nullptr, p);
     }
     void advance(int steps) const {
-        for (int i = 0; i < steps; ++i) {
-            simulation->step();
-        }
+        for (int i = 0; i < steps; ++i) simulation->step();
     }
     [[nodiscard]] const Particles<D>& particles() const { return simulation->particles(); }
 };
@@ -81,9 +79,7 @@ void check_ledger(Stepping stepping) {
     EXPECT_NEAR(mass, before, 1e-12 * before);
     auto ids = water.particles().id;
     std::sort(ids.begin(), ids.end());
-    for (std::size_t i = 0; i < ids.size(); ++i) {
-        ASSERT_EQ(ids[i], static_cast<std::int32_t>(i));
-    }
+    for (std::size_t i = 0; i < ids.size(); ++i) ASSERT_EQ(ids[i], static_cast<std::int32_t>(i));
 }
 
 class Ledger : public testing::TestWithParam<Stepping> {};
@@ -116,9 +112,7 @@ TEST(Losses, LeaveTheSameBitsForAnyNumberOfThreads) {
 TEST(Losses, LeaveTheSameBitsAfterAResume) {
     for (const int later : {0, 1, 7}) {
         const WaterWithDrops<2> straight;
-        while (straight.particles().lost.empty()) {
-            straight.advance(1);
-        }
+        while (straight.particles().lost.empty()) straight.advance(1);
         straight.advance(later);
         const Particles<2> saved = test::saved_particles(*straight.simulation);
         const SimulationClock clock = straight.simulation->clock();

@@ -55,9 +55,7 @@ TEST_P(MethodOptions, GoOnFromARestoredStateWithTheSameBits) {
     const Channel straight(c);
     straight.advance(20);
     const auto earlier = straight.simulation->clock().list_builds;
-    while (straight.simulation->clock().list_builds == earlier) {
-        straight.advance(1);
-    }
+    while (straight.simulation->clock().list_builds == earlier) straight.advance(1);
     straight.advance(1);
     const Channel resumed(c);
     resumed.simulation->restore(test::saved_particles(*straight.simulation), straight.simulation->clock(),

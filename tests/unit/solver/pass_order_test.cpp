@@ -91,9 +91,7 @@ TEST(PassOrder, NoBlockRunsBeforeWhatItReadsNorOverwritesWhatIsStillRead) {
             // each other, so that nothing may wait for another one but in the last wave.
             const auto strip = [&](std::size_t wave) {
                 std::size_t s = 0;
-                while (s < order.strips() && wave >= order.strip_begin[s + 1]) {
-                    ++s;
-                }
+                while (s < order.strips() && wave >= order.strip_begin[s + 1]) ++s;
                 return s;
             };
             const auto in_order = [&](std::size_t before, std::size_t after) {
@@ -153,9 +151,7 @@ TEST(PassOrder, PassInBetweenShiftsOnlyWhatReadsIt) {
     const auto waves = [&](const std::vector<PassDeclaration>& passes) {
         const PassOrder order = order_passes(passes, lists, sizes, plan);
         std::vector<std::vector<std::size_t>> result;
-        for (const BlocksOfPass& pass : order.passes) {
-            result.push_back(waves_of(pass, order.waves, blocks));
-        }
+        for (const BlocksOfPass& pass : order.passes) result.push_back(waves_of(pass, order.waves, blocks));
         return result;
     };
     const auto plain = waves({rates, packing});

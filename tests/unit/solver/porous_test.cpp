@@ -78,9 +78,7 @@ TEST(PorousZones, HoldTheWaterHoweverTheyResist) {
     const ChannelIn<2> channel(c);
     channel.advance(30);
     const double q = c.streamwise_gravity() * 1e-12 / c.fluid.kinematic_viscosity;
-    for (const double u : channel.simulation->particles().velocity[0]) {
-        EXPECT_NEAR(u, q / 0.4, 2e-3 * q);
-    }
+    for (const double u : channel.simulation->particles().velocity[0]) EXPECT_NEAR(u, q / 0.4, 2e-3 * q);
 }
 
 /// Water at rest stays at rest at upright and level edges alike: no faster than without a zone.

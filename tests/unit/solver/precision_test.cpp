@@ -58,9 +58,7 @@ double difference(const Case& c, const Particles<D>& start) {
     double largest = 0.0;
     for (std::size_t i = 0; i < start.size(); ++i) {
         double squared = 0.0;
-        for (std::size_t k = 0; k < D; ++k) {
-            squared += std::pow(in_single[k][i] - in_double[k][i], 2);
-        }
+        for (std::size_t k = 0; k < D; ++k) squared += std::pow(in_single[k][i] - in_double[k][i], 2);
         largest = std::max(largest, std::sqrt(squared));
     }
     // Zero would mean that both were computed in the same precision.
@@ -82,9 +80,7 @@ void check_precision(double ratio) {
     Case exact = c;
     exact.numerics.precision = Precision::double_precision;
     const auto simulation = make_simulation<D>(exact, nullptr, start);
-    for (int i = 0; i < 50; ++i) {
-        simulation->step();
-    }
+    for (int i = 0; i < 50; ++i) simulation->step();
     EXPECT_LT(difference<D>(c, simulation->particles()), 1e-3) << "in a whole step of the flow";
     EXPECT_LT(difference<D>(instant, simulation->particles()), 1e-3) << "at once, in the flow";
 }

@@ -35,9 +35,7 @@ Case tank() {
     Case c = test::still_water(D);
     c.channel.dimensions = D;
     c.channel.ends = Ends::walls;
-    if (D == 3) {
-        c.channel.sides = Sides::walls;
-    }
+    if (D == 3) c.channel.sides = Sides::walls;
     c.numerics.spacing = 0.005;
     return c;
 }
@@ -142,9 +140,7 @@ TEST(ReferencePressure, EndsWhereTheSurfaceFallsTooLow) {
     c.start.water_z = {0.0, 0.0, 0.05, 0.05};
     const test::Channel dam(c);
     try {
-        for (int step = 0; step < 400; ++step) {
-            dam.advance(1);
-        }
+        for (int step = 0; step < 400; ++step) dam.advance(1);
         FAIL() << "the water fell without a word";
     } catch (const ParticleFault& fault) {
         const std::string message = fault.what();

@@ -23,9 +23,7 @@ ChannelIn<D> moving_water(double settling_time) {
     c.start.settling_time = settling_time;
     ChannelIn<D> channel(c);
     Particles<D> particles = channel.simulation->particles();
-    for (double& u : particles.velocity[0]) {
-        u = 0.1;
-    }
+    for (double& u : particles.velocity[0]) u = 0.1;
     channel.simulation = make_simulation<D>(c, nullptr, std::move(particles));
     return channel;
 }
@@ -34,9 +32,7 @@ template <int D>
 double mean_velocity(const ChannelIn<D>& channel) {
     const auto& velocity = channel.simulation->particles().velocity[0];
     double sum = 0.0;
-    for (const double u : velocity) {
-        sum += u;
-    }
+    for (const double u : velocity) sum += u;
     return sum / static_cast<double>(velocity.size());
 }
 

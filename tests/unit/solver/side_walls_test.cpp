@@ -181,14 +181,10 @@ TEST(SideWalls, KeepTheSymmetryOfTheChannel) {
     const ColumnResult column = solve_column(c);
     const Particles<3> start = initial_particles<3>(c, make_scheme(c, &column), &column);
     Particles<3> mirrored = start;
-    for (double& y : mirrored.position[1]) {
-        y = c.channel.width - y;
-    }
+    for (double& y : mirrored.position[1]) y = c.channel.width - y;
     const auto advance = [&](const Particles<3>& particles) {
         const auto simulation = make_simulation<3>(c, &column, particles);
-        for (int i = 0; i < 30; ++i) {
-            simulation->step();
-        }
+        for (int i = 0; i < 30; ++i) simulation->step();
         return simulation->particles();
     };
     const Particles<3> a = advance(start);
@@ -213,9 +209,7 @@ TEST(SideWalls, ReportTheStressesOfTheClosure) {
     const Space column(c);
     Particles<3> start = column.simulation->particles();
     const double across = 3.0;
-    for (std::size_t i = 0; i < start.size(); ++i) {
-        start.velocity[0][i] += across * start.position[1][i];
-    }
+    for (std::size_t i = 0; i < start.size(); ++i) start.velocity[0][i] += across * start.position[1][i];
     const auto simulation = make_simulation<3>(c, &column.column, start);
     simulation->step();
     const auto& p = simulation->particles();
@@ -223,9 +217,7 @@ TEST(SideWalls, ReportTheStressesOfTheClosure) {
     int checked = 0;
     for (std::size_t i = 0; i < p.size(); ++i) {
         // Away from the seam across, where this velocity jumps, and from the surface.
-        if (std::abs(p.position[1][i] - 0.5 * c.channel.width) > 0.006 || p.position[2][i] > 0.045) {
-            continue;
-        }
+        if (std::abs(p.position[1][i] - 0.5 * c.channel.width) > 0.006 || p.position[2][i] > 0.045) continue;
         const double density = 1000.0 * (1.0 + p.density_deviation[i]);
         const double shear = density * (1e-6 + f.eddy_viscosity[i]) * f.shear[i];
         const double lateral = density * (1e-6 + 0.625 * f.eddy_viscosity[i]) * across;

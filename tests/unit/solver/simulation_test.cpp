@@ -124,9 +124,7 @@ TEST(Simulation, KeepsEveryParticleAndItsMass) {
     auto ids = channel.simulation->particles().id;
     std::sort(ids.begin(), ids.end());
     ASSERT_EQ(ids.size(), n);
-    for (std::size_t i = 0; i < n; ++i) {
-        EXPECT_EQ(ids[i], static_cast<std::int64_t>(i));
-    }
+    for (std::size_t i = 0; i < n; ++i) EXPECT_EQ(ids[i], static_cast<std::int64_t>(i));
     EXPECT_NEAR(mass(), before, 1e-12 * before);
 }
 

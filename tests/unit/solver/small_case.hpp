@@ -20,9 +20,7 @@ inline Case small_channel(int dimensions = 2) {
     c.channel.slope = 0.004;
     c.channel.depth = 0.050;
     c.channel.length = 0.08;
-    if (dimensions == 3) {
-        c.channel.width = 0.028;
-    }
+    if (dimensions == 3) c.channel.width = 0.028;
     c.bed.roughness_height = 0.010;
     c.numerics.spacing = 0.004;
     return c;
@@ -72,9 +70,7 @@ template <int D>
 double rms_speed(const Particles<D>& p) {
     double sum = 0.0;
     for (std::size_t i = 0; i < p.size(); ++i) {
-        for (std::size_t k = 0; k < D; ++k) {
-            sum += p.velocity[k][i] * p.velocity[k][i];
-        }
+        for (std::size_t k = 0; k < D; ++k) sum += p.velocity[k][i] * p.velocity[k][i];
     }
     return std::sqrt(sum / static_cast<double>(p.size()));
 }
@@ -98,9 +94,7 @@ Particles<D> water_and(const Case& c, const std::vector<Vec<D>>& places) {
     for (std::size_t i = water; i < p.size(); ++i) {
         p.id[i] = static_cast<std::int32_t>(i);
         p.mass[i] = p.mass.front();
-        for (std::size_t k = 0; k < D; ++k) {
-            p.position[k][i] = places[i - water][k];
-        }
+        for (std::size_t k = 0; k < D; ++k) p.position[k][i] = places[i - water][k];
     }
     return p;
 }
@@ -121,14 +115,10 @@ struct ChannelIn {
         simulation = make_simulation<D>(c, start, initial_particles<D>(c, make_scheme(c, start), start));
     }
     void advance(int steps) const {
-        for (int i = 0; i < steps; ++i) {
-            simulation->step();
-        }
+        for (int i = 0; i < steps; ++i) simulation->step();
     }
     void advance_to(double time) const {
-        while (simulation->clock().time < time) {
-            simulation->step();
-        }
+        while (simulation->clock().time < time) simulation->step();
     }
 };
 using Channel = ChannelIn<2>;
@@ -153,9 +143,7 @@ inline void expect_carried_flow(const Channel& channel, double tolerance) {
 template <int D>
 [[nodiscard]] std::vector<std::size_t> places_by_id(const Particles<D>& particles) {
     std::vector<std::size_t> place(particles.size());
-    for (std::size_t i = 0; i < particles.size(); ++i) {
-        place[static_cast<std::size_t>(particles.id[i])] = i;
-    }
+    for (std::size_t i = 0; i < particles.size(); ++i) place[static_cast<std::size_t>(particles.id[i])] = i;
     return place;
 }
 

@@ -84,9 +84,7 @@ TEST(SolidForce, OfAllWallsAsSolidsIsTheForceOfTheWalls) {
     c.channel.ends = Ends::periodic;
     c.solids = {test::rectangle("first", 0.0, 0.05, 0.0, 0.02),
                 test::rectangle("second", 0.05, 0.12, 0.0, 0.02)};
-    for (Solid& solid : c.solids) {
-        solid.surface = SolidSurface::no_slip;
-    }
+    for (Solid& solid : c.solids) solid.surface = SolidSurface::no_slip;
     c.start.kind = StartKind::uniform;
     c.start.velocity = 0.1;
     const auto simulation = started(c);
@@ -132,8 +130,9 @@ TEST(SolidForce, OfContactIsInTheChangeOfTheMomentum) {
     const auto simulation = started(c);
     const auto momentum = [&] {
         double sum = 0.0;
-        for (std::size_t i = 0; i < simulation->particles().size(); ++i)
+        for (std::size_t i = 0; i < simulation->particles().size(); ++i) {
             sum += simulation->particles().mass[i] * simulation->particles().velocity[0][i];
+        }
         return sum;
     };
     const double mass =
@@ -145,9 +144,10 @@ TEST(SolidForce, OfContactIsInTheChangeOfTheMomentum) {
         simulation->step(0.0);
         const ParticleFields& f = simulation->fields();
         double force = mass * simulation->scheme().streamwise_gravity;
-        for (std::size_t i = 0; i < simulation->particles().size(); ++i)
+        for (std::size_t i = 0; i < simulation->particles().size(); ++i) {
             force +=
                 simulation->particles().mass[i] * (f.pair_acceleration_x[i] + f.viscous_acceleration_x[i]);
+        }
         impulse += force * simulation->clock().time_step;
         largest = std::max(largest, std::abs(force));
     }

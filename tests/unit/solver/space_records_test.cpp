@@ -120,9 +120,7 @@ TEST(MeanFieldSums, AreThoseOfTheLayersAndOfAllParticles) {
     EXPECT_EQ(sum_of(block, LayerQuantity::count), static_cast<double>(p.size()));
     const auto total = [&](auto value) {
         double sum = 0.0;
-        for (std::size_t i = 0; i < p.size(); ++i) {
-            sum += value(i);
-        }
+        for (std::size_t i = 0; i < p.size(); ++i) sum += value(i);
         return sum;
     };
     const auto& [u, v, w] = p.velocity;

@@ -78,9 +78,7 @@ TEST(Space, GoesOnFromARestoredStateWithTheSameBits) {
     // Saved between two list builds, so that the resumed run has to build the lists of earlier positions.
     straight.advance(20);
     const auto earlier = straight.simulation->clock().list_builds;
-    while (straight.simulation->clock().list_builds == earlier) {
-        straight.advance(1);
-    }
+    while (straight.simulation->clock().list_builds == earlier) straight.advance(1);
     const auto builds = straight.simulation->clock().list_builds;
     const Particles<3> saved = test::saved_particles(*straight.simulation);
     const SimulationClock clock = straight.simulation->clock();

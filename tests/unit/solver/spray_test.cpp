@@ -61,9 +61,7 @@ struct WaterWithSpinningDrop {
         std::vector<std::size_t> places;
         const auto& id = simulation->particles().id;
         for (std::size_t i = 0; i < id.size(); ++i) {
-            if (id[i] >= static_cast<std::int32_t>(water)) {
-                places.push_back(i);
-            }
+            if (id[i] >= static_cast<std::int32_t>(water)) places.push_back(i);
         }
         return places;
     }
@@ -81,9 +79,7 @@ void check_spin(Stepping stepping) {
         largest = std::max(largest, water.energy());
     }
     EXPECT_LT(largest, 1.02 * before);
-    for (const double s : water.simulation->particles().density_deviation) {
-        EXPECT_LT(std::abs(s), 0.05);
-    }
+    for (const double s : water.simulation->particles().density_deviation) EXPECT_LT(std::abs(s), 0.05);
 }
 
 TEST(Spray, OfASpinningDropGainsNoEnergy2D) { check_spin<2>(Stepping::semi_implicit_euler); }
@@ -94,9 +90,7 @@ TEST(Spray, OfASpinningDropGainsNoEnergyWithLeapfrog) { check_spin<2>(Stepping::
 TEST(Spray, LosesItsPressure) {
     for (const double deviation : {-0.02, 0.02}) {
         const WaterWithSpinningDrop<2> water(Stepping::semi_implicit_euler, 0.0, deviation);
-        for (int i = 0; i < 30; ++i) {
-            water.simulation->step();
-        }
+        for (int i = 0; i < 30; ++i) water.simulation->step();
         for (const std::size_t i : water.drop()) {
             EXPECT_LT(std::abs(water.simulation->particles().density_deviation[i]), 0.1 * 0.02);
         }
@@ -117,9 +111,7 @@ TEST(Spray, IsNoPartOfAFlatSurface) {
             const test::Channel channel(c);
             channel.advance(20);
             const auto& regularity = channel.simulation->fields().regularity;
-            for (std::size_t i = 0; i < regularity.size(); ++i) {
-                EXPECT_GT(regularity[i], spray_end);
-            }
+            for (std::size_t i = 0; i < regularity.size(); ++i) EXPECT_GT(regularity[i], spray_end);
         }
     }
     EXPECT_EQ(share_of_water(0.11), 0.0);

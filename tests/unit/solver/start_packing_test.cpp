@@ -154,9 +154,7 @@ TEST(StartPackingInSpace, KeepsTheWaterUnderItsSurfaceBesideAPier) {
     c.solids[0].diameter = 0.018;
     c.solids[0].length = 0.06;
     const Particles<3> particles = without_gaps<3>(c).particles;
-    for (const double z : particles.position[2]) {
-        EXPECT_LT(z, 0.04);
-    }
+    for (const double z : particles.position[2]) EXPECT_LT(z, 0.04);
 }
 
 TEST(StartPackingInSpace, DoesNotDependOnTheNumberOfThreads) {

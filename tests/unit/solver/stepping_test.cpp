@@ -155,9 +155,7 @@ TEST(Stepper, BeemanIsThePublishedFormula) {
     p.velocity[0][0] = 1.1;
     p.density_deviation[0] = 0.01;
     stepper->declare(p);
-    for (FurtherField& field : p.further) {
-        field.values.assign(1, 0.0);
-    }
+    for (FurtherField& field : p.further) field.values.assign(1, 0.0);
     ASSERT_EQ(p.further.front().info.name, "previous_motion_x");
     ASSERT_EQ(p.further.back().info.name, "previous_density");
     p.further.front().values[0] = 5.0;

@@ -22,9 +22,7 @@ TEST(Stirring, HasNoMeanAlongTheChannelAtAnyHeight) {
     for (double z = 0.0; z <= c.total_depth(); z += 0.1 * c.total_depth()) {
         double ax = 0.0;
         double az = 0.0;
-        for (int i = 0; i < points; ++i) {
-            stirring.add(i * c.channel.length / points, z, 0.37, ax, az);
-        }
+        for (int i = 0; i < points; ++i) stirring.add(i * c.channel.length / points, z, 0.37, ax, az);
         EXPECT_NEAR(ax / points, 0.0, 1e-12);
         EXPECT_NEAR(az / points, 0.0, 1e-12);
     }
@@ -91,9 +89,7 @@ TEST_P(Stirring3DTest, HasNoMeanAlongTheChannelAndNoneAtBedAndSurface) {
             Vec<3> sum{};
             for (int i = 0; i < points; ++i) {
                 const Vec<3> a = stirring_at(stirring, {i * c.channel.length / points, y, z});
-                for (std::size_t k = 0; k < 3; ++k) {
-                    sum[k] += a[k] / points;
-                }
+                for (std::size_t k = 0; k < 3; ++k) sum[k] += a[k] / points;
                 if (z == 0.0 || z == c.total_depth()) {
                     EXPECT_NEAR(std::hypot(a[0], a[1], a[2]), 0.0, 1e-12);
                 }

@@ -24,16 +24,12 @@ template <int D>
 Eigen::Matrix<double, D, D> positive_matrix() {
     Eigen::Matrix<double, D, D> a;
     for (int k = 0; k < D; ++k) {
-        for (int l = 0; l < D; ++l) {
-            a(k, l) = number(-1.0, 1.0);
-        }
+        for (int l = 0; l < D; ++l) a(k, l) = number(-1.0, 1.0);
     }
     const Eigen::HouseholderQR<Eigen::Matrix<double, D, D>> qr(a);
     const Eigen::Matrix<double, D, D> q = qr.householderQ();
     Eigen::Matrix<double, D, 1> eigenvalues;
-    for (int k = 0; k < D; ++k) {
-        eigenvalues[k] = number(0.4, 1.6);
-    }
+    for (int k = 0; k < D; ++k) eigenvalues[k] = number(0.4, 1.6);
     return q * eigenvalues.asDiagonal() * q.transpose();
 }
 
@@ -41,9 +37,7 @@ template <int D>
 Symmetric<double, D> upper(const Eigen::Matrix<double, D, D>& m) {
     Symmetric<double, D> s{};
     for (int k = 0; k < D; ++k) {
-        for (int l = k; l < D; ++l) {
-            s[symmetric_index<D>(k, l)] = m(k, l);
-        }
+        for (int l = k; l < D; ++l) s[symmetric_index<D>(k, l)] = m(k, l);
     }
     return s;
 }
@@ -59,9 +53,7 @@ void check_small_matrices() {
     const Symmetric<double, D> inv = inverse<double, D>(upper<D>(m));
     const Eigen::Matrix<double, D, D> exact = m.inverse();
     for (int k = 0; k < D; ++k) {
-        for (int l = 0; l < D; ++l) {
-            RC_ASSERT(std::abs(inv[symmetric_index<D>(k, l)] - exact(k, l)) < 1e-12);
-        }
+        for (int l = 0; l < D; ++l) RC_ASSERT(std::abs(inv[symmetric_index<D>(k, l)] - exact(k, l)) < 1e-12);
     }
     // With a wall: B M_fluid + M_wall = I. Without blending B = I.
     const Eigen::Matrix<double, D, D> wall = 0.3 * positive_matrix<D>();
@@ -180,9 +172,7 @@ void check_linear_field(bool of_height, int fewest) {
     std::uniform_real_distribution<double> uniform(-1.5, 1.5);
     Eigen::Matrix<double, D, D> a;
     for (int k = 0; k < D; ++k) {
-        for (int l = 0; l < D; ++l) {
-            a(k, l) = of_height && l < D - 1 ? 0.0 : uniform(generator);
-        }
+        for (int l = 0; l < D; ++l) a(k, l) = of_height && l < D - 1 ? 0.0 : uniform(generator);
     }
     for (auto& p : sample.fluid) {
         const Eigen::Matrix<double, D, 1> u = a * Eigen::Map<const Eigen::Matrix<double, D, 1>>(p.x.data());

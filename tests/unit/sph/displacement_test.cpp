@@ -115,15 +115,11 @@ std::function<double(std::size_t, std::size_t)> random_displacement(ListedSet<D>
         drift[k] = k == 0 ? set.uniform(-3.0, 3.0) : (k + 1 < D ? set.uniform(-0.3, 0.3) : 0.0);
     }
     const double strain = std::pow(10.0, set.uniform(-3.0, -0.5));
-    for (double& g : gradient) {
-        g = strain * set.uniform(-1.0, 1.0);
-    }
+    for (double& g : gradient) g = strain * set.uniform(-1.0, 1.0);
     const double noise = std::pow(10.0, set.uniform(-4.0, -1.5));
     std::vector<Vec<D>> own(set.position[0].size());
     for (Vec<D>& v : own) {
-        for (double& component : v) {
-            component = noise * set.uniform(-1.0, 1.0);
-        }
+        for (double& component : v) component = noise * set.uniform(-1.0, 1.0);
     }
     return [=, &set](std::size_t i, std::size_t k) {
         double d = drift[k] + own[i][k];
@@ -222,9 +218,7 @@ void check_walls() {
     ListedSet<D> listed(300, 21);
     // Wall particles at the lower end of the box.
     Cloud<D> wall = random_cloud<D>(listed.set.cloud.domain, 40, 0.3, 4);
-    for (double& z : wall.position[D - 1]) {
-        z = listed.set.cloud.domain.lower[D - 1] + 0.001;
-    }
+    for (double& z : wall.position[D - 1]) z = listed.set.cloud.domain.lower[D - 1] + 0.001;
     wall.clusters = build_clusters<D>(wall.domain, wall.fixed_point, wall.view(), 0.3);
     listed.walls = build_neighbour_list<D>(listed.set.cloud.clusters, wall.clusters,
                                            listed.set.cloud.fixed_point, support + skin);

@@ -147,9 +147,7 @@ TEST(Kernel, IsFiniteAtTheCentreAndFallsOutwards) {
 // Lanes must give what scalars give, to the bit: one physics source.
 TEST(Kernel, LanesEqualScalars) {
     Lanes<double> q;
-    for (std::size_t l = 0; l < cluster_size; ++l) {
-        q[l] = 0.3 * static_cast<double>(l) + 0.05;
-    }
+    for (std::size_t l = 0; l < cluster_size; ++l) q[l] = 0.3 * static_cast<double>(l) + 0.05;
     const Lanes<double> value = WendlandC2<2>::value(q);
     const Lanes<double> factor = CubicSpline<2>::gradient_factor(q);
     for (std::size_t l = 0; l < cluster_size; ++l) {

@@ -20,25 +20,19 @@ Clusters<D> clusters_of(const PairSample<D>& sample,
     std::array<std::vector<double>, static_cast<std::size_t>(D)> position;
     std::array<std::vector<double>, static_cast<std::size_t>(D)> sorted;
     for (std::size_t k = 0; k < D; ++k) {
-        for (const auto& p : particles) {
-            position[k].push_back(p.x[k]);
-        }
+        for (const auto& p : particles) position[k].push_back(p.x[k]);
     }
     const std::vector<std::int32_t> order =
         spatial_order<D>(sample.domain, position_view<D>(position), width, 0.5 * PairSample<D>::spacing);
     for (std::size_t k = 0; k < D; ++k) {
-        for (const std::int32_t i : order) {
-            sorted[k].push_back(position[k][static_cast<std::size_t>(i)]);
-        }
+        for (const std::int32_t i : order) sorted[k].push_back(position[k][static_cast<std::size_t>(i)]);
     }
     Clusters<D> clusters =
         build_clusters<D>(sample.domain, sample.fixed_point, position_view<D>(sorted), width);
     slot_of.resize(particles.size());
     for (std::size_t slot = 0; slot < clusters.slots(); ++slot) {
         const std::int32_t i = clusters.particle_of(slot);
-        if (i >= 0) {
-            slot_of[static_cast<std::size_t>(order[static_cast<std::size_t>(i)])] = slot;
-        }
+        if (i >= 0) slot_of[static_cast<std::size_t>(order[static_cast<std::size_t>(i)])] = slot;
     }
     return clusters;
 }
@@ -55,9 +49,7 @@ std::array<Real, N> rounded(const std::array<double, N>& values) {
 template <class Record, std::size_t N>
 void set_positions(std::vector<Record>& records, const std::array<std::vector<std::int32_t>, N>& position) {
     for (std::size_t k = 0; k < N; ++k) {
-        for (std::size_t slot = 0; slot + 1 < records.size(); ++slot) {
-            records[slot].x[k] = position[k][slot];
-        }
+        for (std::size_t slot = 0; slot + 1 < records.size(); ++slot) records[slot].x[k] = position[k][slot];
     }
 }
 
@@ -94,9 +86,7 @@ LoopRun<D, Real>::LoopRun(const PairSample<D>& sample, const RunOptions& options
     }));
     data.constants.table = &kernel_table<D, Real>(options.kernel);
     pack_fluid(sample);
-    if (!sample.wall.empty()) {
-        pack_walls(sample);
-    }
+    if (!sample.wall.empty()) pack_walls(sample);
 }
 
 template <int D, class Real>
@@ -109,9 +99,7 @@ void LoopRun<D, Real>::pack_fluid(const PairSample<D>& sample) {
     set_positions(data.motion, clusters.slot_position);
     if (gradients_) {
         data.stress.resize(slots + 1);
-        for (auto& component : data.correction) {
-            component.resize(slots + 1);
-        }
+        for (auto& component : data.correction) component.resize(slots + 1);
         for (std::size_t cluster = 0; cluster < clusters.size(); ++cluster) {
             data.correction_lane.push_back(static_cast<std::int32_t>(cluster * cluster_size));
         }
@@ -180,9 +168,7 @@ void collect(const LaneArray<Real>& lanes, std::size_t begin, std::size_t end, s
 template <std::size_t N, class Real>
 void collect(const std::array<LaneArray<Real>, N>& lanes, std::size_t begin, std::size_t end,
              std::array<std::vector<Real>, N>& all) {
-    for (std::size_t k = 0; k < N; ++k) {
-        collect(lanes[k], begin, end, all[k]);
-    }
+    for (std::size_t k = 0; k < N; ++k) collect(lanes[k], begin, end, all[k]);
 }
 
 }  // namespace

@@ -110,9 +110,7 @@ TEST(NeighbourList, IsCompleteInSpray) {
         const Cloud<2> cloud = random_cloud<2>(domain, n, 0.5, seed);
         double nearest = std::numeric_limits<double>::max();
         for (std::size_t i = 0; i < n; ++i) {
-            for (std::size_t j = 0; j < i; ++j) {
-                nearest = std::min(nearest, cloud.distance_squared(i, j));
-            }
+            for (std::size_t j = 0; j < i; ++j) nearest = std::min(nearest, cloud.distance_squared(i, j));
         }
         check_list(cloud, std::sqrt(nearest) * (1.0 + 1e-6));
     }));

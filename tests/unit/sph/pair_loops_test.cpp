@@ -31,9 +31,7 @@ template <class Real>
 void expect_near(const std::vector<PlainSum>& plain, std::size_t particle, const std::vector<Real>& loop,
                  std::size_t slot, const char* what) {
     double largest = 0.0;
-    for (const PlainSum& sum : plain) {
-        largest = std::max(largest, sum.magnitude);
-    }
+    for (const PlainSum& sum : plain) largest = std::max(largest, sum.magnitude);
     // The cubic spline divides by q + 1e-12; no q here is below 0.2.
     const double epsilon = 40.0 * epsilon_of<Real> + 5e-12;
     const double bound = epsilon * (plain[particle].magnitude + 0.01 * largest);
@@ -43,9 +41,7 @@ void expect_near(const std::vector<PlainSum>& plain, std::size_t particle, const
 template <class Real, std::size_t N>
 void expect_near(const std::array<std::vector<PlainSum>, N>& plain, std::size_t particle,
                  const std::array<std::vector<Real>, N>& loop, std::size_t slot, const char* what) {
-    for (std::size_t k = 0; k < N; ++k) {
-        expect_near(plain[k], particle, loop[k], slot, what);
-    }
+    for (std::size_t k = 0; k < N; ++k) expect_near(plain[k], particle, loop[k], slot, what);
 }
 
 /// Weights that no component shares, and a molecular part.
@@ -70,9 +66,7 @@ using Matrix = Eigen::Matrix<double, D, D>;
 template <int D>
 Symmetric<double, D> values_of(const typename PlainSums<D>::SymmetricMatrices& sums, std::size_t i) {
     Symmetric<double, D> result{};
-    for (std::size_t k = 0; k < result.size(); ++k) {
-        result[k] = sums[k][i].value;
-    }
+    for (std::size_t k = 0; k < result.size(); ++k) result[k] = sums[k][i].value;
     return result;
 }
 
@@ -80,18 +74,14 @@ template <int D>
 Matrix<D> full(const Symmetric<double, D>& m) {
     Matrix<D> result;
     for (int k = 0; k < D; ++k) {
-        for (int l = 0; l < D; ++l) {
-            result(k, l) = m[symmetric_index<D>(k, l)];
-        }
+        for (int l = 0; l < D; ++l) result(k, l) = m[symmetric_index<D>(k, l)];
     }
     return result;
 }
 
 template <int D>
 Symmetric<double, D> sum_of(Symmetric<double, D> a, const Symmetric<double, D>& b) {
-    for (std::size_t k = 0; k < a.size(); ++k) {
-        a[k] += b[k];
-    }
+    for (std::size_t k = 0; k < a.size(); ++k) a[k] += b[k];
     return a;
 }
 
@@ -170,9 +160,7 @@ void compare_with_plain_sums(const Option& option) {
     PairSample<D> sample = disordered_sample<D>(0.3, option.layers, 11);
     if (option.tensile > 0.0) {  // some of the particles under suction
         for (auto* particles : {&sample.fluid, &sample.wall}) {
-            for (auto& p : *particles) {
-                p.pressure -= 0.5;
-            }
+            for (auto& p : *particles) p.pressure -= 0.5;
         }
     }
     LoopRun<D, Real> run(sample, {.diffusion = diffusion,
@@ -233,9 +221,7 @@ void compare_with_plain_sums(const Option& option) {
         expect_near(plain.mass, i, run.filter.mass, slot, "mass moment");
         expect_near(plain.mass_first, i, run.filter.mass_first, slot, "first mass moment");
         expect_near(plain.velocity, i, run.filter.velocity, slot, "smoothed velocity");
-        if (option.gradients) {
-            compare_matrices<D, Real>(plain, run, i);
-        }
+        if (option.gradients) compare_matrices<D, Real>(plain, run, i);
     }
     for (std::size_t i = 0; i < sample.wall.size(); ++i) {
         const std::size_t slot = run.wall_slot[i];

@@ -21,9 +21,7 @@ Vec<D> PairSample<D>::difference(const Vec<D>& a, const Vec<D>& b) const {
 template <int D>
 double PairSample<D>::volume() const {
     double sum = 0.0;
-    for (const Particle& p : fluid) {
-        sum += p.volume;
-    }
+    for (const Particle& p : fluid) sum += p.volume;
     return sum;
 }
 
@@ -69,9 +67,7 @@ PairSample<D> disordered_sample(double jitter, int layers, unsigned seed) {
         typename PairSample<D>::Particle p;
         const bool wall = row < 0;
         p.x[0] = (column + 0.5) * spacing;
-        if constexpr (D == 3) {
-            p.x[1] = (file + 0.5) * spacing;
-        }
+        if constexpr (D == 3) p.x[1] = (file + 0.5) * spacing;
         p.x[vertical] = (row + 0.5) * spacing;
         for (std::size_t k = 0; k < D; ++k) {
             p.x[k] = on_grid(p.x[k] + (wall ? 0.0 : jitter * spacing * uniform(generator)), k);
@@ -92,9 +88,7 @@ PairSample<D> disordered_sample(double jitter, int layers, unsigned seed) {
     };
     for (int column = 0; column < columns; ++column) {
         for (int file = 0; file < files; ++file) {
-            for (int row = -layers; row < rows; ++row) {
-                add(column, file, row);
-            }
+            for (int row = -layers; row < rows; ++row) add(column, file, row);
         }
     }
     return sample;

@@ -23,9 +23,7 @@ void complete_all(PairSum<D, double>& sweep, const LoopRun<D, double>& run,
         *sums = initial;
         sweep.complete(run.data, run.clusters, begin, end, *sums);
         for (std::size_t slot = begin * cluster_size; slot < end * cluster_size; ++slot) {
-            if (run.clusters.particle_of(slot) >= 0) {
-                f(slot, *sums, slot - begin * cluster_size);
-            }
+            if (run.clusters.particle_of(slot) >= 0) f(slot, *sums, slot - begin * cluster_size);
         }
     }
 }
@@ -46,9 +44,7 @@ std::vector<double> antuono(const PairSample<D>& sample) {
         by_slot[slot] = sums.diffusion[lane];
     });
     std::vector<double> rate;
-    for (const std::size_t slot : run.fluid_slot) {
-        rate.push_back(by_slot[slot]);
-    }
+    for (const std::size_t slot : run.fluid_slot) rate.push_back(by_slot[slot]);
     return rate;
 }
 
@@ -74,9 +70,7 @@ TYPED_TEST(PairSumIn, AntuonoLeavesALinearDensityAlone) {
     constexpr int D = TypeParam::value;
     PairSample<D> sample = disordered_sample<D>(0.2, 3, 1);
     double largest = 0.0;
-    for (auto& p : sample.fluid) {
-        p.s = 0.01 * p.x[D - 1] + (D == 2 ? 0.004 * p.x[0] : 0.0);
-    }
+    for (auto& p : sample.fluid) p.s = 0.01 * p.x[D - 1] + (D == 2 ? 0.004 * p.x[0] : 0.0);
     const std::vector<double> rate = antuono<D>(sample);
     int looked_at = 0;
     for (std::size_t i = 0; i < sample.fluid.size(); ++i) {
@@ -116,9 +110,7 @@ TYPED_TEST(PairSumIn, ShepardIsTheInverseSumOfTheKernel) {
     const auto sweep = make_shepard_correction<D, double>(constants_of(sample), true, true);
     const auto initial = std::make_unique<GradientResult<D, double>>();
     initial->regularity.fill(1.0);
-    for (auto& component : initial->velocity_gradient) {
-        component.fill(2.0);
-    }
+    for (auto& component : initial->velocity_gradient) component.fill(2.0);
     std::vector<double> factor(run.clusters.slots());
     std::vector<double> gradient(run.clusters.slots());
     complete_all<D>(*sweep, run, *initial, [&](std::size_t slot, const auto& sums, std::size_t lane) {
@@ -134,9 +126,7 @@ TYPED_TEST(PairSumIn, ShepardIsTheInverseSumOfTheKernel) {
             double sum = 0.0;
             for (const auto& p : particles) {
                 double squared = 0.0;
-                for (const double r : sample.difference(sample.fluid[i].x, p.x)) {
-                    squared += r * r;
-                }
+                for (const double r : sample.difference(sample.fluid[i].x, p.x)) squared += r * r;
                 sum += p.volume * kernel.value(std::sqrt(squared) / sample.h) / std::pow(sample.h, D);
             }
             return sum;

@@ -24,17 +24,13 @@ double number() {
 template <int D>
 Components<double, D> vector() {
     Components<double, D> v{};
-    for (double& x : v) {
-        x = number();
-    }
+    for (double& x : v) x = number();
     return v;
 }
 
 template <std::size_t N>
 std::array<double, N> minus(std::array<double, N> v) {
-    for (double& x : v) {
-        x = -x;
-    }
+    for (double& x : v) x = -x;
     return v;
 }
 

@@ -120,9 +120,7 @@ void check_stress(const ParticleLoops<D, Real>& loops, ParticleSet<D, Real>& set
     const std::size_t slots = set.cloud.clusters.slots() + 1;
     set.records.stress.resize(o.tensor ? slots : 0);
     set.records.pressure.resize(o.tensor ? 0 : slots);
-    for (auto& component : set.records.correction) {
-        component.assign(o.continued ? slots : 0, Real(0));
-    }
+    for (auto& component : set.records.correction) component.assign(o.continued ? slots : 0, Real(0));
     for (std::size_t cluster = 0; o.continued && cluster < set.cloud.clusters.size(); ++cluster) {
         set.records.correction_lane.push_back(static_cast<std::int32_t>(cluster * cluster_size));
     }
@@ -341,12 +339,8 @@ TEST_P(ParticleLoopsTest, AdvanceFollowsTheFormulas) {
                 set->particles.layer_above = 0.6;
                 // Away from the ends of the axis that is not periodic.
                 auto& z = set->position[set->axes - 1];
-                for (double& height : z) {
-                    height = 0.15 + 0.01 * height;
-                }
-                for (std::size_t k = 0; k < set->axes; ++k) {
-                    set->particles.gravity[k] *= 0.1;
-                }
+                for (double& height : z) height = 0.15 + 0.01 * height;
+                for (std::size_t k = 0; k < set->axes; ++k) set->particles.gravity[k] *= 0.1;
                 check_advance(loops, *set, corrected, options);
             });
         }
@@ -385,9 +379,7 @@ TEST_P(ParticleLoopsTest, AdvanceFindsFaults) {
         };
         // Each value in turn in the first, the last and a middle particle, and put back. Sums of a size that
         // moves nothing far.
-        for (double& height : set->position[vertical]) {
-            height = 0.15 + 0.01 * height;
-        }
+        for (double& height : set->position[vertical]) height = 0.15 + 0.01 * height;
         const auto last = static_cast<std::size_t>(set->cloud.clusters.begin[set->end]) - 1;
         ASSERT_FALSE(fault());
         const auto expect_fault = [&](std::vector<double>& values, std::size_t i, double bad) {

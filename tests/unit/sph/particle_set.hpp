@@ -33,9 +33,7 @@ struct ParticleSet {
     ParticleSet(std::size_t count, std::uint64_t seed)
         : cloud(random_cloud<D>(domain(), count, 0.3, seed)), generator_(seed) {
         position = cloud.position;
-        for (auto& component : velocity) {
-            fill(component, count, -1.0, 1.0);
-        }
+        for (auto& component : velocity) fill(component, count, -1.0, 1.0);
         fill(density_deviation, count, -0.02, 0.02);
         fill(mass, count, 900.0, 1100.0);
         for (std::size_t k = 0; k < axes; ++k) {
@@ -93,9 +91,7 @@ struct ParticleSet {
   private:
     void fill(std::vector<double>& values, std::size_t count, double low, double high) {
         values.resize(count);
-        for (double& value : values) {
-            value = uniform(low, high);
-        }
+        for (double& value : values) value = uniform(low, high);
     }
     /// Random lanes; empty ones repeat the last particle's, as the pair sums leave them.
     template <class Value>
@@ -107,9 +103,7 @@ struct ParticleSet {
     }
     template <class Value, std::size_t N>
     void fill(std::array<LaneArray<Value>, N>& lanes, double low, double high) {
-        for (auto& component : lanes) {
-            fill(component, low, high);
-        }
+        for (auto& component : lanes) fill(component, low, high);
     }
     void fill_sums() {
         fill(sums->gradient.density_rate, -1.0, 1.0);

@@ -33,12 +33,8 @@ T shape(KernelKind kind, T q) {
         case KernelKind::quintic_spline: {
             const double real = std::real(std::complex<double>(q));
             T sum = pow(3.0 - 1.5 * q, 5);
-            if (1.5 * real < 2.0) {
-                sum -= 6.0 * pow(2.0 - 1.5 * q, 5);
-            }
-            if (1.5 * real < 1.0) {
-                sum += 15.0 * pow(1.0 - 1.5 * q, 5);
-            }
+            if (1.5 * real < 2.0) sum -= 6.0 * pow(2.0 - 1.5 * q, 5);
+            if (1.5 * real < 1.0) sum += 15.0 * pow(1.0 - 1.5 * q, 5);
             return sum;
         }
         case KernelKind::wendland_c4:
@@ -106,9 +102,7 @@ class Summation {
         const std::size_t n = sample.fluid.size();
         const std::size_t m = sample.wall.size();
         const auto resize = [](auto& arrays, std::size_t size) {
-            for (auto& array : arrays) {
-                array.resize(size);
-            }
+            for (auto& array : arrays) array.resize(size);
         };
         for (auto* array :
              {&sums.density_rate, &sums.midway_density_rate, &sums.diffusion, &sums.zeroth, &sums.mass}) {
@@ -136,12 +130,8 @@ class Summation {
             for (const Particle& b : j) {
                 const Vec<D> r = sample_.difference(i[n].x, b.x);
                 double squared = 0.0;
-                for (const double component : r) {
-                    squared += component * component;
-                }
-                if (squared < 4.0 * sample_.h * sample_.h) {
-                    f(n, i[n], b, pair_of(r, std::sqrt(squared)));
-                }
+                for (const double component : r) squared += component * component;
+                if (squared < 4.0 * sample_.h * sample_.h) f(n, i[n], b, pair_of(r, std::sqrt(squared)));
             }
         }
     }
@@ -172,9 +162,7 @@ class Summation {
         sums.mass[i].add(V * (1.0 + b.s) * p.w);
         add_moment(sums.m_fluid, i, V, p);
         for (std::size_t k = 0, n = 0; k < D; ++k) {
-            for (std::size_t l = k; l < D; ++l, ++n) {
-                sums.second[n][i].add(V * p.w * p.r[k] * p.r[l]);
-            }
+            for (std::size_t l = k; l < D; ++l, ++n) sums.second[n][i].add(V * p.w * p.r[k] * p.r[l]);
         }
     }
 
@@ -183,9 +171,7 @@ class Summation {
         const bool continued = b.continuation > 0.0;
         const bool along = b.continuation_along > 0.0;
         add_moment(continued ? sums.m_continued : sums.m_wall, i, V, p);
-        if (along) {
-            add_moment(sums.m_along, i, V, p);
-        }
+        if (along) add_moment(sums.m_along, i, V, p);
         const double pressure =
             a.pressure + b.pressure + repulsion(a, b, p) - options_.non_conservative * a.pressure;
         for (std::size_t k = 0; k < D; ++k) {
@@ -225,17 +211,13 @@ class Summation {
             };
             for (const Particle& b : sample_.fluid) {
                 Vec<D> u{};
-                for (std::size_t k = 0; k < D; ++k) {
-                    u[k] = a.u[k] - b.u[k];
-                }
+                for (std::size_t k = 0; k < D; ++k) u[k] = a.u[k] - b.u[k];
                 add(b, u);
             }
             for (const Particle& b : sample_.wall) {
                 Vec<D> u{};
                 for (std::size_t k = 0; k < D; ++k) {
-                    for (std::size_t l = 0; l < D; ++l) {
-                        u[k] += b.projector[D * k + l] * a.u[l];
-                    }
+                    for (std::size_t l = 0; l < D; ++l) u[k] += b.projector[D * k + l] * a.u[l];
                 }
                 add(b, u);
             }
@@ -269,17 +251,13 @@ class Summation {
     /// u.r
     static double scalar_product(const Particle& a, const Particle& b, const Pair<D>& p) {
         double sum = 0.0;
-        for (std::size_t k = 0; k < D; ++k) {
-            sum += (a.u[k] - b.u[k]) * p.r[k];
-        }
+        for (std::size_t k = 0; k < D; ++k) sum += (a.u[k] - b.u[k]) * p.r[k];
         return sum;
     }
 
     /// Of the Riemann problem: rho_ij beta (U_l - U_r), beta = min(3 max(U_l - U_r, 0), c0).
     double dissipation(const Particle& a, const Particle& b, const Pair<D>& p) const {
-        if (p.distance == 0.0) {
-            return 0.0;
-        }
+        if (p.distance == 0.0) return 0.0;
         const double difference = -scalar_product(a, b, p) / p.distance;
         const double beta = std::min(options_.impact * std::max(difference, 0.0), options_.impact_bound);
         return (1.0 + 0.5 * (a.s + b.s)) * beta * difference;
@@ -287,9 +265,7 @@ class Summation {
 
     /// Monaghan (2000): R f^4, f = W(r)/W(dx).
     double repulsion(const Particle& a, const Particle& b, const Pair<D>& p) const {
-        if (options_.tensile == 0.0) {
-            return 0.0;
-        }
+        if (options_.tensile == 0.0) return 0.0;
         const double f = p.w / kernel_value<D>(options_.kernel, PairSample<D>::spacing, sample_.h).w;
         double r = 0.01 * (a.pressure + b.pressure);
         if (a.pressure < 0.0 || b.pressure < 0.0) {
@@ -302,9 +278,7 @@ class Summation {
     /// Component of the two-point viscosity.
     double viscous_force(const Particle& a, const Particle& b, const Pair<D>& p,
                          std::size_t component) const {
-        if (p.distance == 0.0) {
-            return 0.0;
-        }
+        if (p.distance == 0.0) return 0.0;
         const double root = 0.5 * (a.viscosity_root + b.viscosity_root);
         const double twice = 2.0 * root * root;
         if (D == 3 && options_.weighted) {
@@ -333,9 +307,7 @@ class Summation {
     static void add_moment(typename PlainSums<D>::SymmetricMatrices& moment, std::size_t i, double V,
                            const Pair<D>& p) {
         for (std::size_t k = 0, n = 0; k < D; ++k) {
-            for (std::size_t l = k; l < D; ++l, ++n) {
-                moment[n][i].add(-V * p.r[k] * p.gradient[l]);
-            }
+            for (std::size_t l = k; l < D; ++l, ++n) moment[n][i].add(-V * p.r[k] * p.gradient[l]);
         }
     }
 

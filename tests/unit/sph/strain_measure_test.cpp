@@ -17,9 +17,7 @@ using Matrix = Eigen::Matrix3d;
 Gradient components(const Matrix& g) {
     Gradient result{};
     for (int k = 0; k < 3; ++k) {
-        for (int l = 0; l < 3; ++l) {
-            result[static_cast<std::size_t>(3 * k + l)] = g(k, l);
-        }
+        for (int l = 0; l < 3; ++l) result[static_cast<std::size_t>(3 * k + l)] = g(k, l);
     }
     return result;
 }
@@ -27,9 +25,7 @@ Gradient components(const Matrix& g) {
 Matrix random_gradient(std::mt19937& generator) {
     std::normal_distribution<double> normal;
     Matrix g;
-    for (int k = 0; k < 9; ++k) {
-        g(k / 3, k % 3) = 10.0 * normal(generator);
-    }
+    for (int k = 0; k < 9; ++k) g(k / 3, k % 3) = 10.0 * normal(generator);
     return g;
 }
 

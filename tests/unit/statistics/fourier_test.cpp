@@ -65,8 +65,9 @@ TEST(Fourier, ComplexTransformIsTheSumAndReturns) {
         std::vector<Complex> y = x;
         const FourierTransform transform(n);
         transform.forward(y);
-        for (std::size_t k = 0; k < n; ++k)
+        for (std::size_t k = 0; k < n; ++k) {
             ASSERT_LT(std::abs(y[k] - direct_sum(x, k)), rounding(n, norm(x)));
+        }
         // Parseval.
         EXPECT_NEAR(norm(y) / std::sqrt(static_cast<double>(n)), norm(x), rounding(n, norm(x)));
         transform.inverse(y);

@@ -31,9 +31,7 @@ RC_GTEST_PROP(GridConvergence, FindsOrderAndLimitOfExactSequencesAtAnyRatios, ()
     const double limit = in(-5.0, 5.0, *rc::gen::inRange(0, 1001));
     const double factor = *rc::gen::arbitrary<bool>() ? 0.7 : -0.7;
     std::vector<RefinedValue> values = power_sequence(limit, factor, order, {1.0, r21, r21 * r32});
-    if (*rc::gen::arbitrary<bool>()) {
-        std::reverse(values.begin(), values.end());
-    }
+    if (*rc::gen::arbitrary<bool>()) std::reverse(values.begin(), values.end());
     const GridConvergence found = grid_convergence(values);
     RC_ASSERT(found.refinement == Refinement::monotone);
     RC_ASSERT(std::abs(*found.order - order) < 1e-6);

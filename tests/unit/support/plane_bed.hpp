@@ -9,9 +9,7 @@ inline void lay_plane_bed(Case& c, double roughness) {
     c.bed.kind = roughness > 0.0 ? BedKind::roughness : BedKind::smooth;
     c.bed.roughness_height = 0.0;
     c.bed.datum_below_crest = 0.0;
-    if (roughness > 0.0) {
-        c.bed.equivalent_roughness = roughness;
-    }
+    if (roughness > 0.0) c.bed.equivalent_roughness = roughness;
 }
 
 }  // namespace riffle::test

@@ -45,8 +45,9 @@ class Space {
   private:
     static std::vector<double> centres(std::size_t count, double length) {
         std::vector<double> result;
-        for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t i = 0; i < count; ++i) {
             result.push_back((static_cast<double>(i) + 0.5) * length / static_cast<double>(count));
+        }
         return result;
     }
     void put(const std::string& path, std::vector<double> values, std::vector<std::size_t> shape = {}) {
@@ -93,8 +94,9 @@ class Space {
         put("/mean_field/x", x_);
         put("/mean_field/y", y_);
         put("/mean_field/z", z_);
-        for (auto& [name, values] : fields)
+        for (auto& [name, values] : fields) {
             put("/mean_field/" + name, std::move(values), {windows, z_.size(), y_.size(), x_.size()});
+        }
     }
 
     void cell(double x, double y, double z, double factor, std::map<std::string, std::vector<double>>& f) {
@@ -110,8 +112,9 @@ class Space {
         f["spanwise_velocity"].push_back(v + noise());
         f["vertical_velocity"].push_back(w + s_.form_w * form + noise());
         for (const char* name :
-             {"velocity_variance", "spanwise_velocity_variance", "vertical_velocity_variance"})
+             {"velocity_variance", "spanwise_velocity_variance", "vertical_velocity_variance"}) {
             f[name].push_back(1e-4);
+        }
         f["velocity_covariance"].push_back(-s_.reynolds_stress / c_.fluid.density);
         f["velocity_spanwise_covariance"].push_back(0.0);
         f["spanwise_vertical_covariance"].push_back(0.0);
@@ -176,8 +179,9 @@ class Space {
         for (const auto& [name, value] :
              {std::pair{"depth_mean_velocity", 0.35}, std::pair{"centreline_velocity", 0.36},
               std::pair{"drag_share", 0.79}, std::pair{"side_wall_share", 0.21}, std::pair{"bed_stress", 1.7},
-              std::pair{"wall_stress", 1.2}})
+              std::pair{"wall_stress", 1.2}}) {
             content_.attributes.push_back({"/section", name, value});
+        }
     }
 
     const SampleSpace& s_;

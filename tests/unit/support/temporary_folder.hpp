@@ -52,8 +52,9 @@ inline const std::filesystem::path& folder_of_this_process() {
 class SmallDisk {
   public:
     explicit SmallDisk(const std::string& size) {
-        if (::mount("tmpfs", folder_.path().c_str(), "tmpfs", 0, ("size=" + size).c_str()) != 0)
+        if (::mount("tmpfs", folder_.path().c_str(), "tmpfs", 0, ("size=" + size).c_str()) != 0) {
             error_ = errno;
+        }
     }
     ~SmallDisk() {
         if (mounted()) ::umount2(folder_.path().c_str(), MNT_DETACH);
@@ -92,8 +93,9 @@ inline void put_bytes(const std::filesystem::path& path, const std::string& byte
 
 inline std::set<std::string> names_in(const std::filesystem::path& folder) {
     std::set<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(folder))
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
         names.insert(entry.path().filename());
+    }
     return names;
 }
 
