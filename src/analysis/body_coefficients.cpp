@@ -52,7 +52,7 @@ double silhouette(const SolidMesh& mesh, const Extent& across, const Extent& upr
 
 /// Nothing of a body that fills a part of the bed rather than stands in the stream.
 std::optional<Front> front_of(const Case& c, const Solid& solid) {
-    if (solid.motion != SolidMotion::fixed || is_bed_shape(solid.shape)) return std::nullopt;
+    if (!solid.rests() || is_bed_shape(solid.shape)) return std::nullopt;
     const auto z = extent_of(c, solid, 2);
     if (!z) return std::nullopt;
     const double level = c.total_depth();
@@ -90,7 +90,7 @@ std::optional<double> approach_velocity(const FlowRecord& record) {
     if (c.channel.ends != Ends::open) return mean(fields::time_series.total_mean_velocity);
     const auto discharge = mean(fields::time_series.inflow_discharge);
     const auto depth = mean(fields::time_series.inflow_depth);
-    const double width = c.channel.dimensions == 3 ? c.channel.simulated_width() : 1.0;
+    const double width = c.channel.flow_width();
     if (!discharge || !depth || *depth <= 0.0) return std::nullopt;
     return *discharge / (width * *depth);
 }

@@ -12,8 +12,8 @@
 namespace riffle::inline boundary {
 
 std::vector<BoundaryPlane> body_racks(const Case& c) {
-    const bool any = std::any_of(c.solids.begin(), c.solids.end(),
-                                 [](const Solid& solid) { return solid.motion == SolidMotion::free; });
+    const bool any =
+        std::any_of(c.solids.begin(), c.solids.end(), [](const Solid& solid) { return solid.is_free(); });
     if (c.channel.ends != Ends::open || !any) {
         return {};
     }
@@ -25,7 +25,7 @@ RackWatch::RackWatch(const Case& c) : racks_(body_racks(c)), motion_(c) {
     if (racks_.empty()) return;
     for (std::size_t k = 0; k < c.solids.size(); ++k) {
         const Solid& solid = c.solids[k];
-        if (solid.motion != SolidMotion::free) continue;
+        if (!solid.is_free()) continue;
         Body body{solid.name, k, {}, std::vector<bool>(racks_.size(), false)};
         if (const SolidMesh* const mesh = mesh_of(c, solid)) {
             for (const Triangle& t : mesh->tree().triangles()) {

@@ -222,7 +222,7 @@ void FreeBody::predict(FreeBodyState& state, double kick, double motion) const {
 std::vector<FreeBody> free_bodies(const Case& c) {
     std::vector<FreeBody> bodies;
     for (std::size_t k = 0; k < c.solids.size(); ++k) {
-        if (c.solids[k].motion == SolidMotion::free) bodies.emplace_back(c, k);
+        if (c.solids[k].is_free()) bodies.emplace_back(c, k);
     }
     return bodies;
 }

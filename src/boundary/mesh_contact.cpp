@@ -15,7 +15,7 @@ MeshContact::MeshContact(const Case& c, const WallParticles<3>& walls)
       period_{c.channel.ends == Ends::periodic ? c.channel.length : 0.0,
               c.channel.sides == Sides::periodic ? c.channel.simulated_width() : 0.0, 0.0},
       planes_(boundary_planes<3>(c)) {
-    for (const Solid& solid : c.solids) moves_.push_back(solid.motion != SolidMotion::fixed);
+    for (const Solid& solid : c.solids) moves_.push_back(!solid.rests());
     if (walls_end_at_surface(c)) return;
     for (std::size_t i = 0; i < walls.size(); ++i) {
         if (!is_solid(walls, i)) continue;

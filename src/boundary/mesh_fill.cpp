@@ -70,10 +70,10 @@ class MeshFill {
     void add_at(const Vec<3>& p) {
         double taken = 0.0;
         std::vector<std::size_t> earlier;  // solids that have a part of the cell
-        for (std::size_t k = 0; k < meshes_->size() && taken < lattice_.volume<3>(); ++k) {
-            if (c_.solids[k].motion == SolidMotion::fixed) {
+        for (std::size_t k = 0; k < meshes_->size() && taken < lattice_.volume(); ++k) {
+            if (c_.solids[k].rests()) {
                 Part part = earlier.empty() ? part_at(k, p) : part_beside(k, earlier, p);
-                part.volume = std::min(part.volume, lattice_.volume<3>() - taken);
+                part.volume = std::min(part.volume, lattice_.volume() - taken);
                 taken += part.volume;
                 add(k, part);
                 if (part.volume > 0.0) earlier.push_back(k);
@@ -85,7 +85,7 @@ class MeshFill {
     [[nodiscard]] Part part_at(std::size_t solid, const Vec<3>& middle) const {
         const SolidMesh& mesh = (*meshes_)[solid];
         if (to_surface_) return part_in_cell(mesh, middle);
-        return mesh.contains(middle) ? Part{lattice_.volume<3>(), middle} : Part{};
+        return mesh.contains(middle) ? Part{lattice_.volume(), middle} : Part{};
     }
 
     /// Whether a cell around a place lies beyond the box around a solid.
@@ -103,7 +103,7 @@ class MeshFill {
             return {};
         }
         if (!mesh.nearest(middle, half_diagonal_)) {
-            return mesh.contains(middle) ? Part{lattice_.volume<3>(), middle} : Part{};
+            return mesh.contains(middle) ? Part{lattice_.volume(), middle} : Part{};
         }
         return sum_of_small(middle, [&](const Vec<3>& place, const Vec<3>& size) {
             return part_in_small(mesh, place, size);
@@ -241,7 +241,7 @@ void add_meshes(const Case& c, const Lattice& lattice, int rows, WallParticles<3
     MeshFill fill(c, lattice, walls);
     fill.add_resting(rows);
     for (std::size_t k = 0; k < c.solids.size(); ++k) {
-        if (c.solids[k].motion != SolidMotion::fixed) fill.add_moving(k);
+        if (!c.solids[k].rests()) fill.add_moving(k);
     }
 }
 

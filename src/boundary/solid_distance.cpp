@@ -86,7 +86,7 @@ class Shapes {
     }
 
   private:
-    [[nodiscard]] bool rests(std::size_t k) const { return c_.solids[k].motion == SolidMotion::fixed; }
+    [[nodiscard]] bool rests(std::size_t k) const { return c_.solids[k].rests(); }
     [[nodiscard]] bool contains(std::size_t k, const Vec<D>& place) const {
         if constexpr (D == 2) {
             return riffle::contains(outlines_[k], place[0], place[1]);

@@ -65,10 +65,10 @@ class Fill {
             length_.push_back(std::hypot(dx, dz));
             along_.push_back({dx / length_.back(), dz / length_.back()});
         }
-        moves_ = solid.motion != SolidMotion::fixed;
+        moves_ = !solid.rests();
         passes_ = passes_through(c, solid);
         for (std::size_t k = 0; !moves_ && first_solid + static_cast<std::int32_t>(k) < body; ++k) {
-            if (c.solids[k].motion == SolidMotion::fixed) earlier_.push_back(outline_of(c.solids[k]));
+            if (c.solids[k].rests()) earlier_.push_back(outline_of(c.solids[k]));
         }
     }
 
@@ -255,7 +255,7 @@ Outline outline_of(const Solid& solid) {
 }
 
 bool is_wetted(const Case& c, const Solid& solid, const Outline& outline, std::size_t i) {
-    if (solid.motion != SolidMotion::fixed || c.channel.top == Top::periodic) return true;
+    if (!solid.rests() || c.channel.top == Top::periodic) return true;
     const double near = 1e-6 * c.numerics.spacing;
     const std::size_t j = outline.next(i);
     const auto [left, right] = std::minmax(outline.x[i], outline.x[j]);

@@ -154,7 +154,7 @@ WallParticles<3> wall_particles<3>(const Case& c) {
                 wall.projector[3 * k + l].push_back(k == l && faces[k] != 0 ? 1.0 : 0.0);
             }
         }
-        wall.volume.push_back(lattice.volume<3>());
+        wall.volume.push_back(lattice.volume());
         wall.depth.push_back(behind);
         wall.body.push_back(walls == 1 && faces[2] < 0 ? lid_body : resting_body);
     };

@@ -10,8 +10,7 @@ namespace riffle::inline boundary {
 WallMotion::WallMotion(const Case& c)
     : solids_(c.solids),
       lid_velocity_(c.channel.lid_velocity),
-      solids_move_(std::any_of(c.solids.begin(), c.solids.end(),
-                               [](const Solid& s) { return s.motion != SolidMotion::fixed; })) {
+      solids_move_(std::any_of(c.solids.begin(), c.solids.end(), [](const Solid& s) { return !s.rests(); })) {
     // Those of the case itself, which knows their surfaces.
     for (const Solid& solid : c.solids) turning_.push_back(solid_turning(c, solid));
 }
@@ -22,7 +21,7 @@ std::vector<BodyState> WallMotion::at(double time, std::span<const FreeBodyState
     std::size_t freed = 0;
     for (std::size_t k = 0; k < solids_.size(); ++k) {
         BodyState body = body_state(solid_motion(solids_[k], time), turning_[k]);
-        const bool is_free = solids_[k].motion == SolidMotion::free;
+        const bool is_free = solids_[k].is_free();
         if (is_free && freed < free.size()) free[freed].put_into(body);
         freed += is_free ? 1 : 0;
         bodies.push_back(body);

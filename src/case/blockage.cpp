@@ -119,7 +119,7 @@ std::optional<Blockage> blockage(const Case& c) {
     const double level = highest_way(c);
     const bool tall = std::any_of(c.solids.begin(), c.solids.end(), [&](const Solid& solid) {
         const auto upright = extent_of(c, solid, 2);
-        return solid.motion == SolidMotion::fixed && upright && upright->high > level - c.numerics.spacing;
+        return solid.rests() && upright && upright->high > level - c.numerics.spacing;
     });
     if (!tall) return std::nullopt;
     const SolidPlaces solids(c);

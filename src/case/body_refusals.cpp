@@ -19,8 +19,6 @@ namespace riffle::inline case_file {
 
 namespace {
 
-bool is_free(const Solid& solid) { return solid.motion == SolidMotion::free; }
-
 /// The least restitution of soft contacts with critical damping, exp(-2) (boundary/body_contact.hpp).
 constexpr double least_restitution = 0.1354;
 
@@ -82,7 +80,7 @@ Findings meets_itself(const Case& c, const Solid& solid) {
 
 /// How far a free body stands behind a wall at the start, m; up to a hair it touches it.
 Findings starts_in_a_wall(const Case& c, const Solid& solid) {
-    if (!is_free(solid)) {
+    if (!solid.is_free()) {
         return {};
     }
     const double slack = 1e-3 * c.numerics.spacing + corners_outside(c, solid);
@@ -100,7 +98,7 @@ Findings starts_in_a_wall(const Case& c, const Solid& solid) {
 
 /// What is given of a motion that a free body cannot make.
 Findings along_what_is_held(const Case& c, const Solid& solid) {
-    if (!is_free(solid)) {
+    if (!solid.is_free()) {
         return {};
     }
     struct Along {
@@ -128,7 +126,7 @@ Findings along_what_is_held(const Case& c, const Solid& solid) {
 Findings centre_outside(const Case& c, const Solid& solid) {
     const std::vector<double>& centre = solid.centre_of_mass;
     const std::size_t dimensions = in_space(c) ? 3 : 2;
-    if (!is_free(solid) || centre.size() != dimensions) {
+    if (!solid.is_free() || centre.size() != dimensions) {
         return {};
     }
     for (std::size_t k = 0; k < dimensions; ++k) {
@@ -147,7 +145,7 @@ Findings centre_outside(const Case& c, const Solid& solid) {
 
 Findings impossible_inertia(const Case& c, const Solid& solid) {
     const std::vector<double>& inertia = solid.inertia;
-    if (!is_free(solid) || inertia.size() != (in_space(c) ? 3U : 1U)) {
+    if (!solid.is_free() || inertia.size() != (in_space(c) ? 3U : 1U)) {
         return {};
     }
     const double mass =
@@ -212,7 +210,7 @@ CheckList turning_refusals() {
          "one of them says what it weighs",
          "give one, for example density = 700",
          [](const Case&, const Solid& solid) {
-             return found_if(is_free(solid) && solid.density.has_value() == solid.mass.has_value(), "has {}",
+             return found_if(solid.is_free() && solid.density.has_value() == solid.mass.has_value(), "has {}",
                              solid.density ? "a density and a mass" : "no density and no mass");
          }},
         {{"solid.restitution"},
@@ -220,8 +218,8 @@ CheckList turning_refusals() {
          "exp(-2) is what critical damping leaves",
          "make it larger",
          [](const Case&, const Solid& solid) {
-             return found_if(is_free(solid) && solid.restitution < least_restitution, "restitution is {:.4g}",
-                             solid.restitution);
+             return found_if(solid.is_free() && solid.restitution < least_restitution,
+                             "restitution is {:.4g}", solid.restitution);
          }},
         {{"solid.moves_x", "solid.moves_y", "solid.moves_z", "solid.turns_x", "solid.turns_y",
           "solid.turns_z"},
@@ -230,7 +228,7 @@ CheckList turning_refusals() {
          "set one of them to true, or motion = \"fixed\"",
          [](const Case& c, const Solid& solid) {
              const bool moves = solid.moves_x || solid.moves_z || (in_space(c) && solid.moves_y);
-             return found_if(is_free(solid) && !moves && !turns(c, solid), "is not free to move");
+             return found_if(solid.is_free() && !moves && !turns(c, solid), "is not free to move");
          }},
     }};
 }
@@ -259,7 +257,8 @@ CheckList free_body_refusals() {
              "grains do not hold bodies back: it would sink through them",
              R"(hold it (motion = "fixed"), or give the grains as a [[solid]])",
              [](const Case& c) {
-                 return !c.porous.empty() && std::any_of(c.solids.begin(), c.solids.end(), is_free);
+                 return !c.porous.empty() &&
+                        std::any_of(c.solids.begin(), c.solids.end(), std::mem_fn(&Solid::is_free));
              }},
             {{"solid.motion", "numerics.stepping"},
              "a free body with a method of two stages or of rates of the step before",
@@ -268,7 +267,7 @@ CheckList free_body_refusals() {
              [](const Case& c) {
                  const bool fused = c.numerics.stepping == Stepping::leapfrog ||
                                     c.numerics.stepping == Stepping::semi_implicit_euler;
-                 return !fused && std::any_of(c.solids.begin(), c.solids.end(), is_free);
+                 return !fused && std::any_of(c.solids.begin(), c.solids.end(), std::mem_fn(&Solid::is_free));
              }},
             {{"solid.motion", "channel.length", "channel.width"},
              "a solid that turns and takes up more than a periodic channel less one kernel support of 2 h",

@@ -32,6 +32,8 @@ struct Channel {
     /// Extent of the simulated water across the channel, m: half the width where the other half is its mirror
     /// image.
     [[nodiscard]] double simulated_width() const { return sides == Sides::half ? 0.5 * width : width; }
+    /// Width that masses, forces and discharges are of, m: that, in two dimensions one metre.
+    [[nodiscard]] double flow_width() const { return dimensions == 3 ? simulated_width() : 1.0; }
     /// Place of the channel's centreline across it, m.
     [[nodiscard]] double centreline() const { return 0.5 * width; }
 
@@ -351,6 +353,11 @@ struct Solid {
     double spring_z = 0.0;
     double restitution = 0.5;  ///< free: of contact
     double friction = 0.3;     ///< free: of contact
+
+    /// Whether it stands still all the time.
+    [[nodiscard]] bool rests() const { return motion == SolidMotion::fixed; }
+    /// Whether the water moves it, and no law that is known before.
+    [[nodiscard]] bool is_free() const { return motion == SolidMotion::free; }
 
     bool operator==(const Solid&) const = default;
 };

@@ -55,8 +55,7 @@ bool carries_through(const Solid& solid, double from, double to) {
 }
 
 bool passes_through(const Case& c, const Solid& solid) {
-    if (c.channel.dimensions == 3 || c.channel.ends != Ends::periodic || solid.motion != SolidMotion::fixed ||
-        solid.x.empty()) {
+    if (c.channel.dimensions == 3 || c.channel.ends != Ends::periodic || !solid.rests() || solid.x.empty()) {
         return false;
     }
     const double length = c.channel.length;

@@ -19,7 +19,6 @@ namespace riffle::inline case_file {
 
 namespace {
 
-bool moves(const Solid& solid) { return solid.motion != SolidMotion::fixed; }
 bool moves_on(const Solid& solid) { return solid.motion == SolidMotion::constant; }
 bool swings(const Solid& solid) { return solid.motion == SolidMotion::oscillating; }
 
@@ -61,7 +60,7 @@ std::vector<std::array<double, 3>> corners_of(const Case& c, const Solid& solid)
 Range along_its_way(const Case& c, const Solid& solid, std::size_t axis) {
     const std::vector<std::array<double, 3>> corners = corners_of(c, solid);
     const SolidTurning turn = solid_turning(c, solid);
-    const double last = solid.motion == SolidMotion::free ? 0.0 : c.run.time;
+    const double last = solid.is_free() ? 0.0 : c.run.time;
     constexpr int steps = 720;
     const double rate = std::abs(solid.angular_velocity);
     const double turning = moves_on(solid) && is_zero(velocity_of(solid)) && rate > 0.0
@@ -101,13 +100,13 @@ bool leaves(const Case& c, const Solid& solid, std::size_t axis, double extent) 
 }
 
 Findings motion_through_walls(const Case& c, const Solid& solid) {
-    if (!moves(solid)) {
+    if (solid.rests()) {
         return {};
     }
     const bool ends = c.channel.ends == Ends::walls;
     const bool sides = in_space(c) && c.channel.sides != Sides::periodic;
     const double width = c.channel.simulated_width();
-    if (solid.motion == SolidMotion::free) {
+    if (solid.is_free()) {
         return {};  // looked at below
     }
     // Where it sinks to is looked at below.
@@ -123,7 +122,7 @@ Findings motion_through_walls(const Case& c, const Solid& solid) {
 
 /// A zone, of places on a lattice in what a solid takes up with its way, that holds one of them.
 Findings motion_through_a_zone(const Case& c, const Solid& solid) {
-    if (!moves(solid) || solid.motion == SolidMotion::free || c.porous.empty()) {
+    if (solid.rests() || solid.is_free() || c.porous.empty()) {
         return {};
     }
     constexpr int most = 40;
@@ -207,7 +206,7 @@ CheckList motion_refusals() {
              "it would stand still",
              "make it smaller",
              [](const Case& c, const Solid& solid) {
-                 return found_if(moves(solid) && solid.start >= c.run.time,
+                 return found_if(!solid.rests() && solid.start >= c.run.time,
                                  "starts to move at {:.6g} s, not before the end of the run at {:.6g} s",
                                  solid.start, c.run.time);
              }},
@@ -217,7 +216,7 @@ CheckList motion_refusals() {
              "make it larger, or motion = \"fixed\"",
              [](const Case&, const Solid& solid) {
                  const double stop = solid.stop.value_or(solid.start);
-                 return found_if(moves(solid) && solid.stop && stop <= solid.start,
+                 return found_if(!solid.rests() && solid.stop && stop <= solid.start,
                                  "stops at {:.6g} s, not after its start at {:.6g} s", stop, solid.start);
              }},
             {{"solid.motion", "channel.length"},

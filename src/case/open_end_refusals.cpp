@@ -25,13 +25,13 @@ int ways_to_give_discharge(const Inflow& inflow) {
 /// Whether something of a solid stands within a distance of either end, unless it carries the water through.
 Findings too_near(const Case& c, const Solid& solid) {
     const auto extent = extent_of(c, solid, 0);
-    if (!extent || solid.motion == SolidMotion::free) {
+    if (!extent || solid.is_free()) {
         return {};
     }
     const double clear = open_end_clearance(c);
     const double beyond = walls_beyond_end(c);
     const double length = c.channel.length;
-    const bool carries = !in_space(c) && solid.motion == SolidMotion::fixed;
+    const bool carries = !in_space(c) && solid.rests();
     const auto blocks = [&](double from, double to) {
         return extent->low < to && extent->high > from && !(carries && carries_through(solid, from, to));
     };
@@ -49,7 +49,7 @@ Findings too_near(const Case& c, const Solid& solid) {
 /// Whether a free body starts where it would be held back.
 Findings beyond_racks(const Case& c, const Solid& solid) {
     const auto extent = extent_of(c, solid, 0);
-    if (!extent || solid.motion != SolidMotion::free) {
+    if (!extent || !solid.is_free()) {
         return {};
     }
     const double clear = open_end_clearance(c);

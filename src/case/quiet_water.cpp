@@ -43,7 +43,7 @@ double quiet_correction_time(const Case& c) {
 
 /// Whether a solid at rest stands above all of the water, where it cuts none of its rows.
 bool stays_dry(const Case& c, const Solid& solid) {
-    if (solid.motion != SolidMotion::fixed || !c.start.water_x.empty()) return false;
+    if (!solid.rests() || !c.start.water_x.empty()) return false;
     const SolidMesh* const mesh = c.channel.dimensions == 3 ? mesh_of(c, solid) : nullptr;
     const double lowest = mesh != nullptr   ? mesh->lower()[2]
                           : solid.z.empty() ? 0.0
@@ -52,8 +52,7 @@ bool stays_dry(const Case& c, const Solid& solid) {
 }
 
 bool comes_back(const Solid& solid) {
-    return solid.motion == SolidMotion::fixed ||
-           (solid.motion == SolidMotion::oscillating && solid.amplitude_angle == 0.0);
+    return solid.rests() || (solid.motion == SolidMotion::oscillating && solid.amplitude_angle == 0.0);
 }
 
 }  // namespace
@@ -97,8 +96,8 @@ void choose_for_quiet_water(Case& c, const GivenNumerics& given) {
     if (!given.pressure_correction_time && n.pressure_form == PressureForm::corrected) {
         n.pressure_correction_time = quiet_correction_time(c);
     }
-    const bool still = std::all_of(c.solids.begin(), c.solids.end(),
-                                   [](const Solid& solid) { return solid.motion == SolidMotion::fixed; });
+    const bool still =
+        std::all_of(c.solids.begin(), c.solids.end(), [](const Solid& solid) { return solid.rests(); });
     if (space && still && !given.settling_time && c.start.kind == StartKind::rest &&
         c.start.water_x.empty()) {
         c.start.settling_time = quiet_settling_time;

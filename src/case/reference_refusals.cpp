@@ -34,7 +34,7 @@ CheckList reference_refusals() {
              "`reference_pressure = \"hydrostatic\"` with a solid that moves",
              "it would have to hold the solid too, and the surface moves with it",
              R"(choose motion = "fixed", or reference_pressure = "none")",
-             [](const Case&, const Solid& solid) { return solid.motion != SolidMotion::fixed; }},
+             [](const Case&, const Solid& solid) { return !solid.rests(); }},
             {{"numerics.reference_pressure", "porous.name"},
              "`reference_pressure = \"hydrostatic\"` with porous zones",
              "their grains share the room of the water that it would hold",

@@ -168,16 +168,15 @@ CheckList shape_refusals() {
          "they lie under all of the channel",
          "set motion = \"fixed\"",
          [](const Case&, const Solid& solid) {
-             return found_if(is_bed_shape(solid.shape) && solid.motion != SolidMotion::fixed,
-                             "motion is \"{}\"", word(solid.motion));
+             return found_if(is_bed_shape(solid.shape) && !solid.rests(), "motion is \"{}\"",
+                             word(solid.motion));
          }},
         {{"solid.part_of_bed", "solid.motion"},
          "a solid that is `part_of_bed` and moves",
          "the bed stands still",
          "set motion = \"fixed\", or part_of_bed = false",
          [](const Case&, const Solid& solid) {
-             return found_if(solid.part_of_bed && solid.motion != SolidMotion::fixed, "motion is \"{}\"",
-                             word(solid.motion));
+             return found_if(solid.part_of_bed && !solid.rests(), "motion is \"{}\"", word(solid.motion));
          }},
         {{"solid.part_of_bed", "channel.ends"},
          "a solid that is `part_of_bed` without `channel.ends = \"periodic\"`",

@@ -166,8 +166,7 @@ std::array<double, 3> rotation_axis(const Solid& solid) {
 }
 
 std::array<double, 3> rotation_point(const Case& c, const Solid& solid) {
-    const std::vector<double>& given =
-        solid.motion == SolidMotion::free ? solid.centre_of_mass : solid.rotation_about;
+    const std::vector<double>& given = solid.is_free() ? solid.centre_of_mass : solid.rotation_about;
     return given.empty() ? solid_volume(c, solid).centroid : point_of(given);
 }
 
@@ -192,7 +191,7 @@ BodyState body_state(const SolidMotionState& state, const SolidTurning& turning)
 }
 
 double largest_speed(const Case& c, const Solid& solid) {
-    if (solid.motion == SolidMotion::fixed) return 0.0;
+    if (solid.rests()) return 0.0;
     const double reach = turns(c, solid) ? reach_from(c, solid, rotation_point(c, solid)) : 0.0;
     switch (solid.motion) {
         case SolidMotion::fixed:

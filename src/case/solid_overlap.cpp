@@ -252,7 +252,7 @@ std::optional<SolidOverlap> overlap_of(const Case& c, std::size_t i, std::size_t
     const Solid& b = c.solids[j];
     const double tolerance = 0.1 * c.numerics.spacing;
     const double speed = largest_speed(c, a) + largest_speed(c, b);
-    const bool free = a.motion == SolidMotion::free || b.motion == SolidMotion::free;
+    const bool free = a.is_free() || b.is_free();
     const double end = free ? 0.0 : std::max(last_motion(a, c.run.time), last_motion(b, c.run.time));
     const SolidTurning turning_a = solid_turning(c, a);
     const SolidTurning turning_b = solid_turning(c, b);
@@ -278,7 +278,7 @@ std::optional<SolidOverlap> first_overlap(const Case& c) {
     std::optional<SolidOverlap> first;
     for (std::size_t i = 0; i < c.solids.size(); ++i) {
         for (std::size_t j = i + 1; j < c.solids.size(); ++j) {
-            if (c.solids[i].motion == SolidMotion::fixed && c.solids[j].motion == SolidMotion::fixed) {
+            if (c.solids[i].rests() && c.solids[j].rests()) {
                 continue;  // both at rest
             }
             const auto overlap =

@@ -24,7 +24,7 @@ bool SolidPlaces::holds(std::size_t solid, const Point3& p) const {
 std::optional<std::size_t> SolidPlaces::resting_at(const Point3& p,
                                                    std::optional<std::size_t> left_out) const {
     for (std::size_t k = 0; k < c_.solids.size(); ++k) {
-        if (k != left_out && c_.solids[k].motion == SolidMotion::fixed && holds(k, p)) return k;
+        if (k != left_out && c_.solids[k].rests() && holds(k, p)) return k;
     }
     return std::nullopt;
 }

@@ -18,8 +18,6 @@ namespace riffle::inline case_file {
 
 namespace {
 
-bool rests(const Solid& solid) { return solid.motion == SolidMotion::fixed; }
-
 /// Just behind the surface of a solid, a spacing apart at most.
 std::vector<Point3> places_behind_surface(const Case& c, const Solid& solid, double behind) {
     std::vector<Point3> places;
@@ -70,7 +68,7 @@ bool is_in_channel(const Case& c, const Point3& p) {
 
 /// A solid at rest all of whose surface stands in others at rest.
 Findings buried(const Case& c, const Solid& solid) {
-    if (!rests(solid) || c.solids.size() < 2) {
+    if (!solid.rests() || c.solids.size() < 2) {
         return {};
     }
     const SolidPlaces solids(c);

@@ -99,7 +99,7 @@ class BedDragForce final : public Component<D, Real> {
     /// Of the bed at a particle, as if the water were at rest.
     [[nodiscard]] double coefficient_at_rest(const Flow& flow, std::size_t particle) const {
         const auto& position = flow.particles.position;
-        return drag_->coefficient_at(position[0][particle], across(position, particle),
+        return drag_->coefficient_at(position[0][particle], across_of<D>(position, particle),
                                      position[Flow::vertical][particle]);
     }
 
@@ -109,22 +109,16 @@ class BedDragForce final : public Component<D, Real> {
         double beta = coefficient_at_rest(flow, particle);
         if (drag_->varies_with_speed()) {
             const auto& velocity = flow.particles.velocity;
-            beta *=
-                speed_factor(flow, particle, std::hypot(velocity[0][particle], across(velocity, particle)));
+            beta *= speed_factor(flow, particle,
+                                 std::hypot(velocity[0][particle], across_of<D>(velocity, particle)));
         }
         return beta;
     }
 
     [[nodiscard]] double speed_factor(const Flow& flow, std::size_t particle, double speed) const {
         const auto& position = flow.particles.position;
-        return drag_->speed_factor_at(position[0][particle], across(position, particle),
+        return drag_->speed_factor_at(position[0][particle], across_of<D>(position, particle),
                                       position[Flow::vertical][particle], speed);
-    }
-
-    /// The component of a particle across the channel, which a plane has not.
-    template <class Vectors>
-    [[nodiscard]] static double across(const Vectors& vectors, std::size_t particle) {
-        return D == 3 ? vectors[1][particle] : 0.0;
     }
 
     /// The drag at the speed of the water, of particles whose work and lanes begin at places of the block. In
@@ -135,7 +129,7 @@ class BedDragForce final : public Component<D, Real> {
         for (std::size_t n = 0; n < count; ++n) {
             double& beta = task.particles.drag[work + n];
             const double u = velocity[0][first + n];
-            const double v = across(velocity, first + n);
+            const double v = across_of<D>(velocity, first + n);
             const double speed = std::hypot(u, v);
             beta *= speed_factor(flow, first + n, speed);
             if constexpr (D == 3) {

@@ -125,9 +125,9 @@ class Contact final : public Component<D, Real> {
             "water has entered the solid \"{}\": particle {} at x = {:.6g} m, z = {:.6g} m, velocity ({:.4g}, {:.4g}) m/s, at t = {:.6g} s; take a smaller step ([numerics] courant_number){}",
             solid.name, p.id[i], p.position[0][i], p.position[Flow::vertical][i], p.velocity[0][i],
             p.velocity[Flow::vertical][i], flow.clock.time,
-            solid.motion == SolidMotion::fixed  ? " or spacing"
-            : solid.motion == SolidMotion::free ? " or a smaller spacing"
-                                                : ", a smaller spacing, or let the solid move more slowly");
+            solid.rests()     ? " or spacing"
+            : solid.is_free() ? " or a smaller spacing"
+                              : ", a smaller spacing, or let the solid move more slowly");
     }
 
     std::conditional_t<D == 2, SolidContact, MeshContact> solids_;

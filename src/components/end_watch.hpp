@@ -49,7 +49,7 @@ class EndWatch {
 
     [[nodiscard]] Watched watch(const Flow& flow, std::size_t end) const {
         const Particles<D>& p = flow.particles;
-        const double width = D == 3 ? flow.c.channel.simulated_width() : 1.0;
+        const double width = flow.c.channel.flow_width();
         Watched sums;
         for (const std::size_t i : particles_[end]) {
             const double x = end == 0 ? p.position[0][i] : length_ - p.position[0][i];

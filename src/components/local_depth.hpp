@@ -26,7 +26,7 @@ class LocalDepth {
           with_bodies_(!flow.c.solids.empty()),
           half_row_(0.5 * flow.scheme.spacing),
           relaxation_time_(flow.scheme.depth / std::sqrt(flow.scheme.normal_gravity * flow.scheme.depth)),
-          length_{flow.c.channel.length, D == 3 ? flow.c.channel.simulated_width() : 1.0},
+          length_{flow.c.channel.length, flow.c.channel.flow_width()},
           open_(flow.c.channel.ends == Ends::open),
           periodic_{flow.domain.periodic[0], D == 3 && flow.domain.periodic[1]} {
         const double support = 2.0 * flow.scheme.smoothing_length;

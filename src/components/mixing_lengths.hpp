@@ -91,7 +91,7 @@ class MixingLengths final : public Component<D, Real> {
                 const double share = patch.area.share(position[0][i], position[1][i], flow.scheme.spacing);
                 if (share > 0.0) {
                     const double ground =
-                        patch.ground ? patch.ground->at(position[0][i], D == 3 ? position[1][i] : 0.0) : 0.0;
+                        patch.ground ? patch.ground->at(position[0][i], across_of<D>(position, i)) : 0.0;
                     const double z = position[Flow::vertical][i] - ground;
                     outside -= share;
                     // At the water's edge the depth, which follows the water, may not reach the particle.
@@ -122,7 +122,7 @@ class MixingLengths final : public Component<D, Real> {
         const auto& position = flow.particles.position;
         for (std::size_t n = 0; n < count; ++n) {
             const std::size_t i = first + n;
-            lengths[n] = flow.porous.limited(lengths[n], position[0][i], D == 3 ? position[1][i] : 0.0,
+            lengths[n] = flow.porous.limited(lengths[n], position[0][i], across_of<D>(position, i),
                                              position[Flow::vertical][i]);
         }
     }

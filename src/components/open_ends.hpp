@@ -37,11 +37,8 @@ class OpenEnds final : public Component<D, Real> {
           travel_(end_travel(flow.c)),
           support_(end_support(flow.c)),
           watch_(length_, std::ceil(2.0 * flow.c.numerics.smoothing_ratio - 1e-9) * lattice_.dx),
-          streams_(D == 3 ? lattice_.files : 1, lattice_.dx * lattice_.dz, lattice_.dz,
-                   -(support_ + travel_)) {
-        for (int file = 0; file < (D == 3 ? lattice_.files : 1); ++file) {
-            files_.push_back(lattice_.y(file, 0));
-        }
+          streams_(lattice_.files, lattice_.dx * lattice_.dz, lattice_.dz, -(support_ + travel_)) {
+        for (int file = 0; file < lattice_.files; ++file) files_.push_back(lattice_.y(file, 0));
         flow.inputs.acceleration = true;
         begin(flow);
     }
@@ -214,7 +211,7 @@ class OpenEnds final : public Component<D, Real> {
     [[nodiscard]] Vec<D> entering_velocity(const Flow& flow, std::size_t i) const {
         const EndState& end = flow.clock.open_ends.upstream;
         const double place = over_floor(flow, i, true) / end.depth;
-        const double y = D == 3 ? flow.particles.position[1][i] : 0.0;
+        const double y = across_of<D>(flow.particles.position, i);
         const Vec<3> relative = entering().at(moment_, y, place);
         const double grown = std::clamp(1.0 + flow.particles.position[0][i] / support_, 0.0, 1.0);
         Vec<D> u{};
@@ -328,7 +325,7 @@ class OpenEnds final : public Component<D, Real> {
             const double hat = 1.0 - std::abs(p.position[0][i] + half) / half;
             if (hat > 0.0) volume += hat * p.mass[i] / (1.0 + p.density_deviation[i]);
         }
-        const double width = D == 3 ? flow.c.channel.simulated_width() : 1.0;
+        const double width = flow.c.channel.flow_width();
         const double due = flow.scheme.density * half * width * flow.clock.open_ends.upstream.depth;
         return volume > 0.0 && std::abs(volume - due) > most * due;
     }
@@ -370,7 +367,7 @@ class OpenEnds final : public Component<D, Real> {
         const Particles<D>& p = flow.particles;
         const double depth = std::max(flow.clock.open_ends.downstream.depth, lattice_.dz);
         const int rows = streams_.rows_for(depth);
-        const int files = D == 3 ? lattice_.files : 1;
+        const int files = lattice_.files;
         const double step = streams_.length(rows, depth);
         std::vector<double> last(static_cast<std::size_t>(rows) * static_cast<std::size_t>(files),
                                  length_ - step);
@@ -380,7 +377,7 @@ class OpenEnds final : public Component<D, Real> {
         for (std::size_t i = 0; i < p.size(); ++i) {
             if (p.position[0][i] > length_ - step) {
                 const std::size_t row = index(over_floor(flow, i, false) / depth * rows, rows);
-                const std::size_t file = D == 3 ? index(p.position[1][i] / lattice_.dy, files) : 0;
+                const std::size_t file = index(across_of<D>(p.position, i) / lattice_.dy, files);
                 double& place = last[row * static_cast<std::size_t>(files) + file];
                 place = std::max(place, p.position[0][i]);
             }
@@ -411,7 +408,7 @@ class OpenEnds final : public Component<D, Real> {
             for (std::size_t k = 0; k < Flow::axes; ++k) p.position[k][i] = places[n][k];
             const double s = flow.scheme.state.deviation(pressure_of(end, over_floor(flow, i, entering)));
             p.density_deviation[i] = s;
-            p.mass[i] = flow.scheme.density * (1.0 + s) * lattice_.volume<D>();
+            p.mass[i] = flow.scheme.density * (1.0 + s) * lattice_.volume();
             const Vec<D> u = velocity(i);
             for (std::size_t k = 0; k < Flow::axes; ++k) p.velocity[k][i] = u[k];
             ++ledger.entered;

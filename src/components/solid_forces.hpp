@@ -33,7 +33,7 @@ class SolidForces final : public Component<D, Real> {
             volumes_.push_back(solid.surface == SolidSurface::no_slip && turns(c, solid)
                                    ? solid_volume(c, solid).volume
                                    : 0.0);
-            free_.push_back(solid.motion == SolidMotion::free);
+            free_.push_back(solid.is_free());
         }
         if (flow.particle_data.reference_pressure.acts()) {
             for (std::size_t solid = 0; solid < lists_.size(); ++solid) {

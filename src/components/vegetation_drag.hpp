@@ -55,7 +55,7 @@ class VegetationDrag final : public Component<D, Real> {
         const double share = patch.share_in_plan(position[0][i], position[1][i], width_);
         if (share <= 0.0) return 0.0;
         const double over_feet =
-            position[Flow::vertical][i] - patch.foot(position[0][i], D == 3 ? position[1][i] : 0.0);
+            position[Flow::vertical][i] - patch.foot(position[0][i], across_of<D>(position, i));
         return share * patch.share_below_top(over_feet, row_);
     }
 

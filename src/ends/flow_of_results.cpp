@@ -109,7 +109,7 @@ std::vector<float> on_cells(const Case& other, const std::vector<double>& positi
             particles.position[k][i] = position[3 * i + axis];
             particles.velocity[k][i] = velocity[3 * i + axis];
         }
-        particles.mass[i] = other.fluid.density * lattice.volume<D>();
+        particles.mass[i] = other.fluid.density * lattice.volume();
         particles.density_deviation[i] = 0.0;
     }
     const double h = other.numerics.smoothing_ratio * other.numerics.spacing;

@@ -59,7 +59,7 @@ void FlowOf<D, Real>::pack(Displacement<D>* displacement, std::size_t begin, std
     const auto& position = this->particles.position;
     for_particles(begin, end, [&](std::size_t i, std::size_t lane) {
         const PorousMedia::At at =
-            porous.at_with_normal(D, position[0][i], D == 3 ? position[1][i] : 0.0, position[vertical][i]);
+            porous.at_with_normal(D, position[0][i], across_of<D>(position, i), position[vertical][i]);
         porous_at[i] = at;
         MotionRecord<D, Real>& record = data.motion[begin * cluster_size + lane];
         for (Real& u : record.u) u *= static_cast<Real>(at.porosity);

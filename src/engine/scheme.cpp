@@ -21,7 +21,7 @@ namespace {
 double largest_free_speed(const Case& c) {
     double fall = 0.0;
     for (const Solid& solid : c.solids) {
-        const auto z = solid.motion == SolidMotion::free ? extent_of(c, solid, 2) : std::nullopt;
+        const auto z = solid.is_free() ? extent_of(c, solid, 2) : std::nullopt;
         if (z && z->low > c.total_depth()) fall = std::max(fall, z->low);
     }
     return std::sqrt(0.5 * c.fluid.gravity * fall);

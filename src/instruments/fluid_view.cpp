@@ -150,7 +150,7 @@ FluidViewIn<D>::FluidViewIn(const Case& c, const Particles<D>& particles, double
       domain_(domain_of<D>(c)),
       kernel_(c.numerics.kernel),
       h_(h),
-      width_(D == 2 ? 1.0 : c.channel.simulated_width()),
+      width_(c.channel.flow_width()),
       gravity_(c.normal_gravity()),
       detection_(c.output.surface_detection),
       surface_threshold_(c.output.surface_threshold.value_or(usual_surface_threshold(detection_, D))),

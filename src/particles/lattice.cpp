@@ -31,8 +31,11 @@ Lattice lattice_of(const Case& c) {
     lattice.rows = std::max(1, static_cast<int>(std::lround(c.total_depth() * per_row / spacing)));
     lattice.dx = c.channel.length / lattice.columns;
     lattice.dz = c.total_depth() / lattice.rows;
-    const double width = c.channel.simulated_width();
-    lattice.files = std::max(1, static_cast<int>(std::lround(width / (cubic ? ratio * spacing : spacing))));
+    const double width = c.channel.flow_width();
+    if (c.channel.dimensions == 3) {
+        lattice.files =
+            std::max(1, static_cast<int>(std::lround(width / (cubic ? ratio * spacing : spacing))));
+    }
     lattice.dy = width / lattice.files;
     return lattice;
 }
@@ -64,9 +67,8 @@ namespace {
 /// drive a jet. It gathers the energy of much water in little: spray of a breaking dam rises to several times
 /// the height of the dam. Elsewhere one depth, or what a table at an open end may ask for.
 double headroom(const Case& c) {
-    const bool violent = !c.start.water_x.empty() ||
-                         std::any_of(c.solids.begin(), c.solids.end(),
-                                     [](const Solid& s) { return s.motion != SolidMotion::fixed; });
+    const bool violent = !c.start.water_x.empty() || std::any_of(c.solids.begin(), c.solids.end(),
+                                                                 [](const Solid& s) { return !s.rests(); });
     const auto highest = std::max_element(c.start.water_z.begin(), c.start.water_z.end());
     const double head =
         highest != c.start.water_z.end() ? std::max(*highest, c.total_depth()) : c.total_depth();
@@ -91,9 +93,7 @@ double highest_part(const Case& c) {
         }
         for (const double z : solid.z) top = std::max(top, z + reach);
         // Of one at rest no more than the walls' height has wall particles.
-        if (meshes && solid.motion != SolidMotion::fixed) {
-            top = std::max(top, (*meshes)[k].upper()[2] + reach);
-        }
+        if (meshes && !solid.rests()) top = std::max(top, (*meshes)[k].upper()[2] + reach);
     }
     return top;
 }
@@ -167,7 +167,7 @@ Particles<D> lattice_particles(const Case& c, const std::function<double(double)
     // The rows of an outline stand at the heights of the lattice.
     const std::function<double(double)> surface =
         c.start.water_x.empty() ? surface_along : std::function<double(double)>();
-    const int files = D == 3 ? lattice.files : 1;
+    const int files = lattice.files;
     // An outline of the water may rise above the depth that the spacing is cut from.
     int rows = lattice.rows;
     for (const double z : c.start.water_z) rows = std::max(rows, static_cast<int>(std::ceil(z / lattice.dz)));

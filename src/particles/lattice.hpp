@@ -15,10 +15,10 @@ namespace riffle::inline particles {
 /// the same volume per particle.
 struct Lattice {
     int columns = 0;  ///< particles along x
-    int files = 1;    ///< particles along y (three dimensions)
+    int files = 1;    ///< particles along y; one in a plane
     int rows = 0;     ///< particles along z
     double dx = 0.0;  ///< spacing along x, m
-    double dy = 0.0;  ///< spacing along y, m
+    double dy = 0.0;  ///< spacing along y, m; 1 in a plane, whose masses are those of a metre's width
     double dz = 0.0;  ///< spacing along z, m
     StartLattice arrangement = StartLattice::square;
 
@@ -31,15 +31,12 @@ struct Lattice {
     }
     [[nodiscard]] double z(int row) const { return (row + 0.5) * dz; }
 
-    /// Area (2D) or volume (3D) of a particle.
-    template <int D>
-    [[nodiscard]] double volume() const {
-        return D == 2 ? dx * dz : dx * dy * dz;
-    }
-    /// Places of the lattice in the water at its depth, in so many dimensions.
-    [[nodiscard]] std::size_t places(int dimensions) const {
+    /// Volume of a particle, m3; in a plane of a metre's width.
+    [[nodiscard]] double volume() const { return dx * dy * dz; }
+    /// Places of the lattice in the water at its depth.
+    [[nodiscard]] std::size_t places() const {
         return static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows) *
-               static_cast<std::size_t>(dimensions == 3 ? files : 1);
+               static_cast<std::size_t>(files);
     }
 
   private:

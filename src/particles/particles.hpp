@@ -82,6 +82,13 @@ std::array<double, 3> in_space(const std::array<std::vector<double>, static_cast
     return v;
 }
 
+/// The component of one particle across the channel; 0 in a plane.
+template <int D>
+double across_of(const std::array<std::vector<double>, static_cast<std::size_t>(D)>& components,
+                 std::size_t particle) {
+    return in_space<D>(components, particle)[1];
+}
+
 /// Particles of walls and solids.
 template <int D>
 struct WallParticles {

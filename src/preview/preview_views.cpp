@@ -46,7 +46,7 @@ PreviewPlan plan_preview(const Case& c) {
 std::string solid_colour(const Case& c, std::size_t solid) {
     if (is_bed_shape(c.solids[solid].shape)) return "#c2a878";
     static constexpr std::array<const char*, 5> still{"#7d8791", "#5f7a6b", "#8a6f8f", "#6d7fa3", "#93836b"};
-    return c.solids[solid].motion == SolidMotion::fixed ? still[solid % still.size()] : "#d98a4b";
+    return c.solids[solid].rests() ? still[solid % still.size()] : "#d98a4b";
 }
 
 ScaledView scaled_view(double left, double top, double width, double least, double most, double u_low,

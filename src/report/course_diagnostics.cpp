@@ -35,9 +35,9 @@ class CourseRows : public DiagnosticRows {
         // What a moving body or lid adds cannot be told from what the scheme does; still water has no motion
         // to compare with.
         const Case& c = data_.flow;
-        const bool moved = c.channel.lid_velocity != 0.0 ||
-                           std::any_of(c.solids.begin(), c.solids.end(),
-                                       [](const Solid& solid) { return solid.motion != SolidMotion::fixed; });
+        const bool moved =
+            c.channel.lid_velocity != 0.0 ||
+            std::any_of(c.solids.begin(), c.solids.end(), [](const Solid& solid) { return !solid.rests(); });
         const bool judged = !moved && !still();
         constexpr double bar = 0.02;
         add({"energy", "Change of the water's energy", energy_text(change->value, gain->value),

@@ -141,7 +141,7 @@ std::vector<Workload> standard_workloads() {
 }
 
 std::size_t workload_particles(const Workload& workload) {
-    return lattice_of(workload_case(workload)).places(workload.dimensions);
+    return lattice_of(workload_case(workload)).places();
 }
 
 double workload_memory(const Workload& workload) {

@@ -21,7 +21,7 @@ void add_walls(const Case& c, std::vector<float>& points, std::vector<std::int32
     const WallParticles<D> walls = wall_particles<D>(c);
     for (std::size_t i = 0; i < walls.size(); ++i) {
         points.push_back(static_cast<float>(walls.position[0][i]));
-        points.push_back(D == 3 ? static_cast<float>(walls.position[1][i]) : 0.0F);
+        points.push_back(static_cast<float>(across_of<D>(walls.position, i)));
         points.push_back(static_cast<float>(walls.position[D - 1][i]));
         bodies.push_back(walls.body.empty() ? resting_body : walls.body[i]);
     }

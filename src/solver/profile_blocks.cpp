@@ -76,7 +76,7 @@ ProfileSampler::ProfileSampler(const Case& c, const ColumnResult* column, const 
     const Lattice lattice = lattice_of(c);
     layers_ = static_cast<std::size_t>(lattice.rows);
     thickness_ = lattice.dz;
-    plan_area_ = c.channel.length * (c.channel.dimensions == 2 ? 1.0 : c.channel.simulated_width());
+    plan_area_ = c.channel.length * c.channel.flow_width();
     current_.end = profile_block_duration;
     current_.sums.assign(layers_ * quantities_, 0.0);
 }

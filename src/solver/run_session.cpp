@@ -154,7 +154,7 @@ void RunSession<D>::start() {
     // Between open ends there is water beyond the lattice of the channel as well.
     if (!case_.solids.empty() && case_.start.water_x.empty() && case_.channel.ends != Ends::open) {
         log_.info(fmt::format("{} particles of the water's lattice are left out, in or too close to solids",
-                              lattice_of(case_).places(D) - simulation_->particles().size()));
+                              lattice_of(case_).places() - simulation_->particles().size()));
     }
     Content content = run_head(case_, twins_);
     content.compression = case_.output.compression;

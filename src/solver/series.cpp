@@ -195,7 +195,7 @@ void TimeSeries::sample_ends(const SimulationIn<D>& simulation) {
         mass += p.mass[i];
         momentum += p.mass[i] * p.velocity[0][i];
     }
-    const double width = D == 3 ? case_.channel.simulated_width() : 1.0;
+    const double width = case_.channel.flow_width();
     const auto add = [&](const Field& field, double value) { values_of(field).push_back(value); };
     const auto& series = fields::time_series;
     add(series.inflow_discharge, width * ends.upstream.depth * ends.upstream.velocity);

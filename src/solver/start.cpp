@@ -197,14 +197,14 @@ Particles<D> initial_particles(const Case& c, const Scheme& scheme, const Column
         particles.density_deviation[i] = s;
         const double row_share = drawn_out ? rows_below(lattice, surface).height / lattice.dz : 1.0;
         const double share = packing.share.empty() ? row_share : packing.share[i];
-        particles.mass[i] = scheme.density * (1.0 + s) * (share * lattice.volume<D>());
+        particles.mass[i] = scheme.density * (1.0 + s) * (share * lattice.volume());
         if (!pores.empty()) particles.mass[i] *= pores.porosity(vector_of(particles.position, i));
         if (c.start.kind == StartKind::section) {
             if constexpr (D == 3) {
                 particles.velocity[0][i] = section(particles.position[1][i], particles.position[2][i]);
             }
         } else if (open) {
-            const double y = D == 3 ? particles.position[1][i] : 0.0;
+            const double y = across_of<D>(particles.position, i);
             particles.velocity[0][i] =
                 open->velocity(particles.position[0][i], y, particles.position[vertical][i]);
         } else if (c.start.kind != StartKind::taylor_green && c.start.kind != StartKind::isotropic) {

@@ -77,7 +77,7 @@ class Packer {
           h_(scheme.smoothing_length),
           kernel_(scalar_kernel<D>(c.numerics.kernel)),
           domain_(domain_of<D>(c)),
-          volume_(lattice_of(c).volume<D>()),
+          volume_(lattice_of(c).volume()),
           surfaces_(c),
           planes_(boundary_planes<D>(c)),
           particles_(particles) {

@@ -27,7 +27,7 @@ double lattice_kernel_sum(const Case& c) {
             }
         }
     }
-    return sum * lattice.volume<D>() / (D == 2 ? h * h : h * h * h);
+    return sum * lattice.volume() / (D == 2 ? h * h : h * h * h);
 }
 
 template double lattice_kernel_sum<2>(const Case&);

@@ -19,7 +19,7 @@ RunCost estimate_cost(const Case& c) {
         // The convergence test needs three relaxation times and one more of record.
         cost.end_time = std::min(c.run.time, 4.0 * *relaxation_time);
     }
-    const auto particles = static_cast<double>(lattice_of(c).places(c.channel.dimensions));
+    const auto particles = static_cast<double>(lattice_of(c).places());
     const double neighbours = std::pow(scheme.smoothing_length / scheme.spacing, c.channel.dimensions);
     cost.work = particles * neighbours * cost.end_time / largest_step(c, scheme);
     return cost;

@@ -22,7 +22,7 @@ constexpr std::array<std::string_view, 3> refining_keys = {"numerics.spacing", "
 /// (area or volume per particle)^(1/dimensions).
 double cell_size(const Case& c) {
     const Lattice lattice = lattice_of(c);
-    return c.channel.dimensions == 2 ? std::sqrt(lattice.volume<2>()) : std::cbrt(lattice.volume<3>());
+    return c.channel.dimensions == 2 ? std::sqrt(lattice.volume()) : std::cbrt(lattice.volume());
 }
 
 VariedKey varied_key(const Variation& variation, const std::vector<SweepRun>& runs) {

@@ -37,7 +37,7 @@ double coverage(const Case& c, const Particles<3>& fluid, const WallParticles<3>
         for (std::size_t j = 0; j < n; ++j) {
             double squared = 0.0;
             for (std::size_t k = 0; k < 3; ++k) squared += std::pow(x[k] - position[k][j], 2);
-            sum += lattice_of(c).volume<3>() * WendlandC2<3>::value(std::sqrt(squared) / h) / (h * h * h);
+            sum += lattice_of(c).volume() * WendlandC2<3>::value(std::sqrt(squared) / h) / (h * h * h);
         }
     };
     add(fluid.position, fluid.size());

@@ -30,7 +30,7 @@ Case channel(Sides sides, StartLattice arrangement = StartLattice::square) {
 /// sum V W at a point over fluid and walls, nearest images on periodic axes.
 double coverage(const Case& c, const Particles<3>& fluid, const WallParticles<3>& wall, const Vec<3>& x) {
     const double h = c.numerics.smoothing_ratio * c.numerics.spacing;
-    const double volume = lattice_of(c).volume<3>();
+    const double volume = lattice_of(c).volume();
     const auto term = [&](const auto& position, std::size_t j) {
         double squared = 0.0;
         for (std::size_t k = 0; k < 3; ++k) {

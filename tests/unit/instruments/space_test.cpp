@@ -45,7 +45,7 @@ struct Space {
             const double stretch =
                 rise ? 1.0 + rise(particles.position[0][i], particles.position[1][i]) / c.total_depth() : 1.0;
             particles.position[2][i] *= stretch;
-            particles.mass[i] = c.fluid.density * lattice_of(c).volume<3>() * stretch;
+            particles.mass[i] = c.fluid.density * lattice_of(c).volume() * stretch;
         }
     }
     Space& with_velocity(const Field3& u, const Field3& v, const Field3& w) {

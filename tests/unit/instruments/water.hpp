@@ -47,7 +47,7 @@ struct Water {
             double& z = particles.position[1][i];
             const double stretch = rise ? 1.0 + rise(particles.position[0][i]) / c.total_depth() : 1.0;
             z *= stretch;
-            particles.mass[i] = c.fluid.density * lattice.volume<2>() * stretch;
+            particles.mass[i] = c.fluid.density * lattice.volume() * stretch;
         }
     }
     Water& with_velocity(const Field& u, const Field& w) {

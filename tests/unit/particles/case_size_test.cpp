@@ -31,7 +31,7 @@ TEST(CaseSize, IsThatOfTheLattice) {
     for (const char* channel : {"depth = 0.05\nlength = 0.2\n", "depth = 0.1\nlength = 1\n",
                                 "depth = 0.05\nlength = 0.1\nwidth = 0.0866\ndimensions = 3\n"}) {
         const Case c = case_of(channel);
-        const auto places = static_cast<double>(lattice_of(c).places(c.channel.dimensions));
+        const auto places = static_cast<double>(lattice_of(c).places());
         EXPECT_NEAR(estimate_size(c).places, places, 0.03 * places);
         EXPECT_EQ(refusal(c, 1000000000), "");
     }

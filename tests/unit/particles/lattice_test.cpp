@@ -72,9 +72,9 @@ TEST(BodyCentredLattice, FillsTheWater) {
         const Lattice lattice = lattice_of(c);
         const Particles<3> particles = lattice_particles<3>(c);
         const double volume = c.channel.length * c.channel.width * c.total_depth();
-        EXPECT_NEAR(static_cast<double>(particles.size()) * lattice.volume<3>(), volume, 1e-12 * volume);
+        EXPECT_NEAR(static_cast<double>(particles.size()) * lattice.volume(), volume, 1e-12 * volume);
         // Within the rounding to whole rows, columns and files, which are fewer in space.
-        EXPECT_NEAR(lattice.volume<3>() / std::pow(spacing, 3), 1.0, 0.08);
+        EXPECT_NEAR(lattice.volume() / std::pow(spacing, 3), 1.0, 0.08);
         for (std::size_t k = 0; k < 3; ++k) {
             const auto [low, high] =
                 std::minmax_element(particles.position[k].begin(), particles.position[k].end());
