@@ -10,7 +10,6 @@
 #include "base/error.hpp"
 #include "case/bed_patch.hpp"
 #include "case/case.hpp"
-#include "case/patch_range.hpp"
 #include "cli/backwater_figure.hpp"
 #include "cli/backwater_output.hpp"
 #include "cli/case_argument.hpp"
@@ -231,12 +230,6 @@ Backwater solve(const BackwaterArguments& a, Case c) {
     b.flow = solve_varied_reaches(reaches_of(friction, c, b), controls);
     if (!c.bed_patches.empty() && is_given(friction)) {
         b.notes.emplace_back("The given friction is that of the whole bed: its patches take no part.");
-    }
-    for (const BedPatch& patch : c.bed_patches) {
-        if (!covers_width(c, patch) && !is_given(friction)) {
-            b.notes.push_back(fmt::format(
-                "The patch \"{}\" of the bed takes no part: it lies in a part of the width.", patch.name));
-        }
     }
     if (c.has_side_walls() && (is_given(friction) || !has_section_reach(c))) {
         b.notes.emplace_back(

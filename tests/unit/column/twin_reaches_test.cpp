@@ -47,11 +47,52 @@ TEST(TwinReaches, NeedFrictionOverEachBed) {
     }
 }
 
-// What lies beside another bed at one place would be left out of the friction.
-TEST(TwinReaches, AreNotOfStrips) {
+/// A strip of gravel along one side of a flume, from 0.5 to 0.9 m.
+Case over_strip() {
     Case c = over_beds("equivalent_roughness = \"12 mm\"\n");
     c.channel.dimensions = 3;
-    c.bed_patches.front().y_to = 0.5 * c.channel.width;
+    c.channel.width = 0.6;
+    c.channel.sides = Sides::half;
+    c.side_walls.drag_form = SideDragForm::none;
+    c.bed_patches.front().y_to = 0.1;
+    return c;
+}
+
+// Beside other beds the friction is that of the cross-section: a strip over a third of the width lies between
+// the bed of the channel and the strip everywhere.
+TEST(TwinReaches, HaveTheFrictionOfStripsBetweenSideWalls) {
+    const Case c = over_strip();
+    const auto reaches = twin_reaches(c, 0.03, 1.5);
+    ASSERT_EQ(reaches.size(), 3U);
+    EXPECT_EQ(reaches[1].name, "middle");
+    EXPECT_DOUBLE_EQ(reaches[1].from, 0.5);
+    Case everywhere = c;
+    everywhere.bed_patches.front().y_to.reset();
+    const double of_strip = reaches[1].channel.state(0.06).friction_slope;
+    EXPECT_GT(of_strip, 1.1 * reaches[0].channel.state(0.06).friction_slope);
+    EXPECT_LT(of_strip, 0.9 * twin_reaches(everywhere, 0.03, 1.5)[1].channel.state(0.06).friction_slope);
+}
+
+// Edges of two strips that begin at one place make one reach.
+TEST(TwinReaches, ChangeWhereABedDoes) {
+    Case c = over_strip();
+    c.bed_patches.push_back(c.bed_patches.front());
+    c.bed_patches.back().name = "sand";
+    c.bed_patches.back().equivalent_roughness = 0.0005;
+    c.bed_patches.back().y_from = 0.2;
+    c.bed_patches.back().y_to = 0.3;
+    c.bed_patches.back().x_to = 1.5;
+    const auto reaches = twin_reaches(c, 0.03, 1.5);
+    ASSERT_EQ(reaches.size(), 3U);
+    EXPECT_EQ(reaches[1].name, "middle and sand");
+    EXPECT_EQ(reaches[2].name, "sand");
+    EXPECT_DOUBLE_EQ(reaches[2].from, 0.9);
+}
+
+// What lies beside another bed at one place without a twin would be left out of the friction.
+TEST(TwinReaches, AreNotOfStripsInAnEndlesslyWideChannel) {
+    Case c = over_strip();
+    c.channel.sides = Sides::periodic;
     try {
         static_cast<void>(twin_reaches(c, 0.03, 1.5));
         FAIL() << "a patch beside another bed has no varied flow";
