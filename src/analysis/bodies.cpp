@@ -1,27 +1,39 @@
 #include "analysis/bodies.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include "boundary/wall_motion.hpp"
+#include "case/body_state.hpp"
 #include "case/flow_kind.hpp"
+#include "case/solid_motion.hpp"
 
 namespace riffle::inline analysis {
+
+namespace {
+
+Outline placed(Outline outline, const BodyState& body) {
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        const Vec<3> corner = body.placed({outline.x[i], 0.0, outline.z[i]});
+        outline.x[i] = corner[0];
+        outline.z[i] = corner[2];
+    }
+    return outline;
+}
+
+}  // namespace
 
 std::vector<Outline> outlines_at(const Case& c, double time) {
     std::vector<Outline> outlines;
     if (c.channel.dimensions != 2) return outlines;
     const std::vector<BodyState> bodies = WallMotion(c).at(time);
     for (std::size_t k = 0; k < c.solids.size(); ++k) {
-        const BodyState& body = bodies[static_cast<std::size_t>(first_solid) + k];
-        Outline outline{c.solids[k].x, c.solids[k].z};
-        for (std::size_t i = 0; i < outline.size(); ++i) {
-            const Vec<3> corner = body.placed({outline.x[i], 0.0, outline.z[i]});
-            outline.x[i] = corner[0];
-            outline.z[i] = corner[2];
-        }
-        outlines.push_back(std::move(outline));
+        outlines.push_back(
+            placed({c.solids[k].x, c.solids[k].z}, bodies[static_cast<std::size_t>(first_solid) + k]));
     }
     return outlines;
 }
@@ -30,16 +42,61 @@ std::vector<Outline> prescribed_outlines_at(const Case& c, double time) {
     std::vector<Outline> all = outlines_at(c, time);
     std::vector<Outline> prescribed;
     for (std::size_t k = 0; k < all.size(); ++k) {
-        if (c.solids[k].motion != SolidMotion::free) prescribed.push_back(std::move(all[k]));
+        if (!c.solids[k].is_free()) prescribed.push_back(std::move(all[k]));
     }
     return prescribed;
 }
 
-std::vector<Curve> body_curves(const Case& c, double time) {
+namespace {
+
+/// The last value that the instruments have recorded of a quantity up to a time; nothing without one.
+std::optional<double> recorded_at(const FlowRecord& record, const std::string& quantity, double time) {
+    std::optional<double> value;
+    for (const ScalarProbe& probe : record.scalar_probes()) {
+        if (probe.quantity != quantity) continue;
+        const auto after = std::upper_bound(probe.time.begin(), probe.time.end(), time);
+        if (after != probe.time.begin()) {
+            value = probe.value[static_cast<std::size_t>(after - probe.time.begin()) - 1];
+        }
+    }
+    return value;
+}
+
+/// A free body of a plane where it stood at a time, in a periodic channel within it; nothing where no
+/// instrument recorded it.
+std::optional<Outline> recorded_outline(const FlowRecord& record, std::size_t solid, double time) {
+    const Case& c = *record.flow();
+    const auto value = [&](const char* name) {
+        return recorded_at(record, fmt::format("{}_{}", name, solid + 1), time);
+    };
+    const auto x = value("body_x");
+    const auto z = value("body_z");
+    const auto angle = value("body_angle_y");
+    if (!x || !z || !angle) return std::nullopt;
+    const double length = c.channel.length;
+    const double around = c.channel.ends == Ends::periodic ? length * std::floor(*x / length) : 0.0;
+    const Point3 centre = rotation_point(c, c.solids[solid]);
+    return placed({c.solids[solid].x, c.solids[solid].z},
+                  {.displacement = {*x - around - centre[0], 0.0, *z - centre[2]},
+                   .velocity = {},
+                   .acceleration = {},
+                   .turns = true,
+                   .centre = centre,
+                   .rotation = rotation_about({0.0, 1.0, 0.0}, *angle)});
+}
+
+}  // namespace
+
+std::vector<Curve> body_curves(const FlowRecord& record, double time, double time_of_free) {
+    const Case& c = *record.flow();
     std::vector<Curve> curves;
-    const std::vector<Outline> outlines = outlines_at(c, time);
+    std::vector<Outline> outlines = outlines_at(c, time);
     for (std::size_t k = 0; k < outlines.size(); ++k) {
-        if (c.solids[k].motion == SolidMotion::free) continue;
+        if (c.solids[k].is_free()) {
+            auto free = recorded_outline(record, k, time_of_free);
+            if (!free) continue;
+            outlines[k] = std::move(*free);
+        }
         Curve curve;
         curve.name = c.solids[k].name;
         curve.origin = Origin::reference;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "analysis/figure.hpp"
+#include "analysis/flow_record.hpp"
 #include "case/case.hpp"
 #include "case/outline.hpp"
 
@@ -16,8 +17,9 @@ namespace riffle::inline analysis {
 /// The same without free bodies, whose place no law says.
 [[nodiscard]] std::vector<Outline> prescribed_outlines_at(const Case& c, double time);
 
-/// These as filled curves of a figure whose axes are x and the height above the bed level.
-[[nodiscard]] std::vector<Curve> body_curves(const Case& c, double time);
+/// These as filled curves of a figure whose axes are x and the height above the bed level, and the free
+/// bodies where an instrument has recorded them at another time, s.
+[[nodiscard]] std::vector<Curve> body_curves(const FlowRecord& record, double time, double time_of_free);
 
 /// Length of the upright line at x that lies in solids, from the bed level up to a height, m.
 [[nodiscard]] double blocked_height(const std::vector<Outline>& outlines, double x, double up_to);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "analysis/bodies.hpp"
@@ -64,7 +65,7 @@ std::vector<double> discharge_of(const FlowRecord& record) {
 /// Discharge per unit width, m2/s.
 std::optional<MeanEstimate> unit_discharge(const FlowRecord& record) {
     const Case& c = *record.flow();
-    const double width = c.channel.dimensions == 3 ? c.channel.simulated_width() : 1.0;
+    const double width = c.channel.flow_width();
     const std::vector<double> discharge = discharge_of(record);
     if (discharge.empty()) return std::nullopt;
     MeanEstimate mean = mean_with_confidence(discharge);
@@ -226,9 +227,12 @@ void analyse_along(const FlowRecord& record, Analysis& analysis) {
     Figure figure = make_figure(
         chapters::along, "long_profile", "Long profile",
         fmt::format(
-            "Bed, bodies and the time mean of the surface along the {}, above the bed level, which falls "
+            "Bed, bodies{} and the time mean of the surface along the {}, above the bed level, which falls "
             "with the slope {:.4g}; band: 95 % interval of the mean; dashes: lowest and highest recorded "
             "level.",
+            std::any_of(c.solids.begin(), c.solids.end(), std::mem_fn(&Solid::is_free))
+                ? ", free ones where they stand at the end,"
+                : "",
             space ? "centreline" : "channel", c.channel.slope),
         "", make_axis("distance along the channel x", "m"), make_axis("height above the bed level z", "m"));
     figure.x.from = 0.0;
@@ -244,7 +248,9 @@ void analyse_along(const FlowRecord& record, Analysis& analysis) {
     }
     const LongProfile profile = long_profile(surface);
     const std::vector<Outline> bodies = prescribed_outlines_at(c, record.window().from);
-    for (Curve& body : body_curves(c, record.window().from)) figure.curves.push_back(std::move(body));
+    for (Curve& body : body_curves(record, record.window().from, record.window().to)) {
+        figure.curves.push_back(std::move(body));
+    }
     Curve level = make_curve("mean level", Origin::simulated, Mark::line, profile.x, profile.level);
     // A band where each place has enough independent samples for one.
     if (std::all_of(profile.half_width.begin(), profile.half_width.end(),

@@ -70,7 +70,9 @@ void add_level_lines(const FlowRecord& record, const SpaceTime& surface, Analysi
     figure.y.from = 0.0;
     constexpr std::size_t lines = 6;
     const std::vector<std::size_t> rows = rows_at_times(surface.times, lines);
-    for (Curve& body : body_curves(c, surface.times[rows.back()])) figure.curves.push_back(std::move(body));
+    for (Curve& body : body_curves(record, surface.times[rows.back()], surface.times[rows.back()])) {
+        figure.curves.push_back(std::move(body));
+    }
     const std::vector<double> x = places_along(surface);
     const std::optional<DamBreak> dam = dam_break_of(c);
     const std::optional<RitterTime> valid = ritter_time(c, dam);
