@@ -42,10 +42,24 @@ Case with_bed_at(const Case& c, double x) {
         if (lies_at(c, patch, x) && covers_width(c, patch)) return with_bed_of(c, patch);
     }
     Case everywhere = c;
-    std::erase_if(everywhere.bed_patches, [&](const BedPatch& patch) { return !lies_at(c, patch, x); });
-    for (BedPatch& patch : everywhere.bed_patches) {
-        patch.x_from.reset();
-        patch.x_to.reset();
+    everywhere.bed_patches.clear();
+    for (const BedPatch& patch : c.bed_patches) {
+        if (!lies_at(c, patch, x)) continue;
+        BedPatch strip = patch;
+        strip.x_from.reset();
+        strip.x_to.reset();
+        strip.x.clear();
+        strip.y.clear();
+        if (!is_outlined(patch)) {
+            everywhere.bed_patches.push_back(strip);
+            continue;
+        }
+        // On the edge of an outline a line has no length in it.
+        for (const PatchRange& across : stretches_of(c, patch, 1, within_ends(x, c.channel.length))) {
+            strip.y_from = across.from;
+            strip.y_to = across.to;
+            everywhere.bed_patches.push_back(strip);
+        }
     }
     return everywhere;
 }

@@ -14,7 +14,7 @@ namespace riffle::inline case_file {
 
 /// The case with the bed that it has at a place along the channel (m) everywhere: that of the patch which
 /// covers the width there, else that of [bed] with the patches that lie in parts of the width there as strips
-/// all along the channel.
+/// all along the channel: of an outline what it covers of the width at the place.
 [[nodiscard]] Case with_bed_at(const Case& c, double x);
 
 /// The patch that lies in a part of the width at a place along the channel, m; nullptr where none does.

@@ -29,8 +29,8 @@ std::optional<std::string> patchy_vegetation(const Case& c) {
         if (!covers_length(c, patch)) {
             return fmt::format(
                 "the vegetation \"{}\" stands in a part of the channel's length, so the water is held back and let "
-                "go again along it: the uniform flow to compare with is that of the case without x_from and x_to",
-                patch.name);
+                "go again along it: the uniform flow to compare with is that of the case without {}",
+                patch.name, is_outlined(patch) ? "its outline" : "x_from and x_to");
         }
         if (!covers_width(c, patch)) {
             return fmt::format(

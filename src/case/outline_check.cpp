@@ -27,11 +27,12 @@ std::string crossing_text(const Outline& outline) {
 
 }  // namespace
 
-Findings outline_findings(const Outline& outline, OutlineFault fault, std::string_view name) {
+Findings outline_findings(const Outline& outline, OutlineFault fault, std::string_view name,
+                          std::string_view second_axis) {
     switch (fault) {
         case OutlineFault::uneven:
-            return found_if(outline.x.size() != outline.z.size(), "{}{} values of x and {} of z", name,
-                            outline.x.size(), outline.z.size());
+            return found_if(outline.x.size() != outline.z.size(), "{}{} values of x and {} of {}", name,
+                            outline.x.size(), outline.z.size(), second_axis);
         case OutlineFault::few:
             return found_if(outline.size() < fewest_corners, "{}{} corners", name, outline.size());
         case OutlineFault::crossing:

@@ -18,9 +18,10 @@ enum class OutlineFault {
     crossing,  ///< edges that cross or touch
 };
 
-/// Whether an outline has a fault; `name` stands before what is said of it.
+/// Whether an outline has a fault; `name` stands before what is said of it, `second_axis` is that of its
+/// second list.
 [[nodiscard]] Findings outline_findings(const Outline& outline, OutlineFault fault,
-                                        std::string_view name = "");
+                                        std::string_view name = "", std::string_view second_axis = "z");
 
 /// The row of a check for a fault of an outline.
 [[nodiscard]] CaseCheck outline_row(OutlineFault fault, std::vector<std::string> keys, std::string_view what,

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "case/case_check.hpp"
+#include "case/outline_check.hpp"
 #include "case/patch_range.hpp"
 #include "case/units.hpp"
 
@@ -13,11 +15,11 @@ namespace riffle::inline case_file {
 
 // What is wrong with patches, of the bed and of vegetation alike.
 
-/// What is wrong with the ranges of a patch: beyond the channel, or the wrong way round. `keys`: x_to and
-/// y_to of its section.
+/// What is wrong with the ranges of a patch: beyond the channel, or the wrong way round. `keys`: x_to,
+/// y_to, x and y of its section.
 template <class Patch>
 [[nodiscard]] Findings beyond_channel(const Case& c, const Patch& patch,
-                                      const std::array<const char*, 2>& keys) {
+                                      const std::array<const char*, 4>& keys) {
     const auto ranges = ranges_of(c, patch);
     const std::array extent{c.channel.length, c.channel.simulated_width()};
     constexpr std::array axes{"x", "y"};
@@ -27,10 +29,51 @@ template <class Patch>
             return {{.detail = fmt::format("stands from {} = {} to {}: expected a stretch between 0 and {}",
                                            axes[k], shown_length(ranges[k].from), shown_length(ranges[k].to),
                                            shown_length(extent[k])),
-                     .key = keys[k]}};
+                     .key = is_outlined(patch) ? (k == 0 ? keys[2] : keys[3]) : keys[k]}};
         }
     }
     return {};
+}
+
+/// The rows of a list for the outlines of patches in plan, and those that follow. `keys`: x, y, x_from, x_to,
+/// y_from and y_to of their section.
+template <class Patch>
+[[nodiscard]] std::vector<CaseCheck> plan_outline_rows(const std::array<const char*, 6>& keys,
+                                                       const std::vector<CaseCheck>& following) {
+    const std::vector<std::string> corners{keys[0], keys[1]};
+    const auto fault = [](OutlineFault kind) {
+        return [kind](const Case&, const Patch& patch) {
+            return patch.x.empty() && patch.y.empty() ? Findings{}
+                                                      : outline_findings({patch.x, patch.y}, kind, "", "y");
+        };
+    };
+    std::vector<CaseCheck> rows{
+        {{keys[0], keys[2], keys[3], keys[4], keys[5]},
+         "an outline (`x`, `y`) beside `x_from`, `x_to`, `y_from` or `y_to`",
+         "each says by itself where the patch lies",
+         "keep one of them",
+         [](const Case&, const Patch& patch) {
+             return found_if((!patch.x.empty() || !patch.y.empty()) &&
+                                 (patch.x_from || patch.x_to || patch.y_from || patch.y_to),
+                             "an outline stands beside bounds of a rectangle");
+         },
+         true},
+        outline_row(OutlineFault::uneven, corners, "not as many values of `x` as of `y`",
+                    fault(OutlineFault::uneven)),
+        outline_row(OutlineFault::few, corners, "an outline of fewer than three corners",
+                    fault(OutlineFault::few)),
+        {corners, "outlines of more than 1000 corners", "each edge is compared with each other one",
+         "leave out corners nearer to each other than a spacing of the particles",
+         [](const Case&, const Patch& patch) {
+             constexpr std::size_t most = 1000;
+             return found_if(patch.x.size() > most, "{} corners", patch.x.size());
+         },
+         true},
+        outline_row(OutlineFault::crossing, corners, "an outline that crosses or touches itself",
+                    fault(OutlineFault::crossing)),
+    };
+    rows.insert(rows.end(), following.begin(), following.end());
+    return rows;
 }
 
 /// The first of the patches before one in its list that lies where it does; nullptr where none does.

@@ -7,7 +7,7 @@
 
 namespace riffle::inline case_file {
 
-/// Add to the keys of patches those that say where a patch lies: x_from, x_to, y_from, y_to.
+/// Add to the keys of patches those that say where a patch lies: x_from, x_to, y_from, y_to; x, y.
 template <class Patch>
 void add_range_keys(SectionKeys& s, std::vector<Patch> Case::*patches) {
     const auto edge = [&](const char* name, auto member, const char* meaning, const char* otherwise) {
@@ -24,6 +24,21 @@ void add_range_keys(SectionKeys& s, std::vector<Patch> Case::*patches) {
                          .applies_with("channel.dimensions", {"3"}, true));
     s.keys.push_back(edge("y_to", &Patch::y_to, "Where it ends across the channel.", "at the other side")
                          .applies_with("channel.dimensions", {"3"}, true));
+    const auto corners = [&](const char* name, auto member, const char* meaning, const char* example) {
+        return make_key(s.name, name, patches, member, meaning)
+            .measured_in(Dimension::length)
+            .may_be_empty()
+            .with_default_note("a rectangle")
+            .applies_with("channel.dimensions", {"3"}, true)
+            .with_example(example);
+    };
+    s.keys.push_back(
+        corners("x", &Patch::x,
+                "Corners of the outline of the patch in the plan of a three-dimensional channel, one after "
+                "the other in either sense, in place of x_from, x_to, y_from and y_to.",
+                R"(["100 mm", "300 mm", "200 mm"])"));
+    s.keys.push_back(corners("y", &Patch::y, "Places of the same corners across the channel.",
+                             R"(["50 mm", "50 mm", "150 mm"])"));
 }
 
 }  // namespace riffle::inline case_file

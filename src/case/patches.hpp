@@ -26,11 +26,13 @@ struct BedPatch {
     std::optional<double> x_to;
     std::optional<double> y_from;
     std::optional<double> y_to;
+    std::vector<double> x;  ///< 3D: corners of its outline in plan, m, in place of the four
+    std::vector<double> y;
 
     bool operator==(const BedPatch&) const = default;
 };
 
-/// [[vegetation]]: stems that stand in the water, of one kind, in a box of the channel.
+/// [[vegetation]]: stems that stand in the water, of one kind, in a part of the channel.
 struct Vegetation {
     std::string name;
     double stems_per_area = 0.0;               ///< n, 1/m2
@@ -44,6 +46,8 @@ struct Vegetation {
     std::optional<double> x_to;
     std::optional<double> y_from;
     std::optional<double> y_to;
+    std::vector<double> x;  ///< 3D: corners of its outline in plan, m, in place of the four
+    std::vector<double> y;
 
     /// Area of the stems that faces the flow, of a volume of water and stems: a = n d, 1/m.
     [[nodiscard]] double frontal_area() const { return stems_per_area * stem_diameter; }

@@ -130,8 +130,8 @@ std::optional<std::string> other_than_strips(const Case& c) {
         if (!covers_length(c, patch)) {
             return fmt::format(
                 "the patch \"{}\" of the bed does not lie all along the channel, so the flow changes along it: leave out "
-                "its x_from and x_to",
-                patch.name);
+                "its {}",
+                patch.name, is_outlined(patch) ? "outline" : "x_from and x_to");
         }
         if (patch.kind == BedKind::spheres || c.bed.kind == BedKind::spheres) {
             return fmt::format(

@@ -136,7 +136,7 @@ void draw_placed(SvgSheet& sheet, const Case& c, const PreviewPlan& plan, const 
     const auto radius = [&](double volume) {
         return 0.43 * (D == 3 ? std::cbrt(volume) : std::sqrt(volume)) * view.scale_u();
     };
-    const double full = radius(lattice_of(c).template volume<D>());
+    const double full = radius(lattice_of(c).volume());
     const Lattice lattice = lattice_of(c);
     // The row of the lattice that the cut goes through.
     const double row =
@@ -218,11 +218,11 @@ void draw_plan(SvgSheet& sheet, const Case& c, const PreviewPlan& plan, const Sh
         sheet.begin_clip(view);
     }
     const auto draw_patch = [&](const auto& patch, const char* colour, double opacity) {
-        const auto [along, across] = ranges_of(c, patch);
-        sheet.rectangle(view.x(along.from), std::min(view.y(across.from), view.y(across.to)),
-                        (along.to - along.from) * view.scale_u(),
-                        std::abs(view.y(across.to) - view.y(across.from)),
-                        fmt::format(R"(fill="{0}" fill-opacity="{1}" stroke="{0}")", colour, opacity));
+        const Outline outline = plan_outline(c, patch);
+        std::vector<SheetPoint> corners;
+        for (std::size_t i = 0; i < outline.size(); ++i) corners.push_back({outline.x[i], outline.z[i]});
+        sheet.polygon(view, corners,
+                      fmt::format(R"(fill="{0}" fill-opacity="{1}" stroke="{0}")", colour, opacity));
     };
     for (const BedPatch& patch : c.bed_patches) draw_patch(patch, patch_colour, 0.3);
     for (std::size_t k = 0; k < c.solids.size(); ++k) {

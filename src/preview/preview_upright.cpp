@@ -10,6 +10,7 @@
 #include "case/end_buffers.hpp"
 #include "case/end_floor.hpp"
 #include "case/outline_check.hpp"
+#include "case/patch_range.hpp"
 #include "case/porous_zone.hpp"
 #include "case/solid_mesh.hpp"
 #include "case/solid_shapes.hpp"
@@ -37,8 +38,8 @@ class UprightView {
         draw_water_along(beyond);
         draw_roughness(-beyond, length + beyond);
         for (const Vegetation& patch : c_.vegetation) {
-            if (is_cut(patch)) {
-                draw_stems(patch, patch.x_from.value_or(-beyond), patch.x_to.value_or(length + beyond),
+            for (const PatchRange& along : stretches_along(patch, beyond)) {
+                draw_stems(patch, along.from, along.to,
                            [&](double x) { return stem_foot(c_, patch, x, plan_.y); });
             }
         }
@@ -48,8 +49,8 @@ class UprightView {
         for (std::size_t k = 0; k < c_.solids.size(); ++k) draw_solid_along(k);
         draw_floor(c_.channel.ends);
         for (const BedPatch& patch : c_.bed_patches) {
-            if (is_cut(patch)) {
-                draw_bed_patch(patch, patch.x_from.value_or(-beyond), patch.x_to.value_or(length + beyond));
+            for (const PatchRange& along : stretches_along(patch, beyond)) {
+                draw_bed_patch(patch, along.from, along.to);
             }
         }
         draw_end_walls(c_.channel.ends == Ends::walls, length);
@@ -71,8 +72,8 @@ class UprightView {
         }
         draw_roughness(0.0, width);
         for (const Vegetation& patch : c_.vegetation) {
-            if (x >= patch.x_from.value_or(x) && x <= patch.x_to.value_or(x)) {
-                draw_stems(patch, patch.y_from.value_or(0.0), std::min(width, patch.y_to.value_or(width)),
+            for (const PatchRange& across : stretches_of(c_, patch, 1, x)) {
+                draw_stems(patch, across.from, std::min(width, across.to),
                            [&](double y) { return stem_foot(c_, patch, x, y); });
             }
         }
@@ -93,9 +94,8 @@ class UprightView {
         }
         draw_floor(c_.channel.sides == Sides::periodic ? Ends::periodic : Ends::walls);
         for (const BedPatch& patch : c_.bed_patches) {
-            if (x >= patch.x_from.value_or(x) && x <= patch.x_to.value_or(x)) {
-                draw_bed_patch(patch, patch.y_from.value_or(0.0),
-                               std::min(width, patch.y_to.value_or(width)));
+            for (const PatchRange& across : stretches_of(c_, patch, 1, x)) {
+                draw_bed_patch(patch, across.from, std::min(width, across.to));
             }
         }
         if (c_.channel.sides != Sides::periodic) draw_end_walls(true, width, c_.channel.sides == Sides::half);
@@ -111,11 +111,22 @@ class UprightView {
     }
 
   private:
-    /// Whether the section along the channel goes through a part that has y_from and y_to.
-    template <class Part>
-    [[nodiscard]] bool is_cut(const Part& part) const {
+    /// Whether the section along the channel goes through a porous zone.
+    [[nodiscard]] bool is_cut(const Porous& zone) const {
         return !space_ ||
-               (plan_.y >= part.y_from.value_or(plan_.y) && plan_.y <= part.y_to.value_or(plan_.y));
+               (plan_.y >= zone.y_from.value_or(plan_.y) && plan_.y <= zone.y_to.value_or(plan_.y));
+    }
+
+    /// The stretches of a patch that the section along the channel goes through; one that ends with the
+    /// channel goes on beyond open ends.
+    template <class Patch>
+    [[nodiscard]] std::vector<PatchRange> stretches_along(const Patch& patch, double beyond) const {
+        std::vector<PatchRange> stretches = stretches_of(c_, patch, 0, plan_.y);
+        for (PatchRange& along : stretches) {
+            if (along.from <= 0.0) along.from -= beyond;
+            if (along.to >= c_.channel.length) along.to += beyond;
+        }
+        return stretches;
     }
 
     void rectangle(double u0, double u1, double v0, double v1, const std::string& style) {
@@ -245,7 +256,7 @@ class UprightView {
 
     /// Where a solid moves to: an arrow from its middle.
     void draw_motion(const Solid& solid) {
-        if (solid.motion == SolidMotion::fixed) return;
+        if (solid.rests()) return;
         const auto x = extent_of(c_, solid, 0);
         const auto z = extent_of(c_, solid, 2);
         const bool swings = solid.motion == SolidMotion::oscillating;

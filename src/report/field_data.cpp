@@ -176,33 +176,31 @@ std::vector<Outline> outlines_in(const RunResults& results, const std::string& g
 
 std::vector<FieldZone> field_zones(const Case& c, double y, double top) {
     std::vector<FieldZone> zones;
-    const auto is_cut = [&](const auto& patch) {
-        const PatchRange across = ranges_of(c, patch)[1];
-        return c.channel.dimensions == 2 || (y >= across.from && y <= across.to);
-    };
-    const auto box = [&](const auto& patch, double height) {
-        const PatchRange along = ranges_of(c, patch)[0];
+    const auto box = [](const PatchRange& along, double height) {
         return height > 0.0
                    ? Outline{{along.from, along.to, along.to, along.from}, {0.0, 0.0, height, height}}
                    : Outline{{along.from, along.to}, {0.0, 0.0}};
     };
     // As far as the picture reaches.
-    const auto canopy = [&](const Vegetation& patch) {
-        const PatchRange along = ranges_of(c, patch)[0];
+    const auto canopy = [&](const Vegetation& patch, const PatchRange& along) {
         Outline outline =
             canopy_outline(patch, along.from, along.to, [&](double x) { return stem_foot(c, patch, x, y); });
         for (double& z : outline.z) z = std::min(z, top);
         return outline;
     };
     for (const Vegetation& patch : c.vegetation) {
-        if (is_cut(patch)) zones.push_back({"vegetation", patch.name, canopy(patch)});
+        for (const PatchRange& along : stretches_of(c, patch, 0, y)) {
+            zones.push_back({"vegetation", patch.name, canopy(patch, along)});
+        }
     }
     for (const Porous& zone : c.porous) {
-        if (is_cut(zone)) zones.push_back({"porous", zone.name, porous_outline(c, zone, top)});
+        const bool cut =
+            c.channel.dimensions == 2 || (y >= zone.y_from.value_or(y) && y <= zone.y_to.value_or(y));
+        if (cut) zones.push_back({"porous", zone.name, porous_outline(c, zone, top)});
     }
     for (const BedPatch& patch : c.bed_patches) {
-        if (is_cut(patch)) {
-            zones.push_back({"bed", patch.name, box(patch, patch.roughness_height.value_or(0.0))});
+        for (const PatchRange& along : stretches_of(c, patch, 0, y)) {
+            zones.push_back({"bed", patch.name, box(along, patch.roughness_height.value_or(0.0))});
         }
     }
     return zones;

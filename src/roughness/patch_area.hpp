@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <optional>
+#include <vector>
 
 #include "case/case.hpp"
 #include "case/patch_range.hpp"
@@ -18,6 +20,28 @@ struct PatchStretch {
     [[nodiscard]] double share(double place, double width) const;
 };
 
+/// An outline in plan, of which the particles' shares are asked for.
+class OutlinedArea {
+  public:
+    /// `width`: of the particles, m; `periods`: length and width of a channel that goes round, 0 of one that
+    /// does not.
+    OutlinedArea(Outline outline, double width, const std::array<double, 2>& periods);
+
+    /// The share of the square of the particles' width around a place that lies within.
+    [[nodiscard]] double share(double x, double y) const;
+
+  private:
+    /// Of the outline alone, not of its images beyond periodic ends and sides.
+    [[nodiscard]] double own_share(double x, double y) const;
+
+    Outline outline_;
+    double width_;
+    std::array<double, 2> periods_;
+    std::array<PatchRange, 2> range_{};  ///< that the squares may reach over, m
+    std::array<int, 2> cells_{};
+    std::vector<signed char> whole_;  ///< [across, along] cells of a width: 1 within, 0 outside, -1 both
+};
+
 /// Where a patch lies in plan.
 class PatchArea {
   public:
@@ -27,10 +51,17 @@ class PatchArea {
         : along_(stretch(covers_length(c, patch), patch.x_from, patch.x_to, c.channel.length,
                          c.channel.ends == Ends::periodic)),
           across_(stretch(covers_width(c, patch), patch.y_from, patch.y_to, c.channel.width,
-                          c.channel.sides == Sides::periodic)) {}
+                          c.channel.sides == Sides::periodic)) {
+        if (is_outlined(patch)) {
+            outlined_.emplace(plan_outline(c, patch), c.numerics.spacing,
+                              std::array{c.channel.ends == Ends::periodic ? c.channel.length : 0.0,
+                                         c.channel.sides == Sides::periodic ? c.channel.width : 0.0});
+        }
+    }
 
-    /// Share of a particle of a width (m) around a place that stands in the patch.
+    /// Share of a particle of a width (m), the spacing, around a place that stands in the patch.
     [[nodiscard]] double share(double x, double y, double width) const {
+        if (outlined_) return outlined_->share(x, y);
         return along_.share(x, width) * across_.share(y, width);
     }
     [[nodiscard]] const PatchStretch& across() const { return across_; }
@@ -43,6 +74,7 @@ class PatchArea {
 
     PatchStretch along_;
     PatchStretch across_;
+    std::optional<OutlinedArea> outlined_;  ///< in place of both
 };
 
 }  // namespace riffle::inline roughness

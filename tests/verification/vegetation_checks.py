@@ -245,4 +245,69 @@ def patch(study):
     return check
 
 
-CHECKS = {"emergent_stems": emergent, "submerged_formula": baptist_formula, "submerged_canopy": submerged, "vegetated_bank": bank, "vegetation_patch": patch}
+def _in_polygon(x, y, corners_x, corners_y):
+    """Whether points lie in a polygon: the ray to the right crosses its edges an odd number of times."""
+    inside = numpy.zeros(len(x), dtype=bool)
+    for x0, y0, x1, y1 in zip(corners_x, corners_y, numpy.roll(corners_x, -1), numpy.roll(corners_y, -1)):
+        crossed = (y0 > y) != (y1 > y)
+        inside[crossed] ^= x[crossed] < x0 + (y[crossed] - y0) / (y1 - y0) * (x1 - x0)
+    return inside
+
+
+def island(study):
+    case = "cases/vegetation/island.toml"
+    check = Check("vegetated_island", "An island of reeds",
+                  "A stream of 0.3 m/s, 60 mm deep, goes through and around a round patch of emergent stems, given by its outline. Over a slip bed, without a closure, "
+                  "its head along the axis falls by what the stems take there; the force on them against that of the particles between them.")
+    flow = study.run("vegetated_island", case, {})
+    begin = flow.parameters["run"]["average_from"]
+    account(check, flow)
+    a, phi, stems = stems_of(flow)
+    corners = numpy.array(stems["x"]), numpy.array(stems["y"])
+    middle = corners[1].mean()
+    left, right = corners[0].min(), corners[0].max()
+    resistance = 0.5 * stems["drag_coefficient"] * a / (1 - phi)
+    places = numpy.arange(0.1, 1.3, flow.spacing)
+    forces, axis, drift = [], [], []
+    for s in flow.snapshots():
+        if s.time < begin:
+            continue
+        inside = _in_polygon(s.x, s.y, *corners)
+        forces.append((flow.mass[0] * resistance * numpy.sqrt(s.u**2 + s.v**2 + s.w**2) * s.u)[inside].sum())
+        near = abs(s.y - middle) < 1.5 * flow.spacing
+        bins = numpy.digitize(s.x[near], places)
+        axis.append([s.u[near][bins == i + 1].mean() for i in range(len(places) - 1)])
+        drift.append(s.v[inside].mean())
+    u = numpy.mean(axis, axis=0)
+    x = 0.5 * (places[:-1] + places[1:])
+    stored = float(flow.forces["vegetation_drag"][flow.forces["time"] > begin].mean())
+    check.norm("recorded force on the stems against that of the particles between them", stored / float(numpy.mean(forces)) - 1, 0.02)
+    with h5py.File(flow.folder / "results.h5", "r") as file:
+        surface = file["/surface_map"]
+        rows = abs(surface["y"][:] - middle) < 1.5 * flow.spacing
+        level = numpy.nanmean(surface["elevation"][:][surface["time"][:] > begin][:, rows], axis=(0, 1))
+        level = numpy.interp(x, surface["x"][:], level)
+    head = level + u**2 / (2 * flow.gravity_z)
+    before, behind = (x > left - 0.12) & (x < left - 0.04), (x > right + 0.03) & (x < right + 0.09)
+    within = numpy.clip((numpy.minimum(x + flow.spacing / 2, right) - numpy.maximum(x - flow.spacing / 2, left)) / flow.spacing, 0, 1)
+    taken = (within * resistance * u * abs(u)).sum() * flow.spacing / flow.gravity_z
+    lost = head[before].mean() - head[behind].mean()
+    check.norm("head lost along the axis against what the stems take there", float(lost / taken - 1), 0.05)
+    far = float(u[x < 0.2].mean())
+    check.norm("velocity that leaves the island on its axis, over that of the stream", float(u[behind].mean() / far), None, "", 3)
+    check.norm("velocity across it, mean of the water between the stems, over that of the stream", float(numpy.mean(drift) / far), 0.02)
+    figure = figures.Figure(2, width=8)
+    panel = figure.panel("x, m", "u, m/s", f"axis, mean from {begin:g} s on")
+    figures.simulated(panel, x, u, "particles", figures.COLOURS[0])
+    panel.axvspan(left, right, color="#7fae5a", alpha=0.3, lw=0)
+    panel = figure.panel("x, m", "head, mm", "level and velocity head on the axis")
+    figures.simulated(panel, x, 1e3 * head, "particles", figures.COLOURS[0])
+    gone = numpy.cumsum(within * resistance * u * abs(u)) * flow.spacing / flow.gravity_z
+    figures.exact(panel, x, 1e3 * (head[before].mean() - gone), "less what the stems take")
+    panel.axvspan(left, right, color="#7fae5a", alpha=0.3, lw=0)
+    check.figures.append((figure.svg(check.name), "Velocity and head along the axis of an island of reeds; the green band is the island."))
+    check.best, check.cost = options_text(flow), flow.cost_text
+    return check
+
+
+CHECKS = {"emergent_stems": emergent, "submerged_formula": baptist_formula, "submerged_canopy": submerged, "vegetated_bank": bank, "vegetation_patch": patch, "vegetated_island": island}

@@ -88,8 +88,9 @@ TEST_F(SpaceAnalyses, HaveAllFiguresWithoutAMissingOneAndFiniteFindings) {
                             "surface_deviation_map",
                             "double_averaged_velocity_profile",
                             "double_averaged_stress_profile",
-                            "form_induced_moment_profile"})
+                            "form_induced_moment_profile"}) {
         EXPECT_TRUE(figure(analysis, key).missing.empty()) << key << ": " << figure(analysis, key).missing;
+    }
 }
 
 TEST_F(SpaceAnalyses, AverageTheWindowsOfTheAveragingWindowOnly) {

@@ -2,7 +2,10 @@
 
 #include "case/refusals.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <regex>
 #include <set>
 
@@ -349,6 +352,34 @@ std::vector<Wrong> wrong_shapes() {
     };
 }
 
+/// The keys of an outline of 1001 corners.
+std::string many_corners(const std::string& section) {
+    std::string x;
+    std::string y;
+    for (int i = 0; i < 1001; ++i) {
+        const double angle = 2.0 * 3.14159265358979 * i / 1001;
+        x += fmt::format("{}{:.9g}", i > 0 ? ", " : "", 0.02 + 0.004 * std::cos(angle));
+        y += fmt::format("{}{:.9g}", i > 0 ? ", " : "", 0.0045 + 0.004 * std::sin(angle));
+    }
+    return fmt::format("{0}.x = [{1}]; {0}.y = [{2}]", section, x, y);
+}
+
+/// A channel in space with a triangle of gravel or of stems.
+Case with_outlined_bed() {
+    return with_keys(with_bed_patches(),
+                     "bed_patch[0].y_from = auto; bed_patch[0].y_to = auto; "
+                     "bed_patch[0].x = [0.005, 0.04, 0.02]; bed_patch[0].y = [0, 0, 0.009]");
+}
+
+Case with_outlined_vegetation() {
+    Case c = with_bed_patches();
+    c.bed_patches.clear();
+    c.vegetation = {with_vegetation().vegetation[0]};
+    return with_keys(c,
+                     "vegetation[0].x_from = auto; vegetation[0].x_to = auto; "
+                     "vegetation[0].x = [0.005, 0.04, 0.02]; vegetation[0].y = [0, 0, 0.009]");
+}
+
 std::vector<Wrong> wrong_bed_patches() {
     Case among_stems = with_vegetation();
     among_stems.bed_patches = {with_bed_patches().bed_patches[0]};
@@ -379,6 +410,13 @@ std::vector<Wrong> wrong_bed_patches() {
         {with_bed_patches(), "bed_patch[1].y_from = 5 mm"},
         {among_stems, "bed_patch[0].x_from = 50 mm"},
         {walled, "side_walls.drag_form = consistent"},
+        {with_outlined_bed(), "bed_patch[0].x_from = 1 mm"},
+        {with_outlined_bed(), "bed_patch[0].y = [0, 0]"},
+        {with_outlined_bed(), "bed_patch[0].x = [0, 0.01]; bed_patch[0].y = [0, 0.01]"},
+        {with_outlined_bed(), "bed_patch[0].x = [0, 0.02, 0.02, 0]; bed_patch[0].y = [0, 0.009, 0, 0.009]"},
+        {with_outlined_bed(), many_corners("bed_patch[0]")},
+        {with_outlined_bed(), "bed_patch[0].y = [0, 0, 0.012]"},
+        {with_outlined_bed(), "bed_patch[0].x = [0.005, 0.06, 0.02]"},
         {open, "inflow.profile = twin"},
         {open, "outflow.kind = normal-depth"},
     };
@@ -388,6 +426,13 @@ std::vector<Wrong> wrong_vegetation() {
     return {
         {with_vegetation(),
          "bed.kind = slip; bed.equivalent_roughness = none; channel.top = periodic; channel.slope = 0; fluid.gravity = 0"},
+        {with_outlined_vegetation(), "vegetation[0].y_to = 9 mm"},
+        {with_outlined_vegetation(), "vegetation[0].x = [0, 0.02]"},
+        {with_outlined_vegetation(), "vegetation[0].x = [0, 0.01]; vegetation[0].y = [0, 0.01]"},
+        {with_outlined_vegetation(),
+         "vegetation[0].x = [0, 0.02, 0.02, 0]; vegetation[0].y = [0, 0.009, 0, 0.009]"},
+        {with_outlined_vegetation(), many_corners("vegetation[0]")},
+        {with_outlined_vegetation(), "vegetation[0].y = [0, 0, 0.05]"},
         {with_vegetation(), "vegetation[1].name = \"\""},
         {with_vegetation(), "vegetation[1].name = reeds"},
         {with_vegetation(), "vegetation[0].stem_diameter = 60 mm"},
