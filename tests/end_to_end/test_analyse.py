@@ -1,6 +1,7 @@
 """`riffle analyse` on a short run and on the examples of laboratory data."""
 import csv
 import json
+import math
 
 from riffle_cli import CASE, SMALL, SOURCE, CommandLineTest, every, main, until
 
@@ -45,6 +46,21 @@ class Analyse(CommandLineTest):
         with open(csv_folder / "velocity_profile.csv", newline="") as file:
             heading = next(line for line in file if not line.startswith("#"))
         self.assertIn("streamwise velocity u [m/s],height above the bed level z [m]", heading)
+
+    def test_free_bodies_stand_in_figures_where_the_water_has_taken_them(self):
+        folder = self.folder / "roll"
+        self.succeed("run", SOURCE / "cases/bodies/rolling-box.toml", "-o", folder, "-q", "--set", "numerics.spacing=20mm", *until(0.4))
+        figures = self.analysed(folder)[0]["figures"]
+        box = next(curve for figure in figures if figure["key"] == "level_lines" for curve in figure["curves"] if curve["name"] == "box")
+        corners = [complex(x, y) for x, y in zip(box["x"], box["y"])][:4]
+        # It turns about its middle from ten degrees towards its rest, level; its sides keep their lengths.
+        self.assertAlmostEqual(abs(sum(corners) / 4 - complex(1.5, 0.45)), 0, delta=1e-6)
+        sides = sorted((corners[1] - corners[0], corners[2] - corners[1]), key=abs)
+        self.assertAlmostEqual(abs(sides[0]), 0.1, delta=1e-6)
+        self.assertAlmostEqual(abs(sides[1]), 0.3, delta=1e-6)
+        turned = abs(math.degrees(math.atan(sides[1].imag / sides[1].real)))
+        self.assertLess(turned, 9)
+        self.assertGreater(turned, 1)
 
     def test_a_users_table_is_refused_before_the_analysis_begins(self):
         folder = self.run_small("run", 0.3)
