@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <stdexcept>
 
 #include "base/notice.hpp"
 #include "case/end_buffers.hpp"
@@ -163,6 +164,7 @@ Domain<D> domain_of(const Case& c) {
 
 template <int D>
 Particles<D> lattice_particles(const Case& c, const std::function<double(double)>& surface_along) {
+    if (c.channel.dimensions != D) throw std::logic_error("particles of other dimensions than the case's");
     const Lattice lattice = lattice_of(c);
     // The rows of an outline stand at the heights of the lattice.
     const std::function<double(double)> surface =

@@ -19,7 +19,11 @@ Case workload_case(const Workload& workload) {
     c.channel.slope = 0.004;
     c.channel.depth = 0.050;
     c.channel.length = workload.length;
-    if (workload.dimensions == 3) c.channel.width = workload.width;
+    if (workload.dimensions == 3) {
+        c.channel.dimensions = 3;
+        c.channel.width = workload.width;
+        c.bed.drag_form = DragForm::plan_mean;  // that of a plane
+    }
     c.bed.roughness_height = 0.010;
     c.numerics.spacing = workload.spacing;
     c.start.jitter = workload.jitter;
@@ -29,7 +33,7 @@ Case workload_case(const Workload& workload) {
         c.turbulence.closure = ClosureKind::none;
     }
     if (workload.scheme == "spheres") {
-        c.channel.dimensions = 3;
+        c.bed.drag_form = DragForm::consistent;
         c.turbulence.closure = ClosureKind::czernuszenko_rylov;
     }
     return c;

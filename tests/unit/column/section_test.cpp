@@ -171,6 +171,28 @@ TEST(Section, LaminarFlowOverASmoothBedIsTheParabola) {
     EXPECT_NEAR(r.drag_share, 1.0, 1e-10);
 }
 
+// Between slip walls the column is the solution from the first guess on, and the residual is rounding:
+// whatever the weight that the twin of a discharge asks for, it is one.
+TEST(Section, LaminarFlowBetweenSlipWallsIsTheColumnAtAnyWeight) {
+    Case c;
+    c.channel.dimensions = 3;
+    c.channel.sides = Sides::half;
+    c.channel.width = 0.36;
+    c.channel.depth = 0.08;
+    c.channel.slope = 0.001;
+    c.bed.kind = BedKind::no_slip;
+    c.bed.roughness_height = 0.0;
+    c.bed.datum_below_crest = 0.0;
+    c.side_walls.drag_form = SideDragForm::none;
+    c.turbulence.closure = ClosureKind::none;
+    c.fluid.kinematic_viscosity = 2e-5;
+    for (double gravity = 0.02; gravity < 20.0; gravity *= 1.31) {
+        c.fluid.gravity = gravity;
+        const double mean = c.streamwise_gravity() * 0.08 * 0.08 / (3.0 * 2e-5);
+        EXPECT_NEAR(solve_section(c, coarse).bulk_velocity / mean, 1.0, 2e-3) << gravity;
+    }
+}
+
 TEST(Section, StressFallsToNothingAtTheSurfaceOfTheMiddle) {
     const Case c = condition_2();
     const SectionResult r = solve_section(c);

@@ -15,6 +15,8 @@ constexpr double velocity = 1.0;  // U, m/s
 /// Water 1 m deep over rough ground, at 1 m/s on the surface; from a disordered hydrostatic state.
 Case deep_channel(double sound_speed_ratio, int dimensions) {
     Case c;
+    c.channel.dimensions = dimensions;
+    if (dimensions == 3) c.bed.drag_form = DragForm::plan_mean;
     c.channel.slope = 0.001;
     c.channel.depth = 0.94;
     c.bed.sphere_diameter = 0.1;

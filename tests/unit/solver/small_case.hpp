@@ -14,13 +14,17 @@
 namespace riffle::test {
 
 /// A short piece of flow condition 2 at 4 mm: 14 rows, some hundred particles, quick to step. In three
-/// dimensions just wide enough for the periodic sides, some 2000 particles.
+/// dimensions just wide enough for the periodic sides, some 2000 particles, and no spheres at their places.
 inline Case small_channel(int dimensions = 2) {
     Case c;
     c.channel.slope = 0.004;
     c.channel.depth = 0.050;
     c.channel.length = 0.08;
-    if (dimensions == 3) c.channel.width = 0.028;
+    if (dimensions == 3) {
+        c.channel.dimensions = 3;
+        c.channel.width = 0.028;
+        c.bed.drag_form = DragForm::plan_mean;  // that of a plane
+    }
     c.bed.roughness_height = 0.010;
     c.numerics.spacing = 0.004;
     return c;

@@ -28,7 +28,7 @@ using Space = test::ChannelIn<3>;
 
 Case space_case() {
     Case c = test::small_channel(3);
-    c.channel.dimensions = 3;
+    c.bed.drag_form = DragForm::consistent;
     c.start.jitter = 0.2;
     c.output.mean_field_interval = 1.0;
     return c;
