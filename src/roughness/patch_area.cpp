@@ -33,7 +33,9 @@ OutlinedArea::OutlinedArea(Outline outline, double width, const std::array<doubl
             const double within =
                 area_in_rectangle(outline_, {x, x + width_}, {y, y + width_}) / (width_ * width_);
             constexpr double rounding = 1e-9;
-            whole_.push_back(within < rounding ? 0 : within > 1.0 - rounding ? 1 : -1);
+            kind_.push_back(within < rounding         ? Cell::outside
+                            : within > 1.0 - rounding ? Cell::within
+                                                      : Cell::cut);
         }
     }
 }
@@ -44,14 +46,16 @@ double OutlinedArea::own_share(double x, double y) const {
     };
     const double half = 0.5 * width_;
     const std::array<int, 2> first{cell_of(x - half, 0), cell_of(y - half, 1)};
-    const auto value = [&](int i, int j) {
-        const bool known = i >= 0 && i < cells_[0] && j >= 0 && j < cells_[1];
-        return known ? whole_[static_cast<std::size_t>(j * cells_[0] + i)] : static_cast<signed char>(0);
+    // The square around the place lies over four cells at most.
+    const auto kind = [&](int i, int j) {
+        if (i < 0 || i >= cells_[0] || j < 0 || j >= cells_[1]) return Cell::outside;
+        return kind_[static_cast<std::size_t>(j) * static_cast<std::size_t>(cells_[0]) +
+                     static_cast<std::size_t>(i)];
     };
-    const int corner = value(first[0], first[1]);
-    if (corner >= 0 && corner == value(first[0] + 1, first[1]) && corner == value(first[0], first[1] + 1) &&
-        corner == value(first[0] + 1, first[1] + 1)) {
-        return corner;
+    const Cell corner = kind(first[0], first[1]);
+    if (corner != Cell::cut && corner == kind(first[0] + 1, first[1]) &&
+        corner == kind(first[0], first[1] + 1) && corner == kind(first[0] + 1, first[1] + 1)) {
+        return corner == Cell::within ? 1.0 : 0.0;
     }
     return area_in_rectangle(outline_, {x - half, x + half}, {y - half, y + half}) / (width_ * width_);
 }

@@ -39,7 +39,8 @@ class OutlinedArea {
     std::array<double, 2> periods_;
     std::array<PatchRange, 2> range_{};  ///< that the squares may reach over, m
     std::array<int, 2> cells_{};
-    std::vector<signed char> whole_;  ///< [across, along] cells of a width: 1 within, 0 outside, -1 both
+    enum class Cell { outside, within, cut };
+    std::vector<Cell> kind_;  ///< [across, along], of squares of a width
 };
 
 /// Where a patch lies in plan.
