@@ -157,4 +157,52 @@ def pier(study):
     return check
 
 
-CHECKS = {"cylinder": cylinder, "sphere": sphere, "bridge_pier": pier}
+def horseshoe(study):
+    check = Check("horseshoe_vortex", "Horseshoe vortex before a pier",
+                  "Laminar water, Re = 600 by the pier's 80 mm, 20 spacings across, with the velocity of a film over the bed, meets a round pier. What the pressure before the front "
+                  "drives down it flows back along the bed, parts it before the foot and rolls up. In the plane of symmetry, mean from 2 s on.")
+    flow = study.run("horseshoe_vortex", "cases/open-ends/horseshoe-vortex.toml")
+    begin = flow.parameters["run"]["average_from"]
+    diameter, middle, front, velocity = 0.08, 0.16, 0.18, 0.15
+    edges = numpy.arange(0.06, front + 1e-9, flow.spacing), numpy.arange(0, 0.08 + 1e-9, flow.spacing)
+    sums = numpy.zeros((3, len(edges[0]) - 1, len(edges[1]) - 1))
+    legs = []
+    for s in flow.snapshots():
+        if s.time < begin:
+            continue
+        near = s.y > middle - 2 * flow.spacing
+        for k, weights in enumerate((None, s.u[near], s.w[near])):
+            sums[k] += numpy.histogram2d(s.x[near], s.z[near], bins=edges, weights=weights)[0]
+        # Beside the pier, where the vortex goes by: the water over the bed against that above, across the stream.
+        beside = (abs(s.x - 0.22) < 0.02) & (s.y < middle - diameter / 2) & (s.y > middle - diameter)
+        low = s.z < 2 * flow.spacing
+        legs.append(s.v[beside & low].mean() - s.v[beside & (s.z > 4 * flow.spacing) & (s.z < 8 * flow.spacing)].mean())
+    u, w = sums[1] / sums[0], sums[2] / sums[0]
+    x, z = (0.5 * (e[:-1] + e[1:]) for e in edges)
+    bed = u[:, 0]
+    before = x > front - diameter / 2
+    check.norm("share of the bed within half a diameter before the foot where the water does not flow back", float((bed[before] >= 0).mean()), 0.1)
+    parts = x[numpy.flatnonzero(bed >= 0)[-1]] if (bed >= 0).any() else x[0]
+    check.norm("where the flow along the bed parts, before the front, over the diameter", float((front - parts) / diameter), None, "", 2)
+    check.norm("fastest water along the bed against the stream, over U", float(-bed.min() / velocity), None, "", 2)
+    check.norm("height up to which it flows back, at most, over the diameter", float(max(z[row < 0].max() + flow.spacing / 2 for row in u if (row < 0).any()) / diameter), None, "", 2)
+    close = x > front - diameter / 4
+    check.norm("water that dives down the front, largest velocity over U", float(-w[close].min() / velocity), None, "", 2)
+    check.norm("beside the pier, velocity outwards along the bed less that above, over U", float(-numpy.mean(legs) / velocity), None, "", 2)
+    _, drag = _forces(flow, begin, velocity, diameter / 2 * flow.depth)
+    check.norm("drag coefficient, with U and the depth", drag.mean(), None, "", 2)
+    check.norm("momentum between the ends that the budget leaves open", _budget(study, flow), 0.02)
+    figure = figures.Figure(2, width=10)
+    axes = figure.panel("x (mm)", "z (mm)", "plane of symmetry, before the front")
+    axes.quiver(1e3 * x[::1], 1e3 * z[:10], u.T[:10], w.T[:10], numpy.hypot(u, w).T[:10], cmap="viridis", scale=1.6, width=0.003)
+    axes.set_aspect("equal")
+    axes = figure.panel("x (mm)", "u (m/s)", "along the bed, lowest spacing")
+    figures.simulated(axes, 1e3 * x, bed, "particles")
+    axes.axhline(0, color="#222222", lw=0.8)
+    check.figures.append((figure.svg(check.name), "The water before the foot of the pier, whose front stands at 180 mm, and its velocity along the bed."))
+    check.best, check.cost = options_text(flow), flow.cost_text
+    account(check, flow)
+    return check
+
+
+CHECKS = {"cylinder": cylinder, "sphere": sphere, "bridge_pier": pier, "horseshoe_vortex": horseshoe}
