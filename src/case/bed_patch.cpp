@@ -58,6 +58,7 @@ Case with_bed_at(const Case& c, double x) {
         for (const PatchRange& across : stretches_of(c, patch, 1, within_ends(x, c.channel.length))) {
             strip.y_from = across.from;
             strip.y_to = across.to;
+            if (covers_width(c, strip)) return with_bed_of(c, patch);
             everywhere.bed_patches.push_back(strip);
         }
     }
@@ -74,7 +75,12 @@ bool strips_have_section(const Case& c, double x) {
 
 const BedPatch* patch_beside(const Case& c, double x) {
     const auto found = std::find_if(c.bed_patches.begin(), c.bed_patches.end(), [&](const BedPatch& patch) {
-        return lies_at(c, patch, x) && !covers_width(c, patch);
+        if (!lies_at(c, patch, x) || covers_width(c, patch)) return false;
+        const auto strips = stretches_of(c, patch, 1, within_ends(x, c.channel.length));
+        constexpr double rounding = 1e-9;
+        const double width = c.channel.simulated_width();
+        return !is_outlined(patch) || !(strips.size() == 1 && strips[0].from <= rounding * width &&
+                                        strips[0].to >= (1.0 - rounding) * width);
     });
     return found != c.bed_patches.end() ? &*found : nullptr;
 }

@@ -25,7 +25,8 @@ template <class Patch>
     constexpr std::array axes{"x", "y"};
     const std::size_t count = c.channel.dimensions == 3 ? 2 : 1;
     for (std::size_t k = 0; k < count; ++k) {
-        if (ranges[k].to > extent[k] * (1 + 1e-9) || ranges[k].from >= ranges[k].to) {
+        if (ranges[k].to > extent[k] * (1 + 1e-9) || ranges[k].from < -1e-9 * extent[k] ||
+            ranges[k].from >= ranges[k].to) {
             return {{.detail = fmt::format("stands from {} = {} to {}: expected a stretch between 0 and {}",
                                            axes[k], shown_length(ranges[k].from), shown_length(ranges[k].to),
                                            shown_length(extent[k])),

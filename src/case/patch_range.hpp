@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -19,19 +20,37 @@ template <class Patch>
     return !patch.x.empty() && !patch.y.empty();
 }
 
+/// What an outlined patch covers in plan. A corner without its other half, which is refused, does not count.
+template <class Patch>
+[[nodiscard]] Outline outline_of(const Patch& patch) {
+    Outline outline{patch.x, patch.y};
+    outline.x.resize(std::min(patch.x.size(), patch.y.size()));
+    outline.z.resize(outline.x.size());
+    return outline;
+}
+
+/// Whether the outline of a patch is all of the channel's plan.
+template <class Patch>
+[[nodiscard]] bool outlines_all(const Case& c, const Patch& patch) {
+    const double length = c.channel.length;
+    const double width = c.channel.simulated_width();
+    return area_in_rectangle(outline_of(patch), {0.0, length}, {0.0, width}) >= (1.0 - 1e-9) * length * width;
+}
+
 /// Whether a patch covers the channel from end to end.
 template <class Patch>
 [[nodiscard]] bool covers_length(const Case& c, const Patch& patch) {
-    return !is_outlined(patch) && patch.x_from.value_or(0.0) <= 0.0 &&
-           patch.x_to.value_or(c.channel.length) >= c.channel.length;
+    if (is_outlined(patch)) return outlines_all(c, patch);
+    return patch.x_from.value_or(0.0) <= 0.0 && patch.x_to.value_or(c.channel.length) >= c.channel.length;
 }
 
 /// Whether it covers the channel from side to side.
 template <class Patch>
 [[nodiscard]] bool covers_width(const Case& c, const Patch& patch) {
     const double width = c.channel.simulated_width();
+    if (is_outlined(patch)) return outlines_all(c, patch);
     return c.channel.dimensions == 2 ||
-           (!is_outlined(patch) && patch.y_from.value_or(0.0) <= 0.0 && patch.y_to.value_or(width) >= width);
+           (patch.y_from.value_or(0.0) <= 0.0 && patch.y_to.value_or(width) >= width);
 }
 
 /// The ranges of a patch along the channel and across it; of one with an outline those that it reaches over.
@@ -46,17 +65,14 @@ template <class Patch>
              {patch.y_from.value_or(0.0), patch.y_to.value_or(c.channel.simulated_width())}}};
 }
 
-/// What a patch covers in plan. A corner without its other half, which is refused, does not count.
+/// What a patch covers in plan.
 template <class Patch>
 [[nodiscard]] Outline plan_outline(const Case& c, const Patch& patch) {
     if (!is_outlined(patch)) {
         const auto [along, across] = ranges_of(c, patch);
         return rectangle_in_plan(along, across);
     }
-    Outline outline{patch.x, patch.y};
-    outline.x.resize(std::min(patch.x.size(), patch.y.size()));
-    outline.z.resize(outline.x.size());
-    return outline;
+    return outline_of(patch);
 }
 
 /// The stretches that a patch covers of a line along an axis (0: x, 1: y) through a place on the other axis,
@@ -83,12 +99,14 @@ template <class Patch, class Other>
     return common_area(plan_outline(c, patch), plan_outline(c, other)) > rounding * c.channel.length;
 }
 
-/// The smaller of the extents of a patch in plan, m.
+/// The smaller of the extents of a patch in plan, m; of an outline its area over its larger extent.
 template <class Patch>
 [[nodiscard]] double least_extent(const Case& c, const Patch& patch) {
     const auto ranges = ranges_of(c, patch);
     const double along = ranges[0].to - ranges[0].from;
-    return c.channel.dimensions == 3 ? std::min(along, ranges[1].to - ranges[1].from) : along;
+    const double across = ranges[1].to - ranges[1].from;
+    if (is_outlined(patch)) return std::abs(signed_area(outline_of(patch))) / std::max(along, across);
+    return c.channel.dimensions == 3 ? std::min(along, across) : along;
 }
 
 }  // namespace riffle::inline case_file

@@ -141,11 +141,20 @@ Case uniform_reach(const Case& c) {
     return reach;
 }
 
-bool has_section_reach(const Case& c) {
+namespace {
+
+/// The twin that carries a discharge has a slope of its own.
+Case sloping_reach(const Case& c) {
     Case reach = uniform_reach(c);
-    reach.channel.slope = small_slope;  // the twin that carries a discharge has its own
-    return has_section(reach);
+    reach.channel.slope = small_slope;
+    return reach;
 }
+
+}  // namespace
+
+bool has_section_reach(const Case& c) { return has_section(sloping_reach(c)); }
+
+bool has_uniform_twin(const Case& c) { return has_section_reach(c) || has_column(sloping_reach(c)); }
 
 namespace {
 

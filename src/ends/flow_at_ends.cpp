@@ -35,7 +35,8 @@ class BedFlow {
   public:
     explicit BedFlow(Case c)
         : case_(std::move(c)),
-          has_twin_(!is_duct(case_) && channel_or_walls_resist(case_) && !resolves_eddies(case_)),
+          has_twin_(!is_duct(case_) && channel_or_walls_resist(case_) && !resolves_eddies(case_) &&
+                    has_uniform_twin(case_)),
           has_section_(has_section_reach(case_)) {}
 
     [[nodiscard]] bool has_channel() const { return has_twin_ && !has_section_; }

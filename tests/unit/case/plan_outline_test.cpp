@@ -119,5 +119,23 @@ TEST(PlanOutline, IsAStripAtAPlaceAlongTheChannel) {
     EXPECT_TRUE(with_bed_at(c, 0.045).bed_patches.empty());
 }
 
+// As a rectangle there: the bed of the patch alone, for which the twins of a plane bed hold.
+TEST(PlanOutline, IsTheBedWhereItCoversTheWidth) {
+    Case c = test::with_bed_patches();
+    const double width = c.channel.simulated_width();
+    BedPatch patch = wedge();
+    patch.x = {0.0, 0.02, 0.04, 0.0};
+    patch.y = {0.0, 0.0, width, width};
+    c.bed_patches = {patch};
+    EXPECT_EQ(with_bed_at(c, 0.0).bed_patches.size(), 0U);
+    EXPECT_EQ(with_bed_at(c, 0.0).bed.equivalent_roughness, patch.equivalent_roughness);
+    EXPECT_EQ(with_bed_at(c, 0.03).bed_patches.size(), 1U);
+    // And the whole plan is the whole channel.
+    patch.x = {0.0, c.channel.length, c.channel.length, 0.0};
+    patch.y = {0.0, 0.0, width, width};
+    EXPECT_TRUE(covers_length(c, patch));
+    EXPECT_TRUE(covers_width(c, patch));
+}
+
 }  // namespace
 }  // namespace riffle
