@@ -40,7 +40,7 @@ def short_body(lines, i):
     body = lines[i + 1].strip()
     if lines[i + 2] != indent + "}" or not body.endswith(";") or not balanced(body) or "{" in lines[i][:-1]:
         return None
-    if re.match(r"(if|for|while|do|switch|else|case|return \[)\b", body) or body.count(";") > 1 or "{" in body:
+    if re.match(r"(if|for|while|do|switch|else|case)\b", body) or body.count(";") > 1 or "{" in body:
         return None
     if re.match(r"\s*if\b", lines[i]) and re.match(r"(EXPECT|ASSERT)_", body):
         return None  # macros that hold an if with an else

@@ -1,6 +1,8 @@
 #include "case/bed_patch.hpp"
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 #include "case/mirror_image.hpp"
 #include "case/patch_range.hpp"
@@ -9,9 +11,19 @@ namespace riffle::inline case_file {
 
 namespace {
 
-bool lies_at(const Case& c, const BedPatch& patch, double x) {
-    const PatchRange along = ranges_of(c, patch)[0];
-    return x >= along.from && x <= along.to;
+/// The stretches of the width that a patch covers at a place along the channel, m. On the edge of an outline,
+/// as at an end, a line has no length in it: it is looked at a little farther in.
+std::vector<PatchRange> stretches_at(const Case& c, const BedPatch& patch, double x) {
+    return stretches_of(c, patch, 1, within_ends(x, c.channel.length));
+}
+
+/// Whether these are the whole width.
+bool is_whole_width(const Case& c, const std::vector<PatchRange>& stretches) {
+    constexpr double rounding = 1e-9;
+    const double width = c.channel.simulated_width();
+    return c.channel.dimensions == 2 ? !stretches.empty()
+                                     : stretches.size() == 1 && stretches[0].from <= rounding * width &&
+                                           stretches[0].to >= (1.0 - rounding) * width;
 }
 
 }  // namespace
@@ -38,28 +50,22 @@ Case with_bed_of(const Case& c, const BedPatch& patch) {
 }
 
 Case with_bed_at(const Case& c, double x) {
-    for (const BedPatch& patch : c.bed_patches) {
-        if (lies_at(c, patch, x) && covers_width(c, patch)) return with_bed_of(c, patch);
-    }
     Case everywhere = c;
     everywhere.bed_patches.clear();
     for (const BedPatch& patch : c.bed_patches) {
-        if (!lies_at(c, patch, x)) continue;
-        BedPatch strip = patch;
-        strip.x_from.reset();
-        strip.x_to.reset();
-        strip.x.clear();
-        strip.y.clear();
-        if (!is_outlined(patch)) {
-            everywhere.bed_patches.push_back(strip);
-            continue;
-        }
-        // On the edge of an outline a line has no length in it.
-        for (const PatchRange& across : stretches_of(c, patch, 1, within_ends(x, c.channel.length))) {
-            strip.y_from = across.from;
-            strip.y_to = across.to;
-            if (covers_width(c, strip)) return with_bed_of(c, patch);
-            everywhere.bed_patches.push_back(strip);
+        const std::vector<PatchRange> stretches = stretches_at(c, patch, x);
+        if (is_whole_width(c, stretches)) return with_bed_of(c, patch);
+        for (const PatchRange& across : stretches) {
+            BedPatch strip = patch;
+            strip.x_from.reset();
+            strip.x_to.reset();
+            if (is_outlined(patch)) {
+                strip.x.clear();
+                strip.y.clear();
+                strip.y_from = across.from;
+                strip.y_to = across.to;
+            }
+            everywhere.bed_patches.push_back(std::move(strip));
         }
     }
     return everywhere;
@@ -75,12 +81,8 @@ bool strips_have_section(const Case& c, double x) {
 
 const BedPatch* patch_beside(const Case& c, double x) {
     const auto found = std::find_if(c.bed_patches.begin(), c.bed_patches.end(), [&](const BedPatch& patch) {
-        if (!lies_at(c, patch, x) || covers_width(c, patch)) return false;
-        const auto strips = stretches_of(c, patch, 1, within_ends(x, c.channel.length));
-        constexpr double rounding = 1e-9;
-        const double width = c.channel.simulated_width();
-        return !is_outlined(patch) || !(strips.size() == 1 && strips[0].from <= rounding * width &&
-                                        strips[0].to >= (1.0 - rounding) * width);
+        const std::vector<PatchRange> stretches = stretches_at(c, patch, x);
+        return !stretches.empty() && !is_whole_width(c, stretches);
     });
     return found != c.bed_patches.end() ? &*found : nullptr;
 }

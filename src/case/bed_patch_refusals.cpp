@@ -44,8 +44,7 @@ Findings refused_as_bed(const Case& c, const BedPatch& patch) {
 CheckList bed_patch_refusals() {
     return {
         plan_outline_rows<BedPatch>(
-            {"bed_patch.x", "bed_patch.y", "bed_patch.x_from", "bed_patch.x_to", "bed_patch.y_from",
-             "bed_patch.y_to"},
+            "bed_patch",
             {
                 {{"bed_patch.name"},
                  "an empty `name`",
@@ -98,10 +97,7 @@ CheckList bed_patch_refusals() {
                  "a patch that begins or ends outside of the channel, or ends before it begins",
                  "",
                  "correct the range; without the keys the patch reaches to the end or the side of the channel",
-                 [](const Case& c, const BedPatch& patch) {
-                     return beyond_channel(
-                         c, patch, {"bed_patch.x_to", "bed_patch.y_to", "bed_patch.x", "bed_patch.y"});
-                 }},
+                 [](const Case& c, const BedPatch& patch) { return beyond_channel(c, patch, "bed_patch"); }},
                 {{"bed_patch.x_to", "bed_patch.y_to", "numerics.spacing"},
                  "a patch shorter or narrower than a spacing of the particles",
                  "no particle would resolve it",

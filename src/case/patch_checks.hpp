@@ -15,11 +15,9 @@ namespace riffle::inline case_file {
 
 // What is wrong with patches, of the bed and of vegetation alike.
 
-/// What is wrong with the ranges of a patch: beyond the channel, or the wrong way round. `keys`: x_to,
-/// y_to, x and y of its section.
+/// What is wrong with the ranges of a patch: beyond the channel, or the wrong way round.
 template <class Patch>
-[[nodiscard]] Findings beyond_channel(const Case& c, const Patch& patch,
-                                      const std::array<const char*, 4>& keys) {
+[[nodiscard]] Findings beyond_channel(const Case& c, const Patch& patch, const std::string& section) {
     const auto ranges = ranges_of(c, patch);
     const std::array extent{c.channel.length, c.channel.simulated_width()};
     constexpr std::array axes{"x", "y"};
@@ -30,18 +28,18 @@ template <class Patch>
             return {{.detail = fmt::format("stands from {} = {} to {}: expected a stretch between 0 and {}",
                                            axes[k], shown_length(ranges[k].from), shown_length(ranges[k].to),
                                            shown_length(extent[k])),
-                     .key = is_outlined(patch) ? (k == 0 ? keys[2] : keys[3]) : keys[k]}};
+                     .key = fmt::format("{}.{}{}", section, axes[k], is_outlined(patch) ? "" : "_to")}};
         }
     }
     return {};
 }
 
-/// The rows of a list for the outlines of patches in plan, and those that follow. `keys`: x, y, x_from, x_to,
-/// y_from and y_to of their section.
+/// The rows of a section for the outlines of its patches in plan, and those that follow.
 template <class Patch>
-[[nodiscard]] std::vector<CaseCheck> plan_outline_rows(const std::array<const char*, 6>& keys,
+[[nodiscard]] std::vector<CaseCheck> plan_outline_rows(const std::string& section,
                                                        const std::vector<CaseCheck>& following) {
-    const std::vector<std::string> corners{keys[0], keys[1]};
+    const auto key = [&](const char* name) { return section + "." + name; };
+    const std::vector<std::string> corners{key("x"), key("y")};
     const auto fault = [](OutlineFault kind) {
         return [kind](const Case&, const Patch& patch) {
             return patch.x.empty() && patch.y.empty() ? Findings{}
@@ -49,7 +47,7 @@ template <class Patch>
         };
     };
     std::vector<CaseCheck> rows{
-        {{keys[0], keys[2], keys[3], keys[4], keys[5]},
+        {{key("x"), key("x_from"), key("x_to"), key("y_from"), key("y_to")},
          "an outline (`x`, `y`) beside `x_from`, `x_to`, `y_from` or `y_to`",
          "each says by itself where the patch lies",
          "keep one of them",

@@ -274,6 +274,10 @@ double PorosityField::porosity(double x, double y, double z) const {
     return 1.0 - solid;
 }
 
+bool is_cut_at(const Case& c, const Porous& zone, double y) {
+    return c.channel.dimensions == 2 || (y >= zone.y_from.value_or(y) && y <= zone.y_to.value_or(y));
+}
+
 bool covers_length(const Case& c, const Porous& porous) {
     const SoftRange range = range_of(porous.x_from, porous.x_to, c.channel.length, true);
     const bool level = std::all_of(porous.top_z.begin(), porous.top_z.end(),

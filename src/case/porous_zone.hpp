@@ -91,6 +91,9 @@ class PorosityField {
 /// standard deviation of the kernel.
 [[nodiscard]] double porous_edge(const Case& c, const Porous& porous);
 
+/// Whether a section along the channel goes through a zone: at a place across it, m, in space.
+[[nodiscard]] bool is_cut_at(const Case& c, const Porous& zone, double y);
+
 /// Whether a zone is the same all along the channel, and from side to side.
 [[nodiscard]] bool covers_length(const Case& c, const Porous& porous);
 [[nodiscard]] bool covers_width(const Case& c, const Porous& porous);

@@ -85,8 +85,7 @@ Findings beside_its_solid(const Case& c, const Vegetation& patch) {
 CheckList vegetation_refusals() {
     return {
         plan_outline_rows<Vegetation>(
-            {"vegetation.x", "vegetation.y", "vegetation.x_from", "vegetation.x_to", "vegetation.y_from",
-             "vegetation.y_to"},
+            "vegetation",
             {
                 {{"vegetation.name", "channel.top"},
                  "a `[[vegetation]]` with `channel.top = \"periodic\"`",
@@ -152,8 +151,7 @@ CheckList vegetation_refusals() {
                  "",
                  "correct the range; without the keys the patch covers the whole channel",
                  [](const Case& c, const Vegetation& patch) {
-                     return beyond_channel(
-                         c, patch, {"vegetation.x_to", "vegetation.y_to", "vegetation.x", "vegetation.y"});
+                     return beyond_channel(c, patch, "vegetation");
                  }},
                 {{"vegetation.height", "vegetation.x_to", "vegetation.y_to", "numerics.spacing"},
                  "a patch lower, shorter or narrower than a spacing of the particles",

@@ -154,7 +154,7 @@ Case sloping_reach(const Case& c) {
 
 bool has_section_reach(const Case& c) { return has_section(sloping_reach(c)); }
 
-bool has_uniform_twin(const Case& c) { return has_section_reach(c) || has_column(sloping_reach(c)); }
+bool has_column_reach(const Case& c) { return has_column(sloping_reach(c)); }
 
 namespace {
 

@@ -17,8 +17,8 @@ namespace riffle::inline column {
 /// Whether the twin of that reach is one of the cross-section, between side walls.
 [[nodiscard]] bool has_section_reach(const Case& c);
 
-/// Whether that reach has a twin, of the cross-section or the column, whatever its slope.
-[[nodiscard]] bool has_uniform_twin(const Case& c);
+/// Whether it has a column twin, whatever its slope.
+[[nodiscard]] bool has_column_reach(const Case& c);
 
 /// A column twin and the weight along the bed that drives it, m/s2.
 struct CarryingColumn {

@@ -35,9 +35,9 @@ class BedFlow {
   public:
     explicit BedFlow(Case c)
         : case_(std::move(c)),
+          has_section_(has_section_reach(case_)),
           has_twin_(!is_duct(case_) && channel_or_walls_resist(case_) && !resolves_eddies(case_) &&
-                    has_uniform_twin(case_)),
-          has_section_(has_section_reach(case_)) {}
+                    (has_section_ || has_column_reach(case_))) {}
 
     [[nodiscard]] bool has_channel() const { return has_twin_ && !has_section_; }
     [[nodiscard]] const SteadyChannel& channel(double q) {
@@ -85,8 +85,8 @@ class BedFlow {
     }
 
     Case case_;
-    bool has_twin_;
     bool has_section_;
+    bool has_twin_;
     std::map<double, SteadyChannel> channels_;
     std::map<double, std::optional<double>> normal_;
 };

@@ -44,7 +44,7 @@ class UprightView {
             }
         }
         for (const Porous& zone : c_.porous) {
-            if (is_cut(zone)) draw_porous_along(zone);
+            if (is_cut_at(c_, zone, plan_.y)) draw_porous_along(zone);
         }
         for (std::size_t k = 0; k < c_.solids.size(); ++k) draw_solid_along(k);
         draw_floor(c_.channel.ends);
@@ -111,12 +111,6 @@ class UprightView {
     }
 
   private:
-    /// Whether the section along the channel goes through a porous zone.
-    [[nodiscard]] bool is_cut(const Porous& zone) const {
-        return !space_ ||
-               (plan_.y >= zone.y_from.value_or(plan_.y) && plan_.y <= zone.y_to.value_or(plan_.y));
-    }
-
     /// The stretches of a patch that the section along the channel goes through; one that ends with the
     /// channel goes on beyond open ends.
     template <class Patch>

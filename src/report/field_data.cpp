@@ -194,9 +194,7 @@ std::vector<FieldZone> field_zones(const Case& c, double y, double top) {
         }
     }
     for (const Porous& zone : c.porous) {
-        const bool cut =
-            c.channel.dimensions == 2 || (y >= zone.y_from.value_or(y) && y <= zone.y_to.value_or(y));
-        if (cut) zones.push_back({"porous", zone.name, porous_outline(c, zone, top)});
+        if (is_cut_at(c, zone, y)) zones.push_back({"porous", zone.name, porous_outline(c, zone, top)});
     }
     for (const BedPatch& patch : c.bed_patches) {
         for (const PatchRange& along : stretches_of(c, patch, 0, y)) {

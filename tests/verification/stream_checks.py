@@ -197,7 +197,7 @@ def horseshoe(study):
     check.norm("momentum between the ends that the budget leaves open", _budget(study, flow), 0.02)
     figure = figures.Figure(2, width=10)
     axes = figure.panel("x (mm)", "z (mm)", "plane of symmetry, before the front")
-    axes.quiver(1e3 * x[::1], 1e3 * z[:10], u.T[:10], w.T[:10], numpy.hypot(u, w).T[:10], cmap="viridis", scale=1.6, width=0.003)
+    axes.quiver(1e3 * x, 1e3 * z[:10], u.T[:10], w.T[:10], numpy.hypot(u, w).T[:10], cmap="viridis", scale=1.6, width=0.003)
     axes.set_aspect("equal")
     axes = figure.panel("x (mm)", "u (m/s)", "along the bed, lowest spacing")
     figures.simulated(axes, 1e3 * x, bed, "particles")

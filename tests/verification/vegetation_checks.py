@@ -6,6 +6,7 @@ import subprocess
 
 import h5py
 import numpy
+from matplotlib.path import Path
 
 import figures
 from check import Check
@@ -245,15 +246,6 @@ def patch(study):
     return check
 
 
-def _in_polygon(x, y, corners_x, corners_y):
-    """Whether points lie in a polygon: the ray to the right crosses its edges an odd number of times."""
-    inside = numpy.zeros(len(x), dtype=bool)
-    for x0, y0, x1, y1 in zip(corners_x, corners_y, numpy.roll(corners_x, -1), numpy.roll(corners_y, -1)):
-        crossed = (y0 > y) != (y1 > y)
-        inside[crossed] ^= x[crossed] < x0 + (y[crossed] - y0) / (y1 - y0) * (x1 - x0)
-    return inside
-
-
 def island(study):
     case = "cases/vegetation/island.toml"
     check = Check("vegetated_island", "An island of reeds",
@@ -264,6 +256,7 @@ def island(study):
     account(check, flow)
     a, phi, stems = stems_of(flow)
     corners = numpy.array(stems["x"]), numpy.array(stems["y"])
+    outline = Path(numpy.column_stack(corners))
     middle = corners[1].mean()
     left, right = corners[0].min(), corners[0].max()
     resistance = 0.5 * stems["drag_coefficient"] * a / (1 - phi)
@@ -272,7 +265,7 @@ def island(study):
     for s in flow.snapshots():
         if s.time < begin:
             continue
-        inside = _in_polygon(s.x, s.y, *corners)
+        inside = outline.contains_points(numpy.column_stack((s.x, s.y)))
         square = s.u**2 + s.v**2 + s.w**2
         forces.append((flow.mass[0] * resistance * numpy.sqrt(square) * s.u)[inside].sum())
         near = abs(s.y - middle) < 1.5 * flow.spacing
@@ -304,8 +297,8 @@ def island(study):
                float(u[behind].mean() / far - (1 - 0.33 * blockage)), 0.08 * blockage)
     check.norm("velocity across it, mean of the water between the stems, over that of the stream", float(numpy.mean(drift) / far), 0.02)
     figure = figures.Figure(3, width=13)
-    last = list(flow.snapshots())[-1]
-    edges = numpy.arange(0, 1.4 + 1e-9, 0.02), numpy.arange(0, 0.6 + 1e-9, 0.02)
+    last = flow.snapshot(len(flow.names) - 1)
+    edges = [numpy.arange(0, flow.parameters["channel"][extent] + 1e-9, 0.02) for extent in ("length", "width")]
     number, *_ = numpy.histogram2d(last.x, last.y, bins=edges)
     along, *_ = numpy.histogram2d(last.x, last.y, bins=edges, weights=last.u)
     panel = figure.panel("x, m", "y, m", f"u over the depth, m/s, at {last.time:.3g} s")

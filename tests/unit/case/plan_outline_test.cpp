@@ -130,6 +130,8 @@ TEST(PlanOutline, IsTheBedWhereItCoversTheWidth) {
     EXPECT_EQ(with_bed_at(c, 0.0).bed_patches.size(), 0U);
     EXPECT_EQ(with_bed_at(c, 0.0).bed.equivalent_roughness, patch.equivalent_roughness);
     EXPECT_EQ(with_bed_at(c, 0.03).bed_patches.size(), 1U);
+    EXPECT_EQ(patch_beside(c, 0.0), nullptr);
+    EXPECT_NE(patch_beside(c, 0.03), nullptr);
     // And the whole plan is the whole channel.
     patch.x = {0.0, c.channel.length, c.channel.length, 0.0};
     patch.y = {0.0, 0.0, width, width};

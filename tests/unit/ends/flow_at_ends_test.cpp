@@ -79,6 +79,21 @@ TEST(FlowAtEnds, StripsBetweenSideWallsHaveANormalDepth) {
     EXPECT_LT(partly, normal_depth("10 mm", ""));
 }
 
+// A patch beside another bed, without a mirror image, has no twin: what needs none is told all the same.
+TEST(FlowAtEnds, APatchBesideAnotherBedWithoutATwinHasNoNormalDepth) {
+    const Case c = parse_case(
+        "[channel]\ndimensions = 3\nslope = 0.002\ndepth = \"60 mm\"\nlength = \"300 mm\"\nwidth = \"240 mm\"\n"
+        "sides = \"walls\"\nends = \"open\"\n[inflow]\nunit_discharge = \"0.024 m2/s\"\nprofile = \"uniform\"\n"
+        "[outflow]\nkind = \"depth\"\ndepth = \"60 mm\"\n[side_walls]\nequivalent_roughness = 0\n[turbulence]\n"
+        "closure = \"nezu-rodi\"\n[numerics]\nspacing = \"5 mm\"\n[start]\nkind = \"uniform\"\n[run]\nuntil = \"1 s\"\n"
+        "[bed]\nkind = \"roughness\"\nequivalent_roughness = \"1 mm\"\n[[bed_patch]]\nname = \"strip\"\n"
+        "y_to = \"60 mm\"\nequivalent_roughness = \"10 mm\"\n",
+        "test");
+    const FlowAtEnds flow = flow_at_ends(c);
+    EXPECT_FALSE(flow.inflow.normal_depth);
+    EXPECT_NEAR(flow.outflow.velocity->least, 0.4, 1e-12);
+}
+
 double largest_velocity(const Case& c) { return end_extremes(c, read_end_input(c)).velocity; }
 
 // Where the depth of the inflow is not given, water shoots off on a steep slope, to uniform flow.
