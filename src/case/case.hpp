@@ -113,6 +113,7 @@ struct Turbulence {
     double smagorinsky_constant = 0.12;   ///< C_s of the SPS closure
     std::optional<double> filter_width;   ///< Delta of the SPS closure, m; unset: spacing / sqrt(2)
     StressTerms stress_terms = StressTerms::full;
+    EddyRate eddy_rate = EddyRate::strain;         ///< that times l_m^2 is the eddy viscosity
     ClosureDepth depth = ClosureDepth::automatic;  ///< of the mixing lengths; see uses_local_depth()
     double edge_zone = 0.5;       ///< gamma of Czernuszenko & Rylov: the edge zones are gamma H/2 wide
     double spanwise_ratio = 0.5;  ///< l_y / l_x of Czernuszenko & Rylov

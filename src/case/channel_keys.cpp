@@ -194,6 +194,10 @@ SectionKeys turbulence() {
     s.keys.push_back(
         key("stress_terms", &Turbulence::stress_terms, "What is kept of the strain rate and the stress.")
             .applies_with(closure, {"ramp", "nezu-rodi", "nikuradse", "sps"}));
+    s.keys.push_back(
+        key("eddy_rate", &Turbulence::eddy_rate,
+            "Which rate of the flow times the square of the mixing length is the eddy viscosity.")
+            .applies_with(closure, {"ramp", "nezu-rodi", "nikuradse", "sps", "czernuszenko-rylov"}));
     s.keys.push_back(key("depth", &Turbulence::depth, "Which depth of the water the mixing lengths follow.")
                          .applies_with(closure, {"ramp", "nezu-rodi", "nikuradse", "czernuszenko-rylov"}));
     s.keys.push_back(key("edge_zone", &Turbulence::edge_zone,

@@ -48,8 +48,9 @@ std::optional<std::string> patchy_porosity(const Case& c) {
         if (!covers_length(c, zone)) {
             return fmt::format(
                 "the porous zone \"{}\" is not the same all along the channel: the uniform flow to compare with is "
-                "that of a layer, without x_from and x_to and with a level top",
-                zone.name);
+                "that of a layer, without {} and with a level top",
+                zone.name,
+                is_outlined(zone) || is_seen_from_the_side(zone) ? "its outline" : "x_from and x_to");
         }
         if (!covers_width(c, zone)) {
             return fmt::format(

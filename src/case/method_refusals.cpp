@@ -28,6 +28,14 @@ CheckList method_refusals() {
          "eddies hand their energy down to smaller ones in three dimensions only",
          "set [channel] dimensions = 3, or choose a mixing length",
          [](const Case& c) { return resolves_eddies(c) && !in_space(c); }},
+        {{"turbulence.eddy_rate", "turbulence.stress_terms"},
+         R"(an `eddy_rate` other than `"strain"` with `stress_terms = "shear"`)",
+         "of |du/dz| alone there is neither a strain rate nor a rotation",
+         "choose stress_terms = \"full\"",
+         [](const Case& c) {
+             return c.turbulence.eddy_rate != EddyRate::strain &&
+                    c.turbulence.stress_terms == StressTerms::shear;
+         }},
         {{"numerics.tensile_correction", "numerics.kernel"},
          "`tensile_correction` above 0 without `kernel = \"cubic-spline\"`",
          "it is made for the cubic spline, whose gradient vanishes at the centre faster than particles approach",

@@ -19,6 +19,7 @@ enum class Packing { hexagonal, square };
 enum class DragForm { consistent, thesis, paper, slice, plan_mean };
 enum class ClosureKind { none, ramp, nezu_rodi, nikuradse, sps, czernuszenko_rylov, wale, vreman };
 enum class StressTerms { full, shear };
+enum class EddyRate { strain, rotation, strain_and_rotation };
 enum class ClosureDepth { automatic, initial, local };
 enum class KernelKind {
     wendland_c2,

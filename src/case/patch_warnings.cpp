@@ -54,10 +54,12 @@ CheckList patch_warnings() {
              const double edge = porous_edge(c, zone);
              const double upright = zone.z_to.value_or(c.total_depth()) - zone.z_from.value_or(0.0);
              const double along = zone.x_to.value_or(c.channel.length) - zone.x_from.value_or(0.0);
-             const double least = std::min(covers_length(c, zone) ? upright : along, upright);
-             return found_if(zone.x.empty() && zone.top_z.empty() && edge > least * (1 + comparison_slack),
-                             "the edge has {}, and the zone {} in one direction", shown_length(edge),
-                             shown_length(least));
+             const double beside = is_outlined(zone) ? least_extent(c, zone) : along;
+             const double least = std::min(covers_length(c, zone) ? upright : beside, upright);
+             return found_if(
+                 !is_seen_from_the_side(zone) && zone.top_z.empty() && edge > least * (1 + comparison_slack),
+                 "the edge has {}, and the zone {} in one direction", shown_length(edge),
+                 shown_length(least));
          }},
         {{"turbulence.zero", "porous.name"},
          "a mixing length that begins below the top of a porous layer",

@@ -78,8 +78,9 @@ struct Porous {
     std::optional<double> y_to;
     std::optional<double> z_from;
     std::optional<double> z_to;
-    std::vector<double> x;      ///< corners of an outline, m, in place of x and z from and to
-    std::vector<double> z;      ///< m above the bed level
+    std::vector<double> x;      ///< corners of an outline, m: seen from the side with z, in plan with y
+    std::vector<double> y;      ///< 3D: in place of x and y from and to, m
+    std::vector<double> z;      ///< in place of x and z from and to, m above the bed level
     std::vector<double> top_x;  ///< places along the channel where its top has the heights `top_z`, m
     std::vector<double> top_z;  ///< m above the bed level, in place of z_to
 

@@ -88,12 +88,19 @@ void add_place_keys(SectionKeys& s) {
     s.keys.push_back(
         porous_key(
             "x", &Porous::x,
-            "Corners of the outline of the zone seen from the side, in either sense of rotation, in place "
-            "of x_from, x_to, z_from and z_to. In three dimensions it is the same across the channel.")
+            "Places along the channel of the corners of the zone's outline, in either sense of rotation: seen from the "
+            "side with `z`, in place of x_from, x_to, z_from and z_to (in three dimensions it is the same across the "
+            "channel); in three dimensions, in plan with `y`, in place of x_from, x_to, y_from and y_to.")
             .measured_in(length)
             .may_be_empty()
             .with_default_note("a box")
             .with_example(R"(["100 mm", "300 mm", "250 mm", "150 mm"])"));
+    s.keys.push_back(
+        across(porous_key("y", &Porous::y, "Places across a three-dimensional channel of the same corners.")
+                   .measured_in(length)
+                   .may_be_empty()
+                   .with_default_note("no outline in plan")
+                   .with_example(R"(["40 mm", "60 mm", "120 mm", "100 mm"])")));
     s.keys.push_back(porous_key("z", &Porous::z, "Heights of the same corners above the bed level.")
                          .measured_in(length)
                          .may_be_empty()

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "case/outline_check.hpp"
+#include "case/patch_range.hpp"
 #include "case/porous_zone.hpp"
 #include "case/refusals.hpp"
 #include "case/solid_places.hpp"
@@ -35,9 +36,11 @@ double height_of_case(const Case& c) {
 }
 
 /// Along x, y and z, within the bounds of the channel where the keys give none.
-std::array<ZoneRange, 3> ranges_of(const Case& c, const Porous& zone) {
-    const ZoneRange across{zone.y_from.value_or(0.0), zone.y_to.value_or(c.channel.simulated_width())};
-    if (!zone.x.empty()) {
+std::array<ZoneRange, 3> extents_of(const Case& c, const Porous& zone) {
+    const auto in_plan = ranges_of(c, zone);
+    const ZoneRange along{in_plan[0].from, in_plan[0].to};
+    const ZoneRange across{in_plan[1].from, in_plan[1].to};
+    if (is_seen_from_the_side(zone)) {
         const Extent x(zone.x);
         const Extent z(zone.z);
         return {{{x.low, x.high}, across, {z.low, z.high}}};
@@ -45,10 +48,17 @@ std::array<ZoneRange, 3> ranges_of(const Case& c, const Porous& zone) {
     const double bottom = zone.z_from.value_or(0.0);
     const double top = zone.top_z.empty() ? zone.z_to.value_or(std::max(height_of_case(c), bottom))
                                           : Extent(zone.top_z).high;
-    return {{{zone.x_from.value_or(0.0), zone.x_to.value_or(c.channel.length)}, across, {bottom, top}}};
+    return {{along, across, {bottom, top}}};
 }
 
-Outline outline_of(const Porous& zone) { return {zone.x, zone.z}; }
+/// The condition of a row for a fault of the outline of a zone, seen from the side or in plan.
+CheckCondition has_fault(OutlineFault fault) {
+    return [fault](const Case&, const Porous& zone) {
+        if (!zone.y.empty()) return outline_findings({zone.x, zone.y}, fault, "", "y");
+        const bool outlined = !zone.x.empty() || !zone.z.empty();
+        return outlined ? outline_findings({zone.x, zone.z}, fault) : Findings{};
+    };
+}
 
 /// Heights that are no line of places one after the other.
 Findings broken_top(const Case& /*c*/, const Porous& zone) {
@@ -63,16 +73,21 @@ Findings broken_top(const Case& /*c*/, const Porous& zone) {
 
 /// More than one way of saying where a zone is.
 Findings two_shapes(const Case& /*c*/, const Porous& zone) {
-    const bool outline = !zone.x.empty() || !zone.z.empty();
-    const bool heights = !zone.top_x.empty() || !zone.top_z.empty();
-    return found_if((outline && (zone.x_from || zone.x_to || zone.z_from || zone.z_to || heights)) ||
-                        (heights && zone.z_to),
-                    "{} stands beside {}", outline ? "an outline" : "top_x and top_z",
-                    outline ? "bounds of a box or heights" : "z_to");
+    const bool upright = zone.z_from || zone.z_to || !zone.top_x.empty() || !zone.top_z.empty();
+    const bool along = zone.x_from || zone.x_to;
+    const bool across = zone.y_from || zone.y_to;
+    const auto beside = [](std::string_view what, std::string_view other) {
+        return found_if(true, "{} stands beside {}", what, other);
+    };
+    if (!zone.y.empty() && !zone.z.empty()) return beside("an outline in plan", "one seen from the side");
+    if (!zone.y.empty() && (along || across)) return beside("an outline in plan", "bounds of a box");
+    if (!zone.z.empty() && (along || upright)) return beside("an outline", "bounds of a box or heights");
+    return found_if((!zone.top_x.empty() || !zone.top_z.empty()) && zone.z_to,
+                    "top_x and top_z stand beside z_to");
 }
 
 Findings beyond_channel(const Case& c, const Porous& zone) {
-    const auto ranges = ranges_of(c, zone);
+    const auto ranges = extents_of(c, zone);
     constexpr std::array axes{"x", "y", "z"};
     constexpr std::array keys{"porous.x_to", "porous.y_to", "porous.z_to"};
     const double infinite = std::numeric_limits<double>::infinity();
@@ -99,17 +114,19 @@ Findings beyond_channel(const Case& c, const Porous& zone) {
     return {};
 }
 
-double least_extent(const Case& c, const Porous& zone) {
-    const auto ranges = ranges_of(c, zone);
-    const double upright = std::min(ranges[0].size(), ranges[2].size());
-    return in_space(c) ? std::min(upright, ranges[1].size()) : upright;
+double thinnest(const Case& c, const Porous& zone) {
+    const ZoneRange upright = extents_of(c, zone)[2];
+    if (is_outlined(zone)) return std::min(least_extent<Porous>(c, zone), upright.size());
+    const auto ranges = extents_of(c, zone);
+    const double beside = in_space(c) ? std::min(ranges[0].size(), ranges[1].size()) : ranges[0].size();
+    return std::min(beside, upright.size());
 }
 
 /// A place, of places on a lattice over a zone, that lies in something else as well; for messages.
 std::string shared_place(const Case& c, const Porous& zone,
                          const std::function<bool(double, double, double)>& elsewhere) {
     const PorousZone own(c, zone);
-    const auto ranges = ranges_of(c, zone);
+    const auto ranges = extents_of(c, zone);
     // As near to each other as the particles, but no more than some ten thousands.
     const double most = in_space(c) ? 24.0 : 160.0;
     const auto steps = [&](std::size_t axis) {
@@ -166,7 +183,7 @@ Findings at_open_end(const Case& c, const Porous& zone) {
         return {};
     }
     const double clear = open_end_clearance(c) + porous_edge(c, zone);
-    const ZoneRange along = ranges_of(c, zone)[0];
+    const ZoneRange along = extents_of(c, zone)[0];
     return found_if(along.from < clear * (1 - small) || along.to > c.channel.length - clear * (1 - small),
                     "reaches from x = {} to {}: expected from {} to {} at most", shown_length(along.from),
                     shown_length(along.to), shown_length(clear), shown_length(c.channel.length - clear));
@@ -276,26 +293,18 @@ CheckList porous_refusals() {
                                            zone.inertial_coefficient);
                        }),
             {{"porous.x", "porous.top_x", "porous.z_to", "porous.name"},
-             "an outline beside bounds of a box or heights of a top, or these heights beside `z_to`",
+             "an outline beside bounds of a box or heights of a top that it gives itself, outlines in plan and seen from "
+             "the side, or heights of a top beside `z_to`",
              "each says by itself where the zone is",
              "keep one of them",
              two_shapes,
              true},
-            outline_row(OutlineFault::uneven, {"porous.x", "porous.z"}, "not as many values of `x` as of `z`",
-                        [](const Case&, const Porous& zone) {
-                            return outline_findings(outline_of(zone), OutlineFault::uneven);
-                        }),
-            outline_row(OutlineFault::few, {"porous.x", "porous.z"}, "an outline of fewer than three corners",
-                        [](const Case&, const Porous& zone) {
-                            return zone.x.empty() ? Findings{}
-                                                  : outline_findings(outline_of(zone), OutlineFault::few);
-                        }),
-            outline_row(
-                OutlineFault::crossing, {"porous.x", "porous.z"}, "an outline that crosses or touches itself",
-                [](const Case&, const Porous& zone) {
-                    return zone.x.empty() ? Findings{}
-                                          : outline_findings(outline_of(zone), OutlineFault::crossing);
-                }),
+            outline_row(OutlineFault::uneven, {"porous.x", "porous.y", "porous.z"},
+                        "not as many values of `x` as of `z` or `y`", has_fault(OutlineFault::uneven)),
+            outline_row(OutlineFault::few, {"porous.x", "porous.y", "porous.z"},
+                        "an outline of fewer than three corners", has_fault(OutlineFault::few)),
+            outline_row(OutlineFault::crossing, {"porous.x", "porous.y", "porous.z"},
+                        "an outline that crosses or touches itself", has_fault(OutlineFault::crossing)),
             {{"porous.top_x", "porous.top_z"},
              "`top_x`, `top_z` of one place, of different lengths or not in order",
              "the top runs straight from place to place",
@@ -314,7 +323,7 @@ CheckList porous_refusals() {
              "no particle would feel the whole of it",
              "make the spacing smaller or the zone larger",
              [](const Case& c, const Porous& zone) {
-                 const double least = least_extent(c, zone);
+                 const double least = thinnest(c, zone);
                  return found_if(least < fewest_spacings * c.numerics.spacing * (1 - small),
                                  "is {} in one direction, and the particles stand {} apart",
                                  shown_length(least), shown_length(c.numerics.spacing));
@@ -325,7 +334,7 @@ CheckList porous_refusals() {
              "correct the size, or give the grains as [[solid]]",
              [](const Case& c, const Porous& zone) {
                  const double grain = zone.grain_size.value_or(0.0);
-                 const double least = least_extent(c, zone);
+                 const double least = thinnest(c, zone);
                  return found_if(grain > least, "the grains have {}, and the zone {} in one direction",
                                  shown_length(grain), shown_length(least));
              }},

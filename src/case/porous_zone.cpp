@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "case/outline_check.hpp"
+#include "case/patch_range.hpp"
 #include "case/solid_mesh.hpp"
 
 namespace riffle::inline case_file {
@@ -31,27 +32,6 @@ SoftRange range_of(std::optional<double> from, std::optional<double> to, double 
 }
 
 }  // namespace
-
-double share_within(double distance, double edge) {
-    const double t = std::clamp(distance / edge + 0.5, 0.0, 1.0);
-    return t * t * (3.0 - 2.0 * t);
-}
-
-double SoftRange::share(double place, double edge) const {
-    const auto passed = [&](double end, bool hard) {
-        if (hard || std::isinf(end)) return place >= end ? 1.0 : 0.0;
-        return share_within(place - end, edge);
-    };
-    const auto once = [&](double shift) {
-        return passed(from + shift, hard_from) - passed(to + shift, hard_to);
-    };
-    return period > 0.0 ? once(0.0) + once(-period) + once(period) : once(0.0);
-}
-
-bool SoftRange::holds(double place) const {
-    const double inside = period > 0.0 ? place - period * std::floor(place / period) : place;
-    return inside >= from && inside <= to;
-}
 
 /// Whether solids lie behind all of some places.
 class SolidsBehind {
@@ -96,58 +76,118 @@ double porous_edge(const Case& c, const Porous& porous) {
     return porous.edge.value_or(smoothing_lengths * c.numerics.smoothing_ratio * c.numerics.spacing);
 }
 
+/// Which edges of an outline have water beyond them. `is_bound`: whether a bound of the channel lies at both
+/// corners of an edge; `is_solid`: whether solids lie all over a place of the edge (from 0 to 1), a distance
+/// beyond it.
+template <class IsBound, class IsSolid>
+std::vector<bool> edges_in_water(const Outline& outline, double beyond, const IsBound& is_bound,
+                                 const IsSolid& is_solid) {
+    const double turn = outline.size() > 0 && signed_area(outline) < 0.0 ? -1.0 : 1.0;
+    std::vector<bool> result;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        const std::size_t j = outline.next(i);
+        // A little beyond the edge, to the right of one that goes against the clock.
+        const double along_x = outline.x[j] - outline.x[i];
+        const double along_z = outline.z[j] - outline.z[i];
+        const double out = turn * beyond / std::hypot(along_x, along_z);
+        result.push_back(!is_bound(i, j) && !is_solid([&](double t) {
+            return std::array{outline.x[i] + t * along_x + out * along_z,
+                              outline.z[i] + t * along_z - out * along_x};
+        }));
+    }
+    return result;
+}
+
+/// Whether both of two values of a list are a bound.
+template <class IsAt>
+bool both(const std::vector<double>& values, std::size_t i, std::size_t j, const IsAt& is_at) {
+    return is_at(values[i]) && is_at(values[j]);
+}
+
 PorousZone::PorousZone(const Case& c, const Porous& porous)
     : edge_(porous_edge(c, porous)),
       along_(range_of(porous.x_from, porous.x_to, c.channel.length, c.channel.ends == Ends::periodic)),
       across_(range_of(porous.y_from, porous.y_to, c.channel.simulated_width(),
                        c.channel.dimensions == 3 && c.channel.sides == Sides::periodic)),
-      outline_{porous.x, porous.z},
       top_x_(porous.top_x),
-      top_z_(porous.top_z),
-      length_(c.channel.ends == Ends::periodic ? c.channel.length : 0.0) {
+      top_z_(porous.top_z) {
     const double rounding = 1e-9 * c.channel.length;
+    const double length = c.channel.length;
     const bool box = c.channel.top == Top::periodic;
     if (porous.z_from && (*porous.z_from > rounding || box)) upright_.from = *porous.z_from;
     const bool below_lid = c.channel.top != Top::free_surface && !box;
     if (porous.z_to && !(below_lid && *porous.z_to >= c.total_depth() - rounding)) upright_.to = *porous.z_to;
-    end_at_solids(c);
     const SolidsBehind solids(c);
-    const double turn = outline_.size() > 0 && signed_area(outline_) < 0.0 ? -1.0 : 1.0;
-    for (std::size_t i = 0; i < outline_.size(); ++i) {
-        const std::size_t j = outline_.next(i);
-        const auto both = [&](const std::vector<double>& values, auto beyond) {
-            return beyond(values[i]) && beyond(values[j]);
+    const double beyond = 0.1 * c.numerics.spacing;
+    const double period = c.channel.ends == Ends::periodic ? length : 0.0;
+    const auto at_end = [&](double x) { return period == 0.0 && (x <= rounding || x >= length - rounding); };
+    const SoftRange edge{0.0, 1.0};
+    if (is_outlined(porous)) {
+        const double width = c.channel.simulated_width();
+        const double across = c.channel.sides == Sides::periodic ? width : 0.0;
+        const auto at_side = [&](double y) {
+            return across == 0.0 && (y <= rounding || y >= width - rounding);
         };
-        const bool at_bound = both(outline_.x, [&](double x) { return x <= rounding; }) ||
-                              both(outline_.x, [&](double x) { return x >= c.channel.length - rounding; }) ||
-                              both(outline_.z, [&](double z) { return z <= rounding; });
-        // A little beyond the edge, to the right of one that goes against the clock.
-        const double along_x = outline_.x[j] - outline_.x[i];
-        const double along_z = outline_.z[j] - outline_.z[i];
-        const double out = turn * 0.1 * c.numerics.spacing / std::hypot(along_x, along_z);
-        const SoftRange edge{0.0, 1.0};
-        const bool at_solid =
-            !c.solids.empty() && c.channel.dimensions == 2 && solids.all(edge, edge, [&](double t, double) {
-                return std::array{outline_.x[i] + t * along_x + out * along_z, 0.0,
-                                  outline_.z[i] + t * along_z - out * along_x};
-            });
-        inner_edge_.push_back(!at_bound && !at_solid);
+        const SoftRange height = upright_within(c);
+        const Outline outline = outline_of(porous);
+        in_plan_ = {outline,
+                    edges_in_water(
+                        outline, beyond,
+                        [&](std::size_t i, std::size_t j) {
+                            return both(outline.x, i, j, at_end) || both(outline.z, i, j, at_side);
+                        },
+                        [&](const auto& place) {
+                            return !c.solids.empty() && solids.all(edge, height, [&](double t, double z) {
+                                const auto [x, y] = place(t);
+                                return std::array{x, y, z};
+                            });
+                        }),
+                    {period, across},
+                    edge_};
+    } else if (!porous.x.empty()) {
+        const Outline outline{porous.x, porous.z};
+        const auto on_bed = [&](double z) { return z <= rounding; };
+        from_the_side_ = {outline,
+                          edges_in_water(
+                              outline, beyond,
+                              [&](std::size_t i, std::size_t j) {
+                                  return both(outline.x, i, j, at_end) || both(outline.z, i, j, on_bed);
+                              },
+                              [&](const auto& place) {
+                                  return !c.solids.empty() && c.channel.dimensions == 2 &&
+                                         solids.all(edge, edge, [&](double t, double) {
+                                             const auto [x, z] = place(t);
+                                             return std::array{x, 0.0, z};
+                                         });
+                              }),
+                          {period, 0.0},
+                          edge_};
     }
+    end_at_solids(c);
+}
+
+SoftRange PorousZone::upright_within(const Case& c) const {
+    double height = c.total_depth();
+    for (const double z : c.start.water_z) height = std::max(height, z);
+    const double top = top_z_.empty() ? height : *std::min_element(top_z_.begin(), top_z_.end());
+    return {std::max(upright_.from, 0.0), std::min(upright_.to, top)};
 }
 
 void PorousZone::end_at_solids(const Case& c) {
-    if (c.solids.empty() || outline_.size() > 0) return;
+    if (c.solids.empty() || !from_the_side_.empty()) return;
     const SolidsBehind solids(c);
     const double beyond = 0.1 * c.numerics.spacing;
     const auto within = [](const SoftRange& range, double extent) {
         return SoftRange{std::max(range.from, 0.0), std::min(range.to, extent)};
     };
-    double height = c.total_depth();
-    for (const double z : c.start.water_z) height = std::max(height, z);
-    const SoftRange x = within(along_, c.channel.length);
-    const SoftRange y = within(across_, c.channel.simulated_width());
-    const SoftRange z =
-        within(upright_, top_z_.empty() ? height : *std::min_element(top_z_.begin(), top_z_.end()));
+    const auto all_of = [](const std::vector<double>& corners) {
+        const Extent extent(corners);
+        return SoftRange{extent.low, extent.high};
+    };
+    const Outline& outline = in_plan_.outline();
+    const SoftRange x = in_plan_.empty() ? within(along_, c.channel.length) : all_of(outline.x);
+    const SoftRange y = in_plan_.empty() ? within(across_, c.channel.simulated_width()) : all_of(outline.z);
+    const SoftRange z = upright_within(c);
     using Point = std::array<double, 3>;
     const auto end = [&](double& at, bool& hard, double outward, const auto& is_behind) {
         if (std::isfinite(at) && is_behind(at + outward * beyond)) {
@@ -173,14 +213,6 @@ void PorousZone::end_at_solids(const Case& c) {
     }
 }
 
-double PorousZone::within_outline(double x, double z) const {
-    double distance = infinity;
-    for (std::size_t i = 0; i < outline_.size(); ++i) {
-        if (inner_edge_[i]) distance = std::min(distance, distance_from_edge(outline_, i, x, z));
-    }
-    return contains(outline_, x, z) ? distance : -distance;
-}
-
 double PorousZone::top(double x) const {
     const auto above = std::upper_bound(top_x_.begin(), top_x_.end(), x);
     if (above == top_x_.begin()) return top_z_.front();
@@ -191,36 +223,35 @@ double PorousZone::top(double x) const {
 }
 
 double PorousZone::top_at(double x) const {
-    if (outline_.size() > 0) {
+    if (!from_the_side_.empty()) {
+        const Outline& outline = from_the_side_.outline();
         double highest = -infinity;
-        for (std::size_t i = 0; i < outline_.size(); ++i) {
-            const std::size_t j = outline_.next(i);
-            const double low = std::min(outline_.x[i], outline_.x[j]);
-            const double high = std::max(outline_.x[i], outline_.x[j]);
+        for (std::size_t i = 0; i < outline.size(); ++i) {
+            const std::size_t j = outline.next(i);
+            const double low = std::min(outline.x[i], outline.x[j]);
+            const double high = std::max(outline.x[i], outline.x[j]);
             if (x >= low && x <= high) {
-                const double part = high > low ? (x - outline_.x[i]) / (outline_.x[j] - outline_.x[i]) : 0.0;
-                highest = std::max(highest, outline_.z[i] + part * (outline_.z[j] - outline_.z[i]));
+                const double part = high > low ? (x - outline.x[i]) / (outline.x[j] - outline.x[i]) : 0.0;
+                highest = std::max(highest, outline.z[i] + part * (outline.z[j] - outline.z[i]));
             }
         }
         return highest;
     }
-    if (!along_.holds(x)) return -infinity;
+    if (in_plan_.empty() && !along_.holds(x)) return -infinity;
     return top_x_.empty() ? upright_.to : top(x);
 }
 
 double PorousZone::share(double x, double y, double z) const {
-    const double beside = across_.share(y, edge_);
-    if (beside <= 0.0) return 0.0;
-    if (outline_.size() > 0) {
-        double within = share_within(within_outline(x, z), edge_);
-        if (length_ > 0.0) {
-            within += share_within(within_outline(x - length_, z), edge_) +
-                      share_within(within_outline(x + length_, z), edge_);
-        }
-        return beside * std::min(within, 1.0);
+    double in_plan = 1.0;
+    if (!in_plan_.empty()) {
+        in_plan = in_plan_.share(x, y);
+    } else {
+        in_plan = across_.share(y, edge_);
+        if (in_plan <= 0.0) return 0.0;
+        if (!from_the_side_.empty()) return in_plan * from_the_side_.share(x, z);
+        in_plan *= along_.share(x, edge_);
     }
-    const double along = along_.share(x, edge_);
-    if (along <= 0.0) return 0.0;
+    if (in_plan <= 0.0) return 0.0;
     SoftRange upright = upright_;
     double edge = edge_;
     if (!top_x_.empty()) {
@@ -229,36 +260,66 @@ double PorousZone::share(double x, double y, double z) const {
         constexpr double little = 1e-6;
         edge *= std::hypot(1.0, (top(x + little) - top(x - little)) / (2.0 * little));
     }
-    return beside * along * upright.share(z, edge);
+    return in_plan * upright.share(z, edge);
 }
 
 bool PorousZone::holds(double x, double y, double z) const {
-    if (!across_.holds(y)) return false;
-    if (outline_.size() > 0) {
-        return at_any_image(x, length_, [&](double at) { return contains(outline_, at, z); });
-    }
-    return along_.holds(x) && z >= upright_.from && z <= (top_x_.empty() ? upright_.to : top(x));
+    if (!from_the_side_.empty()) return across_.holds(y) && from_the_side_.holds(x, z);
+    const bool in_plan = in_plan_.empty() ? across_.holds(y) && along_.holds(x) : in_plan_.holds(x, y);
+    return in_plan && z >= upright_.from && z <= (top_x_.empty() ? upright_.to : top(x));
 }
 
-Outline porous_outline(const Case& c, const Porous& zone, double top) {
-    if (!zone.x.empty()) {
-        return {zone.x, zone.z};
+namespace {
+
+/// Whether a section along the channel at a place across it, m, goes through a zone seen from the side.
+bool lies_at(const Case& c, const Porous& zone, double y) {
+    return c.channel.dimensions == 2 || (y >= zone.y_from.value_or(y) && y <= zone.y_to.value_or(y));
+}
+
+}  // namespace
+
+std::vector<Outline> porous_cuts_along(const Case& c, const Porous& zone, double y, double top) {
+    if (is_seen_from_the_side(zone)) {
+        return lies_at(c, zone, y) ? std::vector<Outline>{{zone.x, zone.z}} : std::vector<Outline>{};
     }
-    const double begin = zone.x_from.value_or(0.0);
-    const double end = zone.x_to.value_or(c.channel.length);
     const double bottom = std::max(zone.z_from.value_or(0.0), 0.0);
-    if (zone.top_x.empty()) {
-        const double level = std::min(zone.z_to.value_or(top), top);
-        return {{begin, end, end, begin}, {bottom, bottom, level, level}};
+    std::vector<Outline> cuts;
+    for (const PatchRange& along : stretches_of(c, zone, 0, y)) {
+        if (zone.top_x.empty()) {
+            const double level = std::min(zone.z_to.value_or(top), top);
+            cuts.push_back({{along.from, along.to, along.to, along.from}, {bottom, bottom, level, level}});
+            continue;
+        }
+        const PorousZone shape(c, zone);
+        Outline& outline = cuts.emplace_back(Outline{{along.from, along.to}, {bottom, bottom}});
+        constexpr int pieces = 200;
+        for (int i = pieces; i >= 0; --i) {
+            outline.x.push_back(along.from + (along.to - along.from) * i / pieces);
+            outline.z.push_back(std::min(shape.top_at(outline.x.back()), top));
+        }
     }
-    const PorousZone shape(c, zone);
-    Outline outline{{begin, end}, {bottom, bottom}};
-    constexpr int pieces = 200;
-    for (int i = pieces; i >= 0; --i) {
-        outline.x.push_back(begin + (end - begin) * i / pieces);
-        outline.z.push_back(std::min(shape.top_at(outline.x.back()), top));
+    return cuts;
+}
+
+std::vector<PorousCut> porous_cuts_across(const Case& c, const Porous& zone, double x, double top) {
+    std::vector<PorousCut> cuts;
+    if (is_seen_from_the_side(zone)) {
+        const PatchRange across{zone.y_from.value_or(0.0), zone.y_to.value_or(c.channel.simulated_width())};
+        for (const PatchRange& upright : chords({zone.x, zone.z}, 1, x)) cuts.push_back({across, upright});
+        return cuts;
     }
-    return outline;
+    const PatchRange upright{std::max(zone.z_from.value_or(0.0), 0.0),
+                             std::min(PorousZone(c, zone).top_at(x), top)};
+    if (upright.to <= upright.from) return cuts;
+    for (const PatchRange& across : stretches_of(c, zone, 1, x)) cuts.push_back({across, upright});
+    return cuts;
+}
+
+Outline plan_of(const Case& c, const Porous& zone) {
+    if (!is_seen_from_the_side(zone)) return plan_outline(c, zone);
+    const Extent along(zone.x);
+    return rectangle_in_plan({along.low, along.high},
+                             {zone.y_from.value_or(0.0), zone.y_to.value_or(c.channel.simulated_width())});
 }
 
 PorosityField::PorosityField(const Case& c) {
@@ -274,11 +335,8 @@ double PorosityField::porosity(double x, double y, double z) const {
     return 1.0 - solid;
 }
 
-bool is_cut_at(const Case& c, const Porous& zone, double y) {
-    return c.channel.dimensions == 2 || (y >= zone.y_from.value_or(y) && y <= zone.y_to.value_or(y));
-}
-
 bool covers_length(const Case& c, const Porous& porous) {
+    if (is_outlined(porous)) return porous.top_z.empty() && outlines_all(c, porous);
     const SoftRange range = range_of(porous.x_from, porous.x_to, c.channel.length, true);
     const bool level = std::all_of(porous.top_z.begin(), porous.top_z.end(),
                                    [&](double z) { return z == porous.top_z.front(); });
@@ -286,6 +344,7 @@ bool covers_length(const Case& c, const Porous& porous) {
 }
 
 bool covers_width(const Case& c, const Porous& porous) {
+    if (is_outlined(porous)) return outlines_all(c, porous);
     return c.channel.dimensions == 2 ||
            range_of(porous.y_from, porous.y_to, c.channel.simulated_width(), true).period == 0.0;
 }

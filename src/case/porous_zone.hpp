@@ -2,32 +2,14 @@
 
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 #include "case/case.hpp"
 #include "case/outline.hpp"
+#include "case/plan_outline.hpp"
+#include "case/soft_shape.hpp"
 
 namespace riffle::inline case_file {
-
-/// A range along an axis whose ends are as sharp as an edge of some thickness: what lies at its ends as half
-/// in it. An end at infinity is none.
-struct SoftRange {
-    double from = -std::numeric_limits<double>::infinity();
-    double to = std::numeric_limits<double>::infinity();
-    double period = 0.0;     ///< after which it comes again, m; 0: never
-    bool hard_from = false;  ///< an end at a solid: all of a place within, nothing of one beyond
-    bool hard_to = false;
-
-    /// The share of a place that lies within, for an edge of this thickness, m. Its integral is the length of
-    /// the range.
-    [[nodiscard]] double share(double place, double edge) const;
-    [[nodiscard]] bool holds(double place) const;
-};
-
-/// The share of a place at so far a distance within a surface (negative: outside, m) that lies within, for an
-/// edge of this thickness: 1/2 at the surface, 1 from half of the thickness on; smooth.
-[[nodiscard]] double share_within(double distance, double edge);
 
 /// Where a porous zone is. Edges at walls and ends of the channel, at bed and sides and at solids have no
 /// thickness: the porosity is that of the medium up to them.
@@ -45,9 +27,9 @@ class PorousZone {
     [[nodiscard]] double edge() const { return edge_; }
 
   private:
-    /// Distance within the outline, negative outside, m; its edges at the bounds of the channel not counted.
-    [[nodiscard]] double within_outline(double x, double z) const;
     [[nodiscard]] double top(double x) const;
+    /// From its bottom to its top where that is lowest, no higher than the water.
+    [[nodiscard]] SoftRange upright_within(const Case& c) const;
     /// Make the sides of a box hard that solids lie behind all over.
     void end_at_solids(const Case& c);
 
@@ -55,16 +37,28 @@ class PorousZone {
     SoftRange along_;
     SoftRange across_;
     SoftRange upright_;
-    Outline outline_;               ///< empty: a box
-    std::vector<bool> inner_edge_;  ///< of the outline, by edge: whether there is water beyond it
-    std::vector<double> top_x_;     ///< empty: level
+    SoftOutline from_the_side_;  ///< in place of along_ and upright_
+    SoftOutline in_plan_;        ///< in place of along_ and across_
+    std::vector<double> top_x_;  ///< empty: level
     std::vector<double> top_z_;
-    double length_;  ///< of a periodic channel; 0
 };
 
-/// The outline of a zone in a plane along the channel, up to a height of what is shown (m): its own one, or
-/// that of its box, with the heights of its top at 200 places where they change along it.
-[[nodiscard]] Outline porous_outline(const Case& c, const Porous& zone, double top);
+/// What a section along the channel cuts of a zone, at a place across it (m; in a plane not looked at), up to
+/// a height of what is shown (m): its outline, or boxes, with the heights of its top at 200 places where they
+/// change along it.
+[[nodiscard]] std::vector<Outline> porous_cuts_along(const Case& c, const Porous& zone, double y, double top);
+
+/// What a section across the channel cuts of a zone at a place along it, m: ranges over the width, and of
+/// each its bottom and top, m, up to a height of what is shown.
+struct PorousCut {
+    PatchRange across;
+    PatchRange upright;
+};
+[[nodiscard]] std::vector<PorousCut> porous_cuts_across(const Case& c, const Porous& zone, double x,
+                                                        double top);
+
+/// What a zone covers in plan.
+[[nodiscard]] Outline plan_of(const Case& c, const Porous& zone);
 
 /// The porosity of all of a case.
 class PorosityField {
@@ -87,12 +81,14 @@ class PorosityField {
     std::vector<double> solid_;  ///< 1 - n of each
 };
 
+/// Whether the zone has an outline along the channel, seen from its side, in place of a box or one in plan.
+[[nodiscard]] inline bool is_seen_from_the_side(const Porous& zone) {
+    return !zone.x.empty() && !zone.z.empty();
+}
+
 /// Thickness of the edge of a zone, m: `edge`, or so many smoothing lengths that a smooth step of it has the
 /// standard deviation of the kernel.
 [[nodiscard]] double porous_edge(const Case& c, const Porous& porous);
-
-/// Whether a section along the channel goes through a zone: at a place across it, m, in space.
-[[nodiscard]] bool is_cut_at(const Case& c, const Porous& zone, double y);
 
 /// Whether a zone is the same all along the channel, and from side to side.
 [[nodiscard]] bool covers_length(const Case& c, const Porous& porous);

@@ -169,6 +169,18 @@ struct Words<StressTerms> {
 };
 
 template <>
+struct Words<EddyRate> {
+    static constexpr std::array<Word, 3> list{{
+        {"strain", "the strain rate, sqrt(2 S_ij S_ij)", "Prandtl (1925); Smagorinsky (1963)",
+         "uniform flow"},
+        {"rotation", "the rate of rotation, sqrt(2 W_ij W_ij)", "Baldwin & Lomax (1978)",
+         "flow that is pressed together or drawn out without shear: before weirs and gates; in parallel flow the same"},
+        {"strain-and-rotation", "the root of their product", "Kato & Launder (1993)",
+         "as rotation, with less in eddies that turn like a wheel"},
+    }};
+};
+
+template <>
 struct Words<ClosureDepth> {
     static constexpr std::array<Word, 3> list{{
         {"auto",

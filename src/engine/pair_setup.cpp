@@ -26,6 +26,14 @@ StrainMeasure strain_measure(const Case& c) {
         case ClosureKind::vreman:
             return StrainMeasure::vreman;
         default:
+            break;
+    }
+    switch (c.turbulence.eddy_rate) {
+        case EddyRate::rotation:
+            return StrainMeasure::rotation;
+        case EddyRate::strain_and_rotation:
+            return StrainMeasure::strain_and_rotation;
+        default:
             return StrainMeasure::strain_rate;
     }
 }

@@ -14,6 +14,7 @@
 #include "case/outline_check.hpp"
 #include "case/packed_start.hpp"
 #include "case/patch_range.hpp"
+#include "case/porous_zone.hpp"
 #include "case/solid_mesh.hpp"
 #include "case/solid_shapes.hpp"
 #include "engine/scheme.hpp"
@@ -217,14 +218,13 @@ void draw_plan(SvgSheet& sheet, const Case& c, const PreviewPlan& plan, const Sh
         sheet.end_clip();
         sheet.begin_clip(view);
     }
-    const auto draw_patch = [&](const auto& patch, const char* colour, double opacity) {
-        const Outline outline = plan_outline(c, patch);
+    const auto draw_patch = [&](const Outline& outline, const char* colour, double opacity) {
         std::vector<SheetPoint> corners;
         for (std::size_t i = 0; i < outline.size(); ++i) corners.push_back({outline.x[i], outline.z[i]});
         sheet.polygon(view, corners,
                       fmt::format(R"(fill="{0}" fill-opacity="{1}" stroke="{0}")", colour, opacity));
     };
-    for (const BedPatch& patch : c.bed_patches) draw_patch(patch, patch_colour, 0.3);
+    for (const BedPatch& patch : c.bed_patches) draw_patch(plan_outline(c, patch), patch_colour, 0.3);
     for (std::size_t k = 0; k < c.solids.size(); ++k) {
         const Solid& solid = c.solids[k];
         const SolidMesh* const mesh = mesh_of(c, solid);
@@ -269,17 +269,8 @@ void draw_plan(SvgSheet& sheet, const Case& c, const PreviewPlan& plan, const Sh
         sheet.text(view.x(plan.x[k]) + 5.0, view.top + view.height - 6.0, k == 0 ? "B" : "C",
                    R"(class="halo" font-weight="600")");
     }
-    for (const Vegetation& patch : c.vegetation) draw_patch(patch, stem_colour, 0.22);
-    for (const Porous& zone : c.porous) {
-        const bool outlined = !zone.x.empty();
-        const double begin = outlined ? Extent(zone.x).low : zone.x_from.value_or(0.0);
-        const double end = outlined ? Extent(zone.x).high : zone.x_to.value_or(length);
-        const double right = zone.y_from.value_or(0.0);
-        const double left = std::min(width, zone.y_to.value_or(width));
-        sheet.rectangle(view.x(begin), std::min(view.y(right), view.y(left)), (end - begin) * view.scale_u(),
-                        std::abs(view.y(left) - view.y(right)),
-                        fmt::format(R"(fill="{0}" fill-opacity="0.3" stroke="{0}")", porous_colour));
-    }
+    for (const Vegetation& patch : c.vegetation) draw_patch(plan_outline(c, patch), stem_colour, 0.22);
+    for (const Porous& zone : c.porous) draw_patch(plan_of(c, zone), porous_colour, 0.3);
     draw_probes_in_plan(sheet, c, view);
     const double x = view.x(0.06 * length);
     sheet.dimension(x, view.y(0.0), x, view.y(width), plan.unit.text(width));

@@ -44,7 +44,9 @@ class UprightView {
             }
         }
         for (const Porous& zone : c_.porous) {
-            if (is_cut_at(c_, zone, plan_.y)) draw_porous_along(zone);
+            for (const Outline& cut : porous_cuts_along(c_, zone, plan_.y, plan_.top)) {
+                draw_porous_along(zone, cut);
+            }
         }
         for (std::size_t k = 0; k < c_.solids.size(); ++k) draw_solid_along(k);
         draw_floor(c_.channel.ends);
@@ -78,11 +80,8 @@ class UprightView {
             }
         }
         for (const Porous& zone : c_.porous) {
-            const PorousZone shape(c_, zone);
-            const double top = std::min(shape.top_at(x), plan_.top);
-            const double bottom = std::max(zone.z_from.value_or(0.0), 0.0);
-            if (top > bottom && zone.x.empty()) {
-                rectangle(zone.y_from.value_or(0.0), std::min(width, zone.y_to.value_or(width)), bottom, top,
+            for (const PorousCut& cut : porous_cuts_across(c_, zone, x, plan_.top)) {
+                rectangle(cut.across.from, std::min(width, cut.across.to), cut.upright.from, cut.upright.to,
                           porous_style());
             }
         }
@@ -212,9 +211,8 @@ class UprightView {
         return fmt::format(R"(fill="{0}" fill-opacity="0.35" stroke="{0}")", porous_colour);
     }
 
-    /// A porous zone with its name.
-    void draw_porous_along(const Porous& zone) {
-        const Outline outline = porous_outline(c_, zone, plan_.top);
+    /// What the section along the channel cuts of a porous zone, with its name.
+    void draw_porous_along(const Porous& zone, const Outline& outline) {
         polygon(outline, porous_style());
         double u = 0.0;
         double v = 0.0;

@@ -194,7 +194,9 @@ std::vector<FieldZone> field_zones(const Case& c, double y, double top) {
         }
     }
     for (const Porous& zone : c.porous) {
-        if (is_cut_at(c, zone, y)) zones.push_back({"porous", zone.name, porous_outline(c, zone, top)});
+        for (Outline& cut : porous_cuts_along(c, zone, y, top)) {
+            zones.push_back({"porous", zone.name, std::move(cut)});
+        }
     }
     for (const BedPatch& patch : c.bed_patches) {
         for (const PatchRange& along : stretches_of(c, patch, 0, y)) {

@@ -113,7 +113,10 @@ RIFFLE_INLINE T strain_measure(StrainMeasure measure, const Components<T, D * D>
         if (measure == StrainMeasure::wale) return wale_rate<T>(g);
         if (measure == StrainMeasure::vreman) return vreman_rate<T>(g);
     }
-    return strain_rate<T, D>(g);
+    if (measure == StrainMeasure::rotation) return rotation_rate<T, D>(g);
+    const T strain = strain_rate<T, D>(g);
+    if (measure == StrainMeasure::strain_and_rotation) return sqrt(strain * rotation_rate<T, D>(g));
+    return strain;
 }
 
 /// Pressure over rho0 in lanes.

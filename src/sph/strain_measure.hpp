@@ -10,9 +10,11 @@ namespace riffle::inline sph {
 
 /// What a closure makes of the velocity gradient, 1/s: the eddy viscosity is its length squared times this.
 enum class StrainMeasure {
-    strain_rate,  ///< |S|: of mixing lengths and of Smagorinsky's model
-    wale,         ///< Nicoud & Ducros (1999)
-    vreman        ///< Vreman (2004)
+    strain_rate,          ///< |S|: of mixing lengths and of Smagorinsky's model
+    rotation,             ///< |W|, the magnitude of the vorticity: Baldwin & Lomax (1978)
+    strain_and_rotation,  ///< sqrt(|S| |W|): Kato & Launder (1993)
+    wale,                 ///< Nicoud & Ducros (1999)
+    vreman                ///< Vreman (2004)
 };
 
 /// Strain rate |S| = sqrt(2 S_ij S_ij) from the velocity gradient du_k/dx_l at k D + l.
@@ -27,6 +29,22 @@ RIFFLE_INLINE T strain_rate(const Components<T, D * D>& g) {
         for (std::size_t l = k + 1; l < D; ++l) {
             const T shear = g[k * D + l] + g[l * D + k];
             sum += shear * shear;
+        }
+    }
+    return sqrt(sum);
+}
+
+/// Rate of rotation |W| = sqrt(2 W_ij W_ij), the magnitude of the vorticity: |S| in plane shear, and zero
+/// where water is drawn out or pressed together without turning.
+template <class T, int D>
+RIFFLE_INLINE T rotation_rate(const Components<T, D * D>& g) {
+    using std::sqrt;
+    using std::experimental::sqrt;
+    T sum(0);
+    for (std::size_t k = 0; k < D; ++k) {
+        for (std::size_t l = k + 1; l < D; ++l) {
+            const T turn = g[k * D + l] - g[l * D + k];
+            sum += turn * turn;
         }
     }
     return sqrt(sum);

@@ -226,4 +226,55 @@ def block(study):
     return check
 
 
-CHECKS = {"porous_block": block, "falling_head": falling_head, "brinkman": brinkman, "porous_dam_break": dam_break}
+def _across_bands(thickness, width, places=20001):
+    """Share of the first of two kinds of bands, `width` thick one after the other, along a line at right angles to them, for an edge of
+    this thickness at 45 degrees to the axes: a place is a square with the weight of a smooth step's slope along either axis."""
+    t = numpy.linspace(-0.5, 0.5, 401)[1:-1]
+    weight = 1.5 * (1 - 4 * t**2)
+    offsets = (t[:, None] + t[None, :]).ravel() * thickness / math.sqrt(2)
+    histogram, edges = numpy.histogram(offsets, bins=200, weights=(weight[:, None] * weight[None, :]).ravel())
+    middles, histogram = 0.5 * (edges[1:] + edges[:-1]), histogram / histogram.sum()
+    s = numpy.linspace(0, 2 * width, places)[:-1]
+    return sum(part * (((s - offset) % (2 * width)) < width) for part, offset in zip(histogram, middles))
+
+
+def _carried_along(drive, rate, porosity, across, step):
+    """Velocity along bands of water that crosses them: (across/n) du/ds = drive - rate u, the same after one period of both bands."""
+    decay = numpy.exp(-rate * porosity * step / across)
+    gain = drive / rate * (1 - decay)
+    once = 0.0
+    for d, g in zip(decay, gain):
+        once = d * once + g
+    u = numpy.empty(len(decay))
+    last = once / (1 - numpy.prod(decay))
+    for k, (d, g) in enumerate(zip(decay, gain)):
+        last = u[k] = d * last + g
+    return u
+
+
+def bands(study):
+    check = Check("porous_bands", "Flow through skew bands of two media",
+                  "Bands of a fine and a coarse medium at 45 degrees to the channel, outlined in plan: across them one discharge; along them each resists in its own way, and the water carries its motion from one to the next.")
+    flow = study.run("porous_bands", "cases/porous/bands.toml")
+    zones = [zone_of(flow), zone_of(flow, 2)]
+    linear = [resistance(zone, flow.viscosity)[0] for zone in zones]
+    width = 0.5 * flow.length / math.sqrt(2)
+    share = _across_bands(2.4 * flow.smoothing_length, width)
+    force = sum(part * zone["porosity"] * a for part, zone, a in zip((share, 1 - share), zones, linear))
+    porosity = sum(part * zone["porosity"] for part, zone in zip((share, 1 - share), zones))
+    drive = flow.gravity_x / math.sqrt(2)
+    across = drive / (0.5 * (linear[0] + linear[1]))
+    along = float((porosity * _carried_along(drive, force, porosity, across, 2 * width / len(share))).mean())
+    exact = numpy.array([across + along, along - across]) / math.sqrt(2)
+    late = [s for s in flow.snapshots() if s.time > flow.parameters["run"]["average_from"]]
+    room = flow.length * flow.parameters["channel"]["width"] * flow.depth
+    found = numpy.mean([[(flow.mass / s.density * component).sum() / room for component in (s.u, s.v)] for s in late], axis=0)
+    check.norm("discharge of an area along the channel", float(found[0] / exact[0] - 1), 0.01)
+    check.norm("the same across it, over that along it, less the exact", float((found[1] - exact[1]) / exact[0]), 0.01)
+    refracted = (across + 0.5 * drive * (1 / linear[0] + 1 / linear[1])) / math.sqrt(2)
+    check.norm("discharge along the channel against water without inertia (Darcy's law of refraction)", float(found[0] / refracted - 1))
+    check.best, check.cost = options_text(flow), flow.cost_text
+    return check
+
+
+CHECKS = {"porous_block": block, "porous_bands": bands, "falling_head": falling_head, "brinkman": brinkman, "porous_dam_break": dam_break}

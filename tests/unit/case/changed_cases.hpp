@@ -221,6 +221,22 @@ inline Case with_porous_outline() {
     return c;
 }
 
+/// A channel in space with a porous zone that has an outline in plan.
+inline Case with_porous_in_plan() {
+    Case c = cell();
+    c.numerics.wall = WallKind::dummy;
+    Porous gravel;
+    gravel.name = "gravel";
+    gravel.porosity = 0.4;
+    gravel.grain_size = 0.003;
+    gravel.x = {0.005, 0.045, 0.045, 0.005};
+    gravel.y = {0.01, 0.01, 0.035, 0.035};
+    c.start.kind = StartKind::uniform;
+    c.start.velocity = 0.1;
+    c.porous = {gravel};
+    return c;
+}
+
 inline Case with_solid() {
     Case c = tank();
     Solid weir;

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "case/flow_kind.hpp"
 #include "changed_cases.hpp"
@@ -95,13 +97,110 @@ TEST(PorousZone, ByAnOutlineIsThatOfTheBox) {
         const PorosityField a(with_zone(box));
         const PorosityField b(with_zone(outlined));
         for (const double x : {0.02, 0.049, 0.051, 0.075, 0.1, 0.103}) {
-            EXPECT_NEAR(a.porosity(x, 0.0, 0.0), b.porosity(x, 0.0, 0.0), 1e-12) << x;
-        }
-        for (const double z : {0.0, 0.01, 0.027, 0.03, 0.034, 0.05}) {
-            EXPECT_NEAR(a.porosity(0.075, 0.0, z), b.porosity(0.075, 0.0, z), 1e-12) << z;
+            for (const double z : {0.0, 0.01, 0.027, 0.03, 0.034, 0.05}) {
+                EXPECT_NEAR(a.porosity(x, 0.0, z), b.porosity(x, 0.0, z), 1e-12) << x << " " << z;
+            }
         }
         std::reverse(outlined.x.begin(), outlined.x.end());
         std::reverse(outlined.z.begin(), outlined.z.end());
+    }
+}
+
+/// A channel in space, 0.2 by 0.1 m in plan.
+Case channel_in_space(std::vector<Porous> zones, Ends ends, Sides sides) {
+    Case c = test::cell();
+    c.channel.length = 0.2;
+    c.channel.width = 0.1;
+    c.channel.ends = ends;
+    c.channel.sides = sides;
+    c.porous = std::move(zones);
+    return c;
+}
+
+Porous outlined_in_plan(std::vector<double> x, std::vector<double> y) {
+    Porous zone = medium(0.4);
+    zone.x = std::move(x);
+    zone.y = std::move(y);
+    return zone;
+}
+
+TEST(PorousZone, ByAnOutlineInPlanIsThatOfTheBox) {
+    Porous box = medium(0.4);
+    box.x_from = 0.05;
+    box.x_to = 0.1;
+    box.y_from = 0.03;
+    box.z_to = 0.02;
+    Porous outlined = outlined_in_plan({0.05, 0.1, 0.1, 0.05}, {0.03, 0.03, 0.1, 0.1});
+    outlined.z_to = 0.02;
+    const PorosityField a(channel_in_space({box}, Ends::walls, Sides::walls));
+    const PorosityField b(channel_in_space({outlined}, Ends::walls, Sides::walls));
+    for (const double x : {0.02, 0.049, 0.051, 0.075, 0.1, 0.103}) {
+        for (const double y : {0.0, 0.027, 0.031, 0.06, 0.0999}) {
+            for (const double z : {0.0, 0.018, 0.023}) {
+                EXPECT_NEAR(a.porosity(x, y, z), b.porosity(x, y, z), 1e-12) << x << " " << y << " " << z;
+            }
+        }
+    }
+}
+
+TEST(PorousZone, AroundAnOutlineInPlanKeepsItsSolid) {
+    // A triangle that reaches beyond a periodic end, where it comes again.
+    const Porous zone = outlined_in_plan({0.1, 0.2, 0.15}, {0.02, 0.04, 0.08});
+    const PorosityField field(channel_in_space({zone}, Ends::periodic, Sides::periodic));
+    constexpr int places = 400;
+    double sum = 0.0;
+    for (int i = 0; i < places; ++i) {
+        for (int j = 0; j < places; ++j) {
+            sum += 1.0 - field.porosity((i + 0.5) / places * 0.2, (j + 0.5) / places * 0.1, 0.01);
+        }
+    }
+    const double area = std::abs(signed_area({zone.x, zone.y}));
+    EXPECT_NEAR(sum / places / places, 0.6 * area / (0.2 * 0.1), 1e-6);
+}
+
+TEST(PorousZone, OfManyCornersHasTheShareOfItsArea) {
+    constexpr int corners = 600;
+    std::vector<double> x;
+    std::vector<double> y;
+    for (int i = 0; i < corners; ++i) {
+        x.push_back(0.1 + 0.03 * std::cos(2.0 * std::numbers::pi * i / corners));
+        y.push_back(0.05 - 0.03 * std::sin(2.0 * std::numbers::pi * i / corners));
+    }
+    const PorosityField field(channel_in_space({outlined_in_plan(x, y)}, Ends::walls, Sides::walls));
+    EXPECT_NEAR(field.porosity(0.1, 0.05, 0.01), 0.4, 1e-12);
+    EXPECT_NEAR(field.porosity(0.12, 0.05, 0.01), 0.4, 1e-12);
+    EXPECT_EQ(field.porosity(0.1, 0.086, 0.01), 1.0);
+    // On a circle of the radius R somewhat less than half of a place lies within: p v/(2 R), where p is the
+    // weight of places on a straight edge and v their mean square distance along it. Along the axes p = 1.5/e
+    // and v = e^2/20, on diagonals p = 1.2 sqrt(2)/e and v = e^2/14, e the thickness of the edge.
+    const auto share_at = [&](double turn) {
+        return (1.0 - field.porosity(0.1 + 0.03 * std::cos(turn), 0.05 + 0.03 * std::sin(turn), 0.01)) / 0.6;
+    };
+    constexpr double edge = 0.01;
+    constexpr double quarter = 0.5 * std::numbers::pi;
+    for (int k = 0; k < 4; ++k) {
+        EXPECT_NEAR(share_at(k * quarter), 0.5 - 1.5 * edge / 20 / 0.06, 0.001);
+        EXPECT_NEAR(share_at((k + 0.5) * quarter), 0.5 - 1.2 * std::numbers::sqrt2 * edge / 14 / 0.06, 0.001);
+    }
+}
+
+TEST(PorousZone, OutlinesThatFillThePlanLeaveNoGapAndNoExcess) {
+    // Six wedges about a corner in the middle of the plan, of all angles.
+    const std::vector<double> x{0.0, 0.0, 0.0, 0.2, 0.2, 0.2};
+    const std::vector<double> y{0.1, 0.06, 0.0, 0.0, 0.03, 0.1};
+    std::vector<Porous> zones;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        const std::size_t j = (i + 1) % x.size();
+        zones.push_back(outlined_in_plan({0.13, x[i], x[j]}, {0.06, y[i], y[j]}));
+    }
+    for (const Sides sides : {Sides::walls, Sides::periodic}) {
+        const Ends ends = sides == Sides::walls ? Ends::walls : Ends::periodic;
+        const PorosityField field(channel_in_space(zones, ends, sides));
+        for (const double along : {0.0, 0.003, 0.06, 0.127, 0.13, 0.135, 0.199, 0.2}) {
+            for (const double across : {0.0, 0.002, 0.031, 0.057, 0.06, 0.064, 0.0999}) {
+                EXPECT_NEAR(field.porosity(along, across, 0.01), 0.4, 1e-12) << along << " " << across;
+            }
+        }
     }
 }
 
@@ -158,14 +257,14 @@ TEST(PorousZone, HasAnOutlineToDraw) {
     zone.x_from = 0.05;
     zone.z_to = 0.04;
     const Case box = with_zone(zone);
-    const Outline outline = porous_outline(box, zone, 0.1);
+    const Outline outline = porous_cuts_along(box, zone, 0.0, 0.1).at(0);
     EXPECT_EQ(outline.x, (std::vector<double>{0.05, 0.2, 0.2, 0.05}));
     EXPECT_EQ(outline.z, (std::vector<double>{0.0, 0.0, 0.04, 0.04}));
     // A top that changes along it, no higher than what is shown.
     zone.z_to.reset();
     zone.top_x = {0.05, 0.2};
     zone.top_z = {0.02, 0.08};
-    const Outline ramp = porous_outline(with_zone(zone), zone, 0.05);
+    const Outline ramp = porous_cuts_along(with_zone(zone), zone, 0.0, 0.05).at(0);
     EXPECT_NEAR(ramp.z.back(), 0.02, 1e-12);
     EXPECT_DOUBLE_EQ(*std::max_element(ramp.z.begin(), ramp.z.end()), 0.05);
 }

@@ -37,6 +37,7 @@ using test::with_bed_patches;
 using test::with_keys;
 using test::with_mesh;
 using test::with_porous;
+using test::with_porous_in_plan;
 using test::with_porous_outline;
 using test::with_probe;
 using test::with_shape;
@@ -184,6 +185,7 @@ std::vector<Wrong> wrong_open_ends() {
 
 std::vector<Wrong> wrong_methods() {
     return {
+        {flume(), "turbulence.eddy_rate = rotation; turbulence.stress_terms = shear"},
         {flume(), "numerics.tensile_correction = 0.2; numerics.kernel = cubic-spline"},
         {flume(), "numerics.tensile_correction = 0.2; numerics.pressure_form = symmetric"},
         {flume(), "turbulence.closure = wale"},
@@ -487,6 +489,12 @@ std::vector<Wrong> wrong_porous() {
         {with_porous_outline(), "porous[0].x = [0.05, 0.1, 0.1]"},
         {with_porous_outline(), "porous[0].x = [0.05, 0.1]; porous[0].z = [0, 0.03]"},
         {with_porous_outline(), "porous[0].z = [0, 0.03, 0, 0.03]"},
+        {with_porous_in_plan(), "porous[0].z = [0, 0, 0.03, 0.03]"},
+        {with_porous_in_plan(), "porous[0].y_to = 15 mm"},
+        {with_porous_in_plan(), "porous[0].x = [0.005, 0.045, 0.045]"},
+        {with_porous_in_plan(), "porous[0].y = [0.01, 0.035, 0.01, 0.035]"},
+        {with_porous_in_plan(), "porous[0].x = [0.005, 0.2, 0.045, 0.005]"},
+        {with_porous_in_plan(), "porous[0].y = [0.01, 0.01, 0.015, 0.015]"},
         {with_porous(), "porous[0].top_x = [0.05, 0.1]; porous[0].top_z = 0.03"},
         {with_porous(), "porous[0].top_x = [0.1, 0.05]; porous[0].top_z = [0.03, 0.03]"},
         {with_porous(), "porous[1].x_to = 0.3"},

@@ -43,6 +43,7 @@ struct StressOptions {
     bool closure = true;
     bool two_point = true;
     bool shear_only = false;
+    StrainMeasure measure = StrainMeasure::strain_rate;
     bool continued = false;
     EquationOfState state = EquationOfState::linear;
     double spanwise_ratio = 1.0;  ///< l_y/l_x in the tensor, three dimensions
@@ -69,15 +70,23 @@ PlainStress<D> plain_stress(const ParticleSet<D, Real>& set, const StressOptions
     };
     PlainStress<D> plain;
     if (o.tensor && o.closure) {
-        double squared = 0.0;  // 2 S_kl S_kl
+        double strain_squared = 0.0;    // 2 S_kl S_kl
+        double rotation_squared = 0.0;  // 2 W_kl W_kl
         for (std::size_t k = 0; k < D; ++k) {
             for (std::size_t l = 0; l < D; ++l) {
                 const double strain = 0.5 * (g(k, l) + g(l, k));
-                squared += 2.0 * strain * strain;
+                const double rotation = 0.5 * (g(k, l) - g(l, k));
+                strain_squared += 2.0 * strain * strain;
+                rotation_squared += 2.0 * rotation * rotation;
             }
         }
         const double length = set.work->mixing_length[i];
-        plain.eddy_viscosity = length * length * (o.shear_only ? std::abs(g(0, D - 1)) : std::sqrt(squared));
+        double rate = std::sqrt(strain_squared);
+        if (o.measure == StrainMeasure::rotation) rate = std::sqrt(rotation_squared);
+        if (o.measure == StrainMeasure::strain_and_rotation) {
+            rate = std::sqrt(std::sqrt(strain_squared * rotation_squared));
+        }
+        plain.eddy_viscosity = length * length * (o.shear_only ? std::abs(g(0, D - 1)) : rate);
     }
     const double ratio = 1.0 + s;
     double nu = set.particles.viscosity + (o.two_point ? plain.eddy_viscosity : 0.0);
@@ -112,6 +121,7 @@ void check_stress(const ParticleLoops<D, Real>& loops, ParticleSet<D, Real>& set
     set.particles.closure = o.closure;
     set.particles.two_point = o.two_point;
     set.particles.shear_only = o.shear_only;
+    set.particles.strain_measure = o.measure;
     set.particles.state.kind = o.state;
     set.particles.bulk_viscosity = o.bulk_viscosity;
     set.particles.sound_rate = 100.0;
@@ -188,6 +198,8 @@ TEST_P(ParticleLoopsTest, StressFollowsTheFormulas) {
                                      {.two_point = false, .spanwise_ratio = 0.5},
                                      {.shear_only = true},
                                      {.two_point = false, .shear_only = true},
+                                     {.measure = StrainMeasure::rotation},
+                                     {.two_point = false, .measure = StrainMeasure::strain_and_rotation},
                                      {.corrected = false},
                                      {.corrected = false, .two_point = false},
                                      {.corrected = false, .tensor = false, .closure = false},

@@ -71,6 +71,25 @@ TEST(StrainMeasure, VanishesInPlaneShear) {
     EXPECT_EQ(vreman_rate<double>(Gradient{}), 0.0);
 }
 
+// The three rates of mixing lengths are one where a mixing length was measured, and apart where water is
+// drawn out.
+TEST(StrainMeasure, OfRotationIsThatOfStrainInPlaneShearAndNoneWithoutTurning) {
+    std::mt19937 generator(4);
+    for (int trial = 0; trial < 20; ++trial) {
+        const Eigen::Quaterniond turn = Eigen::Quaterniond::UnitRandom();
+        Matrix shear = Matrix::Zero();
+        shear(0, 2) = 30.0;
+        EXPECT_NEAR((rotation_rate<double, 3>(components(turn * shear * turn.conjugate()))), 30.0,
+                    1e-12 * 30.0);
+        const Matrix g = random_gradient(generator);
+        const Matrix drawn_out = 0.5 * (g + g.transpose());
+        const Matrix turning = 0.5 * (g - g.transpose());
+        EXPECT_LT((rotation_rate<double, 3>(components(drawn_out))), 1e-14 * g.norm());
+        const double expected = turning.norm() * std::sqrt(2.0);
+        EXPECT_NEAR((rotation_rate<double, 3>(components(g))), expected, 1e-12 * expected);
+    }
+}
+
 TEST(StrainMeasure, DoesNotSeeTheAxesAndGrowsWithTheGradient) {
     std::mt19937 generator(3);
     for (int trial = 0; trial < 20; ++trial) {
