@@ -28,12 +28,12 @@ CheckList method_refusals() {
          "eddies hand their energy down to smaller ones in three dimensions only",
          "set [channel] dimensions = 3, or choose a mixing length",
          [](const Case& c) { return resolves_eddies(c) && !in_space(c); }},
-        {{"turbulence.eddy_rate", "turbulence.stress_terms"},
+        {{"turbulence.eddy_rate", "turbulence.stress_terms", "turbulence.closure"},
          R"(an `eddy_rate` other than `"strain"` with `stress_terms = "shear"`)",
          "of |du/dz| alone there is neither a strain rate nor a rotation",
          "choose stress_terms = \"full\"",
          [](const Case& c) {
-             return c.turbulence.eddy_rate != EddyRate::strain &&
+             return c.turbulence.closure != ClosureKind::none && c.turbulence.eddy_rate != EddyRate::strain &&
                     c.turbulence.stress_terms == StressTerms::shear;
          }},
         {{"numerics.tensile_correction", "numerics.kernel"},

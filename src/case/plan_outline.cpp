@@ -1,6 +1,8 @@
 #include "case/plan_outline.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace riffle::inline case_file {
@@ -65,9 +67,31 @@ std::vector<PatchRange> chords(const Outline& outline, std::size_t axis, double 
     std::sort(crossings.begin(), crossings.end());
     std::vector<PatchRange> stretches;
     for (std::size_t k = 0; k + 1 < crossings.size(); k += 2) {
-        stretches.push_back({crossings[k], crossings[k + 1]});
+        // A line through a corner alone cuts nothing.
+        if (crossings[k + 1] > crossings[k]) stretches.push_back({crossings[k], crossings[k + 1]});
     }
     return stretches;
+}
+
+double least_width(const Outline& outline) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        const std::size_t j = outline.next(i);
+        const double x = outline.x[j] - outline.x[i];
+        const double z = outline.z[j] - outline.z[i];
+        const double length = std::hypot(x, z);
+        if (length == 0.0) continue;
+        double low = 0.0;
+        double high = 0.0;
+        for (std::size_t k = 0; k < outline.size(); ++k) {
+            const double beside =
+                (x * (outline.z[k] - outline.z[i]) - z * (outline.x[k] - outline.x[i])) / length;
+            low = std::min(low, beside);
+            high = std::max(high, beside);
+        }
+        least = std::min(least, high - low);
+    }
+    return least;
 }
 
 double common_area(const Outline& one, const Outline& other) {

@@ -27,6 +27,9 @@ struct PatchRange {
 /// through a place on the other axis, m.
 [[nodiscard]] std::vector<PatchRange> chords(const Outline& outline, std::size_t axis, double place);
 
+/// The least width of an outline at right angles to one of its edges, m.
+[[nodiscard]] double least_width(const Outline& outline);
+
 /// The area that lies in both of two outlines, m2.
 [[nodiscard]] double common_area(const Outline& one, const Outline& other);
 

@@ -143,7 +143,9 @@ std::string shared_place(const Case& c, const Porous& zone,
                 const double y = in_space(c) ? at(1, j, files) : 0.0;
                 const double z = at(2, k, steps(2));
                 if (own.holds(x, y, z) && elsewhere(x, y, z)) {
-                    return fmt::format("at x = {}, z = {}", shown_length(x), shown_length(z));
+                    return fmt::format("at x = {}, {}z = {}", shown_length(x),
+                                       in_space(c) ? fmt::format("y = {}, ", shown_length(y)) : "",
+                                       shown_length(z));
                 }
             }
         }
@@ -151,9 +153,23 @@ std::string shared_place(const Case& c, const Porous& zone,
     return "";
 }
 
+/// Whether two zones with level tops lie in each other: exact where places on a lattice may miss it.
+bool lie_in_each_other(const Case& c, const Porous& zone, const Porous& other) {
+    for (const Porous* one : {&zone, &other}) {
+        if (is_seen_from_the_side(*one) || !one->top_z.empty()) return false;
+    }
+    const ZoneRange here = extents_of(c, zone)[2];
+    const ZoneRange there = extents_of(c, other)[2];
+    return std::min(here.to, there.to) - std::max(here.from, there.from) > small * c.channel.length &&
+           lie_over_each_other(c, zone, other);
+}
+
 /// With a zone before it in the file.
 Findings in_another_zone(const Case& c, const Porous& zone) {
     for (const Porous* other = c.porous.data(); other != &zone; ++other) {
+        if (lie_in_each_other(c, zone, *other)) {
+            return found_if(true, "a part of it lies in \"{}\" too", other->name);
+        }
         const PorousZone there(c, *other);
         const std::string place =
             shared_place(c, zone, [&](double x, double y, double z) { return there.holds(x, y, z); });

@@ -49,16 +49,21 @@ class SolidsBehind {
             return is_simple({solid.x, solid.z}) && contains({solid.x, solid.z}, x, z);
         });
     }
-    /// Whether holds(place) for places evenly over two stretches.
+    /// Whether holds(place) for places evenly over two stretches, of those that count.
     template <class MakePlace>
     [[nodiscard]] bool all(const SoftRange& first, const SoftRange& second, const MakePlace& place) const {
+        return all(first, second, place, [](const auto&) { return true; });
+    }
+    template <class MakePlace, class Counts>
+    [[nodiscard]] bool all(const SoftRange& first, const SoftRange& second, const MakePlace& place,
+                           const Counts& counts) const {
         constexpr int most = 9;
         const int across = space_ ? most : 1;
         for (int i = 0; i < most; ++i) {
             for (int j = 0; j < across; ++j) {
                 const auto p = place(first.from + (i + 0.5) / most * (first.to - first.from),
                                      second.from + (j + 0.5) / across * (second.to - second.from));
-                if (!holds(p[0], p[1], p[2])) return false;
+                if (counts(p) && !holds(p[0], p[1], p[2])) return false;
             }
         }
         return true;
@@ -76,13 +81,13 @@ double porous_edge(const Case& c, const Porous& porous) {
     return porous.edge.value_or(smoothing_lengths * c.numerics.smoothing_ratio * c.numerics.spacing);
 }
 
-/// Which edges of an outline have water beyond them. `is_bound`: whether a bound of the channel lies at both
-/// corners of an edge; `is_solid`: whether solids lie all over a place of the edge (from 0 to 1), a distance
-/// beyond it.
-template <class IsBound, class IsSolid>
-std::vector<bool> edges_in_water(const Outline& outline, double beyond, const IsBound& is_bound,
-                                 const IsSolid& is_solid) {
-    const double turn = outline.size() > 0 && signed_area(outline) < 0.0 ? -1.0 : 1.0;
+namespace {
+
+/// Which edges of an outline have solids behind them. `is_solid`: whether they lie all over a place of an
+/// edge (from 0 to 1), a distance beyond it.
+template <class IsSolid>
+std::vector<bool> edges_at_solids(const Outline& outline, double beyond, const IsSolid& is_solid) {
+    const double turn = signed_area(outline) < 0.0 ? -1.0 : 1.0;
     std::vector<bool> result;
     for (std::size_t i = 0; i < outline.size(); ++i) {
         const std::size_t j = outline.next(i);
@@ -90,7 +95,7 @@ std::vector<bool> edges_in_water(const Outline& outline, double beyond, const Is
         const double along_x = outline.x[j] - outline.x[i];
         const double along_z = outline.z[j] - outline.z[i];
         const double out = turn * beyond / std::hypot(along_x, along_z);
-        result.push_back(!is_bound(i, j) && !is_solid([&](double t) {
+        result.push_back(is_solid([&](double t) {
             return std::array{outline.x[i] + t * along_x + out * along_z,
                               outline.z[i] + t * along_z - out * along_x};
         }));
@@ -98,11 +103,7 @@ std::vector<bool> edges_in_water(const Outline& outline, double beyond, const Is
     return result;
 }
 
-/// Whether both of two values of a list are a bound.
-template <class IsAt>
-bool both(const std::vector<double>& values, std::size_t i, std::size_t j, const IsAt& is_at) {
-    return is_at(values[i]) && is_at(values[j]);
-}
+}  // namespace
 
 PorousZone::PorousZone(const Case& c, const Porous& porous)
     : edge_(porous_edge(c, porous)),
@@ -112,56 +113,52 @@ PorousZone::PorousZone(const Case& c, const Porous& porous)
       top_x_(porous.top_x),
       top_z_(porous.top_z) {
     const double rounding = 1e-9 * c.channel.length;
-    const double length = c.channel.length;
     const bool box = c.channel.top == Top::periodic;
     if (porous.z_from && (*porous.z_from > rounding || box)) upright_.from = *porous.z_from;
     const bool below_lid = c.channel.top != Top::free_surface && !box;
     if (porous.z_to && !(below_lid && *porous.z_to >= c.total_depth() - rounding)) upright_.to = *porous.z_to;
     const SolidsBehind solids(c);
     const double beyond = 0.1 * c.numerics.spacing;
-    const double period = c.channel.ends == Ends::periodic ? length : 0.0;
-    const auto at_end = [&](double x) { return period == 0.0 && (x <= rounding || x >= length - rounding); };
+    const double touch = c.numerics.spacing;
     const SoftRange edge{0.0, 1.0};
-    if (is_outlined(porous)) {
-        const double width = c.channel.simulated_width();
-        const double across = c.channel.sides == Sides::periodic ? width : 0.0;
-        const auto at_side = [&](double y) {
-            return across == 0.0 && (y <= rounding || y >= width - rounding);
-        };
+    WaterBounds bounds;
+    const auto bound = [&bounds](std::size_t axis, double extent, bool periodic) {
+        if (periodic) {
+            bounds.periods[axis] = extent;
+        } else {
+            bounds.from[axis] = 0.0;
+            bounds.to[axis] = extent;
+        }
+    };
+    bound(0, c.channel.length, c.channel.ends == Ends::periodic);
+    // Outlines that are none are refused elsewhere.
+    if (const Outline outline = outline_of(porous); outline.size() > 2) {
         const SoftRange height = upright_within(c);
-        const Outline outline = outline_of(porous);
+        bound(1, c.channel.simulated_width(), c.channel.sides == Sides::periodic);
         in_plan_ = {outline,
-                    edges_in_water(
-                        outline, beyond,
-                        [&](std::size_t i, std::size_t j) {
-                            return both(outline.x, i, j, at_end) || both(outline.z, i, j, at_side);
-                        },
-                        [&](const auto& place) {
-                            return !c.solids.empty() && solids.all(edge, height, [&](double t, double z) {
-                                const auto [x, y] = place(t);
-                                return std::array{x, y, z};
-                            });
-                        }),
-                    {period, across},
-                    edge_};
-    } else if (!porous.x.empty()) {
-        const Outline outline{porous.x, porous.z};
-        const auto on_bed = [&](double z) { return z <= rounding; };
-        from_the_side_ = {outline,
-                          edges_in_water(
-                              outline, beyond,
-                              [&](std::size_t i, std::size_t j) {
-                                  return both(outline.x, i, j, at_end) || both(outline.z, i, j, on_bed);
-                              },
-                              [&](const auto& place) {
-                                  return !c.solids.empty() && c.channel.dimensions == 2 &&
-                                         solids.all(edge, edge, [&](double t, double) {
-                                             const auto [x, z] = place(t);
-                                             return std::array{x, 0.0, z};
-                                         });
-                              }),
-                          {period, 0.0},
-                          edge_};
+                    edges_at_solids(outline, beyond,
+                                    [&](const auto& place) {
+                                        return !c.solids.empty() &&
+                                               solids.all(edge, height, [&](double t, double z) {
+                                                   const auto [x, y] = place(t);
+                                                   return std::array{x, y, z};
+                                               });
+                                    }),
+                    bounds, edge_, touch};
+    } else if (is_seen_from_the_side(porous) && porous.x.size() == porous.z.size() && porous.x.size() > 2) {
+        const Outline side{porous.x, porous.z};
+        bound(1, below_lid ? c.total_depth() : infinity, box);
+        if (box) bounds.periods[1] = 0.0;
+        from_the_side_ = {side,
+                          edges_at_solids(side, beyond,
+                                          [&](const auto& place) {
+                                              return !c.solids.empty() && c.channel.dimensions == 2 &&
+                                                     solids.all(edge, edge, [&](double t, double) {
+                                                         const auto [x, z] = place(t);
+                                                         return std::array{x, 0.0, z};
+                                                     });
+                                          }),
+                          bounds, edge_, touch};
     }
     end_at_solids(c);
 }
@@ -204,7 +201,12 @@ void PorousZone::end_at_solids(const Case& c) {
         return solids.all(z, y, [&](double up, double across) { return Point{at, across, up}; });
     });
     end_both(upright_, [&](double at) {
-        return solids.all(x, y, [&](double along, double across) { return Point{along, across, at}; });
+        return solids.all(
+            x, y,
+            [&](double along, double across) {
+                return Point{along, across, at};
+            },
+            [&](const Point& place) { return in_plan_.empty() || in_plan_.holds(place[0], place[1]); });
     });
     if (c.channel.dimensions == 3) {
         end_both(across_, [&](double at) {

@@ -78,80 +78,71 @@ double share_of_edge(const EdgeFrom& from, double edge) {
     return sum * from.way[1];
 }
 
-/// An outline against the clock with some of its edges moved outward by a distance, m.
-Outline grown(const Outline& outline, const std::vector<bool>& stays, double distance) {
-    const double turn = signed_area(outline) < 0.0 ? -1.0 : 1.0;
-    Outline result;
-    const auto add = [&](double x, double z) {
-        result.x.push_back(x);
-        result.z.push_back(z);
-    };
-    // Along edge i, and how far it moves to its outward side.
-    const auto edge = [&](std::size_t i) {
-        const std::size_t j = outline.next(i);
-        const double x = outline.x[j] - outline.x[i];
-        const double z = outline.z[j] - outline.z[i];
-        const double length = std::hypot(x, z);
-        return std::array{x / length, z / length, stays[i] ? 0.0 : distance};
-    };
-    for (std::size_t j = 0; j < outline.size(); ++j) {
-        const auto [ax, az, a] = edge(j > 0 ? j - 1 : outline.size() - 1);
-        const auto [bx, bz, b] = edge(j);
-        const double sine = turn * (ax * bz - az * bx);
-        constexpr double nearly_straight = 0.2;
-        const double x = outline.x[j];
-        const double z = outline.z[j];
-        if (std::abs(sine) > nearly_straight) {
-            // Where the two lines cross that are so far outward.
-            add(x + (b * ax - a * bx) / sine, z + (b * az - a * bz) / sine);
-        } else {
-            add(x + turn * a * az, z - turn * a * ax);
-            if (a != b) add(x + turn * b * bz, z - turn * b * bx);
-        }
-    }
-    if (turn < 0.0) {
-        std::reverse(result.x.begin(), result.x.end());
-        std::reverse(result.z.begin(), result.z.end());
-    }
-    return result;
-}
-
 }  // namespace
 
-SoftOutline::SoftOutline(Outline outline, const std::vector<bool>& water_beyond,
-                         const std::array<double, 2>& periods, double edge)
-    : outline_(std::move(outline)), grown_(grown(outline_, water_beyond, edge)), edge_(edge) {
+SoftOutline::SoftOutline(Outline outline, std::vector<bool> at_solid, const WaterBounds& bounds, double edge,
+                         double touch)
+    : outline_(std::move(outline)),
+      at_solid_(std::move(at_solid)),
+      bounds_(bounds),
+      turn_(signed_area(outline_) < 0.0 ? -1.0 : 1.0),
+      edge_(edge),
+      touch_(touch) {
+    if (std::none_of(at_solid_.begin(), at_solid_.end(), [](bool solid) { return solid; })) at_solid_.clear();
     const auto range = [edge](const std::vector<double>& values) {
         const auto [least, most] = std::minmax_element(values.begin(), values.end());
         return std::array{*least - 0.5 * edge, *most + 0.5 * edge};
     };
-    first_range_ = range(grown_.x);
-    second_range_ = range(grown_.z);
+    first_range_ = range(outline_.x);
+    second_range_ = range(outline_.z);
     constexpr double most_strips = 4096;
     const double height = second_range_[1] - second_range_[0];
     strip_ = std::max(edge, height / most_strips);
     strips_.resize(static_cast<std::size_t>(height / strip_) + 1);
-    for (std::size_t i = 0; i < grown_.size(); ++i) {
-        const auto [low, high] = std::minmax({grown_.z[i], grown_.z[grown_.next(i)]});
+    for (std::size_t i = 0; i < outline_.size(); ++i) {
+        const auto [low, high] = std::minmax({outline_.z[i], outline_.z[outline_.next(i)]});
         const std::size_t last = strip_of(high + 0.5 * edge);
         for (std::size_t k = strip_of(low - 0.5 * edge); k <= last; ++k) strips_[k].push_back(i);
     }
     const auto shifts = [edge](double period, const std::array<double, 2>& reach) {
-        std::vector<double> needed;
-        for (const double shift : {-period, 0.0, period}) {
+        std::vector<double> needed{0.0};
+        for (const double shift : {-period, period}) {
             const bool meets = reach[1] + shift >= -edge && reach[0] + shift <= period + edge;
-            if (shift == 0.0 ? needed.empty() || needed.back() != 0.0 : meets) needed.push_back(shift);
+            if (period > 0.0 && meets) needed.push_back(shift);
         }
         return needed;
     };
-    for (const double first : shifts(periods[0], first_range_)) {
-        for (const double second : shifts(periods[1], second_range_)) images_.push_back({first, second});
+    for (const double first : shifts(bounds.periods[0], first_range_)) {
+        for (const double second : shifts(bounds.periods[1], second_range_)) {
+            images_.push_back({first, second});
+        }
     }
 }
 
 std::size_t SoftOutline::strip_of(double second) const {
     const double strip = std::max(0.0, (second - second_range_[0]) / strip_);
     return std::min(static_cast<std::size_t>(strip), strips_.size() - 1);
+}
+
+double SoftOutline::before_solids(double first, double second) const {
+    double part = 1.0;
+    double nearest = std::numeric_limits<double>::infinity();
+    bool behind = false;
+    for (std::size_t i = 0; i < outline_.size(); ++i) {
+        const double distance = distance_from_edge(outline_, i, first, second);
+        if (distance < nearest) {
+            nearest = distance;
+            behind = at_solid_[i];
+        }
+        if (!at_solid_[i] || distance > edge_) continue;
+        const std::size_t j = outline_.next(i);
+        const double x = outline_.x[j] - outline_.x[i];
+        const double z = outline_.z[j] - outline_.z[i];
+        const double within = turn_ * (x * (second - outline_.z[i]) - z * (first - outline_.x[i]));
+        part *= share_within(within / std::hypot(x, z), edge_);
+    }
+    if (behind && nearest > touch_ && !contains(outline_, first, second)) return 0.0;
+    return part;
 }
 
 double SoftOutline::own_share(double first, double second) const {
@@ -161,18 +152,28 @@ double SoftOutline::own_share(double first, double second) const {
     }
     double sum = 0.0;
     for (const std::size_t i : strips_[strip_of(second)]) {
-        const std::size_t j = grown_.next(i);
-        sum += share_of_edge({{grown_.x[i] - first, grown_.z[i] - second},
-                              {grown_.x[j] - grown_.x[i], grown_.z[j] - grown_.z[i]}},
+        const std::size_t j = outline_.next(i);
+        sum += share_of_edge({{outline_.x[i] - first, outline_.z[i] - second},
+                              {outline_.x[j] - outline_.x[i], outline_.z[j] - outline_.z[i]}},
                              edge_);
     }
-    return std::clamp(sum, 0.0, 1.0);
+    sum = std::max(0.0, turn_ * sum);
+    if (at_solid_.empty() || sum == 0.0) return sum;
+    const double part = before_solids(first, second);
+    return part > 0.0 ? std::min(1.0, sum / part) : 0.0;
 }
 
 double SoftOutline::share(double first, double second) const {
     double sum = 0.0;
     for (const auto& shift : images_) sum += own_share(first - shift[0], second - shift[1]);
-    return std::min(sum, 1.0);
+    // What of the place is in the channel; a particle may stand a little beyond a wall.
+    double water = 1.0;
+    const std::array place{first, second};
+    for (std::size_t axis = 0; axis < place.size(); ++axis) {
+        const double at = std::clamp(place[axis], bounds_.from[axis], bounds_.to[axis]);
+        water *= share_within(at - bounds_.from[axis], edge_) - share_within(at - bounds_.to[axis], edge_);
+    }
+    return water > 0.0 ? std::min(1.0, sum / water) : 0.0;
 }
 
 bool SoftOutline::holds(double first, double second) const {

@@ -33,17 +33,26 @@ struct SoftRange {
     return t * t * (3.0 - 2.0 * t);
 }
 
-/// An outline with such edges. The share of a place is the part of it that lies within, each place taken as a
-/// square of the edge's thickness with most weight in its middle: shares of outlines beside each other have
-/// the sum 1, at corners too, and those of a rectangle are the product of two SoftRange. Edges beyond which
-/// there is no water have no thickness: up to them the outline goes on.
+/// Where the water of a channel ends along the two axes of an outline.
+struct WaterBounds {
+    std::array<double, 2> from{-std::numeric_limits<double>::infinity(),
+                               -std::numeric_limits<double>::infinity()};  ///< m
+    std::array<double, 2> to{std::numeric_limits<double>::infinity(),
+                             std::numeric_limits<double>::infinity()};
+    std::array<double, 2> periods{};  ///< after which an outline comes again, m; 0: never
+};
+
+/// An outline with such edges. The share of a place is the part of the water there that lies within, each
+/// place taken as a square of the edge's thickness with most weight in its middle: shares of outlines beside
+/// each other have the sum 1, at corners and bounds too, and those of a rectangle that is thicker than its
+/// edges are the product of two SoftRange. Beyond an edge at a solid there is no water.
 class SoftOutline {
   public:
     SoftOutline() = default;  ///< without corners: none
-    /// `water_beyond`: by edge, from the corner of its number to the next; `periods`: along the first and the
-    /// second axis, after which it comes again, m; 0: never; `edge`: the thickness, m.
-    SoftOutline(Outline outline, const std::vector<bool>& water_beyond, const std::array<double, 2>& periods,
-                double edge);
+    /// `at_solid`: by edge, from the corner of its number to the next; `edge`: the thickness, m; `touch`: how
+    /// far beyond an edge at a solid a particle may stand, m.
+    SoftOutline(Outline outline, std::vector<bool> at_solid, const WaterBounds& bounds, double edge,
+                double touch);
 
     [[nodiscard]] bool empty() const { return outline_.size() == 0; }
     [[nodiscard]] const Outline& outline() const { return outline_; }
@@ -52,19 +61,24 @@ class SoftOutline {
     [[nodiscard]] bool holds(double first, double second) const;
 
   private:
-    /// Of the outline itself, without its images.
+    /// Of the outline itself, without its images, over all of the place.
     [[nodiscard]] double own_share(double first, double second) const;
+    /// The part of a place that is not behind the edges at solids; 0 behind one.
+    [[nodiscard]] double before_solids(double first, double second) const;
     [[nodiscard]] std::size_t strip_of(double second) const;
 
     Outline outline_;
-    Outline grown_;  ///< with the edges without water beyond moved outward; against the clock
+    std::vector<bool> at_solid_;  ///< empty: no edge is
+    WaterBounds bounds_;
+    double turn_ = 1.0;  ///< -1: clockwise
     std::array<double, 2> first_range_{};
     std::array<double, 2> second_range_{};
     std::vector<std::array<double, 2>> images_;  ///< how far along the axes it and its images next door stand
-    /// The edges of the grown outline that strips along the first axis feel, a strip's width each.
+    /// The edges that strips along the first axis feel, a strip's width each.
     std::vector<std::vector<std::size_t>> strips_;
     double strip_ = 0.0;  ///< that width, m
     double edge_ = 0.0;
+    double touch_ = 0.0;
 };
 
 }  // namespace riffle::inline case_file

@@ -13,19 +13,19 @@ from options import options_text
 JUMPS = {3: (0.02658, 70, 1.0, 25, 5, 2), 2.3: (0.02038, 52.5, 0.8, 15, 5, 2), 4: (0.03544, 97, 1.5, 12, 5, 2), 6: (0.05315, 146, 2.0, 11, 5, 2.5)}
 
 
-def _roller(check, name, flow, q, start):
-    """Rows about a jump with a roller between what enters and what leaves: the depth and the loss behind it, and whether it keeps its
-    place. Places and the mean level there."""
+def _roller(check, name, flow, q, start, begin=0.0):
+    """Rows about a jump with a roller between what enters, or comes from a place `begin` on, and what leaves: the depth and the loss behind
+    it, and whether it keeps its place. Places and the mean level there."""
     g = flow.gravity_z
     time, x, level = surface_of(flow)
     late = time > start
     mean = numpy.nanmean(level[late], axis=0)
     deep = mean[x > 0.9 * flow.length].mean()
-    half = 0.5 * (mean[x < 0.1 * flow.length].mean() + deep)
-    toes = numpy.array([x[numpy.argmax(row > half)] for row in level[late]])
+    half = 0.5 * (mean[(x > begin) & (x < begin + 0.1 * flow.length)].mean() + deep)
+    toes = numpy.array([x[numpy.argmax((row > half) & (x > begin))] for row in level[late]])
     place = float(numpy.median(toes))
     # Before the jump, as near to it as the water does not rise yet; behind it, as near as the roller ends.
-    before = depth_by_area(flow, max(place - 1.5 * deep, 0.05), 0.01, start)
+    before = depth_by_area(flow, max(place - 1.5 * deep, begin + 0.05), 0.01, start)
     first_behind, last_behind = place + 4 * deep, 0.95 * flow.length
     after = depth_by_area(flow, 0.5 * (first_behind + last_behind), 0.5 * (last_behind - first_behind), start)
     local = q / before / math.sqrt(g * before)
@@ -149,4 +149,33 @@ def undular(study):
     return check
 
 
-CHECKS = {"open_jump": jump, "open_undular": undular}
+def sluice_gate(study):
+    case = "cases/open-ends/sluice-gate.toml"
+    check = Check("open_gate", "Jump behind a sluice gate",
+                  "The jet under a gate: its depth and discharge against those of the contraction 0.61, and the jump behind it, as above.")
+    flow = study.run("open_gate", case)
+    start, g = flow.parameters["run"]["average_from"], flow.gravity_z
+    gate = flow.parameters["solid"][0]
+    opening, behind = min(gate["z"]), max(gate["x"])
+    q = float(flow.series["inflow_discharge"][flow.series["time"] > start].mean())
+    pool = depth_by_area(flow, 0.5 * min(gate["x"]), 0.1, start)
+    contraction = 0.61
+    law = contraction * opening * math.sqrt(2 * g * pool / (1 + contraction * opening / pool))
+    check.norm(f"discharge against that of a contraction of {contraction} for the depth of the pool", q / law - 1, 0.03)
+    jet = float(depth_by_area(flow, behind + numpy.arange(0.5, 4, 0.5) * opening, 5 * flow.spacing, start).min())
+    check.norm(f"depth of the jet, {opening / flow.spacing:.0f} rows in the opening, against {contraction} of the opening",
+               jet / (contraction * opening) - 1, 0.05)
+    x, mean = _roller(check, "jump", flow, q, start, behind + opening)
+    figure = figures.Figure(1, width=8)
+    axes = figure.panel("distance along the channel x (m)", "level (m)", f"mean from {start:g} s on")
+    figures.simulated(axes, x, mean, "particles", figures.COLOURS[0], most=400)
+    reach = (x > behind + opening) & (x < behind + 8 * opening)
+    figures.exact(axes, x[reach], numpy.full(reach.sum(), contraction * opening), f"{contraction} of the opening", linestyle=":")
+    axes.set_ylim(0, None)
+    check.figures.append((figure.svg(check.name), "Mean level along the channel: pool, jet, the first wave of the jump, and its tail."))
+    check.best, check.cost = options_text(flow), flow.cost_text
+    account(check, flow)
+    return check
+
+
+CHECKS = {"open_jump": jump, "open_gate": sluice_gate, "open_undular": undular}

@@ -204,6 +204,89 @@ TEST(PorousZone, OutlinesThatFillThePlanLeaveNoGapAndNoExcess) {
     }
 }
 
+// Both corners of an edge at bounds, but not at the same one.
+TEST(PorousZone, FromBoundToBoundKeepsItsEdges) {
+    Porous dam = outlined_in_plan({0.06, 0.14, 0.14, 0.06}, {0.0, 0.0, 0.1, 0.1});
+    const PorosityField across(channel_in_space({dam}, Ends::walls, Sides::walls));
+    Porous bank = outlined_in_plan({0.0, 0.2, 0.2, 0.0}, {0.0, 0.0, 0.04, 0.04});
+    const PorosityField along(channel_in_space({bank}, Ends::walls, Sides::walls));
+    for (const double y : {0.0, 0.05, 0.1}) {
+        EXPECT_NEAR(across.porosity(0.06, y, 0.01), 0.7, 1e-12);
+        EXPECT_EQ(across.porosity(0.054, y, 0.01), 1.0);
+        EXPECT_NEAR(across.porosity(0.066, y, 0.01), 0.4, 1e-12);
+    }
+    for (const double x : {0.0, 0.1, 0.2}) {
+        EXPECT_NEAR(along.porosity(x, 0.04, 0.01), 0.7, 1e-12);
+        EXPECT_EQ(along.porosity(x, 0.046, 0.01), 1.0);
+    }
+    Porous layer = medium(0.4);
+    layer.x = {0.0, 0.2, 0.2, 0.0};
+    layer.z = {0.0, 0.0, 0.03, 0.03};
+    const PorosityField plane(with_zone(layer));
+    EXPECT_NEAR(plane.porosity(0.1, 0.0, 0.03), 0.7, 1e-12);
+    EXPECT_EQ(plane.porosity(0.1, 0.0, 0.036), 1.0);
+}
+
+TEST(PorousZone, OutlinesThatMeetAWallInACornerFillIt) {
+    std::vector<Porous> zones{outlined_in_plan({0.0, 0.12, 0.0}, {0.0, 0.0, 0.036}),
+                              outlined_in_plan({0.12, 0.2, 0.2}, {0.0, 0.0, 0.036}),
+                              outlined_in_plan({0.12, 0.2, 0.2, 0.0, 0.0}, {0.0, 0.036, 0.1, 0.1, 0.036})};
+    const PorosityField field(channel_in_space(zones, Ends::walls, Sides::walls));
+    for (const double x : {0.0, 0.1, 0.118, 0.12, 0.125, 0.2}) {
+        for (const double y : {0.0, 0.001, 0.004, 0.03, 0.0999}) {
+            EXPECT_NEAR(field.porosity(x, y, 0.01), 0.4, 1e-12) << x << " " << y;
+        }
+    }
+}
+
+TEST(PorousZone, RoundAgainstAWallHasItsMediumThere) {
+    for (const int corners : {8, 16, 24, 36}) {
+        std::vector<double> x;
+        std::vector<double> y;
+        for (int i = 0; i < corners; ++i) {
+            const double turn = 2.0 * std::numbers::pi * (i + 0.5) / corners;
+            x.push_back(0.1 + 0.03 * std::sin(turn));
+            y.push_back(0.03 * (std::cos(std::numbers::pi / corners) - std::cos(turn)));
+        }
+        const PorosityField field(channel_in_space({outlined_in_plan(x, y)}, Ends::walls, Sides::walls));
+        EXPECT_LT(field.porosity(0.1, 0.0, 0.01), 0.55) << corners;
+        EXPECT_NEAR(field.porosity(0.1, 0.02, 0.01), 0.4, 1e-12) << corners;
+    }
+}
+
+TEST(PorousZone, ByAnOutlineEndsAtASolidAndNotBeyond) {
+    Case c = test::with_solid();  // from x = 80 to 120 mm, 30 mm high
+    Porous zone = medium(0.4);
+    zone.edge = 0.024;
+    zone.x = {0.04, 0.08, 0.08, 0.04};
+    zone.z = {0.0, 0.0, 0.02, 0.02};
+    c.porous = {zone};
+    const PorosityField field(c);
+    EXPECT_NEAR(field.porosity(0.0799, 0.0, 0.002), 0.4, 1e-12);
+    EXPECT_NEAR(field.porosity(0.07, 0.0, 0.002), 0.4, 1e-12);
+    EXPECT_EQ(field.porosity(0.1, 0.0, 0.005), 1.0);
+    // A wall of 10 mm holds nothing of it back, as an edge would, on its other side.
+    c.solids.front().x = {0.08, 0.09, 0.09, 0.08};
+    const PorosityField thin(c);
+    EXPECT_NEAR(thin.porosity(0.0799, 0.0, 0.002), 0.4, 1e-12);
+    EXPECT_EQ(thin.porosity(0.0901, 0.0, 0.005), 1.0);
+}
+
+TEST(PorousZone, UnderALidHasNoEdgeThere) {
+    Porous zone = medium(0.4);
+    zone.x = {0.06, 0.14, 0.14, 0.06};
+    Case c = with_zone(zone);
+    c.channel.top = Top::wall;
+    c.porous.front().z = {0.0, 0.0, c.total_depth(), c.total_depth()};
+    EXPECT_NEAR(PorosityField(c).porosity(0.1, 0.0, 0.999 * c.total_depth()), 0.4, 1e-12);
+}
+
+TEST(PorousZone, WithHalfAnOutlineIsNoneYet) {
+    Porous zone = medium(0.4);
+    zone.x = {0.01, 0.04, 0.04};
+    EXPECT_TRUE(std::isfinite(PorosityField(with_zone(zone)).porosity(0.02, 0.0, 0.01)));
+}
+
 TEST(PorousZone, HasATopByHeights) {
     Porous zone = medium(0.4);
     zone.top_x = {0.0, 0.1, 0.2};
