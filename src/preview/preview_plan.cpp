@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 #include "boundary/wall.hpp"
@@ -270,7 +271,19 @@ void draw_plan(SvgSheet& sheet, const Case& c, const PreviewPlan& plan, const Sh
                    R"(class="halo" font-weight="600")");
     }
     for (const Vegetation& patch : c.vegetation) draw_patch(plan_outline(c, patch), stem_colour, 0.22);
-    for (const Porous& zone : c.porous) draw_patch(plan_of(c, zone), porous_colour, 0.3);
+    for (const Porous& zone : c.porous) {
+        const Outline outline = plan_of(c, zone);
+        draw_patch(outline, porous_colour, 0.3);
+        // A zone that the side view cuts has its name there.
+        if (porous_cuts_along(c, zone, plan.y, plan.top).empty()) {
+            const auto mean = [](const std::vector<double>& corners) {
+                return std::accumulate(corners.begin(), corners.end(), 0.0) /
+                       static_cast<double>(corners.size());
+            };
+            sheet.text(view.x(mean(outline.x)), view.y(mean(outline.z)), zone.name,
+                       R"(class="halo" text-anchor="middle" font-weight="600")");
+        }
+    }
     draw_probes_in_plan(sheet, c, view);
     const double x = view.x(0.06 * length);
     sheet.dimension(x, view.y(0.0), x, view.y(width), plan.unit.text(width));
