@@ -15,6 +15,7 @@ struct PatchRange {
     double from = 0.0;
     double to = 0.0;
 
+    [[nodiscard]] double size() const { return to - from; }
     [[nodiscard]] double overlap(const PatchRange& other) const {
         return std::min(to, other.to) - std::max(from, other.from);
     }

@@ -20,14 +20,6 @@ constexpr double small = 1e-9;
 /// A zone of fewer spacings is none that particles could see.
 constexpr double fewest_spacings = 4.0;
 
-/// A range of a zone along an axis, m.
-struct ZoneRange {
-    double from = 0.0;
-    double to = 0.0;
-
-    [[nodiscard]] double size() const { return to - from; }
-};
-
 /// Height up to which a zone without a top is looked at, m.
 double height_of_case(const Case& c) {
     double height = std::max(c.total_depth(), c.channel.wall_height.value_or(0.0));
@@ -36,10 +28,8 @@ double height_of_case(const Case& c) {
 }
 
 /// Along x, y and z, within the bounds of the channel where the keys give none.
-std::array<ZoneRange, 3> extents_of(const Case& c, const Porous& zone) {
-    const auto in_plan = ranges_of(c, zone);
-    const ZoneRange along{in_plan[0].from, in_plan[0].to};
-    const ZoneRange across{in_plan[1].from, in_plan[1].to};
+std::array<PatchRange, 3> extents_of(const Case& c, const Porous& zone) {
+    const auto [along, across] = ranges_of(c, zone);
     if (is_seen_from_the_side(zone)) {
         const Extent x(zone.x);
         const Extent z(zone.z);
@@ -115,11 +105,9 @@ Findings beyond_channel(const Case& c, const Porous& zone) {
 }
 
 double thinnest(const Case& c, const Porous& zone) {
-    const ZoneRange upright = extents_of(c, zone)[2];
-    if (is_outlined(zone)) return std::min(least_extent<Porous>(c, zone), upright.size());
-    const auto ranges = extents_of(c, zone);
-    const double beside = in_space(c) ? std::min(ranges[0].size(), ranges[1].size()) : ranges[0].size();
-    return std::min(beside, upright.size());
+    const auto [along, across, upright] = extents_of(c, zone);
+    const double beside = in_space(c) ? std::min(along.size(), across.size()) : along.size();
+    return std::min(is_outlined(zone) ? least_extent(c, zone) : beside, upright.size());
 }
 
 /// A place, of places on a lattice over a zone, that lies in something else as well; for messages.
@@ -158,9 +146,7 @@ bool lie_in_each_other(const Case& c, const Porous& zone, const Porous& other) {
     for (const Porous* one : {&zone, &other}) {
         if (is_seen_from_the_side(*one) || !one->top_z.empty()) return false;
     }
-    const ZoneRange here = extents_of(c, zone)[2];
-    const ZoneRange there = extents_of(c, other)[2];
-    return std::min(here.to, there.to) - std::max(here.from, there.from) > small * c.channel.length &&
+    return extents_of(c, zone)[2].overlap(extents_of(c, other)[2]) > small * c.channel.length &&
            lie_over_each_other(c, zone, other);
 }
 
@@ -199,7 +185,7 @@ Findings at_open_end(const Case& c, const Porous& zone) {
         return {};
     }
     const double clear = open_end_clearance(c) + porous_edge(c, zone);
-    const ZoneRange along = extents_of(c, zone)[0];
+    const PatchRange along = extents_of(c, zone)[0];
     return found_if(along.from < clear * (1 - small) || along.to > c.channel.length - clear * (1 - small),
                     "reaches from x = {} to {}: expected from {} to {} at most", shown_length(along.from),
                     shown_length(along.to), shown_length(clear), shown_length(c.channel.length - clear));

@@ -31,8 +31,6 @@ SoftRange range_of(std::optional<double> from, std::optional<double> to, double 
     return range;
 }
 
-}  // namespace
-
 /// Whether solids lie behind all of some places.
 class SolidsBehind {
   public:
@@ -75,6 +73,11 @@ class SolidsBehind {
     std::shared_ptr<const std::vector<SolidMesh>> meshes_;
 };
 
+/// How far beyond an edge solids are looked for, m.
+double a_little_beyond(const Case& c) { return 0.1 * c.numerics.spacing; }
+
+}  // namespace
+
 double porous_edge(const Case& c, const Porous& porous) {
     // sigma = 0.527 h along an axis of Wendland's C2 kernel; that of a smooth step is its thickness/sqrt(20).
     constexpr double smoothing_lengths = 2.4;
@@ -83,24 +86,69 @@ double porous_edge(const Case& c, const Porous& porous) {
 
 namespace {
 
-/// Which edges of an outline have solids behind them. `is_solid`: whether they lie all over a place of an
-/// edge (from 0 to 1), a distance beyond it.
-template <class IsSolid>
-std::vector<bool> edges_at_solids(const Outline& outline, double beyond, const IsSolid& is_solid) {
+/// Which edges of an outline have solids behind them all along, and over a stretch of the third axis.
+/// `point`: of a place on the outline's two axes and the third the point in space.
+template <class MakePoint>
+std::vector<bool> edges_at_solids(const Case& c, const Outline& outline, const SoftRange& third,
+                                  const MakePoint& point) {
+    const SolidsBehind solids(c);
     const double turn = signed_area(outline) < 0.0 ? -1.0 : 1.0;
     std::vector<bool> result;
     for (std::size_t i = 0; i < outline.size(); ++i) {
         const std::size_t j = outline.next(i);
-        // A little beyond the edge, to the right of one that goes against the clock.
-        const double along_x = outline.x[j] - outline.x[i];
-        const double along_z = outline.z[j] - outline.z[i];
-        const double out = turn * beyond / std::hypot(along_x, along_z);
-        result.push_back(is_solid([&](double t) {
-            return std::array{outline.x[i] + t * along_x + out * along_z,
-                              outline.z[i] + t * along_z - out * along_x};
+        const double first = outline.x[j] - outline.x[i];
+        const double second = outline.z[j] - outline.z[i];
+        // To the right of an edge that goes against the clock.
+        const double out = turn * a_little_beyond(c) / std::hypot(first, second);
+        result.push_back(solids.all({0.0, 1.0}, third, [&](double t, double other) {
+            return point(outline.x[i] + t * first + out * second, outline.z[i] + t * second - out * first,
+                         other);
         }));
     }
     return result;
+}
+
+/// Where the water of a channel ends along it; the second axis has no bounds yet.
+WaterBounds bounds_along(const Case& c) {
+    WaterBounds bounds;
+    if (c.channel.ends == Ends::periodic) {
+        bounds.periods[0] = c.channel.length;
+    } else {
+        bounds.from[0] = 0.0;
+        bounds.to[0] = c.channel.length;
+    }
+    return bounds;
+}
+
+/// An outline in plan of a zone that stands over a stretch of heights.
+SoftOutline shape_in_plan(const Case& c, const Outline& outline, const SoftRange& height, double edge) {
+    WaterBounds bounds = bounds_along(c);
+    if (c.channel.sides == Sides::periodic) {
+        bounds.periods[1] = c.channel.simulated_width();
+    } else {
+        bounds.from[1] = 0.0;
+        bounds.to[1] = c.channel.simulated_width();
+    }
+    return {outline,
+            edges_at_solids(c, outline, height,
+                            [](double x, double y, double z) {
+                                return std::array{x, y, z};
+                            }),
+            bounds, edge, c.numerics.spacing};
+}
+
+/// An outline seen from the side.
+SoftOutline shape_from_the_side(const Case& c, const Outline& outline, double edge) {
+    WaterBounds bounds = bounds_along(c);
+    if (c.channel.top != Top::periodic) bounds.from[1] = 0.0;
+    if (c.channel.top == Top::wall) bounds.to[1] = c.total_depth();
+    std::vector<bool> at_solids;
+    if (c.channel.dimensions == 2) {
+        at_solids = edges_at_solids(c, outline, {0.0, 1.0}, [](double x, double z, double) {
+            return std::array{x, 0.0, z};
+        });
+    }
+    return {outline, std::move(at_solids), bounds, edge, c.numerics.spacing};
 }
 
 }  // namespace
@@ -117,48 +165,11 @@ PorousZone::PorousZone(const Case& c, const Porous& porous)
     if (porous.z_from && (*porous.z_from > rounding || box)) upright_.from = *porous.z_from;
     const bool below_lid = c.channel.top != Top::free_surface && !box;
     if (porous.z_to && !(below_lid && *porous.z_to >= c.total_depth() - rounding)) upright_.to = *porous.z_to;
-    const SolidsBehind solids(c);
-    const double beyond = 0.1 * c.numerics.spacing;
-    const double touch = c.numerics.spacing;
-    const SoftRange edge{0.0, 1.0};
-    WaterBounds bounds;
-    const auto bound = [&bounds](std::size_t axis, double extent, bool periodic) {
-        if (periodic) {
-            bounds.periods[axis] = extent;
-        } else {
-            bounds.from[axis] = 0.0;
-            bounds.to[axis] = extent;
-        }
-    };
-    bound(0, c.channel.length, c.channel.ends == Ends::periodic);
     // Outlines that are none are refused elsewhere.
     if (const Outline outline = outline_of(porous); outline.size() > 2) {
-        const SoftRange height = upright_within(c);
-        bound(1, c.channel.simulated_width(), c.channel.sides == Sides::periodic);
-        in_plan_ = {outline,
-                    edges_at_solids(outline, beyond,
-                                    [&](const auto& place) {
-                                        return !c.solids.empty() &&
-                                               solids.all(edge, height, [&](double t, double z) {
-                                                   const auto [x, y] = place(t);
-                                                   return std::array{x, y, z};
-                                               });
-                                    }),
-                    bounds, edge_, touch};
+        in_plan_ = shape_in_plan(c, outline, upright_within(c), edge_);
     } else if (is_seen_from_the_side(porous) && porous.x.size() == porous.z.size() && porous.x.size() > 2) {
-        const Outline side{porous.x, porous.z};
-        bound(1, below_lid ? c.total_depth() : infinity, box);
-        if (box) bounds.periods[1] = 0.0;
-        from_the_side_ = {side,
-                          edges_at_solids(side, beyond,
-                                          [&](const auto& place) {
-                                              return !c.solids.empty() && c.channel.dimensions == 2 &&
-                                                     solids.all(edge, edge, [&](double t, double) {
-                                                         const auto [x, z] = place(t);
-                                                         return std::array{x, 0.0, z};
-                                                     });
-                                          }),
-                          bounds, edge_, touch};
+        from_the_side_ = shape_from_the_side(c, {porous.x, porous.z}, edge_);
     }
     end_at_solids(c);
 }
@@ -173,7 +184,7 @@ SoftRange PorousZone::upright_within(const Case& c) const {
 void PorousZone::end_at_solids(const Case& c) {
     if (c.solids.empty() || !from_the_side_.empty()) return;
     const SolidsBehind solids(c);
-    const double beyond = 0.1 * c.numerics.spacing;
+    const double beyond = a_little_beyond(c);
     const auto within = [](const SoftRange& range, double extent) {
         return SoftRange{std::max(range.from, 0.0), std::min(range.to, extent)};
     };
@@ -271,22 +282,14 @@ bool PorousZone::holds(double x, double y, double z) const {
     return in_plan && z >= upright_.from && z <= (top_x_.empty() ? upright_.to : top(x));
 }
 
-namespace {
-
-/// Whether a section along the channel at a place across it, m, goes through a zone seen from the side.
-bool lies_at(const Case& c, const Porous& zone, double y) {
-    return c.channel.dimensions == 2 || (y >= zone.y_from.value_or(y) && y <= zone.y_to.value_or(y));
-}
-
-}  // namespace
-
 std::vector<Outline> porous_cuts_along(const Case& c, const Porous& zone, double y, double top) {
-    if (is_seen_from_the_side(zone)) {
-        return lies_at(c, zone, y) ? std::vector<Outline>{{zone.x, zone.z}} : std::vector<Outline>{};
-    }
     const double bottom = std::max(zone.z_from.value_or(0.0), 0.0);
     std::vector<Outline> cuts;
     for (const PatchRange& along : stretches_of(c, zone, 0, y)) {
+        if (is_seen_from_the_side(zone)) {
+            cuts.push_back({zone.x, zone.z});
+            continue;
+        }
         if (zone.top_x.empty()) {
             const double level = std::min(zone.z_to.value_or(top), top);
             cuts.push_back({{along.from, along.to, along.to, along.from}, {bottom, bottom, level, level}});
@@ -306,7 +309,7 @@ std::vector<Outline> porous_cuts_along(const Case& c, const Porous& zone, double
 std::vector<PorousCut> porous_cuts_across(const Case& c, const Porous& zone, double x, double top) {
     std::vector<PorousCut> cuts;
     if (is_seen_from_the_side(zone)) {
-        const PatchRange across{zone.y_from.value_or(0.0), zone.y_to.value_or(c.channel.simulated_width())};
+        const PatchRange across = ranges_of(c, zone)[1];
         for (const PatchRange& upright : chords({zone.x, zone.z}, 1, x)) cuts.push_back({across, upright});
         return cuts;
     }
@@ -320,8 +323,7 @@ std::vector<PorousCut> porous_cuts_across(const Case& c, const Porous& zone, dou
 Outline plan_of(const Case& c, const Porous& zone) {
     if (!is_seen_from_the_side(zone)) return plan_outline(c, zone);
     const Extent along(zone.x);
-    return rectangle_in_plan({along.low, along.high},
-                             {zone.y_from.value_or(0.0), zone.y_to.value_or(c.channel.simulated_width())});
+    return rectangle_in_plan({along.low, along.high}, ranges_of(c, zone)[1]);
 }
 
 PorosityField::PorosityField(const Case& c) {

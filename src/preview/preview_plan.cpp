@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <vector>
 
 #include "boundary/wall.hpp"
@@ -276,12 +275,7 @@ void draw_plan(SvgSheet& sheet, const Case& c, const PreviewPlan& plan, const Sh
         draw_patch(outline, porous_colour, 0.3);
         // A zone that the side view cuts has its name there.
         if (porous_cuts_along(c, zone, plan.y, plan.top).empty()) {
-            const auto mean = [](const std::vector<double>& corners) {
-                return std::accumulate(corners.begin(), corners.end(), 0.0) /
-                       static_cast<double>(corners.size());
-            };
-            sheet.text(view.x(mean(outline.x)), view.y(mean(outline.z)), zone.name,
-                       R"(class="halo" text-anchor="middle" font-weight="600")");
+            name_outline(sheet, view, outline, zone.name);
         }
     }
     draw_probes_in_plan(sheet, c, view);

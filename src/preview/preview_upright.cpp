@@ -45,7 +45,8 @@ class UprightView {
         }
         for (const Porous& zone : c_.porous) {
             for (const Outline& cut : porous_cuts_along(c_, zone, plan_.y, plan_.top)) {
-                draw_porous_along(zone, cut);
+                polygon(cut, porous_style());
+                name_outline(sheet_, view_, cut, zone.name);
             }
         }
         for (std::size_t k = 0; k < c_.solids.size(); ++k) draw_solid_along(k);
@@ -209,19 +210,6 @@ class UprightView {
 
     static std::string porous_style() {
         return fmt::format(R"(fill="{0}" fill-opacity="0.35" stroke="{0}")", porous_colour);
-    }
-
-    /// What the section along the channel cuts of a porous zone, with its name.
-    void draw_porous_along(const Porous& zone, const Outline& outline) {
-        polygon(outline, porous_style());
-        double u = 0.0;
-        double v = 0.0;
-        for (std::size_t i = 0; i < outline.size(); ++i) {
-            u += outline.x[i] / static_cast<double>(outline.size());
-            v += outline.z[i] / static_cast<double>(outline.size());
-        }
-        sheet_.text(view_.x(u), view_.y(v), zone.name,
-                    R"(class="halo" text-anchor="middle" font-weight="600")");
     }
 
     void draw_slices(std::size_t solid, const std::vector<std::vector<SheetPoint>>& polygons) {

@@ -43,6 +43,16 @@ PreviewPlan plan_preview(const Case& c) {
     return plan;
 }
 
+void name_outline(SvgSheet& sheet, const SheetView& view, const Outline& outline, const std::string& name) {
+    double u = 0.0;
+    double v = 0.0;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        u += outline.x[i] / static_cast<double>(outline.size());
+        v += outline.z[i] / static_cast<double>(outline.size());
+    }
+    sheet.text(view.x(u), view.y(v), name, R"(class="halo" text-anchor="middle" font-weight="600")");
+}
+
 std::string solid_colour(const Case& c, std::size_t solid) {
     if (is_bed_shape(c.solids[solid].shape)) return "#c2a878";
     static constexpr std::array<const char*, 5> still{"#7d8791", "#5f7a6b", "#8a6f8f", "#6d7fa3", "#93836b"};

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "case/case.hpp"
+#include "case/outline.hpp"
 #include "preview/svg_sheet.hpp"
 
 namespace riffle::inline preview {
@@ -37,6 +38,9 @@ struct ScaledView {
 };
 [[nodiscard]] ScaledView scaled_view(double left, double top, double width, double least, double most,
                                      double u_low, double u_high, double v_low, double v_high);
+
+/// The name of what an outline shows, in the middle of its corners.
+void name_outline(SvgSheet& sheet, const SheetView& view, const Outline& outline, const std::string& name);
 
 /// The upright plane along a channel: bed, water at its start, solids, walls, ends, instruments.
 void draw_side(SvgSheet& sheet, const Case& c, const PreviewPlan& plan, const SheetView& view);

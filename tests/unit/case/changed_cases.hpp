@@ -189,14 +189,20 @@ inline Case with_bed_patches() {
     return c;
 }
 
+/// A medium of small stones, everywhere.
+inline Porous small_stones() {
+    Porous stones;
+    stones.name = "gravel";
+    stones.porosity = 0.4;
+    stones.grain_size = 0.003;
+    return stones;
+}
+
 /// Two porous zones one behind the other.
 inline Case with_porous() {
     Case c = tank();
     c.numerics.wall = WallKind::dummy;
-    Porous gravel;
-    gravel.name = "gravel";
-    gravel.porosity = 0.4;
-    gravel.grain_size = 0.003;
+    Porous gravel = small_stones();
     gravel.x_from = 0.05;
     gravel.x_to = 0.1;
     Porous sand;
@@ -225,10 +231,7 @@ inline Case with_porous_outline() {
 inline Case with_porous_in_plan() {
     Case c = cell();
     c.numerics.wall = WallKind::dummy;
-    Porous gravel;
-    gravel.name = "gravel";
-    gravel.porosity = 0.4;
-    gravel.grain_size = 0.003;
+    Porous gravel = small_stones();
     gravel.x = {0.005, 0.045, 0.045, 0.005};
     gravel.y = {0.01, 0.01, 0.035, 0.035};
     c.start.kind = StartKind::uniform;

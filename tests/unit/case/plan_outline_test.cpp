@@ -139,5 +139,14 @@ TEST(PlanOutline, IsTheBedWhereItCoversTheWidth) {
     EXPECT_TRUE(covers_width(c, patch));
 }
 
+TEST(PlanOutline, IsAsThinAsItsWidthAcross) {
+    // A band of 10 mm at 45 degrees, 100 mm long.
+    const double far = 0.1 / std::numbers::sqrt2;
+    const double beside = 0.01 / std::numbers::sqrt2;
+    const Outline band{{0.0, far, far - beside, -beside}, {0.0, far, far + beside, beside}};
+    EXPECT_NEAR(least_width(band), 0.01, 1e-12);
+    EXPECT_NEAR(least_width({{0.0, 0.03, 0.03, 0.0}, {0.0, 0.0, 0.02, 0.02}}), 0.02, 1e-12);
+}
+
 }  // namespace
 }  // namespace riffle

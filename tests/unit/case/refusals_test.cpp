@@ -466,6 +466,13 @@ std::vector<Wrong> wrong_porous() {
     beside_solid.porous.pop_back();
     beside_solid.porous.front().x_from = 0.12;
     beside_solid.porous.front().x_to = 0.16;
+    // One may reach into the other by less than the lattice of places shows.
+    Case side_by_side = with_porous_in_plan();
+    side_by_side.channel.length = 0.5;
+    side_by_side.porous.front().x = {0.0, 0.25, 0.25, 0.0};
+    side_by_side.porous.push_back(side_by_side.porous.front());
+    side_by_side.porous.back().name = "sand";
+    side_by_side.porous.back().x = {0.25, 0.5, 0.5, 0.25};
     Case between_ends = open_channel();
     between_ends.porous = with_porous().porous;
     return {
@@ -495,6 +502,7 @@ std::vector<Wrong> wrong_porous() {
         {with_porous_in_plan(), "porous[0].y = [0.01, 0.035, 0.01, 0.035]"},
         {with_porous_in_plan(), "porous[0].x = [0.005, 0.2, 0.045, 0.005]"},
         {with_porous_in_plan(), "porous[0].y = [0.01, 0.01, 0.015, 0.015]"},
+        {side_by_side, "porous[0].x = [0, 0.251, 0.251, 0]"},
         {with_porous(), "porous[0].top_x = [0.05, 0.1]; porous[0].top_z = 0.03"},
         {with_porous(), "porous[0].top_x = [0.1, 0.05]; porous[0].top_z = [0.03, 0.03]"},
         {with_porous(), "porous[1].x_to = 0.3"},

@@ -45,6 +45,14 @@ double plain_vreman(const Matrix& g) {
     return std::sqrt(std::max(minors, 0.0) / g.squaredNorm());
 }
 
+/// Plane shear of a rate in some plane.
+Matrix turned_shear(double rate) {
+    const Eigen::Quaterniond turn = Eigen::Quaterniond::UnitRandom();
+    Matrix shear = Matrix::Zero();
+    shear(0, 2) = rate;
+    return turn * shear * turn.conjugate();
+}
+
 TEST(StrainMeasure, FollowsTheFormulas) {
     std::mt19937 generator(1);
     for (int trial = 0; trial < 100; ++trial) {
@@ -60,10 +68,7 @@ TEST(StrainMeasure, FollowsTheFormulas) {
 TEST(StrainMeasure, VanishesInPlaneShear) {
     std::mt19937 generator(2);
     for (int trial = 0; trial < 20; ++trial) {
-        const Eigen::Quaterniond turn = Eigen::Quaterniond::UnitRandom();
-        Matrix shear = Matrix::Zero();
-        shear(0, 2) = 30.0;
-        const Matrix g = turn * shear * turn.conjugate();
+        const Matrix g = turned_shear(30.0);
         EXPECT_LT(wale_rate<double>(components(g)), 1e-6 * 30.0);
         EXPECT_LT(vreman_rate<double>(components(g)), 1e-6 * 30.0);
     }
@@ -76,11 +81,7 @@ TEST(StrainMeasure, VanishesInPlaneShear) {
 TEST(StrainMeasure, OfRotationIsThatOfStrainInPlaneShearAndNoneWithoutTurning) {
     std::mt19937 generator(4);
     for (int trial = 0; trial < 20; ++trial) {
-        const Eigen::Quaterniond turn = Eigen::Quaterniond::UnitRandom();
-        Matrix shear = Matrix::Zero();
-        shear(0, 2) = 30.0;
-        EXPECT_NEAR((rotation_rate<double, 3>(components(turn * shear * turn.conjugate()))), 30.0,
-                    1e-12 * 30.0);
+        EXPECT_NEAR((rotation_rate<double, 3>(components(turned_shear(30.0)))), 30.0, 1e-12 * 30.0);
         const Matrix g = random_gradient(generator);
         const Matrix drawn_out = 0.5 * (g + g.transpose());
         const Matrix turning = 0.5 * (g - g.transpose());
