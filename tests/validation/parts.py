@@ -111,7 +111,7 @@ def stirred(run, widths=(2.0, 1.5), reach=None, window=(16, 26)):
 
 
 def stirred_quick(run):
-    return stirred(run, widths=(2.0,), reach="50 mm", window=(10, 18))
+    return stirred(run, widths=(2.0,), reach="50 mm", window=(6, 12))
 
 
 def spacings(run):

@@ -90,22 +90,12 @@ def space_twin(run):
     return table
 
 
-def space_quick(run):
-    """What continuous integration runs: some seconds of a coarse cell."""
-    bars = space_bars(0.02)
-    table = Table("Cell of 50 by 43.3 mm, dx 3 mm, drag by its plan mean, 4 s: against the column twin", bar_header(bars) + WIDE_EXTRA)
-    # The forces swing with the sound of the water, 28 ms long: samples that are closer than that know their mean to the bar.
-    settings = dict(PLAN_MEAN, **{"run.until": '"4 s"', "run.average_from": "2", "output.series_interval": '"4 ms"'})
-    wide_row(table, run, "quick-2", "condition 2", 2, settings, bars)
-    return table
-
-
 def space_side_quick(run):
     """The layer beside a side wall, in continuous integration."""
-    table = Table("Half of a channel 86.6 mm wide with its side wall, 50 mm long, dx 4 mm, 12 s: against the cross-section twin",
+    table = Table("Half of a channel 86.6 mm wide with its side wall, 50 mm long, dx 4 mm, 7 s: against the cross-section twin",
                   ["case", "U(y) beside the wall, max % (<= 10)", "drag+walls/gravity - 1, % (<= 1)"])
     result = complete(run("quick-2-side", case_file(2, "-coarse"),
-                          {"channel.width": '"86.6 mm"', "numerics.spacing": "4mm", "run.until": '"12 s"', "run.average_from": "8"}))
+                          {"channel.width": '"86.6 mm"', "numerics.spacing": "4mm", "run.until": '"7 s"', "run.average_from": "4"}))
     with h5py.File(result.folder / "results.h5", "r") as file:
         error = lateral_error(file, result.values)
     balance = result.values["force_balance_error"]
@@ -299,6 +289,6 @@ def space_measured(run):
     return table
 
 
-SPACE_PARTS = {"space_twin": space_twin, "space_quick": space_quick, "space_side_quick": space_side_quick, "space_wide": space_wide,
+SPACE_PARTS = {"space_twin": space_twin, "space_side_quick": space_side_quick, "space_wide": space_wide,
                "space_coarse": space_coarse, "plane_sides": plane_sides, "canals": canals, "space_transient": space_transient, "space_measured": space_measured}
 SPACE = ["space_twin", "space_wide", "space_coarse", "plane_sides", "canals", "space_transient", "space_measured"]

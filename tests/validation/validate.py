@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Holds Riffle's channels against their bars: the column twin, the momentum balance, Table 3.1.
 
-  tests/validation/validate.py quick     condition 2 and its stirred twin (CI, some minutes)
+  tests/validation/validate.py quick     condition 2, stirred too, and beside a side wall (CI, some minutes)
   tests/validation/validate.py choices   each choice of the method in condition 2
   tests/validation/validate.py full      all conditions, the paper's case, spacings, stirring, choices, SPS (hours)
   tests/validation/validate.py space     three dimensions: cells of a wide channel, half channels with a side wall (about half an hour)
@@ -26,7 +26,7 @@ import space_parts
 
 ALL_PARTS = parts.PARTS | space_parts.SPACE_PARTS | choice_parts.CHOICE_PARTS | bed_parts.BED_PARTS
 
-TIERS = {"quick": parts.QUICK + ["space_quick", "space_side_quick"], "full": parts.FULL + bed_parts.BEDS + ["choices"], "space": space_parts.SPACE}
+TIERS = {"quick": parts.QUICK + ["space_side_quick"], "full": parts.FULL + bed_parts.BEDS + ["choices"], "space": space_parts.SPACE}
 
 
 def main():

@@ -47,7 +47,7 @@ from flow import Flow  # noqa: E402
 from table import Table  # noqa: E402
 
 CHECKS = viscous_checks.CHECKS | surface_checks.CHECKS | violent_checks.CHECKS | scheme_checks.CHECKS | turbulence_checks.CHECKS | resolved_bed_checks.CHECKS | open_end_checks.CHECKS | inflow_checks.CHECKS | overflow_checks.CHECKS | rapid_checks.CHECKS | jump_checks.CHECKS | vegetation_checks.CHECKS | body_checks.CHECKS | porous_checks.CHECKS | stream_checks.CHECKS | solid_checks.CHECKS | bed_checks.CHECKS | flood_checks.CHECKS
-QUICK = ["poiseuille", "couette", "taylor_green_re100", "tank", "standing_wave", "drop", "emergent_stems", "submerged_formula", "brinkman", "inclined_plate"]
+QUICK = ["poiseuille", "couette", "taylor_green_re100", "tank", "drop", "emergent_stems", "submerged_formula", "brinkman", "inclined_plate"]
 
 
 class Study:
