@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numeric>
 
 #include "analysis/bodies.hpp"
 #include "analysis/chapters.hpp"
@@ -191,6 +192,31 @@ void compare_with_varied_flow(const FlowRecord& record, const LongProfile& profi
     analysis.findings.push_back(std::move(finding));
 }
 
+/// Discharge that leaves a channel of open ends: what enters, less the growth of the mass that it holds, in
+/// means over a hundredth of the record each.
+Curve leaving_discharge(const FlowRecord& record) {
+    const SeriesTable& series = record.series();
+    const auto& of = fields::time_series;
+    const auto& time = series[of.time];
+    const auto& entering = series[of.inflow_discharge];
+    const auto& stored = series[of.mass_stored];
+    constexpr std::size_t parts = 100;
+    constexpr std::size_t fewest = 10;  // particles leave in bunches
+    const std::size_t step = std::max(fewest, time.size() / parts);
+    std::vector<double> middle;
+    std::vector<double> leaving;
+    for (std::size_t first = 0; first + step < time.size(); first += step) {
+        const std::size_t last = first + step;
+        const double duration = time[last] - time[first];
+        const double growth = (stored[last] - stored[first]) / (record.flow()->fluid.density * duration);
+        const double mean =
+            std::accumulate(&entering[first], &entering[last], 0.0) / static_cast<double>(step);
+        middle.push_back(0.5 * (time[first] + time[last]));
+        leaving.push_back(mean - growth);
+    }
+    return make_curve("outflow, by the particles", Origin::simulated, Mark::line, middle, leaving, 2);
+}
+
 /// What crosses the ends, and how deep the water is there.
 void add_ends(const FlowRecord& record, Analysis& analysis) {
     const SeriesTable& series = record.series();
@@ -201,7 +227,9 @@ void add_ends(const FlowRecord& record, Analysis& analysis) {
     const bool space = record.flow()->channel.dimensions == 3;
     Figure discharge = make_figure(
         chapters::along, "end_discharges", "Discharge at the ends",
-        "What enters the channel, and what the section at the outflow carries.", "", make_axis("time t", "s"),
+        "What enters the channel, what the section at the outflow carries, and what leaves by the account of "
+        "the particles, in means over a hundredth of the run each.",
+        "", make_axis("time t", "s"),
         space ? make_axis("discharge", "m3/s") : make_axis("discharge per unit width", "m2/s"));
     Figure depth = make_figure(chapters::along, "end_depths", "Depth at the ends",
                                "Height of the water over the bed level of the sections that rule the ends.",
@@ -211,7 +239,8 @@ void add_ends(const FlowRecord& record, Analysis& analysis) {
             make_curve(label, Origin::simulated, Mark::line, time, thinned(series[field], most), variant));
     };
     add(discharge, "inflow", of.inflow_discharge, 0);
-    add(discharge, "outflow", of.outflow_discharge, 1);
+    add(discharge, "section at the outflow", of.outflow_discharge, 1);
+    if (series.has(of.mass_stored)) discharge.curves.push_back(leaving_discharge(record));
     add(depth, "inflow", of.inflow_depth, 0);
     add(depth, "outflow", of.outflow_depth, 1);
     analysis.figures.push_back(std::move(discharge));

@@ -120,9 +120,8 @@ struct TimeSeries {
     Field particles_left = end_series("particles_left", "1", "particles that have left by the ends so far");
     Field particles_lost =
         end_series("particles_lost", "1", "particles that have left the domain otherwise so far");
-    Field mass_stored =
-        end_series("mass_stored", {"kg/m", "kg"},
-                   {"mass of these particles per unit width", "mass of these particles"}, Reader::users);
+    Field mass_stored = end_series("mass_stored", {"kg/m", "kg"},
+                                   {"mass of these particles per unit width", "mass of these particles"});
     Field mass_entered =
         end_series("mass_entered", {"kg/m", "kg"},
                    {"mass that has entered per unit width", "mass that has entered"}, Reader::users);

@@ -200,6 +200,30 @@ TEST(Kinds, AFloodIsJudgedByItsAccountAndNotByAMean) {
     EXPECT_NE(row(rows, "density_range")->mark, Health::good);
 }
 
+// The section at the outflow may miss what gaps between the particles carry; their account does not.
+TEST(Kinds, WhatLeavesIsJudgedByTheParticles) {
+    ReportData data = channel();
+    data.flow.channel.ends = Ends::open;
+    data.flow.inflow.unit_discharge = 0.02;
+    data.column = {};
+    const std::vector<double>& time = data.series[fields::time_series.time];
+    data.series.set(fields::time_series.inflow_discharge, std::vector<double>(time.size(), 0.02));
+    data.series.set(fields::time_series.outflow_discharge, std::vector<double>(time.size(), 0.0193));
+    const auto stored_at = [&](double share_kept) {
+        std::vector<double> mass;
+        for (std::size_t i = 0; i < time.size(); ++i) {
+            // Particles leave in bunches.
+            mass.push_back(50.0 + share_kept * 1000.0 * 0.02 * time[i] + 1e-3 * static_cast<double>(i % 7));
+        }
+        data.series.set(fields::time_series.mass_stored, std::move(mass));
+        return *row(diagnose(data, {}), "throughput");
+    };
+    EXPECT_EQ(stored_at(0.0).mark, Health::good);
+    const Diagnostic filling = stored_at(0.03);
+    EXPECT_NE(filling.mark, Health::good);
+    EXPECT_THAT(filling.value, HasSubstr("3.00"));
+}
+
 TEST(Kinds, AClosedFlowIsJudgedByWhatItMustKeep) {
     ReportData data = channel();
     data.flow.channel.slope = 0.0;
