@@ -99,8 +99,8 @@ template <class Patch, class Other>
     return common_area(plan_outline(c, patch), plan_outline(c, other)) > rounding * c.channel.length;
 }
 
-/// The smaller of the extents of a patch in plan, m; of an outline its area over its larger extent, or its
-/// least width at right angles to one of its edges.
+/// The smaller of the extents of a patch in plan, m; of an outline its area over its larger extent, its least
+/// width at right angles to one of its edges, or its usual thickness.
 template <class Patch>
 [[nodiscard]] double least_extent(const Case& c, const Patch& patch) {
     const auto ranges = ranges_of(c, patch);
@@ -108,7 +108,8 @@ template <class Patch>
     const double across = ranges[1].to - ranges[1].from;
     if (is_outlined(patch)) {
         const Outline outline = outline_of(patch);
-        return std::min(std::abs(signed_area(outline)) / std::max(along, across), least_width(outline));
+        return std::min({std::abs(signed_area(outline)) / std::max(along, across), least_width(outline),
+                         usual_thickness(outline)});
     }
     return c.channel.dimensions == 3 ? std::min(along, across) : along;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace riffle::inline case_file {
 
@@ -92,6 +93,25 @@ double least_width(const Outline& outline) {
         least = std::min(least, high - low);
     }
     return least;
+}
+
+double usual_thickness(const Outline& outline) {
+    std::vector<std::pair<double, double>> edges;  // thickness and length
+    double around = 0.0;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        const std::size_t j = outline.next(i);
+        const double length = std::hypot(outline.x[j] - outline.x[i], outline.z[j] - outline.z[i]);
+        if (length == 0.0) continue;
+        edges.emplace_back(thickness_at(outline, i), length);
+        around += length;
+    }
+    std::sort(edges.begin(), edges.end());
+    double passed = 0.0;
+    for (const auto& [thickness, length] : edges) {
+        passed += length;
+        if (passed >= 0.5 * around) return thickness;
+    }
+    return 0.0;
 }
 
 double common_area(const Outline& one, const Outline& other) {

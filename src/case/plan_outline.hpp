@@ -31,6 +31,10 @@ struct PatchRange {
 /// The least width of an outline at right angles to one of its edges, m.
 [[nodiscard]] double least_width(const Outline& outline);
 
+/// The thickness of an outline behind the middles of its edges, m: half of its length has no more. Of a band
+/// that turns, its width.
+[[nodiscard]] double usual_thickness(const Outline& outline);
+
 /// The area that lies in both of two outlines, m2.
 [[nodiscard]] double common_area(const Outline& one, const Outline& other);
 

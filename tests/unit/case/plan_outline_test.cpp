@@ -145,7 +145,21 @@ TEST(PlanOutline, IsAsThinAsItsWidthAcross) {
     const double beside = 0.01 / std::numbers::sqrt2;
     const Outline band{{0.0, far, far - beside, -beside}, {0.0, far, far + beside, beside}};
     EXPECT_NEAR(least_width(band), 0.01, 1e-12);
-    EXPECT_NEAR(least_width({{0.0, 0.03, 0.03, 0.0}, {0.0, 0.0, 0.02, 0.02}}), 0.02, 1e-12);
+    EXPECT_NEAR(usual_thickness(band), 0.01, 1e-12);
+    const Outline rectangle{{0.0, 0.03, 0.03, 0.0}, {0.0, 0.0, 0.02, 0.02}};
+    EXPECT_NEAR(least_width(rectangle), 0.02, 1e-12);
+    EXPECT_NEAR(usual_thickness(rectangle), 0.02, 1e-12);
+    // An L of two arms of 10 mm is as thin as they are; an island with sharp ends is as thick as in its
+    // middle.
+    EXPECT_NEAR(usual_thickness({{0.0, 0.1, 0.1, 0.01, 0.01, 0.0}, {0.0, 0.0, 0.01, 0.01, 0.1, 0.1}}), 0.01,
+                1e-12);
+    Outline island;
+    for (int k = 0; k < 40; ++k) {
+        const double angle = std::numbers::pi * k / 20.0;
+        island.x.push_back(0.1 * std::cos(angle));
+        island.z.push_back(0.03 * std::sin(angle));
+    }
+    EXPECT_GT(usual_thickness(island), 0.05);
 }
 
 }  // namespace
